@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// Text by language tag (BCP 47: "en", "zh", "ar").
+using LocalText = std::map<std::string, std::string, std::less<>>;
+
+/// What an exhibit stands on, found by the compiler from its position.
+enum class ExhibitPlace : std::uint8_t { OnFloor, OnWall, InCase };
+
+/// Something to look at.
+struct Exhibit {
+  std::string id;           ///< Stable, lower case with hyphens: names it in visits and routes.
+  std::uint32_t floor = 0;  ///< Index into Museum::floors.
+  std::uint32_t room = 0;   ///< Index into Museum::rooms.
+  Placement placement;      ///< Where the object is, and where it looks.
+  Placement view;           ///< Where a visitor stands to look at it, facing it.
+  ExhibitPlace place = ExhibitPlace::OnFloor;
+  LocalText title;
+  LocalText text;
+  std::uint32_t image = 0;  ///< Index into Museum::images.
+};
+
+/// A gallery: a name for a part of a floor.
+struct Room {
+  std::string id;
+  std::uint32_t floor = 0;
+  LocalText title;
+  Vec2 label{};               ///< Where its name stands on the plan.
+  std::vector<Vec2> outline;  ///< Counter-clockwise polygon; may be empty.
+};
+
+}  // namespace docent

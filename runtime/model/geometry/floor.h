@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/model/geometry/floor_plan.h"
+#include "runtime/model/geometry/roadmap.h"
+#include "runtime/model/geometry/tangent_graph.h"
+#include "runtime/model/geometry/voronoi_diagram.h"
+
+namespace docent {
+
+/// One floor as the database holds it.
+struct Floor {
+  FloorPlan plan;
+  VoronoiDiagram diagram;
+  Roadmap roadmap;
+  std::vector<TangentGraph>
+      tangent_graphs;  ///< One per radius class, ascending radius; the first is 0.
+};
+
+}  // namespace docent

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// The vertices of one ring: [first, first + count) of FloorPlan::vertex.
+struct Ring {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// A doorway that staff can close. Its segment crosses free floor between two walls.
+struct Door {
+  std::string name;
+  Vec2 a{}, b{};
+  bool closed = false;
+};
+
+/// The walls of one floor, mended: what remains is the walkable interior.
+///
+/// Frame: floor (metres, x east, y north).
+/// Invariants, made by the content compiler and checked once on load:
+///  - wall i runs from vertex i to the next vertex of its ring, so walls and vertices share an
+///  index;
+///  - the interior lies to the left of every wall (outer rings counter-clockwise, holes clockwise);
+///  - rings do not cross themselves or each other; two vertices of a ring are at least 0.1 mm
+///  apart.
+/// Immutable once loaded, so any thread may read it.
+struct FloorPlan {
+  std::string name;
+  double height = 0;  ///< Metres, world y of the floor.
+  std::vector<Vec2> vertex;
+  std::vector<Ring> ring;
+  std::vector<std::uint32_t> next;  ///< One per vertex: the vertex after it in its ring.
+  std::vector<Door> doors;
+};
+
+inline Vec2 wall_start(const FloorPlan& plan, std::uint32_t wall) noexcept {
+  return plan.vertex[wall];
+}
+inline Vec2 wall_end(const FloorPlan& plan, std::uint32_t wall) noexcept {
+  return plan.vertex[plan.next[wall]];
+}
+
+}  // namespace docent

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// What a vertex of the avatar is made of; the renderer gives each a colour and roughness.
+enum class Material : std::uint8_t { Skin, Hair, Coat, Trousers, Shoes, Shirt, Eye, Count };
+
+/// A vertex of the avatar in the rest pose of its skeleton (model frame, metres).
+struct SkinnedVertex {
+  Vec3 position{};
+  Vec3 normal{};
+  std::array<std::uint8_t, 4> joint{};
+  std::array<std::uint8_t, 4> weight{};  ///< Of 255; they add up to 255.
+  Material material = Material::Skin;
+  std::uint8_t occlusion = 255;  ///< 255: open to the sky; 0: buried.
+};
+
+/// The avatar's body, bound to a skeleton of at most 64 joints. Triangles are counter-clockwise
+/// seen from outside.
+struct SkinnedMesh {
+  std::vector<SkinnedVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  std::vector<Mat4> inverse_bind;  ///< One per joint: model frame to joint frame in the rest pose.
+};
+
+}  // namespace docent

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "runtime/model/exhibit/exhibit.h"
+#include "runtime/model/geometry/floor.h"
+#include "runtime/model/motion/motion_graph.h"
+#include "runtime/model/motion/skinned_mesh.h"
+#include "runtime/model/scenery.h"
+
+namespace docent {
+
+/// A picture, kept as the bytes of a PNG or JPEG file.
+struct EncodedImage {
+  std::string name;
+  std::uint32_t width = 0, height = 0;  ///< Pixels.
+  std::vector<std::byte> bytes;
+};
+
+/// A language the kiosk speaks.
+struct Language {
+  std::string tag;   ///< BCP 47.
+  std::string name;  ///< In itself: "English", "中文", "العربية".
+  bool right_to_left = false;
+  std::map<std::string, std::string, std::less<>> words;  ///< The interface's words by key.
+};
+
+/// Everything the kiosk knows, as the database holds it. Immutable once loaded.
+struct Museum {
+  LocalText title;
+  LocalText welcome;
+  std::vector<Language> languages;  ///< The first is the default.
+  std::vector<Floor> floors;
+  std::vector<Scenery> scenery;  ///< One per floor: what is drawn of it.
+  std::vector<Room> rooms;
+  std::vector<Exhibit> exhibits;
+  std::vector<EncodedImage> images;
+  std::uint32_t kiosk_floor = 0;
+  Placement kiosk;                  ///< "You are here"; the heading is where the visitor looks.
+  double body_radius = 0.25;        ///< Metres.
+  std::uint32_t ambient_count = 0;  ///< Strolling visitors.
+  MotionGraph motion;  ///< Without clips where the museum was compiled with --no-motion.
+  SkinnedMesh avatar;
+};
+
+}  // namespace docent
