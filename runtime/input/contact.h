@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+namespace docent {
+
+/// A finger on the glass. Screen frame after rotation.
+struct Contact {
+  std::uint32_t id = 0;  ///< Stays with the finger while it is down.
+  float x = 0, y = 0;    ///< [0, 1] of the logical range.
+};
+
+/// Keys that the kiosk understands beside letters, digits and F1...
+enum class Key : std::uint8_t {
+  None,
+  Up,
+  Down,
+  Left,
+  Right,
+  Enter,
+  Back,
+  Help,
+  VolumeUp,
+  VolumeDown,
+  Character,
+  Function
+};
+
+/// What happened at the glass or the keypad. Scripted visits and devices produce the same events.
+struct InputEvent {
+  enum class Kind : std::uint8_t { Down, Move, Up, KeyDown, KeyUp };
+  Kind kind = Kind::Down;
+  Contact contact;      ///< For Down, Move and Up.
+  Key key = Key::None;  ///< For KeyDown and KeyUp.
+  char character = 0;   ///< Key::Character: 'A'..'Z', '0'..'9'. Key::Function: its number.
+};
+
+}  // namespace docent

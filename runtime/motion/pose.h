@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "runtime/model/motion/motion_clip.h"
+#include "runtime/model/motion/skeleton.h"
+#include "runtime/motion/walk.h"
+
+namespace docent {
+
+/// A body at one moment: the root's place in the world and every joint's rotation relative to its
+/// parent.
+struct PoseView {
+  Vec3 root{};
+  std::span<Quat> rotation;  ///< One per joint.
+};
+
+/// The pose of a walk at a time (seconds from its first frame, clamped to its ends): interpolates
+/// between frames. `rotation` must hold joint_count entries. Does not allocate.
+void sample(const Walk& walk, double seconds, PoseView& pose) noexcept;
+void sample(const MotionClip& clip, double seconds, PoseView& pose) noexcept;
+
+/// World transforms of all joints: `world` holds one matrix per joint. Does not allocate.
+void to_world_space(const Skeleton& skeleton, const PoseView& pose, std::span<Mat4> world) noexcept;
+
+/// palette[j] = world[j] * inverse_bind[j]: what skinning multiplies a rest-pose vertex by.
+void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,
+                           std::span<Mat4> palette) noexcept;
+
+}  // namespace docent

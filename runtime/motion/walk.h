@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/model/motion/motion_graph.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// What the avatar is doing in a frame, as states.csv reports it.
+enum class Gait : std::uint8_t { Idle, Turn, Walk };
+
+/// A walk made to measure: a motion clip in the floor's own place, ready to be sampled by the frame
+/// loop.
+///
+/// World frame, metres (floor (x, y) is world (x, height, -y) with height 0 here). All arrays have
+/// one entry per frame, `rotation` has joint_count per frame, as in MotionClip.
+struct Walk {
+  double frame_rate = 120;
+  std::uint32_t joint_count = 0;
+  std::vector<Vec3> root;
+  std::vector<Quat> rotation;
+  std::vector<FootPlants> plants;
+  std::vector<Placement> body;  ///< Where the body's circle stands and faces: the root with the
+                                ///< sway of the gait taken out.
+  std::vector<float> along;     ///< Metres along the path.
+  std::vector<Gait> gait;
+  std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
+  std::uint32_t transitions = 0;  ///< How many blends it holds.
+  std::uint32_t expanded = 0;     ///< Search nodes expanded.
+  double search_seconds = 0;
+};
+
+inline std::uint32_t frame_count(const Walk& walk) noexcept {
+  return static_cast<std::uint32_t>(walk.root.size());
+}
+
+/// Raw is the graph's own track; Exact warps it onto the path and pins the planted feet.
+enum class Fidelity : std::uint8_t { Exact, Raw };
+
+/// What is asked of a walk.
+struct WalkRequest {
+  std::span<const Vec2> path;  ///< Floor frame, at least two different points.
+  std::optional<Placement>
+      start;  ///< Standing; facing along the path from its first point when absent.
+  std::optional<double> final_heading;  ///< Radians; along the path's end when absent.
+  /// A walk in progress to go on from, at one of its frames: the new walk's frame 0 is that frame,
+  /// and it moves on without a jump in place or pose. The path then begins at
+  /// walk->body[frame].position.
+  const Walk* before = nullptr;
+  std::uint32_t before_frame = 0;
+  Fidelity fidelity = Fidelity::Exact;
+};
+
+/// Synthesises a walk from the motion graph along a path: starts standing (or from `before`), turns
+/// on the spot by steps where the path starts or ends in another direction, and ends standing. The
+/// result keeps to the path (Exact) so that a clear path is a clear walk. Fails with a sentence
+/// where the graph cannot walk (no start, no stop, no clips).
+Result<Walk> make_walk(const MotionGraph& graph, const WalkRequest& request);
+
+}  // namespace docent

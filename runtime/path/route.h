@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "runtime/model/geometry/floor.h"
+#include "runtime/path/way.h"
+
+namespace docent {
+
+/// A floor made ready for queries: what the database holds plus the indices that are quick to
+/// rebuild. Immutable after construction, so any thread may ask. Borrows the floor, which must
+/// outlive it.
+class FloorMap;
+
+/// Makes a floor ready for queries.
+std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor);
+
+/// Answers one query. Never throws for any finite or non-finite input.
+Way route(const FloorMap& map, const RouteQuery& query);
+
+/// A tour that passes the given points in order; only the offset kind does more than join the ways.
+Way tour(const FloorMap& map, const RouteQuery& query, std::span<const Vec2> stops);
+
+/// Distance to the nearest wall (inside or out), metres.
+double clearance_at(const FloorMap& map, Vec2 point) noexcept;
+/// Is the point in the walkable interior?
+bool is_inside(const FloorMap& map, Vec2 point) noexcept;
+/// Does the segment cross no wall?
+bool can_see(const FloorMap& map, Vec2 from, Vec2 to) noexcept;
+/// The Voronoi region (site index) that holds the point; the nearest one where it is outside.
+std::uint32_t region_at(const FloorMap& map, Vec2 point) noexcept;
+
+}  // namespace docent

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+enum class RouteKind : std::uint8_t { Shortest, Skeleton, Offset };
+
+enum class RouteStatus : std::uint8_t {
+  Ok,
+  StartBlocked,  ///< The start is closer to a wall than the radius, or outside.
+  GoalBlocked,
+  NoRoute,
+};
+
+/// Which hand the wall is on when walking along it.
+enum class Hand : std::uint8_t { Shorter, Left, Right };
+
+/// What is asked: a way for a disc from one point of a floor to another. Frame: floor, metres.
+struct RouteQuery {
+  RouteKind kind = RouteKind::Shortest;
+  Vec2 from{}, to{};
+  double radius = 0;          ///< Of the disc.
+  double offset = 1;          ///< Offset only: distance kept to the wall.
+  Hand hand = Hand::Shorter;  ///< Offset only.
+  bool widest =
+      false;  ///< Skeleton only: maximise the smallest clearance, then minimise the length.
+};
+
+/// What is answered. `points` holds both ends; arcs are flattened to 1 mm, inside the walkable
+/// floor.
+struct Way {
+  RouteStatus status = RouteStatus::NoRoute;
+  double length = 0;         ///< Metres, of the true way (arcs as arcs).
+  double clearance_min = 0;  ///< Metres, the smallest distance to a wall along it.
+  std::vector<Vec2> points;
+};
+
+}  // namespace docent

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+#include "runtime/path/way.h"
+
+namespace docent {
+
+/// Linear RGB and opacity, premultiplied nowhere: the renderer does that.
+struct Colour {
+  float r = 0, g = 0, b = 0, a = 1;
+};
+
+/// A rectangle of the screen frame: [0, 1] by [0, 1], origin top left, y down, after rotation.
+struct Rect {
+  float x = 0, y = 0, width = 0, height = 0;
+};
+
+constexpr bool contains(const Rect& r, float x, float y) noexcept {
+  return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
+}
+
+/// A picture or a set text that the renderer holds in texture memory; handed out by the kiosk's
+/// texture table.
+enum class TextureId : std::uint32_t { None = 0 };
+
+/// How a rectangle of the interface is filled.
+enum class QuadFill : std::uint8_t {
+  Solid,   ///< One colour.
+  Text,    ///< The texture's red channel is coverage, tinted by the colour; drawn texel for pixel.
+  Image,   ///< The texture's colours, times the colour.
+  Shadow,  ///< A soft shadow of the rectangle with corners; `softness` is its reach.
+  Ring,    ///< An annulus inscribed in the rectangle: the answer to a touch. `softness` is its
+           ///< thickness.
+};
+
+/// One rectangle of the interface, in the order to be drawn.
+struct Quad {
+  Rect rect;
+  QuadFill fill = QuadFill::Solid;
+  Colour colour;
+  TextureId texture = TextureId::None;
+  Rect uv{0, 0, 1, 1};
+  float corner = 0;    ///< Corner radius, as a share of the screen's shorter side.
+  float softness = 0;  ///< As a share of the screen's shorter side.
+};
+
+/// A long lens looking at the model.
+struct CameraView {
+  Vec3 eye{};
+  Vec3 target{};
+  float vertical_fov = 0.52F;  ///< Radians.
+  Mat4 view{1};
+  Mat4 projection{1};
+};
+
+/// An avatar to be drawn: `joint_count` matrices of DrawList::palette from `first_matrix`, world
+/// frame, in the order of the skeleton.
+struct AvatarDraw {
+  std::uint32_t first_matrix = 0;
+  std::uint32_t look = 0;  ///< Which outfit.
+  Vec3 feet[2]{};          ///< World frame: under each foot on the floor, for the contact shadows.
+  float foot_height[2]{};  ///< Metres of each sole above the floor: the shadow fades as it rises.
+  Vec3 centre{};           ///< World frame: the hips.
+};
+
+/// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Widths and colours
+/// follow the kind.
+struct RibbonDraw {
+  RouteKind kind = RouteKind::Shortest;
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t revision =
+      0;  ///< Changes when the points do, so that the renderer rebuilds its strip only then.
+  float length = 0;  ///< Metres.
+  float walked = 0;  ///< Metres already behind the guide: dimmed.
+  float flow = 0;    ///< Metres the pattern has moved towards the goal.
+  float opacity = 1;
+};
+
+/// A mark on the floor, such as "you are here" or the goal. World frame; a disc of `radius` metres.
+struct MarkerDraw {
+  enum class Kind : std::uint8_t { YouAreHere, Goal, Exhibit, SelectedExhibit };
+  Kind kind = Kind::Goal;
+  Vec3 position{};
+  float radius = 0.3F;
+  float heading = 0;  ///< Radians, floor frame; YouAreHere shows it.
+  float opacity = 1;
+};
+
+/// Everything that one frame shows, in the order to be drawn. Its vectors are reserved when a view
+/// is entered, so filling it does not allocate.
+struct DrawList {
+  std::uint32_t floor = 0;
+  CameraView camera;
+  /// Parts of the building further from the lit galleries fade towards the paper colour: spheres of
+  /// light, floor frame.
+  Vec2 focus{};               ///< Where the attention is, floor frame.
+  float focus_radius = 1e3F;  ///< Metres within which nothing fades.
+  Vec2 goal{};                ///< The goal's gallery is a little brighter round here.
+  float goal_radius = 0;      ///< 0: no goal.
+  std::int32_t highlighted_exhibit = -1;
+  std::vector<AvatarDraw> avatars;
+  std::vector<Mat4> palette;
+  std::vector<RibbonDraw> ribbons;
+  std::vector<Vec2> ribbon_point;
+  std::vector<MarkerDraw> markers;
+  std::vector<Quad> quads;  ///< Over everything, in order.
+};
+
+}  // namespace docent
