@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "content/import/imported_plan.h"
+#include "runtime/model/diagnostic.h"
+#include "runtime/model/geometry/floor_plan.h"
+
+namespace docent {
+
+/// Makes walls of drawn rings: the union over all polygons of the outer ring's inside without the
+/// holes' insides, where the inside of a ring that crosses itself is every point it winds about
+/// (so both halves of a bow tie). The result keeps the invariants of FloorPlan.
+///
+/// Vertices of rings that need no mending come through bit for bit and in their order; only exactly
+/// collinear ones are dropped. The rest is computed exactly and rounded once:
+///  - vertices closer together than 1 mm become the first of them;
+///  - spikes and rings without area are left out;
+///  - where rings cross, touch, overlap or nest, the walls are those of what remains walkable, each
+///    keeping to its own side of a point that two rings share: nobody fits through there.
+/// Each mending is appended to `mendings` as a warning with its place in the source.
+///
+/// Throws ContentError where nothing walkable remains, and where the plan's size says that its
+/// numbers cannot be metres.
+FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings);
+
+}  // namespace docent
