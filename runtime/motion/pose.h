@@ -23,6 +23,11 @@ void sample(const MotionClip& clip, double seconds, PoseView& pose) noexcept;
 /// World transforms of all joints: `world` holds one matrix per joint. Does not allocate.
 void to_world_space(const Skeleton& skeleton, const PoseView& pose, std::span<Mat4> world) noexcept;
 
+/// Lets a standing body live: adds breathing and slow shifts of weight to a standing pose, over
+/// planted feet. `seconds` counts from when it began to stand; nothing is added at 0 and the motion
+/// never repeats exactly. Smooth in time; moves the hips by at most 2 cm. Does not allocate.
+void add_idle(const Skeleton& skeleton, double seconds, PoseView& pose) noexcept;
+
 /// palette[j] = world[j] * inverse_bind[j]: what skinning multiplies a rest-pose vertex by.
 void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,
                            std::span<Mat4> palette) noexcept;

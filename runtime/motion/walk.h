@@ -43,7 +43,9 @@ enum class Fidelity : std::uint8_t { Exact, Raw };
 
 /// What is asked of a walk.
 struct WalkRequest {
-  std::span<const Vec2> path;  ///< Floor frame, at least two different points.
+  /// Floor frame, at least two different points. With `before` it may be empty: the avatar stops as
+  /// soon as it naturally can.
+  std::span<const Vec2> path;
   std::optional<Placement>
       start;  ///< Standing; facing along the path from its first point when absent.
   std::optional<double> final_heading;  ///< Radians; along the path's end when absent.
@@ -52,6 +54,11 @@ struct WalkRequest {
   /// walk->body[frame].position.
   const Walk* before = nullptr;
   std::uint32_t before_frame = 0;
+  /// Where `before` would have gone on to, from its body at before_frame: where the new path leads
+  /// another way (by more than 60 degrees) a walking avatar brakes along this line, turns on the
+  /// spot, walks back to the new path's beginning and on. Straight ahead when empty, which may
+  /// be too near to a wall.
+  std::span<const Vec2> old_path_ahead;
   Fidelity fidelity = Fidelity::Exact;
 };
 
