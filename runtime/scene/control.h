@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/model/museum.h"
+#include "runtime/path/way.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// The four faces of the kiosk.
+enum class Screen : std::uint8_t {
+  Welcome,   ///< The whole model and a greeting.
+  Choosing,  ///< The model, its exhibits marked, and the list of them.
+  Walking,   ///< Behind the guide.
+  Arrived,   ///< Beside the guide, in front of the exhibit.
+};
+
+/// What of the guide's state decides which controls there are and what they say. The rest (where
+/// the avatar is, how far a blend has come) only moves things.
+struct InterfaceState {
+  Screen screen = Screen::Welcome;
+  std::uint32_t language = 0;  ///< Index into Museum::languages.
+  std::uint32_t page = 0;      ///< Of the list of exhibits, on the choosing screen.
+  std::int32_t exhibit = -1;   ///< Where the visitor is going or has arrived; -1: nowhere.
+  RouteKind kind = RouteKind::Shortest;
+  bool arrived = false;  ///< The guide stands at `exhibit`.
+
+  bool operator==(const InterfaceState&) const = default;
+};
+
+/// What pressing a control asks for.
+struct Action {
+  enum class Kind : std::uint8_t {
+    Begin,         ///< From the welcome to the list.
+    Choose,        ///< Go to exhibit `argument`.
+    TurnPage,      ///< Show page `argument` of the list.
+    Speak,         ///< Language `argument`.
+    TakeRoute,     ///< RouteKind `argument`.
+    ShowExhibits,  ///< The list again; the walk goes on.
+    Return,        ///< From the list back to the walk, the exhibit or the welcome.
+    Stop,          ///< The guide stops where it is.
+    Home,          ///< Back to the welcome; the guide walks home.
+  };
+  Kind kind = Kind::Begin;
+  std::uint32_t argument = 0;
+};
+
+/// The state after an action: the one rule that touch, keypad, named taps and tests share.
+InterfaceState after(InterfaceState state, Action action) noexcept;
+
+enum class Role : std::uint8_t {
+  Button,
+  ListItem,  ///< An exhibit on a card.
+  Spot,      ///< The same exhibit where it stands on the model.
+  Choice,    ///< One of several of which one holds: language, route kind.
+};
+
+/// Something a visitor can press. One list per view: drawing, touch, keypad, scripted visits and
+/// tests all read it.
+struct Control {
+  /// Stable, the same in every language: `exhibit:ID`, `route:shortest`, `language:TAG`, `home`...
+  /// A spot bears its exhibit's name; a list item of that name, where there is one, comes first.
+  std::string name;
+  Role role = Role::Button;
+  LocalText label;
+  Action action;
+  bool selected = false;
+  bool enabled = true;
+  Rect rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
+};
+
+/// The controls of a state in focus order, without their rectangles. `per_page` is how many
+/// exhibits a page of the list shows. Spots come last.
+std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
+                                 std::uint32_t per_page);
+
+/// Exhibits that could follow the one at `exhibit`: the nearest on the same floor by straight line
+/// between viewing points, nearest first.
+std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibit,
+                                      std::size_t count);
+
+/// How many suggestions the arrived screen makes.
+inline constexpr std::size_t suggestion_count = 2;
+
+/// How many pages the list has; at least 1.
+std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept;
+
+/// The touches by which a visitor in `state` gets to press the control `name`, that press included;
+/// empty where more than `most` would be needed. List items are preferred to spots: pages are
+/// turned where that is near enough.
+std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
+                                std::uint32_t per_page, std::string_view name,
+                                std::size_t most = 3);
+
+/// Does any view of this museum have a control of that name?
+bool is_control_name(const Museum& museum, std::string_view name);
+
+/// The interface's word for `key` in a language: falls back to the first language, then to the key.
+std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept;
+/// `text` in a language, with the same fallbacks; empty where there is none at all.
+std::string_view in_language(const Museum& museum, std::uint32_t language,
+                             const LocalText& text) noexcept;
+/// The stable name of a route kind: "shortest", "skeleton", "offset".
+std::string_view name_of(RouteKind kind) noexcept;
+
+}  // namespace docent

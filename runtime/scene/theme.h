@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "runtime/path/way.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// One channel of sRGB, [0, 1], as linear light (IEC 61966-2-1).
+inline float linear_light(float channel) noexcept {
+  return channel <= 0.04045F ? channel / 12.92F : std::pow((channel + 0.055F) / 1.055F, 2.4F);
+}
+
+/// The linear colour of 0xRRGGBB.
+inline Colour srgb(std::uint32_t hex, float opacity = 1) noexcept {
+  const auto channel = [hex](unsigned shift) {
+    return linear_light(static_cast<float>(hex >> shift & 0xFFU) / 255.0F);
+  };
+  return {channel(16), channel(8), channel(0), opacity};
+}
+
+/// The house colours. Linear light; the model and the interface share them.
+struct Theme {
+  Colour paper = srgb(0xF5F1E8);
+  Colour plaster = srgb(0xE9E3D7);
+  Colour cut_face = srgb(0x3A3632);
+  Colour oak = srgb(0xB98F62);
+  Colour stone = srgb(0xBDB6A8);
+  Colour ink = srgb(0x1E1C1A);
+  Colour quiet_ink = srgb(0x544D46);
+  Colour shortest = srgb(0xD2452D);  ///< Vermilion; also what invites to touch.
+  Colour skeleton = srgb(0x1D7874);  ///< Teal.
+  Colour offset = srgb(0xC0841A);    ///< Ochre.
+};
+
+inline Colour route_colour(const Theme& theme, RouteKind kind) noexcept {
+  switch (kind) {
+    case RouteKind::Skeleton:
+      return theme.skeleton;
+    case RouteKind::Offset:
+      return theme.offset;
+    case RouteKind::Shortest:
+      break;
+  }
+  return theme.shortest;
+}
+
+inline Colour with_opacity(Colour colour, float opacity) noexcept {
+  colour.a *= opacity;
+  return colour;
+}
+
+}  // namespace docent
