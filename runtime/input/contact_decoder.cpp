@@ -1,0 +1,240 @@
+#include "runtime/input/contact_decoder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace docent {
+namespace {
+
+bool in_application(const ReportDescriptor& descriptor, const ReportField& field,
+                    Usage application) {
+  return application_of(descriptor, field.collection) == application;
+}
+
+/// Begins a new slot where a finger's collection begins, or where a value comes round again.
+class SlotCollector {
+ public:
+  void add(const ReportField& field) {
+    if (field.collection != collection_ && (field.usage == usages::tip_switch || complete()))
+      start();
+    collection_ = field.collection;
+    switch (field.usage) {
+      case usages::x:
+        if (has_x_ && has_y_) break;  // a second X and Y give the contact's centre or its edge
+        if (!has_x_) current_.x = field;
+        has_x_ = true;
+        break;
+      case usages::y:
+        if (!has_y_) current_.y = field;
+        has_y_ = true;
+        break;
+      case usages::tip_switch:
+        if (current_.tip) start();
+        current_.tip = field;
+        break;
+      case usages::in_range:
+        current_.in_range = field;
+        break;
+      case usages::confidence:
+        current_.confidence = field;
+        break;
+      case usages::contact_identifier:
+        if (current_.identifier && complete()) start();
+        current_.identifier = field;
+        break;
+      default:
+        break;
+    }
+  }
+
+  std::vector<ContactFields> finish() {
+    start();
+    return std::move(slots_);
+  }
+
+ private:
+  bool complete() const { return has_x_ && has_y_; }
+  void start() {
+    if (complete() && slots_.size() < max_contacts) slots_.push_back(current_);
+    current_ = {};
+    has_x_ = has_y_ = false;
+  }
+
+  std::vector<ContactFields> slots_;
+  ContactFields current_;
+  bool has_x_ = false, has_y_ = false;
+  std::int32_t collection_ = -1;
+};
+
+std::optional<TouchLayout> find_multi_touch(const ReportDescriptor& descriptor) {
+  TouchLayout layout;
+  bool found = false;
+  SlotCollector slots;
+  for (const ReportField& field : descriptor.inputs) {
+    if (!in_application(descriptor, field, usages::touch_screen) || field.is_array) continue;
+    if (!found && (field.usage == usages::tip_switch || field.usage == usages::x)) {
+      layout.report_id = field.report_id;  // the first report that holds contacts
+      found = true;
+    }
+    if (!found || field.report_id != layout.report_id) continue;
+    if (field.usage == usages::contact_count) layout.count = field;
+    if (field.usage == usages::scan_time) layout.scan_time = field;
+    slots.add(field);
+  }
+  layout.slots = slots.finish();
+  if (layout.slots.empty()) return std::nullopt;
+  return layout;
+}
+
+std::optional<TouchLayout> find_absolute_pointer(const ReportDescriptor& descriptor) {
+  TouchLayout layout;
+  ContactFields slot;
+  bool has_x = false;
+  bool has_y = false;
+  for (const ReportField& field : descriptor.inputs) {
+    const bool pointer = in_application(descriptor, field, usages::mouse) ||
+                         in_application(descriptor, field, usages::pointer);
+    if (!pointer || field.is_array || field.is_relative) continue;
+    if (field.usage == usages::x && !has_x) {
+      slot.x = field;
+      has_x = true;
+    }
+    if (field.usage == usages::y && !has_y) {
+      slot.y = field;
+      has_y = true;
+    }
+    if (field.usage == usages::button_1 && !slot.tip) slot.tip = field;
+  }
+  if (!has_x || !has_y || !slot.tip || slot.x.report_id != slot.tip->report_id) return std::nullopt;
+  layout.report_id = slot.x.report_id;
+  layout.single_touch = true;
+  layout.slots = {slot};
+  return layout;
+}
+
+/// The value as a share of its logical range.
+float share(const ReportField& field, std::span<const std::byte> payload) noexcept {
+  const double range = static_cast<double>(field.logical_max) - field.logical_min;
+  if (range <= 0) return 0;
+  const double value = static_cast<double>(field_value(field, payload) - field.logical_min);
+  return static_cast<float>(std::clamp(value / range, 0.0, 1.0));
+}
+
+bool is_set(const std::optional<ReportField>& field, std::span<const std::byte> payload,
+            bool otherwise) noexcept {
+  return field ? field_value(*field, payload) != 0 : otherwise;
+}
+
+}  // namespace
+
+std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor) {
+  if (auto layout = find_multi_touch(descriptor)) return layout;
+  return find_absolute_pointer(descriptor);
+}
+
+ContactDecoder::ContactDecoder(const ReportDescriptor& descriptor, TouchLayout layout)
+    : numbered_(descriptor.numbered), layout_(std::move(layout)) {}
+
+void ContactDecoder::reset() noexcept {
+  frame_count_ = expected_ = down_count_ = 0;
+}
+
+bool ContactDecoder::read_slot(const ContactFields& slot, std::span<const std::byte> payload,
+                               std::size_t index, Reading& reading) const noexcept {
+  if (!holds(slot.x, payload) || !holds(slot.y, payload)) return false;
+  reading.contact.id = slot.identifier
+                           ? static_cast<std::uint32_t>(field_value(*slot.identifier, payload))
+                           : static_cast<std::uint32_t>(index);
+  reading.contact.x = share(slot.x, payload);
+  reading.contact.y = share(slot.y, payload);
+  reading.down = is_set(slot.tip, payload, true);
+  return true;
+}
+
+bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
+  std::span<const std::byte> payload = report;
+  if (numbered_) {
+    if (report.empty() || std::to_integer<std::uint8_t>(report[0]) != layout_.report_id)
+      return false;
+    payload = report.subspan(1);
+  }
+  if (!holds(layout_.slots.front().x, payload) || !holds(layout_.slots.front().y, payload))
+    return false;
+
+  std::size_t promised = layout_.slots.size();
+  if (layout_.count) {
+    const auto count = static_cast<std::size_t>(
+        std::clamp<std::int64_t>(field_value(*layout_.count, payload), 0, max_contacts));
+    if (count > 0) {  // a new frame; whatever the last one still owed will not come
+      frame_count_ = 0;
+      expected_ = count;
+    }
+    promised = std::min(expected_, layout_.slots.size());
+  } else {
+    frame_count_ = 0;
+  }
+
+  for (std::size_t i = 0; i < promised && frame_count_ < max_contacts; ++i) {
+    Reading reading;
+    if (read_slot(layout_.slots[i], payload, i, reading)) frame_[frame_count_++] = reading;
+  }
+  expected_ -= std::min(expected_, promised);
+  if (layout_.count && expected_ > 0) return false;
+  apply_frame();
+  frame_count_ = 0;
+  return true;
+}
+
+void ContactDecoder::merge(const Reading& reading) noexcept {
+  const auto end = down_.begin() + static_cast<std::ptrdiff_t>(down_count_);
+  const auto known = std::find_if(down_.begin(), end,
+                                  [&](const Contact& c) { return c.id == reading.contact.id; });
+  if (known != end && reading.down) {
+    *known = reading.contact;
+  } else if (known != end) {
+    std::move(known + 1, end, known);
+    --down_count_;
+  } else if (reading.down && down_count_ < max_contacts) {
+    down_[down_count_++] = reading.contact;
+  }
+}
+
+void ContactDecoder::apply_frame() noexcept {
+  const std::span<const Reading> seen(frame_.data(), frame_count_);
+  // A device with room for several contacts in a report sends all of them in each frame, so one
+  // that is missing has gone. A serial device may send only what changed, and says goodbye with its
+  // tip up.
+  if (layout_.slots.size() > 1) {
+    const auto missing = [&](const Contact& c) {
+      return std::none_of(seen.begin(), seen.end(),
+                          [&](const Reading& r) { return r.contact.id == c.id; });
+    };
+    const auto end = down_.begin() + static_cast<std::ptrdiff_t>(down_count_);
+    down_count_ =
+        static_cast<std::size_t>(std::remove_if(down_.begin(), end, missing) - down_.begin());
+  }
+  for (const Reading& reading : seen) merge(reading);
+}
+
+std::size_t contact_events(std::span<const Contact> before, std::span<const Contact> after,
+                           std::span<InputEvent> out) noexcept {
+  std::size_t written = 0;
+  const auto find = [](std::span<const Contact> in, std::uint32_t id) {
+    return std::find_if(in.begin(), in.end(), [&](const Contact& c) { return c.id == id; });
+  };
+  const auto emit = [&](InputEvent::Kind kind, const Contact& contact) {
+    if (written < out.size()) out[written++] = {.kind = kind, .contact = contact};
+  };
+  for (const Contact& c : before)
+    if (find(after, c.id) == after.end()) emit(InputEvent::Kind::Up, c);
+  for (const Contact& c : after) {
+    const auto old = find(before, c.id);
+    if (old == before.end())
+      emit(InputEvent::Kind::Down, c);
+    else if (old->x != c.x || old->y != c.y)
+      emit(InputEvent::Kind::Move, c);
+  }
+  return written;
+}
+
+}  // namespace docent

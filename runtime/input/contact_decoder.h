@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/input/contact.h"
+#include "runtime/input/report_descriptor.h"
+
+namespace docent {
+
+inline constexpr std::size_t max_contacts = 64;
+
+/// Where one contact's values lie in an input report. Fields that a device lacks are empty.
+struct ContactFields {
+  ReportField x, y;
+  std::optional<ReportField> tip, in_range, confidence, identifier;
+};
+
+/// How a touch screen reports its contacts: parallel (all in one report), serial (one a report) or
+/// hybrid (a few a report), as in "Digitizer Drivers" of the Windows 7 and 8 touch specifications.
+struct TouchLayout {
+  std::uint8_t report_id = 0;
+  std::vector<ContactFields> slots;
+  std::optional<ReportField> count;      ///< Contact count: in the first report of a frame.
+  std::optional<ReportField> scan_time;  ///< The same in all reports of a frame.
+  bool single_touch = false;  ///< A mouse with absolute axes: one contact, button 1 is the tip.
+};
+
+/// The touch screen in a descriptor: a Touch Screen application, or else a pointer with absolute
+/// axes; empty when there is none. A mouse that a touch screen also offers is left alone.
+std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor);
+
+/// Turns input reports into the set of contacts that are down. One per device; does not allocate.
+class ContactDecoder {
+ public:
+  ContactDecoder(const ReportDescriptor& descriptor, TouchLayout layout);
+
+  /// Takes one input report as the device sent it. True when it completed a frame; contacts() then
+  /// holds all that are down. A report that is short or of another id changes nothing.
+  bool take(std::span<const std::byte> report) noexcept;
+
+  /// Contacts down after the last complete frame, in the order they came down. x and y in [0, 1] of
+  /// the logical range.
+  std::span<const Contact> contacts() const noexcept { return {down_.data(), down_count_}; }
+
+  /// Forgets all contacts: the device was unplugged.
+  void reset() noexcept;
+
+ private:
+  struct Reading {
+    Contact contact;
+    bool down = false;
+  };
+  bool read_slot(const ContactFields& slot, std::span<const std::byte> payload, std::size_t index,
+                 Reading& reading) const noexcept;
+  void apply_frame() noexcept;
+  void merge(const Reading& reading) noexcept;
+
+  bool numbered_;
+  TouchLayout layout_;
+  std::array<Reading, max_contacts> frame_{};  ///< Readings of the frame being collected.
+  std::size_t frame_count_ = 0;
+  std::size_t expected_ = 0;  ///< Contacts that the frame promised and did not deliver yet.
+  std::array<Contact, max_contacts> down_{};
+  std::size_t down_count_ = 0;
+};
+
+/// Compares two sets of contacts and appends Down, Move and Up events; returns how many were
+/// written.
+std::size_t contact_events(std::span<const Contact> before, std::span<const Contact> after,
+                           std::span<InputEvent> out) noexcept;
+
+}  // namespace docent

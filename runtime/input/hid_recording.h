@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// What a HID device said, in the text form of hid-recorder: `R:` descriptor, `N:` name, `I:` bus,
+/// vendor and product, `E:` time, size and bytes of each report.
+struct HidRecording {
+  std::string name;
+  std::vector<std::byte> descriptor;
+  std::vector<std::vector<std::byte>> reports;
+};
+
+/// Reads a recording; `file` names it in errors. Fails with line and sentence on text that is none.
+Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view file);
+
+}  // namespace docent
