@@ -66,17 +66,24 @@ class SlotCollector {
   std::int32_t collection_ = -1;
 };
 
-std::optional<TouchLayout> find_multi_touch(const ReportDescriptor& descriptor) {
+/// The first report of the application that holds contacts; empty when there is none.
+std::optional<std::uint8_t> contact_report(const ReportDescriptor& descriptor, Usage application) {
+  for (const ReportField& field : descriptor.inputs)
+    if (in_application(descriptor, field, application) && field.usage == usages::x)
+      return field.report_id;
+  return std::nullopt;
+}
+
+std::optional<TouchLayout> find_multi_touch(const ReportDescriptor& descriptor, Usage application) {
+  const auto report_id = contact_report(descriptor, application);
+  if (!report_id) return std::nullopt;
   TouchLayout layout;
-  bool found = false;
+  layout.report_id = *report_id;
   SlotCollector slots;
   for (const ReportField& field : descriptor.inputs) {
-    if (!in_application(descriptor, field, usages::touch_screen) || field.is_array) continue;
-    if (!found && (field.usage == usages::tip_switch || field.usage == usages::x)) {
-      layout.report_id = field.report_id;  // the first report that holds contacts
-      found = true;
-    }
-    if (!found || field.report_id != layout.report_id) continue;
+    if (field.report_id != *report_id || field.is_array ||
+        !in_application(descriptor, field, application))
+      continue;
     if (field.usage == usages::contact_count) layout.count = field;
     if (field.usage == usages::scan_time) layout.scan_time = field;
     slots.add(field);
@@ -128,7 +135,11 @@ bool is_set(const std::optional<ReportField>& field, std::span<const std::byte> 
 }  // namespace
 
 std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor) {
-  if (auto layout = find_multi_touch(descriptor)) return layout;
+  if (auto layout = find_multi_touch(descriptor, usages::touch_screen)) return layout;
+  if (auto layout = find_multi_touch(descriptor, usages::touch_pad)) {
+    layout->surface = TouchLayout::Surface::Pad;
+    return layout;
+  }
   return find_absolute_pointer(descriptor);
 }
 
@@ -151,6 +162,17 @@ bool ContactDecoder::read_slot(const ContactFields& slot, std::span<const std::b
   return true;
 }
 
+/// Some serial devices repeat the count in every report of a frame: one that promises as many
+/// contacts as the frame that is still open, and brings one that the frame lacks, belongs to it.
+bool ContactDecoder::continues_frame(std::size_t count,
+                                     std::span<const std::byte> payload) const noexcept {
+  Reading next;
+  if (layout_.slots.size() != 1 || expected_ == 0 || frame_count_ + expected_ != count ||
+      !read_slot(layout_.slots.front(), payload, 0, next))
+    return false;
+  return !in_frame(next.contact.id);
+}
+
 bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
   std::span<const std::byte> payload = report;
   if (numbered_) {
@@ -165,8 +187,8 @@ bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
   if (layout_.count) {
     const auto count = static_cast<std::size_t>(
         std::clamp<std::int64_t>(field_value(*layout_.count, payload), 0, max_contacts));
-    if (count > 0) {  // a new frame; whatever the last one still owed will not come
-      frame_count_ = 0;
+    if (count > 0 && !continues_frame(count, payload)) {
+      frame_count_ = 0;  // a new frame; whatever the last one still owed will not come
       expected_ = count;
     }
     promised = std::min(expected_, layout_.slots.size());
@@ -180,40 +202,62 @@ bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
   }
   expected_ -= std::min(expected_, promised);
   if (layout_.count && expected_ > 0) return false;
+  if (layout_.count) read_uncounted_lifts(promised, payload);
   apply_frame();
   frame_count_ = 0;
   return true;
 }
 
+/// Some devices count only the contacts that are down, and put one that has just gone behind them,
+/// tip up.
+void ContactDecoder::read_uncounted_lifts(std::size_t first,
+                                          std::span<const std::byte> payload) noexcept {
+  for (std::size_t i = first; i < layout_.slots.size() && frame_count_ < max_contacts; ++i) {
+    Reading reading;
+    if (!read_slot(layout_.slots[i], payload, i, reading) || reading.down) continue;
+    if (!in_frame(reading.contact.id)) frame_[frame_count_++] = reading;
+  }
+}
+
+bool ContactDecoder::in_frame(std::uint32_t id) const noexcept {
+  const std::span<const Reading> seen(frame_.data(), frame_count_);
+  return std::any_of(seen.begin(), seen.end(),
+                     [&](const Reading& r) { return r.contact.id == id; });
+}
+
 void ContactDecoder::merge(const Reading& reading) noexcept {
   const auto end = down_.begin() + static_cast<std::ptrdiff_t>(down_count_);
-  const auto known = std::find_if(down_.begin(), end,
-                                  [&](const Contact& c) { return c.id == reading.contact.id; });
+  const auto known = std::find_if(
+      down_.begin(), end, [&](const Held& h) { return h.contact.id == reading.contact.id; });
   if (known != end && reading.down) {
-    *known = reading.contact;
+    *known = {reading.contact, 0};
   } else if (known != end) {
     std::move(known + 1, end, known);
     --down_count_;
   } else if (reading.down && down_count_ < max_contacts) {
-    down_[down_count_++] = reading.contact;
+    down_[down_count_++] = {reading.contact, 0};
   }
 }
 
+/// A contact says goodbye with its tip up. One that a frame does not mention has gone where the
+/// device promises to send all of them (Windows 8, known by its scan time); others leave one out
+/// now and then, so it is missed for a few frames before it is given up. A serial device may stay
+/// silent about a finger that rests.
+void ContactDecoder::forget_missing() noexcept {
+  if (layout_.slots.size() == 1) return;
+  const std::uint32_t patience = layout_.scan_time ? 0 : 10;
+  for (Held& held : std::span(down_).first(down_count_))
+    held.missed = in_frame(held.contact.id) ? 0 : held.missed + 1;
+  const auto end = down_.begin() + static_cast<std::ptrdiff_t>(down_count_);
+  const auto kept =
+      std::remove_if(down_.begin(), end, [&](const Held& held) { return held.missed > patience; });
+  down_count_ = static_cast<std::size_t>(kept - down_.begin());
+}
+
 void ContactDecoder::apply_frame() noexcept {
-  const std::span<const Reading> seen(frame_.data(), frame_count_);
-  // A device with room for several contacts in a report sends all of them in each frame, so one
-  // that is missing has gone. A serial device may send only what changed, and says goodbye with its
-  // tip up.
-  if (layout_.slots.size() > 1) {
-    const auto missing = [&](const Contact& c) {
-      return std::none_of(seen.begin(), seen.end(),
-                          [&](const Reading& r) { return r.contact.id == c.id; });
-    };
-    const auto end = down_.begin() + static_cast<std::ptrdiff_t>(down_count_);
-    down_count_ =
-        static_cast<std::size_t>(std::remove_if(down_.begin(), end, missing) - down_.begin());
-  }
-  for (const Reading& reading : seen) merge(reading);
+  forget_missing();
+  for (const Reading& reading : std::span(frame_).first(frame_count_)) merge(reading);
+  for (std::size_t i = 0; i < down_count_; ++i) contacts_[i] = down_[i].contact;
 }
 
 std::size_t contact_events(std::span<const Contact> before, std::span<const Contact> after,

@@ -23,6 +23,9 @@ struct ContactFields {
 /// How a touch screen reports its contacts: parallel (all in one report), serial (one a report) or
 /// hybrid (a few a report), as in "Digitizer Drivers" of the Windows 7 and 8 touch specifications.
 struct TouchLayout {
+  /// A pad reports contacts like a screen, but lies beside the picture: the kiosk does not use it.
+  enum class Surface : std::uint8_t { Screen, Pad };
+  Surface surface = Surface::Screen;
   std::uint8_t report_id = 0;
   std::vector<ContactFields> slots;
   std::optional<ReportField> count;      ///< Contact count: in the first report of a frame.
@@ -45,7 +48,7 @@ class ContactDecoder {
 
   /// Contacts down after the last complete frame, in the order they came down. x and y in [0, 1] of
   /// the logical range.
-  std::span<const Contact> contacts() const noexcept { return {down_.data(), down_count_}; }
+  std::span<const Contact> contacts() const noexcept { return {contacts_.data(), down_count_}; }
 
   /// Forgets all contacts: the device was unplugged.
   void reset() noexcept;
@@ -57,6 +60,10 @@ class ContactDecoder {
   };
   bool read_slot(const ContactFields& slot, std::span<const std::byte> payload, std::size_t index,
                  Reading& reading) const noexcept;
+  bool continues_frame(std::size_t count, std::span<const std::byte> payload) const noexcept;
+  bool in_frame(std::uint32_t id) const noexcept;
+  void read_uncounted_lifts(std::size_t first, std::span<const std::byte> payload) noexcept;
+  void forget_missing() noexcept;
   void apply_frame() noexcept;
   void merge(const Reading& reading) noexcept;
 
@@ -65,8 +72,13 @@ class ContactDecoder {
   std::array<Reading, max_contacts> frame_{};  ///< Readings of the frame being collected.
   std::size_t frame_count_ = 0;
   std::size_t expected_ = 0;  ///< Contacts that the frame promised and did not deliver yet.
-  std::array<Contact, max_contacts> down_{};
+  struct Held {
+    Contact contact;
+    std::uint32_t missed = 0;  ///< Frames since it was last mentioned.
+  };
+  std::array<Held, max_contacts> down_{};
   std::size_t down_count_ = 0;
+  std::array<Contact, max_contacts> contacts_{};  ///< Of down_, for contacts().
 };
 
 /// Compares two sets of contacts and appends Down, Move and Up events; returns how many were

@@ -9,6 +9,7 @@ namespace docent {
 namespace {
 
 // A HID descriptor is at most 4096 bytes in Linux, and a report at most 16 KiB; more is a fault.
+constexpr std::uint16_t first_vendor_page = 0xff00;  // a maker's own fields mean nothing here
 constexpr std::size_t max_depth = 32;
 constexpr std::size_t max_fields = 8192;
 constexpr std::uint64_t max_report_bits = 16384ULL * 8;
@@ -202,8 +203,8 @@ class Parser {
         static_cast<std::uint64_t>(globals_.report_size) * globals_.report_count;
     if (whole > max_report_bits || offset + whole > max_report_bits)
       return "a report is larger than 16 KiB";
-    const bool readable =
-        globals_.report_size >= 1 && globals_.report_size <= 32 && !locals_.usages.empty();
+    const bool readable = globals_.report_size >= 1 && globals_.report_size <= 32 &&
+                          !locals_.usages.empty() && globals_.usage_page < first_vendor_page;
     if (!constant && readable) {
       if (into.size() + globals_.report_count > max_fields) return "there are too many fields";
       for (std::uint32_t i = 0; i < globals_.report_count; ++i)

@@ -1,0 +1,34 @@
+#include "runtime/input/hid_device_kind.h"
+
+#include <algorithm>
+
+namespace docent {
+namespace {
+
+std::string describe_other(const ReportDescriptor& descriptor) {
+  if (descriptor.inputs.empty()) return "it sends no input reports";
+  const auto is_application = [&](Usage wanted) {
+    return std::any_of(
+        descriptor.inputs.begin(), descriptor.inputs.end(),
+        [&](const ReportField& f) { return application_of(descriptor, f.collection) == wanted; });
+  };
+  if (is_application(usages::pen)) return "a pen";
+  if (is_application(usages::mouse) || is_application(usages::pointer))
+    return "a mouse: it has no place on the screen";
+  return "it has neither contacts nor keys";
+}
+
+}  // namespace
+
+HidDeviceKind classify(const ReportDescriptor& descriptor) {
+  HidDeviceKind kind;
+  kind.touch = find_touch_screen(descriptor);
+  if (kind.touch && kind.touch->surface == TouchLayout::Surface::Pad)
+    kind.ignored = "a touch pad: it has no place on the screen";
+  if (kind.touch) return kind;
+  kind.keys = find_keys(descriptor);
+  if (kind.keys.empty()) kind.ignored = describe_other(descriptor);
+  return kind;
+}
+
+}  // namespace docent
