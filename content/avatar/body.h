@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include "content/avatar/distance_field.h"
+#include "content/avatar/stance.h"
+
+namespace docent {
+
+/// An elliptic cross-section of the coat's trunk.
+struct Girth {
+  float height = 0;      ///< Metres.
+  float half_width = 0;  ///< Along x.
+  float half_depth = 0;  ///< Along z.
+  float middle = 0;      ///< z of its centre.
+};
+
+/// The person inside the stance: where the head is and how large, how wide the shoulders are, and
+/// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
+struct Body {
+  Stance stance;
+  float scale = 1;   ///< Stature over the 1.70 m that all measures are written for.
+  Vec3 skull{};      ///< Middle of the head, between chin and crown.
+  Vec3 neck_base{};  ///< Where the neck leaves the shoulders.
+  float hip_height = 0, shoulder_height = 0;
+  float shoulder_half = 0;        ///< Half the distance between the shoulder joints.
+  float hem = 0;                  ///< Height of the coat's lower edge.
+  std::array<Girth, 8> girths{};  ///< Of the coat, from hem to neck.
+
+  const LimbPoints& limb(Side side) const { return stance.limb[static_cast<std::size_t>(side)]; }
+};
+
+Body body_of(Stance stance);
+
+/// Outside of the coat's trunk and skirt, without sleeves, grown by `ease` metres.
+float coat_trunk(const Body& body, Vec3 p, float ease);
+/// Outside of one sleeve.
+float coat_sleeve(const Body& body, Vec3 p, Side side);
+/// The whole coat as a solid, before its openings are cut.
+float coat_solid(const Body& body, Vec3 p);
+/// One trouser leg.
+float trouser_leg(const Body& body, Vec3 p, Side side);
+/// Head and neck without hair.
+float head_and_neck(const Body& body, Vec3 p);
+/// Hair on the head; the brows are apart.
+float hair(const Body& body, Vec3 p);
+float brows(const Body& body, Vec3 p);
+float eyes(const Body& body, Vec3 p);
+/// One hand, a little curled, thumb forward.
+float hand(const Body& body, Vec3 p, Side side);
+float shoe(const Body& body, Vec3 p, Side side);
+
+}  // namespace docent

@@ -1,0 +1,109 @@
+#include <array>
+
+#include "content/avatar/body.h"
+
+namespace docent {
+namespace {
+
+/// Catmull-Rom through the girths: smooth along the height, constant beyond its ends.
+Girth girth_at(const std::array<Girth, 8>& girths, float height) {
+  std::size_t k = 0;
+  while (k + 2 < girths.size() && height > girths[k + 1].height) ++k;
+  const Girth& a = girths[k == 0 ? 0 : k - 1];
+  const Girth& b = girths[k];
+  const Girth& c = girths[k + 1];
+  const Girth& d = girths[std::min(k + 2, girths.size() - 1)];
+  const float t = std::clamp((height - b.height) / (c.height - b.height), 0.0F, 1.0F);
+  const auto through = [t](float p0, float p1, float p2, float p3) {
+    return p1 + 0.5F * t *
+                    (p2 - p0 + t * (2 * p0 - 5 * p1 + 4 * p2 - p3 + t * (3 * (p1 - p2) + p3 - p0)));
+  };
+  return {height, through(a.half_width, b.half_width, c.half_width, d.half_width),
+          through(a.half_depth, b.half_depth, c.half_depth, d.half_depth),
+          through(a.middle, b.middle, c.middle, d.middle)};
+}
+
+/// An upright column whose cross-section is a slightly squared ellipse.
+float column(const std::array<Girth, 8>& girths, Vec3 p, float ease) {
+  const Girth g = girth_at(girths, p.y);
+  const float a = g.half_width + ease;
+  const float b = g.half_depth + ease;
+  const float x = p.x / a;
+  const float z = (p.z - g.middle) / b;
+  const float k0 = std::sqrt(x * x + z * z);
+  const float k1 = std::sqrt(x * x / (a * a) + z * z / (b * b));
+  return k1 < 1e-5F ? -std::min(a, b) : k0 * (k0 - 1) / k1;
+}
+
+}  // namespace
+
+float coat_trunk(const Body& body, Vec3 p, float ease) {
+  const float s = body.scale;
+  const float walls = column(body.girths, p, ease);
+  const float top = p.y - (body.shoulder_height + 0.05F * s + ease);
+  const float bottom = body.hem - ease - p.y;
+  return meet(meet(walls, top, 0.02F * s), bottom, 0.012F * s);
+}
+
+float coat_sleeve(const Body& body, Vec3 p, Side side) {
+  const float s = body.scale;
+  const LimbPoints& limb = body.limb(side);
+  const Vec3 cuff = glm::mix(limb.elbow, limb.wrist, 0.94F);
+  // The sleeve's head sits a little inside the joint, so that shoulders slope rather than jut.
+  const Vec3 head = limb.shoulder + Vec3{-sign_of(side) * 0.018F, -0.016F, 0} * s;
+  const float upper = tapered_capsule(p, head, limb.elbow, 0.056F * s, 0.046F * s);
+  const float lower = tapered_capsule(p, limb.elbow, cuff, 0.046F * s, 0.041F * s);
+  const Vec3 along = glm::normalize(limb.wrist - limb.elbow);
+  return meet(join(upper, lower, 0.008F * s), half_space(p, cuff, along), 0.01F * s);
+}
+
+float coat_solid(const Body& body, Vec3 p) {
+  const float s = body.scale;
+  const float sleeves =
+      std::min(coat_sleeve(body, p, Side::Left), coat_sleeve(body, p, Side::Right));
+  const float x = std::abs(p.x);
+  // The slope from neck to shoulder.
+  const LimbPoints& left = body.limb(Side::Left);
+  const float slope =
+      tapered_capsule({x, p.y, p.z}, body.neck_base + Vec3{0.030F, -0.012F, -0.012F} * s,
+                      left.shoulder + Vec3{-0.02F, -0.018F, 0} * s, 0.046F * s, 0.052F * s);
+  // Near the armpit the fill is small, or arm and flank would grow together.
+  const float fill =
+      0.012F * s + 0.045F * s * smoothstep(-0.12F * s, 0.0F, p.y - body.shoulder_height);
+  return join(join(coat_trunk(body, p, 0), slope, 0.05F * s), sleeves, fill);
+}
+
+float trouser_leg(const Body& body, Vec3 p, Side side) {
+  const float s = body.scale;
+  const LimbPoints& limb = body.limb(side);
+  const Vec3 hem = limb.ankle + Vec3{0, -0.010F, -0.006F} * s;
+  const float thigh =
+      tapered_capsule(p, limb.hip + Vec3{0, -0.02F, 0} * s, limb.knee, 0.088F * s, 0.067F * s);
+  const float shin = tapered_capsule(p, limb.knee, hem, 0.067F * s, 0.058F * s);
+  const float leg = join(thigh, shin, 0.01F * s);
+  return meet(leg, hem.y - 0.008F * s - p.y, 0.01F * s);
+}
+
+float shoe(const Body& body, Vec3 p, Side side) {
+  const float s = body.scale;
+  const LimbPoints& limb = body.limb(side);
+  const Vec3 f = limb.foot_forward;
+  const Vec3 across = Vec3{f.z, 0, -f.x} * sign_of(side);
+  const auto at = [&](float forward, float out, float height) {
+    const Vec3 base = Vec3{limb.ankle.x, 0, limb.ankle.z};
+    return base + f * (forward * s) + across * (out * s) + Vec3{0, height * s, 0};
+  };
+  // The ball joint tells how long this foot is; the rest follows it.
+  const float ball = glm::dot(limb.toe - limb.ankle, f) / s;
+  const float heel = tapered_capsule(p, at(-0.038F, -0.002F, 0.034F), at(0.02F, 0, 0.036F),
+                                     0.035F * s, 0.038F * s);
+  const float instep = tapered_capsule(p, at(0.0F, 0, 0.070F), at(ball - 0.005F, -0.004F, 0.030F),
+                                       0.042F * s, 0.034F * s);
+  const float tread = tapered_capsule(p, at(ball, 0.008F, 0.022F),
+                                      at(ball + 0.052F, -0.004F, 0.018F), 0.043F * s, 0.036F * s);
+  const float upper = join(join(heel, instep, 0.05F * s), tread, 0.04F * s);
+  const float sole_to_top = meet(upper, -p.y, 0.012F * s);
+  return meet(sole_to_top, p.y - 0.105F * s, 0.012F * s);
+}
+
+}  // namespace docent

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "content/avatar/skin_weights.h"
+#include "content/avatar/surface_nets.h"
+
+namespace docent {
+
+/// A part of the avatar that is polygonised by itself: one material, one way to follow the joints.
+/// Layers overlap and hide each other, as clothes do, so that the edge between two materials is as
+/// sharp as the meeting of two surfaces.
+struct Layer {
+  Material material = Material::Coat;
+  Region region = Region::Coat;
+  DistanceField solid;
+  Box box{};
+  float cell = 0.02F;  ///< Metres.
+  /// What is deeper than a margin inside this is covered by other layers and left out; may be
+  /// empty.
+  DistanceField covered;
+};
+
+/// All layers of a body, which must outlive them.
+std::vector<Layer> layers_of(const Body& body);
+
+}  // namespace docent

@@ -1,0 +1,175 @@
+#include "content/avatar/skin_weights.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace docent {
+namespace {
+
+std::vector<std::size_t> path_down_to(const Skeleton& skeleton, std::size_t joint) {
+  std::vector<std::size_t> path{joint};
+  while (skeleton.joint[path.back()].parent != JointIndex::None)
+    path.push_back(index_of(skeleton.joint[path.back()].parent));
+  std::ranges::reverse(path);
+  return path;
+}
+
+/// The last joint that two paths from the root share.
+std::size_t fork_of(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  std::size_t k = 0;
+  while (k + 1 < std::min(a.size(), b.size()) && a[k + 1] == b[k + 1]) ++k;
+  return a[k];
+}
+
+JointShares rounded(const std::vector<float>& shares) {
+  std::vector<std::size_t> order(shares.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return shares[a] > shares[b]; });
+  float total = 0;
+  for (std::size_t k = 0; k < 4; ++k) total += shares[order[k]];
+  JointShares result;
+  int left = 255;
+  for (std::size_t k = 4; k-- > 1;) {
+    const int weight = std::min(left, static_cast<int>(shares[order[k]] / total * 255 + 0.5F));
+    result.joint[k] = static_cast<std::uint8_t>(weight > 0 ? order[k] : order[0]);
+    result.weight[k] = static_cast<std::uint8_t>(weight);
+    left -= weight;
+  }
+  result.joint[0] = static_cast<std::uint8_t>(order[0]);
+  result.weight[0] = static_cast<std::uint8_t>(left);
+  return result;
+}
+
+}  // namespace
+
+SkinWeights::SkinWeights(const Skeleton& skeleton, const Body& body)
+    : body_{body}, joint_count_{skeleton.joint.size()}, root_{0} {
+  const auto place = [&](std::size_t joint) { return Vec3(body.stance.world[joint][3]); };
+  const auto joint_of = [&](BodyPart part) { return index_of(skeleton[part]); };
+  head_ = joint_of(BodyPart::Head);
+  const auto to_head = path_down_to(skeleton, head_);
+  const auto to_arm = path_down_to(skeleton, joint_of(BodyPart::LeftShoulder));
+  chest_ = fork_of(to_head, to_arm);
+
+  // A joint of the back owns what is above it; one that lies on its parent takes the parent's part.
+  bool above_chest = false;
+  for (std::size_t k = 0; k + 1 < to_head.size(); ++k) {
+    const std::size_t joint = to_head[k];
+    Chain& chain = above_chest ? neck_ : spine_;
+    chain.push_back({joint, place(joint), {0, 1, 0}, (above_chest ? 0.02F : 0.06F) * body.scale});
+    above_chest = above_chest || joint == chest_;
+  }
+  neck_.insert(neck_.begin(), {chest_, place(chest_), {0, 1, 0}, 0.05F});
+
+  for (const Side side : {Side::Left, Side::Right}) {
+    const auto i = static_cast<std::size_t>(side);
+    const bool left = side == Side::Left;
+    const LimbPoints& limb = body.limb(side);
+    const auto bisector = [](Vec3 a, Vec3 joint, Vec3 b) {
+      return glm::normalize(glm::normalize(joint - a) + glm::normalize(b - joint));
+    };
+    thigh_[i] = joint_of(left ? BodyPart::LeftHip : BodyPart::RightHip);
+    const std::size_t shoulder = joint_of(left ? BodyPart::LeftShoulder : BodyPart::RightShoulder);
+    const auto to_shoulder = path_down_to(skeleton, shoulder);
+    const auto above = std::ranges::find(to_shoulder, chest_);
+    clavicle_[i] = above + 1 == to_shoulder.end() ? chest_ : *(above + 1);
+    if (clavicle_[i] == shoulder) clavicle_[i] = chest_;
+
+    const float s = body.scale;
+    const Vec3 outward{sign_of(side), 0, 0};
+    arm_[i] = {{shoulder, limb.shoulder, outward, 0.05F * s},
+               {joint_of(left ? BodyPart::LeftElbow : BodyPart::RightElbow), limb.elbow,
+                bisector(limb.shoulder, limb.elbow, limb.wrist), 0.045F * s},
+               {joint_of(left ? BodyPart::LeftWrist : BodyPart::RightWrist), limb.wrist,
+                limb.hand_axis, 0.025F * s}};
+    leg_[i] = {{thigh_[i], limb.hip, {0, -1, 0}, 0.05F * s},
+               {joint_of(left ? BodyPart::LeftKnee : BodyPart::RightKnee), limb.knee,
+                bisector(limb.hip, limb.knee, limb.ankle), 0.05F * s},
+               // Below the trouser's hem the shoe turns as one with the foot.
+               {joint_of(left ? BodyPart::LeftAnkle : BodyPart::RightAnkle),
+                limb.ankle + Vec3{0, 0.035F * s, 0},
+                {0, -1, 0},
+                0.03F * s},
+               {joint_of(left ? BodyPart::LeftToe : BodyPart::RightToe), limb.toe,
+                limb.foot_forward, 0.022F * s}};
+  }
+}
+
+/// From the tip inwards, each joint takes its part of what is left; the first takes the rest.
+void SkinWeights::add_chain(const Chain& chain, Vec3 p, float share, Shares& shares) const {
+  for (std::size_t k = chain.size(); k-- > 1;) {
+    const Boundary& b = chain[k];
+    const float beyond =
+        share * smoothstep(-b.softness, b.softness, glm::dot(p - b.point, b.normal));
+    shares[b.joint] += beyond;
+    share -= beyond;
+  }
+  shares[chain.front().joint] += share;
+}
+
+void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
+  const float s = body_.scale;
+  const Side side = p.x > 0 ? Side::Left : Side::Right;
+  const auto i = static_cast<std::size_t>(side);
+  const LimbPoints& limb = body_.limb(side);
+
+  // Sleeve or flank: by which is nearer, and beyond the shoulder joint.
+  const Vec3 off_shoulder = p - limb.shoulder;
+  const Vec3 outward = glm::normalize(Vec3{sign_of(side), -1.1F, 0});
+  const float nearer = coat_trunk(body_, p, 0) - coat_sleeve(body_, p, side);
+  const float below = smoothstep(0.0F, 0.16F * s, limb.shoulder.y - p.y);
+  const float sleeve = smoothstep(-0.055F * s, 0.050F * s, glm::dot(off_shoulder, outward)) *
+                       glm::mix(1.0F, smoothstep(-0.02F * s, 0.03F * s, nearer), below);
+  add_chain(arm_[i], p, sleeve, shares);
+  const float trunk = 1 - sleeve;
+
+  // The shoulder's cap follows the collar bone.
+  const float cap = smoothstep(0.04F * s, body_.shoulder_half, std::abs(p.x)) *
+                    smoothstep(-0.15F * s, 0.0F, p.y - body_.shoulder_height);
+  shares[clavicle_[i]] += trunk * cap;
+
+  const float drop = body_.hip_height + 0.02F * s - p.y;
+  const float skirt = 0.97F * smoothstep(0.0F, 0.30F * s, drop);
+  // Front and back panels, across the middle, go with both legs.
+  const float left = smoothstep(-0.13F * s, 0.13F * s, p.x);
+  shares[thigh_[0]] += trunk * (1 - cap) * skirt * left;
+  shares[thigh_[1]] += trunk * (1 - cap) * skirt * (1 - left);
+  add_chain(spine_, p, trunk * (1 - cap) * (1 - skirt), shares);
+}
+
+void SkinWeights::add_head(Vec3 p, Shares& shares) const {
+  const float s = body_.scale;
+  // Jaw and nape turn with the head: the boundary falls towards the back of the neck.
+  const Vec3 throat = body_.skull + Vec3{0, -0.085F, 0.0F} * s;
+  const Vec3 normal = glm::normalize(Vec3{0, 1, 0.55F});
+  const float head = smoothstep(-0.035F * s, 0.02F * s, glm::dot(p - throat, normal));
+  shares[head_] += head;
+  add_chain(neck_, p, 1 - head, shares);
+}
+
+JointShares SkinWeights::at(Vec3 p, Region region) const {
+  Shares shares(joint_count_, 0.0F);
+  switch (region) {
+    case Region::Head:
+      add_head(p, shares);
+      break;
+    case Region::Coat:
+      add_coat(p, shares);
+      break;
+    case Region::LeftHand:
+      add_chain(arm_[0], p, 1, shares);
+      break;
+    case Region::RightHand:
+      add_chain(arm_[1], p, 1, shares);
+      break;
+    case Region::LeftLeg:
+      add_chain(leg_[0], p, 1, shares);
+      break;
+    case Region::RightLeg:
+      add_chain(leg_[1], p, 1, shares);
+      break;
+  }
+  return rounded(shares);
+}
+
+}  // namespace docent

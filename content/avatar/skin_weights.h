@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "content/avatar/body.h"
+#include "runtime/model/motion/skinned_mesh.h"
+
+namespace docent {
+
+/// What a vertex follows: a region of the body with its own rule.
+enum class Region : std::uint8_t { Head, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
+
+/// At most four joints and their shares, which add up to 255.
+struct JointShares {
+  std::array<std::uint8_t, 4> joint{};
+  std::array<std::uint8_t, 4> weight{};
+};
+
+/// Gives skin and cloth to the joints.
+///
+/// Along a limb, a joint takes over from its parent across a plane that halves the angle between
+/// their bones, softly over a few centimetres. The coat's skirt goes to the thighs the more the
+/// lower it is, to the left and right one by the side it is on, so that it swings with the legs.
+class SkinWeights {
+ public:
+  SkinWeights(const Skeleton& skeleton, const Body& body);
+
+  JointShares at(Vec3 p, Region region) const;
+
+ private:
+  /// A joint takes what lies beyond `point` in the direction of `normal`, softly over `softness`.
+  struct Boundary {
+    std::size_t joint;
+    Vec3 point, normal;
+    float softness;
+  };
+  using Chain = std::vector<Boundary>;
+  using Shares = std::vector<float>;
+
+  void add_chain(const Chain& chain, Vec3 p, float share, Shares& shares) const;
+  void add_coat(Vec3 p, Shares& shares) const;
+  void add_head(Vec3 p, Shares& shares) const;
+
+  const Body& body_;
+  std::size_t joint_count_;
+  std::size_t root_, chest_, head_;
+  std::array<std::size_t, 2> thigh_, clavicle_;
+  Chain spine_;  ///< Root to chest.
+  Chain neck_;   ///< Chest to the last joint before the head.
+  std::array<Chain, 2> arm_, leg_;
+};
+
+}  // namespace docent

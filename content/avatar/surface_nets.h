@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "content/avatar/distance_field.h"
+
+namespace docent {
+
+struct Box {
+  Vec3 low, high;
+};
+
+/// A closed surface of triangles, counter-clockwise seen from outside.
+struct Surface3 {
+  std::vector<Vec3> position;
+  std::vector<Vec3> normal;  ///< Unit, from the field's gradient.
+  std::vector<std::uint32_t> indices;
+};
+
+/// The zero surface of `field` inside `box`, with one vertex per cell that it crosses (Gibson 1998,
+/// surface nets), each pulled onto the surface along the gradient. The surface must lie inside the
+/// box. `cell` is the edge of a cell in metres and about the edge of a triangle.
+Surface3 polygonise(const DistanceField& field, const Box& box, float cell);
+
+/// Unit gradient of the field by central differences over `step` metres.
+Vec3 gradient_of(const DistanceField& field, Vec3 p, float step);
+
+}  // namespace docent
