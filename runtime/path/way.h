@@ -36,7 +36,7 @@ struct Way {
   RouteStatus status = RouteStatus::NoRoute;
   double length = 0;         ///< Metres, of the true way (arcs as arcs).
   double clearance_min = 0;  ///< Metres, the smallest distance to a wall along it.
-  std::vector<Vec2> points;
+  std::vector<Vec2> points{};
 };
 
 }  // namespace docent

@@ -7,22 +7,42 @@
 
 namespace docent {
 
-/// A straight way between two corners' circles, tangent to both and clear of every wall by the
-/// radius.
-struct Tangent {
-  std::uint32_t from = 0, to = 0;                ///< Corners: indices into TangentGraph::corner.
-  Vec2 leave{}, arrive{};                        ///< Where it touches the circles.
-  double leave_angle = 0, arrive_angle = 0;      ///< Radians, of those points about their corners.
-  bool leaves_ccw = false, arrives_ccw = false;  ///< Sense in which the way goes round each corner.
+/// A part of the circle about a reflex corner along which the centre of a disc can go: every point
+/// of it keeps the radius from all walls.
+///
+/// Angles are measured from the normal of the wall that begins at the corner, counter-clockwise,
+/// and reach at most pi (the normal of the wall that ends there).
+struct TangentArc {
+  std::uint32_t vertex = 0;   ///< The reflex corner: a vertex of the FloorPlan.
+  double begin = 0, end = 0;  ///< Radians, 0 <= begin <= end < pi. The radius may be 0.
 };
 
-/// All shortest ways of a disc of one radius bend only on circles about reflex corners and are
-/// tangent to them: this graph holds those corners and the tangents between them. Frame: floor.
-/// Immutable once loaded.
+/// A straight way from one arc to another, tangent to both circles and clear of every wall. It is
+/// directed: the way back is a tangent of its own.
+struct Tangent {
+  Vec2 leave{};             ///< Where it leaves the circle of its own side.
+  double leave_angle = 0;   ///< Of that point, on the arc of its own side.
+  double arrive_angle = 0;  ///< Of its other end, on the arc of `arrive_side`.
+  double length = 0;        ///< Metres.
+  std::uint32_t arrive_side = 0;
+  std::uint32_t onward = 0;  ///< The first tangent that leaves `arrive_side` at or after the
+                             ///< arrival, or no_tangent.
+};
+
+/// All shortest ways of a disc of one radius bend only on circles about reflex corners and run
+/// straight between them: this graph holds every arc and every tangent that such a way can use.
+///
+/// Frame: floor. Each arc has two sides, one per sense of going round it: side 2a is arc a
+/// counter-clockwise, side 2a + 1 clockwise. The tangents that leave side s are
+/// tangent[side_first[s] .. side_first[s + 1]), in the order in which the way meets them, so a way
+/// that arrives takes `onward` or any later tangent of that side. side_first has
+/// 2 * arc.size() + 1 entries. Depends only on the plan and the radius. Immutable once loaded.
 struct TangentGraph {
-  double radius = 0;                  ///< Metres.
-  std::vector<std::uint32_t> corner;  ///< Vertices of the FloorPlan that are reflex.
-  std::vector<Tangent> tangents;
+  static constexpr std::uint32_t no_tangent = 0xffffffff;
+  double radius = 0;  ///< Metres. 0: arcs are points, and the graph is the taut visibility graph.
+  std::vector<TangentArc> arc{};
+  std::vector<std::uint32_t> side_first{};
+  std::vector<Tangent> tangent{};
 };
 
 }  // namespace docent

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/path/reflex_corner.h"
+
+namespace docent {
+
+/// How far a flattened curve may be from the true one. Metres.
+inline constexpr double flatness = 1e-3;
+
+/// Appends a point unless it repeats the last one.
+void append_point(Vec2 point, std::vector<Vec2>& points);
+
+/// Appends points of the circle about a corner from one angle to another, both included; the chords
+/// are within `flatness` of the arc and turn by 15 degrees at most.
+void append_arc(const ReflexCorner& corner, double radius, double from, double to,
+                std::vector<Vec2>& points);
+
+}  // namespace docent

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/floor_plan.h"
+
+namespace docent {
+
+/// How far two figures may be from exact before they count as different: a disc that is nearer to a
+/// wall than its radius by no more than this still touches it and is free. So a disc fits through
+/// a door of exactly twice its radius. Metres.
+inline constexpr double touching = 1e-9;
+
+/// The walls of a floor sorted into square cells, for discs of one radius.
+///
+/// A cell lists every wall that is within the radius of some point of it, so a disc whose centre
+/// runs along a segment can only meet walls of the cells that this segment passes. Borrows the
+/// plan. Immutable after construction.
+class WallGrid {
+ public:
+  WallGrid(const FloorPlan& plan, double radius);
+
+  /// Can a disc of the grid's radius go from p to q in a straight line, touching allowed? For
+  /// radius 0: does the segment stay in the closed interior (decided with exact predicates)?
+  /// Walls that end at p or q do not block what leaves them into the interior.
+  bool segment_clear(Vec2 p, Vec2 q) const noexcept;
+
+  /// Every wall that a disc of the grid's radius may touch while its centre is within `reach` of
+  /// `centre`, and perhaps some more; ascending.
+  std::vector<std::uint32_t> walls_about(Vec2 centre, double reach) const;
+
+  /// The wall nearest to a point.
+  struct Nearest {
+    std::uint32_t wall = 0;
+    double t = 0;  ///< In [0, 1], place along the wall.
+    double distance =
+        0;  ///< Metres. Infinite for a plan without walls or a point that is not finite.
+  };
+  Nearest nearest_wall(Vec2 p) const noexcept;
+
+  /// The smallest distance from any point of the segment to a wall, given that its ends keep
+  /// `at_most`; that is also the most it answers.
+  double segment_clearance(Vec2 p, Vec2 q, double at_most) const noexcept;
+
+  double radius() const noexcept { return radius_; }
+
+ private:
+  struct Wall {
+    Vec2 a, b;
+  };
+  std::size_t cell_of(int x, int y) const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(x);
+  }
+  std::span<const std::uint32_t> walls_in(std::size_t cell) const noexcept {
+    return std::span(cell_wall_)
+        .subspan(cell_first_[cell], cell_first_[cell + 1] - cell_first_[cell]);
+  }
+  template <class Visit>
+  void visit_cells_near_wall(const Wall& wall, Visit visit) const;
+  template <class Blocked>
+  bool passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept;
+  bool crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept;
+
+  double radius_ = 0;
+  double cell_size_ = 1, cells_per_metre_ = 1;
+  Vec2 origin_{};
+  int columns_ = 1, rows_ = 1;
+  std::vector<Wall> wall_;
+  std::vector<std::uint32_t> previous_;  ///< One per wall: the wall that ends where it begins.
+  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> cell_first_;
+  std::vector<std::uint32_t> cell_wall_;
+};
+
+}  // namespace docent
