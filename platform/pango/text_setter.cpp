@@ -1,0 +1,143 @@
+#include "platform/pango/text_setter.h"
+
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "platform/handle.h"
+
+namespace docent {
+namespace {
+
+using FontMap = std::unique_ptr<PangoFontMap, CloseWith<g_object_unref>>;
+using Context = std::unique_ptr<PangoContext, CloseWith<g_object_unref>>;
+using Layout = std::unique_ptr<PangoLayout, CloseWith<g_object_unref>>;
+using Font = std::unique_ptr<PangoFontDescription, CloseWith<pango_font_description_free>>;
+using FontOptions = std::unique_ptr<cairo_font_options_t, CloseWith<cairo_font_options_destroy>>;
+using Surface = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_destroy>>;
+using Cairo = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
+
+/// Far beyond any screen: a text that would need more is set into this much.
+constexpr int most_pixels = 8192;
+
+/// The house's two families and their companions. Pango takes what is missing from the next.
+const char* families(const TextStyle& style) {
+  const bool serif = style.family == Family::Serif;
+  if (style.language.starts_with("zh"))
+    return serif ? "Noto Serif CJK SC, Noto Serif" : "Noto Sans CJK SC, Inter, Noto Sans";
+  if (style.language.starts_with("ja"))
+    return serif ? "Noto Serif CJK JP, Noto Serif" : "Noto Sans CJK JP, Inter, Noto Sans";
+  if (style.language.starts_with("ko"))
+    return serif ? "Noto Serif CJK KR, Noto Serif" : "Noto Sans CJK KR, Inter, Noto Sans";
+  if (style.right_to_left)
+    return serif ? "Noto Naskh Arabic, Noto Serif" : "Noto Sans Arabic, Inter, Noto Sans";
+  return serif ? "Noto Serif" : "Inter, Noto Sans";
+}
+
+class TextSetter {
+ public:
+  explicit TextSetter(FontMap fonts)
+      : fonts_(std::move(fonts)), context_(pango_font_map_create_context(fonts_.get())) {
+    // Letters are placed and drawn as designed, so that a text looks the same on every machine.
+    const FontOptions options(cairo_font_options_create());
+    cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+    cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+    pango_cairo_context_set_font_options(context_.get(), options.get());
+    pango_context_set_round_glyph_positions(context_.get(), FALSE);
+  }
+
+  TextBitmap set(const TextStyle& style, std::string_view text, std::uint32_t width) const {
+    const Layout layout = lay_out(style, text, width);
+    return draw(layout.get());
+  }
+
+ private:
+  Layout lay_out(const TextStyle& style, std::string_view text, std::uint32_t width) const {
+    const std::string language(style.language);
+    pango_context_set_language(context_.get(), pango_language_from_string(language.c_str()));
+    pango_context_set_base_dir(context_.get(),
+                               style.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
+
+    const Font font(pango_font_description_from_string(families(style)));
+    pango_font_description_set_weight(font.get(), static_cast<PangoWeight>(style.weight));
+    pango_font_description_set_absolute_size(font.get(), style.size * PANGO_SCALE);
+
+    Layout layout(pango_layout_new(context_.get()));
+    pango_layout_set_font_description(layout.get(), font.get());
+    pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+    if (width > 0)
+      pango_layout_set_width(layout.get(),
+                             std::min(static_cast<int>(width), most_pixels) * PANGO_SCALE);
+    pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+    pango_layout_set_height(layout.get(), -std::max<int>(style.max_lines, 1));
+
+    PangoAttrList* attributes = pango_attr_list_new();
+    pango_attr_list_insert(attributes,
+                           pango_attr_line_height_new_absolute(static_cast<int>(
+                               std::round(style.size * style.line_height) * PANGO_SCALE)));
+    if (style.tabular) pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
+    pango_layout_set_attributes(layout.get(), attributes);
+    pango_attr_list_unref(attributes);
+    return layout;
+  }
+
+  static TextBitmap draw(PangoLayout* layout) {
+    PangoRectangle ink, logical;
+    pango_layout_get_pixel_extents(layout, &ink, &logical);
+    // Some letters reach out of their advance width; nothing of them is cut off.
+    const int left = std::min(ink.x, logical.x);
+    const int right = std::max(ink.x + ink.width, logical.x + logical.width);
+    TextBitmap bitmap;
+    bitmap.lines = static_cast<std::uint32_t>(pango_layout_get_line_count(layout));
+    bitmap.cut = pango_layout_is_ellipsized(layout) != FALSE;
+    bitmap.width = static_cast<std::uint32_t>(std::clamp(right - left, 0, most_pixels));
+    bitmap.height = static_cast<std::uint32_t>(std::clamp(logical.height, 0, most_pixels));
+    if (bitmap.width == 0 || bitmap.height == 0) return bitmap;
+
+    const int stride =
+        cairo_format_stride_for_width(CAIRO_FORMAT_A8, static_cast<int>(bitmap.width));
+    std::vector<std::uint8_t> rows(static_cast<std::size_t>(stride) * bitmap.height);
+    const Surface surface(cairo_image_surface_create_for_data(
+        rows.data(), CAIRO_FORMAT_A8, static_cast<int>(bitmap.width),
+        static_cast<int>(bitmap.height), stride));
+    const Cairo cairo(cairo_create(surface.get()));
+    cairo_translate(cairo.get(), -left, -logical.y);
+    pango_cairo_show_layout(cairo.get(), layout);
+    cairo_surface_flush(surface.get());
+
+    bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height);
+    for (std::uint32_t y = 0; y < bitmap.height; ++y)
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y) * stride, bitmap.width,
+                  bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(y) * bitmap.width);
+    return bitmap;
+  }
+
+  FontMap fonts_;
+  Context context_;
+};
+
+}  // namespace
+
+Result<SetText> make_text_setter() {
+  FontMap fonts(pango_cairo_font_map_new());
+  PangoFontFamily** all = nullptr;
+  int count = 0;
+  if (fonts) pango_font_map_list_families(fonts.get(), &all, &count);
+  g_free(static_cast<void*>(all));
+  if (count == 0)
+    return std::unexpected(Error{Errc::Environment,
+                                 "no fonts are installed: install fonts-inter, fonts-noto-core and "
+                                 "fonts-noto-cjk"});
+  // std::function copies what it holds, and a setter cannot be copied.
+  auto setter = std::make_shared<TextSetter>(std::move(fonts));
+  return [setter](const TextStyle& style, std::string_view text, std::uint32_t width) {
+    return setter->set(style, text, width);
+  };
+}
+
+}  // namespace docent

@@ -1,0 +1,195 @@
+#include "runtime/scene/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace docent {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double overview_pitch = 0.94;  ///< 54 degrees: the upper end of what LOOK allows...
+constexpr double walking_pitch = 0.84;   ///< ... and 48, where the model looks most like one.
+constexpr double arrival_pitch = 0.79;
+constexpr double nearest_distance = 8, farthest_distance = 12;
+constexpr double arrival_distance = 8.5;
+
+/// The floor direction of an angle, in the world frame.
+Vec3 world_direction(double angle) noexcept {
+  return to_world({std::cos(angle), std::sin(angle)});
+}
+
+/// A box on the screen.
+struct Bounds {
+  float left = 1e9F, top = 1e9F, right = -1e9F, bottom = -1e9F;
+  void add(ScreenPoint p) noexcept {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    top = std::min(top, p.y);
+    bottom = std::max(bottom, p.y);
+  }
+};
+
+float middle_x(const Rect& r) noexcept {
+  return r.x + r.width / 2;
+}
+float middle_y(const Rect& r) noexcept {
+  return r.y + r.height / 2;
+}
+
+/// Metres of floor that one screen height shows at the target's distance.
+double metres_per_screen(const CameraRig& rig) noexcept {
+  return 2 * rig.distance * std::tan(vertical_field_of_view / 2);
+}
+
+}  // namespace
+
+double wrapped(double angle) noexcept {
+  angle = std::fmod(angle, 2 * pi);
+  if (angle > pi) return angle - 2 * pi;
+  return angle <= -pi ? angle + 2 * pi : angle;
+}
+
+double smooth_step(double share) noexcept {
+  share = std::clamp(share, 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
+double ease_out(double share) noexcept {
+  share = 1 - std::clamp(share, 0.0, 1.0);
+  return 1 - share * share * share;
+}
+
+CameraView view_of(const CameraRig& rig, float aspect) noexcept {
+  const Vec3 ahead = world_direction(rig.yaw);
+  const auto flat = static_cast<float>(std::cos(rig.pitch) * rig.distance);
+  const auto rise = static_cast<float>(std::sin(rig.pitch) * rig.distance);
+
+  CameraView view;
+  view.target = rig.target;
+  view.eye = rig.target - ahead * flat + Vec3(0, rise, 0);
+  view.vertical_fov = vertical_field_of_view;
+  view.view = glm::lookAt(view.eye, view.target, Vec3(0, 1, 0));
+  const auto distance = static_cast<float>(rig.distance);
+  view.projection = glm::perspective(view.vertical_fov, aspect, distance * 0.1F, distance * 3 + 20);
+  // A shifted lens: clip x gains w times the shift, and w is -z.
+  view.projection[2][0] = -(2 * rig.centre_x - 1);
+  view.projection[2][1] = -(1 - 2 * rig.centre_y);
+  return view;
+}
+
+CameraRig blend(const CameraRig& from, const CameraRig& to, double share) noexcept {
+  const auto mix = [share](double a, double b) { return a + (b - a) * share; };
+  const auto mixf = [share](float a, float b) { return a + (b - a) * static_cast<float>(share); };
+  CameraRig rig;
+  rig.target = glm::mix(from.target, to.target, static_cast<float>(share));
+  rig.yaw = from.yaw + wrapped(to.yaw - from.yaw) * share;
+  rig.pitch = mix(from.pitch, to.pitch);
+  // Distances are felt as ratios.
+  rig.distance = std::exp(mix(std::log(from.distance), std::log(to.distance)));
+  rig.centre_x = mixf(from.centre_x, to.centre_x);
+  rig.centre_y = mixf(from.centre_y, to.centre_y);
+  return rig;
+}
+
+std::optional<ScreenPoint> project(const CameraView& view, Vec3 point) noexcept {
+  const Vec4 clip = view.projection * (view.view * Vec4(point, 1));
+  if (clip.w <= 1e-3F) return std::nullopt;
+  return ScreenPoint{0.5F + clip.x / clip.w / 2, 0.5F - clip.y / clip.w / 2};
+}
+
+CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, const Rect& free,
+                      float aspect) noexcept {
+  CameraRig rig{.yaw = yaw,
+                .pitch = overview_pitch,
+                .distance = 60,
+                .centre_x = middle_x(free),
+                .centre_y = middle_y(free)};
+  if (outline.empty()) return rig;
+  Vec2 low = outline[0], high = outline[0];
+  for (const Vec2 p : outline) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  rig.target = to_world((low + high) / 2.0, height);
+  const Vec3 ahead = world_direction(yaw), right = world_direction(yaw - pi / 2);
+
+  // Perspective makes the picture's middle differ from the floor's: move and scale until it fits.
+  for (int round = 0; round < 24; ++round) {
+    const CameraView view = view_of(rig, aspect);
+    Bounds bounds;
+    for (const Vec2 p : outline)
+      for (const double h : {height, height + 1.4})
+        if (const auto at = project(view, to_world(p, h))) bounds.add(*at);
+    const float fill = std::max((bounds.right - bounds.left) / free.width,
+                                (bounds.bottom - bounds.top) / free.height);
+    const auto metres = static_cast<float>(metres_per_screen(rig));
+    const float off_x = (bounds.left + bounds.right) / 2 - middle_x(free);
+    const float off_y = (bounds.top + bounds.bottom) / 2 - middle_y(free);
+    rig.target += right * (off_x * metres * aspect);
+    rig.target -= ahead * (off_y * metres / static_cast<float>(std::sin(rig.pitch)));
+    rig.distance *= std::clamp(static_cast<double>(fill), 0.5, 2.0);
+  }
+  return rig;
+}
+
+double yaw_towards(const Walker& walker, double otherwise) noexcept {
+  if (walker.ahead.empty()) return otherwise;
+  Vec2 sum{};
+  for (const Vec2 p : walker.ahead) sum += p - walker.body.position;
+  if (dot(sum, sum) < 0.01) return otherwise;
+  return std::atan2(sum.y, sum.x);
+}
+
+CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspect) noexcept {
+  CameraRig rig{.target = to_world(walker.body.position, walker.height) + Vec3(0, 0.9F, 0),
+                .yaw = yaw,
+                .pitch = walking_pitch,
+                .distance = nearest_distance,
+                .centre_x = middle_x(free),
+                .centre_y = free.y + free.height * 0.68F};
+  // Back off until the way ahead is in the free part of the picture.
+  const float edge_x = free.width * 0.06F, edge_y = free.height * 0.06F;
+  for (; rig.distance < farthest_distance; rig.distance += 0.25) {
+    const CameraView view = view_of(rig, aspect);
+    const bool all_in_view = std::ranges::all_of(walker.ahead, [&](Vec2 p) {
+      const auto at = project(view, to_world(p, walker.height));
+      return at && at->x >= free.x + edge_x && at->x <= free.x + free.width - edge_x &&
+             at->y >= free.y + edge_y && at->y <= free.y + free.height - edge_y;
+    });
+    if (all_in_view) break;
+  }
+  return rig;
+}
+
+CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect& free,
+                 float aspect) noexcept {
+  const Vec2 gap = exhibit - guide.position;
+  const double towards = dot(gap, gap) > 0.01 ? std::atan2(gap.y, gap.x) : guide.heading;
+  CameraRig rig{.target = to_world((guide.position + exhibit) / 2.0, height) + Vec3(0, 1.0F, 0),
+                .yaw = towards + 0.42,  // from over the shoulder, so that the guide hides nothing
+                .pitch = arrival_pitch,
+                .distance = arrival_distance,
+                .centre_x = middle_x(free),
+                .centre_y = free.y + free.height * 0.5F};
+  // Raise or lower the picture until the exhibit is in the upper third.
+  const float wanted = free.y + free.height * 0.3F;
+  const Vec3 object = to_world(exhibit, height) + Vec3(0, 1.2F, 0);
+  for (int round = 0; round < 4; ++round)
+    if (const auto at = project(view_of(rig, aspect), object)) rig.centre_y += wanted - at->y;
+  rig.centre_y =
+      std::clamp(rig.centre_y, free.y + free.height * 0.3F, free.y + free.height * 0.75F);
+  return rig;
+}
+
+double turn_smoothly(double current, double wanted, double seconds, double time_constant,
+                     double max_rate) noexcept {
+  const double off = wrapped(wanted - current);
+  const double step = off * (1 - std::exp(-seconds / time_constant));
+  const double most = max_rate * seconds;
+  return wrapped(current + std::clamp(step, -most, most));
+}
+
+}  // namespace docent

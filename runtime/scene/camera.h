@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "runtime/model/geometry/vec2.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// How the long lens stands: what it looks at, from where, and where on the screen that appears.
+/// Blending two of these component by component is a smooth flight above the walls.
+struct CameraRig {
+  Vec3 target{};         ///< World frame.
+  double yaw = 0;        ///< Radians, floor frame: the direction that is up on the screen.
+  double pitch = 0.87;   ///< Radians below the horizon.
+  double distance = 10;  ///< Metres from the target.
+  float centre_x = 0.5F, centre_y = 0.5F;  ///< Screen frame: where the target appears.
+};
+
+inline constexpr float vertical_field_of_view = 0.5236F;  ///< 30 degrees: a long lens.
+/// Nothing that the camera looks over is higher than this, metres: walls are cut at shoulder
+/// height, and an eye above it can be in no wall.
+inline constexpr double tallest_thing = 2.4;
+
+CameraView view_of(const CameraRig& rig, float aspect) noexcept;
+
+/// The rig `share` of the way from one to the other, turning by the shorter way.
+CameraRig blend(const CameraRig& from, const CameraRig& to, double share) noexcept;
+
+/// Where a world point appears, screen frame; nothing behind the eye.
+struct ScreenPoint {
+  float x = 0, y = 0;
+};
+std::optional<ScreenPoint> project(const CameraView& view, Vec3 point) noexcept;
+
+/// The whole floor, seen with `yaw` up, as large as fits into `free` (screen frame).
+CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, const Rect& free,
+                      float aspect) noexcept;
+
+/// What the walking camera follows.
+struct Walker {
+  Placement body;
+  double height = 0;            ///< Of the floor, metres.
+  std::span<const Vec2> ahead;  ///< The next metres of the way, nearest first; may be empty.
+};
+
+/// The distance along the way that is always in view, metres.
+inline constexpr double view_ahead = 6;
+
+/// Behind and above the guide, looking the way it is going: where the camera would be at rest.
+CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspect) noexcept;
+
+/// The yaw that shows where the walker goes next.
+double yaw_towards(const Walker& walker, double otherwise) noexcept;
+
+/// Beside the guide, with the exhibit in the upper third of `free`.
+CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect& free,
+                 float aspect) noexcept;
+
+/// `current` moved towards `wanted` like a critically damped spring: at most `max_rate` radians a
+/// second.
+double turn_smoothly(double current, double wanted, double seconds, double time_constant,
+                     double max_rate) noexcept;
+
+/// `angle` brought to (-pi, pi].
+double wrapped(double angle) noexcept;
+/// 0 to 1, slow at both ends.
+double smooth_step(double share) noexcept;
+/// 0 to 1, quick at the beginning and slow at the end.
+double ease_out(double share) noexcept;
+
+}  // namespace docent

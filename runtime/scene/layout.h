@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "runtime/model/museum.h"
+#include "runtime/path/way.h"
+#include "runtime/scene/measures.h"
+#include "runtime/scene/text_cache.h"
+#include "runtime/scene/view.h"
+
+namespace docent {
+
+/// What is known of the way that the guide is about to take.
+struct Trip {
+  RouteStatus status = RouteStatus::Ok;
+  double metres = 0;
+  double seconds = 0;
+
+  bool operator==(const Trip&) const = default;
+};
+
+/// Everything that decides what a view looks like.
+struct ViewRequest {
+  std::uint64_t id = 0;
+  InterfaceState state;
+  ScreenShape shape;
+  std::optional<Trip> trip;  ///< Absent while the way is still being planned.
+};
+
+/// The texture that holds an image of the museum.
+constexpr TextureId image_texture(std::uint32_t image) noexcept {
+  return static_cast<TextureId>(1 + image);
+}
+/// Set texts have the textures from here upwards.
+inline constexpr std::uint32_t first_text_texture = 4096;
+
+/// Lays out one view: where everything stands on the glass, in which words. One panel, at the side
+/// where text begins in landscape (so Arabic is the mirror image), along the lower edge in
+/// portrait. Pure but for the texts it adds to the cache; runs on the worker.
+std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request, TextCache& texts);
+
+/// How many exhibits a page of the list shows on such a screen.
+std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
+
+/// The panel and what it leaves free, left to right; a share of the screen.
+Rect panel_of(const ScreenShape& shape) noexcept;
+Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept;
+
+/// Does the language at this index run from right to left?
+bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept;
+
+}  // namespace docent

@@ -1,0 +1,147 @@
+/// The parts that several screens share: cards, route kinds, the lowest row.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/scene/phrases.h"
+#include "runtime/scene/sheet.h"
+
+namespace docent {
+namespace {
+
+/// A sample of a route kind's ribbon: solid, long dashes, round dots.
+void draw_pattern(Sheet& sheet, RouteKind kind, const Box& box, std::int32_t control) {
+  const Colour colour = route_colour(sheet.theme(), kind);
+  const float thick = box.height;
+  switch (kind) {
+    case RouteKind::Shortest:
+      sheet.fill(box, colour, thick / 2, control);
+      break;
+    case RouteKind::Skeleton: {
+      const float dash = (box.width - thick) / 2;
+      for (const float x : {box.x, box.x + dash + thick})
+        sheet.fill({x, box.y, dash, thick}, colour, thick / 2, control);
+      break;
+    }
+    case RouteKind::Offset: {
+      constexpr int dots = 4;
+      const float step = (box.width - thick) / (dots - 1);
+      for (int i = 0; i < dots; ++i)
+        sheet.fill({box.x + step * static_cast<float>(i), box.y, thick, thick}, colour, thick / 2,
+                   control);
+      break;
+    }
+  }
+}
+
+void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along) {
+  const Measures& m = sheet.measures();
+  sheet.place(control, box);
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  const auto kind = static_cast<RouteKind>(it.action.argument);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+
+  TextStyle style = sheet.style(Letters::Label, along == Along::Row ? 2 : 1);
+  style.weight = it.selected ? 600 : 400;
+  style.line_height = style.right_to_left ? 1.25F : 1.1F;
+  const Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
+  const float pad = std::round(1.5F * m.unit), thick = std::round(0.9F * m.unit);
+  const float sample = std::round((along == Along::Row ? 4.5F : 7) * m.unit);
+  draw_pattern(sheet, kind,
+               {box.x + pad, std::round(box.y + (box.height - thick) / 2), sample, thick}, control);
+  const float x = box.x + pad + sample + pad;
+  const TextPiece label = sheet.fitted(style, sheet.local(it.label), box.right() - x - pad / 2);
+  sheet.piece(label, x, box.y + (box.height - label.height) / 2, box.right() - x, Align::Start, ink,
+              control);
+}
+
+}  // namespace
+
+void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
+  if (control < 0) return;
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  const Exhibit& exhibit = museum.exhibits[it.action.argument];
+  sheet.place(control, box);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+
+  const Box picture{box.x, box.y, box.height, box.height};
+  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
+  sheet.image(picture, exhibit.image, m.corner, control);
+
+  const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
+  TextStyle title_style = sheet.style(Letters::Label);
+  title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
+  const TextPiece title = sheet.fitted(title_style, sheet.local(exhibit.title), width);
+  const std::string_view room =
+      exhibit.room < museum.rooms.size() ? sheet.local(museum.rooms[exhibit.room].title) : "";
+  const std::string line =
+      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1) +
+      (room.empty() ? "" : "  ·  ") + std::string(room);
+  TextStyle room_style = sheet.style(Letters::Small);
+  room_style.line_height = title_style.line_height;
+  const TextPiece second = sheet.fitted(room_style, line, width);
+  const float top = box.y + (box.height - title.height - second.height) / 2;
+  sheet.piece(title, x, top, width, Align::Start, sheet.theme().ink, control);
+  sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
+}
+
+float draw_routes(Sheet& sheet, const Box& box, Along along) {
+  const Measures& m = sheet.measures();
+  constexpr std::array names{"route:shortest", "route:skeleton", "route:offset"};
+  const float gap = std::round(m.unit);
+  const bool row = along == Along::Row;
+  const float width = row ? std::floor((box.width - 2 * gap) / 3) : box.width;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::int32_t control = sheet.control(names[i]);
+    if (control < 0) continue;
+    const auto n = static_cast<float>(i);
+    draw_route(sheet, control,
+               {box.x + (row ? n * (width + gap) : 0), box.y + (row ? 0 : n * (m.touch + gap)),
+                width, m.touch},
+               along);
+  }
+  return box.y + (row ? m.touch : 3 * m.touch + 2 * gap);
+}
+
+float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name) {
+  const Measures& m = sheet.measures();
+  const float top = content.bottom() - m.touch;
+  const std::int32_t end_button = sheet.control(button_name);
+  const float button_width = end_button < 0 ? 0 : std::round(content.width * 0.36F);
+  if (end_button >= 0)
+    sheet.button(end_button, {content.right() - button_width, top, button_width, m.touch},
+                 Sheet::Emphasis::Soft);
+
+  std::vector<std::int32_t> languages;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].action.kind == Action::Kind::Speak)
+      languages.push_back(static_cast<std::int32_t>(i));
+  if (languages.empty()) return top;
+
+  const float room = content.width - button_width - (end_button < 0 ? 0 : m.gap);
+  const auto count = static_cast<float>(languages.size());
+  const float cell = std::floor(std::min(room / count, 18 * m.unit));
+  for (std::size_t i = 0; i < languages.size(); ++i) {
+    const Control& it = sheet.view().controls[static_cast<std::size_t>(languages[i])];
+    const Box box{content.x + cell * static_cast<float>(i), top, cell, m.touch};
+    sheet.place(languages[i], box);
+    TextStyle style = sheet.style(Letters::Label);
+    style.weight = it.selected ? 600 : 400;
+    style.language = sheet.museum().languages[it.action.argument].tag;
+    style.right_to_left = sheet.museum().languages[it.action.argument].right_to_left;
+    style.line_height = 1.5F;
+    const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell - m.unit);
+    const float y = top + (m.touch - name.height) / 2;
+    sheet.piece(name, box.x, y, cell - m.unit, Align::Start,
+                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, languages[i]);
+    if (it.selected)
+      sheet.fill({box.x, top + m.touch - std::round(0.9F * m.unit), name.width,
+                  std::max(2.0F, std::round(0.35F * m.unit))},
+                 sheet.theme().ink, 0, languages[i]);
+  }
+  return top;
+}
+
+}  // namespace docent

@@ -1,0 +1,208 @@
+#include "runtime/scene/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace docent {
+namespace {
+
+/// Capitals of Inter and Noto are this share of the letter size high.
+constexpr float capital_share = 0.72F;
+
+float capitals_mm(Letters letters) noexcept {
+  switch (letters) {
+    case Letters::Small:
+      return 4;
+    case Letters::Body:
+      return 5;
+    case Letters::Label:
+      return 5.4F;
+    case Letters::Lead:
+      return 7;
+    case Letters::Heading:
+      return 8;
+    case Letters::Title:
+      return 11;
+    case Letters::Welcome:
+      return 18;
+  }
+  return 5;
+}
+
+/// Arabic letters are small in their em square and Han characters fill it: this makes them look as
+/// large as Latin ones of the same size.
+float optical_scale(std::string_view language) noexcept {
+  if (language.starts_with("ar") || language.starts_with("fa") || language.starts_with("ur"))
+    return 1.12F;
+  if (language.starts_with("zh") || language.starts_with("ja") || language.starts_with("ko"))
+    return 0.95F;
+  return 1;
+}
+
+std::string_view tag_of(const Museum& museum, std::uint32_t language) noexcept {
+  return language < museum.languages.size() ? std::string_view(museum.languages[language].tag)
+                                            : std::string_view("en");
+}
+
+void mirror(Rect& rect) noexcept {
+  rect.x = 1 - rect.x - rect.width;
+}
+
+}  // namespace
+
+Sheet::Sheet(const Museum& museum, const ViewRequest& request, TextCache& texts, View& view)
+    : museum_(museum),
+      request_(request),
+      texts_(texts),
+      view_(view),
+      measures_(measures_of(request.shape)),
+      width_(static_cast<float>(request.shape.width)),
+      height_(static_cast<float>(request.shape.height)),
+      shorter_(std::min(width_, height_)),
+      right_to_left_(runs_right_to_left(museum, request.state.language)) {}
+
+std::int32_t Sheet::control(std::string_view name) const noexcept {
+  const auto found = std::ranges::find(view_.controls, name, &Control::name);
+  return found == view_.controls.end() ? -1
+                                       : static_cast<std::int32_t>(found - view_.controls.begin());
+}
+
+std::string_view Sheet::word(std::string_view key) const noexcept {
+  return docent::word(museum_, request_.state.language, key);
+}
+
+std::string_view Sheet::local(const LocalText& text) const noexcept {
+  return in_language(museum_, request_.state.language, text);
+}
+
+TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept {
+  const std::string_view language = tag_of(museum_, request_.state.language);
+  const bool serif =
+      letters == Letters::Heading || letters == Letters::Title || letters == Letters::Welcome;
+  TextStyle style;
+  style.family = serif ? Family::Serif : Family::Sans;
+  style.weight = letters == Letters::Label ? 500 : 400;
+  style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
+                          optical_scale(language) * request_.shape.text_scale);
+  style.line_height = serif ? 1.2F : 1.4F;
+  if (right_to_left_) style.line_height = serif ? 1.45F : 1.7F;
+  style.max_lines = max_lines;
+  style.right_to_left = right_to_left_;
+  style.language = language;
+  return style;
+}
+
+TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
+  const auto most = static_cast<std::uint32_t>(std::max(1.0F, std::floor(width)));
+  const float whole = style.size;
+  TextPiece piece;
+  for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
+    style.size = std::round(whole * scale);
+    piece = texts_.piece(style, text, most);
+    if (!piece.cut) break;
+  }
+  return piece;
+}
+
+Rect Sheet::share_of(const Box& box) const noexcept {
+  return {box.x / width_, box.y / height_, box.width / width_, box.height / height_};
+}
+
+void Sheet::add(Quad quad, std::int32_t control) {
+  view_.elements.push_back({quad, control});
+}
+
+void Sheet::fill(const Box& box, Colour colour, float corner, std::int32_t control) {
+  add({.rect = share_of(box), .colour = colour, .corner = corner / shorter_}, control);
+}
+
+void Sheet::shadow(const Box& box, float reach, float opacity) {
+  add({.rect = share_of(box),
+       .fill = QuadFill::Shadow,
+       .colour = with_opacity(theme_.ink, opacity),
+       .corner = measures_.corner / shorter_,
+       .softness = reach / shorter_},
+      -1);
+}
+
+void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_t control) {
+  if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
+  const EncodedImage& picture = museum_.images[image];
+  const float have = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+  const float want = box.width / box.height;
+  Rect uv{0, 0, 1, 1};  // the largest middle part of the picture that has the box's shape
+  if (have > want) {
+    uv.width = want / have;
+    uv.x = (1 - uv.width) / 2;
+  } else {
+    uv.height = have / want;
+    uv.y = (1 - uv.height) / 2;
+  }
+  add({.rect = share_of(box),
+       .fill = QuadFill::Image,
+       .colour = {1, 1, 1, 1},
+       .texture = image_texture(image),
+       .uv = uv,
+       .corner = corner / shorter_},
+      control);
+}
+
+Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
+                    Colour colour) const {
+  const float spare = width - piece.width;
+  if (align == Align::Centre) x += spare / 2;
+  if (align == Align::End) x += spare;
+  const Box box{std::round(x), std::round(y), piece.width, piece.height};
+  return {
+      .rect = share_of(box), .fill = QuadFill::Text, .colour = colour, .texture = piece.texture};
+}
+
+float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align align,
+                   Colour colour, std::int32_t control) {
+  if (piece.texture != TextureId::None) add(quad_of(piece, x, y, width, align, colour), control);
+  return y + piece.height;
+}
+
+float Sheet::text(Letters letters, std::string_view text, float x, float y, float width,
+                  Colour colour, std::uint16_t max_lines) {
+  return piece(fitted(style(letters, max_lines), text, width), x, y, width, Align::Start, colour);
+}
+
+void Sheet::place(std::int32_t control, const Box& box) {
+  if (control >= 0) view_.controls[static_cast<std::size_t>(control)].rect = share_of(box);
+}
+
+void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
+  if (control < 0) return;
+  place(control, box);
+  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  const bool strong = emphasis == Emphasis::Strong;
+  if (emphasis != Emphasis::Plain && it.enabled)
+    fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
+  Colour colour = strong ? theme_.paper : theme_.ink;
+  if (!it.enabled) colour = with_opacity(theme_.quiet_ink, 0.35F);
+  TextStyle look = style(Letters::Label, 2);
+  look.line_height = right_to_left_ ? 1.3F : 1.15F;
+  const float pad = measures_.unit * 1.5F;
+  const TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
+  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
+        Align::Centre, colour, control);
+}
+
+void Sheet::draw_panel(const Box& box) {
+  view_.panel = share_of(box);
+  const std::size_t first = view_.elements.size();
+  shadow(box, 4 * measures_.unit, 0.16F);
+  fill(box, theme_.paper, 0);
+  for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
+}
+
+void Sheet::finish() {
+  if (!right_to_left_) return;
+  mirror(view_.panel);
+  for (Control& control : view_.controls) mirror(control.rect);
+  for (Element& element : view_.elements) mirror(element.quad.rect);
+  for (CountedText& text : view_.remaining) mirror(text.quad.rect);
+}
+
+}  // namespace docent
