@@ -1,0 +1,191 @@
+#include "content/write/content_writer.h"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "content/content_error.h"
+#include "content/write/replace_file.h"
+#include "platform/sqlite/checksum.h"
+#include "platform/sqlite/database.h"
+#include "runtime/model/schema/rows.h"
+#include "runtime/model/schema/schema.h"
+#include "schema_sql.h"
+
+namespace docent {
+
+namespace {
+
+[[noreturn]] void fail(sqlite3* database) {
+  throw ContentError(Errc::Environment, "the database", "database-failed",
+                     database != nullptr ? sqlite3_errmsg(database) : "out of memory");
+}
+
+void execute(sqlite3* database, const std::string& sql) {
+  if (sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail(database);
+}
+
+/// Collects "name, height, vertex" and as many "?, ?, ?".
+struct InsertColumns {
+  std::string names, places;
+
+  void operator()(std::string_view name, const auto& /*field*/) {
+    names += fmt::format(", {}", name);
+    places += ", ?";
+  }
+};
+
+/// Binds fields to a statement's parameters, from left to right.
+struct ColumnWriter {
+  sqlite3_stmt* statement;
+  int next;
+
+  template <typename T>
+  void operator()(std::string_view /*name*/, const T& field) {
+    const int place = next++;
+    if constexpr (std::is_enum_v<T>)
+      sqlite3_bind_int64(statement, place, static_cast<std::underlying_type_t<T>>(field));
+    else if constexpr (std::is_integral_v<T>)
+      sqlite3_bind_int64(statement, place, static_cast<sqlite3_int64>(field));
+    else if constexpr (std::is_floating_point_v<T>)
+      sqlite3_bind_double(statement, place, static_cast<double>(field));
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
+      bind_text(place, field);
+    else
+      bind_blob(place, schema::encode(field));
+  }
+
+ private:
+  void bind_text(int place, std::string_view text) {
+    sqlite3_bind_text64(statement, place, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+  }
+  void bind_blob(int place, std::span<const std::byte> bytes) {
+    // A null pointer would bind NULL, and an empty array is not nothing.
+    const void* data = bytes.empty() ? static_cast<const void*>("") : bytes.data();
+    sqlite3_bind_blob64(statement, place, data, bytes.size(), SQLITE_TRANSIENT);
+  }
+};
+
+/// The store of schema::tables that writes.
+class Writer {
+ public:
+  explicit Writer(sqlite3* database) : database_(database) {}
+
+  template <typename T>
+  void row(std::string_view table, std::size_t id, const T& value) {
+    insert(table, "id", std::to_string(id), value);
+  }
+  template <typename T>
+  void rows(std::string_view table, const std::vector<T>& values) {
+    for (std::size_t id = 0; id < values.size(); ++id) row(table, id, values[id]);
+  }
+  template <typename T>
+  void rows_of(std::string_view table, std::string_view parent, std::size_t parent_id,
+               const std::vector<T>& values) {
+    for (std::size_t id = 0; id < values.size(); ++id)
+      insert(table, fmt::format("{}, id", parent), fmt::format("{}, {}", parent_id, id),
+             values[id]);
+  }
+  template <typename Map>
+  void texts(std::string_view subject, std::size_t owner, const Map& map) {
+    for (const auto& [key, text] : map) {
+      const Statement statement = prepare("INSERT INTO text VALUES (?, ?, ?, ?)");
+      ColumnWriter writer{statement.get(), 1};
+      writer("subject", subject);
+      writer("owner", owner);
+      writer("key", key);
+      writer("text", text);
+      step(statement.get());
+    }
+  }
+
+ private:
+  template <typename T>
+  void insert(std::string_view table, std::string_view key_names, std::string_view key_values,
+              const T& value) {
+    InsertColumns columns;
+    schema::columns(columns, value);
+    const Statement statement =
+        prepare(fmt::format("INSERT INTO {} ({}{}) VALUES ({}{})", table, key_names, columns.names,
+                            key_values, columns.places));
+    ColumnWriter writer{statement.get(), 1};
+    schema::columns(writer, value);
+    step(statement.get());
+  }
+
+  Statement prepare(const std::string& sql) {
+    sqlite3_stmt* raw = nullptr;
+    if (sqlite3_prepare_v2(database_, sql.c_str(), -1, &raw, nullptr) != SQLITE_OK) fail(database_);
+    return Statement(raw);
+  }
+
+  void step(sqlite3_stmt* statement) {
+    if (sqlite3_step(statement) != SQLITE_DONE) fail(database_);
+  }
+
+  sqlite3* database_;
+};
+
+/// Stands where the checksum will be until all other bytes are known.
+constexpr std::string_view marker = "the file's checksum belongs here";
+static_assert(marker.size() == std::tuple_size_v<Checksum>);
+
+void write_marker(sqlite3* database) {
+  execute(database, fmt::format("INSERT INTO checksum VALUES (0, CAST('{}' AS BLOB))",
+                                "the file''s checksum belongs here"));
+}
+
+void replace_marker_by_checksum(std::span<std::byte> file) {
+  Checksum sum{};
+  std::memcpy(sum.data(), marker.data(), sum.size());
+  const auto place = place_of(file, sum);
+  if (!place)
+    throw ContentError(Errc::Environment, "the database", "database-failed",
+                       "the place of the checksum cannot be told from other content");
+  sum = checksum_of(file, *place);
+  std::memcpy(file.data() + *place, sum.data(), sum.size());
+}
+
+std::vector<std::byte> serialize(sqlite3* database) {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, CloseWith<sqlite3_free>> bytes(
+      sqlite3_serialize(database, "main", &size, 0));
+  if (!bytes) fail(database);
+  const auto* first = reinterpret_cast<const std::byte*>(bytes.get());
+  return {first, first + size};
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_museum(const Museum& museum) {
+  sqlite3* raw = nullptr;
+  const int opened = sqlite3_open(":memory:", &raw);
+  const DatabaseHandle database(raw);
+  if (opened != SQLITE_OK) fail(raw);
+  execute(raw, fmt::format("PRAGMA page_size = 8192; PRAGMA application_id = {}; "
+                           "PRAGMA user_version = {}; BEGIN;",
+                           schema::application_id, schema::version));
+  execute(raw, schema::sql);
+  write_marker(raw);
+  Writer writer(raw);
+  schema::tables(writer, museum);
+  execute(raw, "COMMIT");
+  std::vector<std::byte> file = serialize(raw);
+  replace_marker_by_checksum(file);
+  return file;
+}
+
+std::size_t write_museum(const Museum& museum, const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = encode_museum(museum);
+  replace_file(file, bytes);
+  return bytes.size();
+}
+
+}  // namespace docent

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// The museum as the bytes of a database file: the same museum always gives the same bytes.
+/// Throws ContentError where SQLite fails, which is out of memory.
+std::vector<std::byte> encode_museum(const Museum& museum);
+
+/// Writes the museum to a database. The file appears whole or not at all: it is written beside its
+/// place, flushed to the disk and renamed. Returns its size in bytes. Throws ContentError of kind
+/// Environment or NotFound, and leaves what existed before, where it cannot be written.
+std::size_t write_museum(const Museum& museum, const std::filesystem::path& file);
+
+}  // namespace docent

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "platform/sqlite/database.h"
+#include "runtime/model/museum.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// Reads a museum from its database and checks every index in it once, so that nobody who gets the
+/// museum needs to. Fails as open_database does; a database whose rows do not make a museum is
+/// Damaged. `file` is only named in the error.
+Result<Museum> read_museum(const Database& database, const std::filesystem::path& file);
+
+/// Opens and reads.
+Result<Museum> load_museum(const std::filesystem::path& file);
+
+}  // namespace docent

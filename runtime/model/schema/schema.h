@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+/// What a docent database is known by. Its tables are described in schema.sql, next to this file.
+namespace docent::schema {
+
+/// "doct", in SQLite's header.
+inline constexpr std::uint32_t application_id = 0x646F6374;
+
+/// SQLite's user_version. Raise it with every change of schema.sql or of the elements of a blob:
+/// a kiosk refuses a database of another version and asks for a new compilation.
+inline constexpr std::uint32_t version = 1;
+
+}  // namespace docent::schema

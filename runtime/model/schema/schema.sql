@@ -1,0 +1,169 @@
+-- A docent database: one museum, compiled. Version 1 (user_version), application_id 0x646F6374.
+--
+-- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
+-- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
+-- headers. Blobs are arrays: the elements named beside them, field by field as listed in
+-- elements.h, little-endian, without padding. rows.h ties each column to its field.
+
+CREATE TABLE checksum (      -- BLAKE2b-256 of the whole file with these 32 bytes taken as zero
+  id INTEGER PRIMARY KEY,
+  blake2b BLOB NOT NULL
+);
+
+CREATE TABLE museum (        -- one row
+  id INTEGER PRIMARY KEY,
+  kiosk_floor INTEGER NOT NULL,
+  kiosk_x REAL NOT NULL,
+  kiosk_y REAL NOT NULL,
+  kiosk_heading REAL NOT NULL,
+  body_radius REAL NOT NULL,
+  ambient_count INTEGER NOT NULL
+);
+
+CREATE TABLE language (      -- the first is the default
+  id INTEGER PRIMARY KEY,
+  tag TEXT NOT NULL,         -- BCP 47
+  name TEXT NOT NULL,
+  right_to_left INTEGER NOT NULL
+);
+
+CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
+  subject TEXT NOT NULL,     -- museum.title museum.welcome room.title exhibit.title exhibit.text language.word
+  owner INTEGER NOT NULL,    -- id in the subject's table
+  key TEXT NOT NULL,         -- language tag; for language.word the word's key
+  text TEXT NOT NULL,
+  PRIMARY KEY (subject, owner, key)
+) WITHOUT ROWID;
+
+CREATE TABLE floor (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  height REAL NOT NULL,
+  vertex BLOB NOT NULL,      -- Vec2
+  ring BLOB NOT NULL,        -- Ring
+  next BLOB NOT NULL         -- u32, one a vertex
+);
+
+CREATE TABLE door (
+  floor INTEGER NOT NULL,
+  id INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  ax REAL NOT NULL,
+  ay REAL NOT NULL,
+  bx REAL NOT NULL,
+  by REAL NOT NULL,
+  closed INTEGER NOT NULL,
+  PRIMARY KEY (floor, id)
+) WITHOUT ROWID;
+
+CREATE TABLE voronoi_diagram (  -- one a floor, as are roadmap and scenery
+  id INTEGER PRIMARY KEY,
+  site BLOB NOT NULL,           -- Site
+  vertex BLOB NOT NULL,         -- Vec2
+  clearance BLOB NOT NULL,      -- f64, one a vertex
+  edge BLOB NOT NULL,           -- VoronoiEdge
+  region_first BLOB NOT NULL,   -- u32, one a site and one more
+  region_edge BLOB NOT NULL     -- u32
+);
+
+CREATE TABLE roadmap (
+  id INTEGER PRIMARY KEY,
+  position BLOB NOT NULL,       -- Vec2
+  clearance BLOB NOT NULL,      -- f64
+  voronoi_vertex BLOB NOT NULL, -- u32
+  edge BLOB NOT NULL            -- RoadmapEdge
+);
+
+CREATE TABLE tangent_graph (    -- one a radius class, ascending
+  floor INTEGER NOT NULL,
+  id INTEGER NOT NULL,
+  radius REAL NOT NULL,
+  arc BLOB NOT NULL,            -- TangentArc
+  side_first BLOB NOT NULL,     -- u32, two an arc and one more
+  tangent BLOB NOT NULL,        -- Tangent
+  PRIMARY KEY (floor, id)
+);
+
+CREATE TABLE scenery (
+  id INTEGER PRIMARY KEY,
+  vertex BLOB NOT NULL,         -- SceneryVertex
+  triangle BLOB NOT NULL,       -- u32, three a triangle
+  part BLOB NOT NULL,           -- SceneryPart
+  lightmap_width INTEGER NOT NULL,
+  lightmap_height INTEGER NOT NULL,
+  lightmap_min_x REAL NOT NULL,
+  lightmap_min_y REAL NOT NULL,
+  lightmap_max_x REAL NOT NULL,
+  lightmap_max_y REAL NOT NULL,
+  lightmap BLOB NOT NULL,       -- two bytes a texel: sky, sun
+  sun_x REAL NOT NULL,
+  sun_y REAL NOT NULL,
+  sun_z REAL NOT NULL
+);
+
+CREATE TABLE room (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,           -- its id in museum.toml
+  floor INTEGER NOT NULL,
+  label_x REAL NOT NULL,
+  label_y REAL NOT NULL,
+  outline BLOB NOT NULL         -- Vec2
+);
+
+CREATE TABLE exhibit (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,           -- its id in exhibits/*.toml
+  floor INTEGER NOT NULL,
+  room INTEGER NOT NULL,
+  x REAL NOT NULL,
+  y REAL NOT NULL,
+  heading REAL NOT NULL,
+  view_x REAL NOT NULL,
+  view_y REAL NOT NULL,
+  view_heading REAL NOT NULL,
+  place INTEGER NOT NULL,       -- 0 on the floor, 1 on a wall, 2 in a case
+  image INTEGER NOT NULL
+);
+
+CREATE TABLE image (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  width INTEGER NOT NULL,
+  height INTEGER NOT NULL,
+  bytes BLOB NOT NULL           -- a PNG or JPEG file
+);
+
+CREATE TABLE joint (            -- parents before children
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  parent INTEGER NOT NULL,      -- -1 for the root
+  x REAL NOT NULL,
+  y REAL NOT NULL,
+  z REAL NOT NULL
+);
+
+CREATE TABLE motion_clip (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  role INTEGER NOT NULL,        -- ClipRole
+  motion_class TEXT NOT NULL,
+  frame_rate REAL NOT NULL,
+  joint_count INTEGER NOT NULL,
+  root BLOB NOT NULL,           -- Vec3, one a frame
+  rotation BLOB NOT NULL,       -- Quat, joint_count a frame
+  plants BLOB NOT NULL          -- FootPlants, one a frame
+);
+
+CREATE TABLE motion_graph (     -- one row
+  id INTEGER PRIMARY KEY,
+  has_rotation BLOB NOT NULL,   -- u8, one a joint
+  body_part BLOB NOT NULL,      -- i32, the joint of each BodyPart, -1 for none
+  transition BLOB NOT NULL      -- Transition
+);
+
+CREATE TABLE avatar (           -- one row
+  id INTEGER PRIMARY KEY,
+  vertex BLOB NOT NULL,         -- SkinnedVertex
+  triangle BLOB NOT NULL,       -- u32
+  inverse_bind BLOB NOT NULL    -- Mat4, one a joint
+);

@@ -1,0 +1,218 @@
+#include "platform/sqlite/content_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "content/content_error.h"
+#include "content/write/content_writer.h"
+#include "content/write/replace_file.h"
+#include "tests/support/small_museum.h"
+#include "tests/support/temporary_folder.h"
+
+namespace docent {
+namespace {
+
+using test::small_museum;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+/// What the kiosk says about a database file of these bytes.
+Error refusal(const std::vector<std::byte>& bytes) {
+  const TemporaryFolder folder;
+  replace_file(folder.path() / "museum.db", bytes);
+  const auto museum = load_museum(folder.path() / "museum.db");
+  return museum ? Error{.code = Errc::WrongUsage, .what = "was accepted"} : museum.error();
+}
+
+TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
+  const TemporaryFolder folder;
+  const Museum museum = small_museum();
+  write_museum(museum, folder.path() / "museum.db");
+
+  const auto read = load_museum(folder.path() / "museum.db");
+
+  ASSERT_TRUE(read.has_value()) << read.error().what;
+  // The writer covers every field (rows.h), so equal files are equal museums.
+  EXPECT_EQ(encode_museum(*read), encode_museum(museum));
+  EXPECT_EQ(read->exhibits[0].text.at("zh"), "玉璧。");
+  EXPECT_EQ(read->floors[0].tangent_graphs[1].tangent[0].leave, Vec2(1, 2));
+  EXPECT_EQ(read->motion.clips[0].rotation[3].z, 1.0F);
+  EXPECT_EQ(read->motion.skeleton.has_rotation, museum.motion.skeleton.has_rotation);
+  EXPECT_EQ(read->avatar.inverse_bind[1], Mat4(2));
+  EXPECT_EQ(read->languages[1].words.at("home"), "البداية");
+}
+
+/// The refusal of a database in which one byte was changed.
+Error refusal_with_flipped_byte(std::size_t place, std::byte flip) {
+  static const std::vector<std::byte> whole = encode_museum(small_museum());
+  std::vector<std::byte> bytes = whole;
+  bytes[place % bytes.size()] ^= flip;
+  return refusal(bytes);
+}
+
+TEST(ContentReader, RefusesAFileInWhichAnyByteHasChanged) {
+  rc::check("every flipped byte is noticed", [] {
+    const auto place = *rc::gen::inRange<std::size_t>(0, std::size_t{1} << 20);
+    const auto flip = static_cast<std::byte>(*rc::gen::inRange(1, 256));
+
+    const Error error = refusal_with_flipped_byte(place, flip);
+
+    RC_ASSERT(exit_code(error.code) == 1);
+    RC_ASSERT(error.what.find("museum.db") != std::string::npos);
+  });
+}
+
+TEST(ContentReader, SaysThatAFlippedByteIsDamage) {
+  const Error error = refusal_with_flipped_byte(20000, std::byte{1});
+
+  EXPECT_EQ(error.code, Errc::Damaged);
+  EXPECT_THAT(error.what, HasSubstr("is damaged (its checksum does not match)"));
+  EXPECT_THAT(error.what, HasSubstr("recompile the content"));
+}
+
+TEST(ContentReader, NoticesAFileCutShortAnywhere) {
+  const std::vector<std::byte> whole = encode_museum(small_museum());
+  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{99}, std::size_t{100},
+                                 whole.size() / 2, whole.size() - 1}) {
+    const Error error = refusal({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+
+    EXPECT_EQ(error.code, Errc::Damaged) << size;
+    EXPECT_THAT(error.what, HasSubstr("is cut short")) << size;
+  }
+}
+
+TEST(ContentReader, NoticesBytesAfterTheEnd) {
+  std::vector<std::byte> bytes = encode_museum(small_museum());
+  bytes.resize(bytes.size() + 8192);
+
+  EXPECT_EQ(refusal(bytes).code, Errc::Damaged);
+}
+
+TEST(ContentReader, NamesTheVersionThatItCannotRead) {
+  std::vector<std::byte> bytes = encode_museum(small_museum());
+  bytes[63] = std::byte{9};  // the last byte of user_version
+
+  const Error error = refusal(bytes);
+
+  EXPECT_EQ(error.code, Errc::WrongVersion);
+  EXPECT_THAT(error.what, HasSubstr("has schema version 9"));
+  EXPECT_THAT(error.what, HasSubstr("recompile the content"));
+}
+
+TEST(ContentReader, RefusesFilesThatAreNoDatabasesOfOurs) {
+  const std::string text(5000, 'x');
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  std::vector<std::byte> foreign = encode_museum(small_museum());
+  foreign[68] = std::byte{0};  // application_id
+
+  EXPECT_THAT(refusal({bytes, bytes + text.size()}).what, HasSubstr("is not a docent database"));
+  EXPECT_THAT(refusal(foreign).what, HasSubstr("is a database of another program"));
+}
+
+TEST(ContentReader, SaysThatThereIsNoFile) {
+  const auto museum = load_museum("no/such/museum.db");
+
+  ASSERT_FALSE(museum.has_value());
+  EXPECT_EQ(museum.error().code, Errc::NotFound);
+  EXPECT_THAT(museum.error().what, HasSubstr("no/such/museum.db: there is no such database"));
+}
+
+TEST(ContentReader, SaysThatAFolderIsNoDatabase) {
+  const auto museum = load_museum(std::filesystem::temp_directory_path());
+
+  ASSERT_FALSE(museum.has_value());
+  EXPECT_EQ(museum.error().code, Errc::Environment);
+}
+
+/// Spoils one thing in a museum, so that its database is sound and its content is not.
+struct Spoiler {
+  const char* what;
+  void (*spoil)(Museum&);
+};
+
+/// A well-formed database with a valid checksum may still have been made by somebody hostile.
+TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
+  const Spoiler spoilers[] = {
+      {"walls", [](Museum& m) { m.floors[0].plan.next[2] = 99; }},
+      {"walls", [](Museum& m) { m.floors[0].plan.ring[0].count = 0xffffffff; }},
+      {"walls", [](Museum& m) { m.floors[0].plan.vertex[1].x = NAN; }},
+      {"Voronoi", [](Museum& m) { m.floors[0].diagram.edge[0].to = 7; }},
+      {"Voronoi", [](Museum& m) { m.floors[0].diagram.region_first.back() = 1; }},
+      {"Voronoi", [](Museum& m) { m.floors[0].diagram.site[1].index = 4; }},
+      {"roadmap", [](Museum& m) { m.floors[0].roadmap.edges[0].voronoi_edge = 1; }},
+      {"roadmap", [](Museum& m) { m.floors[0].roadmap.clearance.pop_back(); }},
+      {"tangent", [](Museum& m) { m.floors[0].tangent_graphs[1].tangent[0].arrive_side = 2; }},
+      {"tangent", [](Museum& m) { m.floors[0].tangent_graphs[1].tangent[0].onward = 0; }},
+      {"tangent", [](Museum& m) { m.floors[0].tangent_graphs.clear(); }},
+      {"scenery", [](Museum& m) { m.scenery[0].indices[2] = 3; }},
+      {"scenery", [](Museum& m) { m.scenery[0].parts[0].index_count = 6; }},
+      {"scenery", [](Museum& m) { m.scenery[0].parts[0].surface = Surface::Count; }},
+      {"scenery", [](Museum& m) { m.scenery[0].lightmap_height = 0x80000001; }},
+      {"scenery", [](Museum& m) { m.scenery.clear(); }},
+      {"room", [](Museum& m) { m.rooms[0].floor = 1; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].image = 1; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].view.heading = INFINITY; }},
+      {"kiosk", [](Museum& m) { m.kiosk_floor = 1; }},
+      {"radius", [](Museum& m) { m.body_radius = 0; }},
+      {"language", [](Museum& m) { m.languages.clear(); }},
+      {"motion", [](Museum& m) { m.motion.skeleton.joint[1].parent = JointIndex{1}; }},
+      {"motion", [](Museum& m) { m.motion.skeleton.part[3] = JointIndex{2}; }},
+      {"motion", [](Museum& m) { m.motion.clips[0].rotation.pop_back(); }},
+      {"motion", [](Museum& m) { m.motion.clips[0].frame_rate = -1; }},
+      {"motion", [](Museum& m) { m.motion.transitions[0].to.clip = 1; }},
+      {"motion", [](Museum& m) { m.motion.transitions[0].radius = 1; }},
+      {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
+      {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
+  };
+  for (const Spoiler& spoiler : spoilers) {
+    Museum museum = small_museum();
+    spoiler.spoil(museum);
+
+    const Error error = refusal(encode_museum(museum));
+
+    EXPECT_EQ(error.code, Errc::Damaged) << spoiler.what;
+    EXPECT_THAT(error.what, HasSubstr(spoiler.what));
+  }
+}
+
+TEST(ContentWriter, GivesTheSameBytesForTheSameMuseum) {
+  EXPECT_EQ(encode_museum(small_museum()), encode_museum(small_museum()));
+}
+
+TEST(ContentWriter, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
+  const TemporaryFolder folder;
+  const auto occupied = folder.path() / "museum.db";
+  std::filesystem::create_directories(occupied / "not-empty");
+
+  try {
+    write_museum(small_museum(), occupied);
+    FAIL() << "wrote a file over a folder";
+  } catch (const ContentError& error) {
+    EXPECT_EQ(exit_code(error.kind), 3);
+    EXPECT_THAT(error.what(), HasSubstr("cannot be written"));
+  }
+  EXPECT_TRUE(std::filesystem::is_directory(occupied));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1)
+      << "left a temporary file behind";
+}
+
+TEST(ContentWriter, SaysThatTheFolderIsMissing) {
+  try {
+    write_museum(small_museum(), "no/such/folder/museum.db");
+    FAIL();
+  } catch (const ContentError& error) {
+    EXPECT_EQ(exit_code(error.kind), 3);
+    EXPECT_THAT(error.what(), HasSubstr("the folder 'no/such/folder' does not exist"));
+  }
+}
+
+}  // namespace
+}  // namespace docent

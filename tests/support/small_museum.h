@@ -1,0 +1,106 @@
+#pragma once
+
+#include "runtime/model/museum.h"
+
+namespace docent::test {
+
+/// A museum made by hand with at least one of everything that a database holds, for tests of the
+/// writer and the reader. Its geometry is not a real floor's.
+inline Museum small_museum() {
+  Museum museum;
+  museum.title = {{"en", "The Two Rooms"}, {"zh", "两室博物馆"}};
+  museum.welcome = {{"en", "Welcome"}, {"zh", "欢迎"}};
+  museum.languages = {
+      {.tag = "en", .name = "English", .right_to_left = false, .words = {{"home", "Home"}}},
+      {.tag = "ar", .name = "العربية", .right_to_left = true, .words = {{"home", "البداية"}}}};
+
+  Floor floor;
+  floor.plan = {.name = "ground",
+                .height = 0.5,
+                .vertex = {{0, 0}, {10, 0}, {10, 8}, {0, 8}},
+                .ring = {{0, 4}},
+                .next = {1, 2, 3, 0},
+                .doors = {{.name = "gate", .a = {5, 0}, .b = {5, 8}, .closed = true}}};
+  floor.diagram = {.site = {{Site::Kind::Wall, 0}, {Site::Kind::Wall, 1}},
+                   .vertex = {{4, 4}, {6, 4}},
+                   .clearance = {4, 4},
+                   .edge = {{.from = 0, .to = 1, .left = 1, .right = 0, .on_medial_axis = true}},
+                   .region_first = {0, 1, 2},
+                   .region_edge = {0, 0}};
+  floor.roadmap = {.position = {{4, 4}, {6, 4}},
+                   .clearance = {4, 4},
+                   .voronoi_vertex = {0, 1},
+                   .edges = {{.from = 0, .to = 1, .voronoi_edge = 0, .length = 2, .clearance = 4}}};
+  floor.tangent_graphs = {{.radius = 0, .arc = {}, .side_first = {0}, .tangent = {}},
+                          {.radius = 0.25,
+                           .arc = {{.vertex = 2, .begin = 0, .end = 1.5}},
+                           .side_first = {0, 1, 1},
+                           .tangent = {{.leave = {1, 2},
+                                        .leave_angle = 0.5,
+                                        .arrive_angle = 0.75,
+                                        .length = 3,
+                                        .arrive_side = 1,
+                                        .onward = TangentGraph::no_tangent}}}};
+  museum.floors.push_back(floor);
+
+  museum.scenery.push_back(
+      {.vertices = {{.position = {1, 2, 3}, .uv = {0.5F, 0.25F}, .sky = 7},
+                    {.position = {4, 5, 6}},
+                    {.position = {7, 8, 9}}},
+       .indices = {0, 1, 2},
+       .parts = {{.surface = Surface::Picture, .exhibit = 0, .first_index = 0, .index_count = 3}},
+       .lightmap_width = 2,
+       .lightmap_height = 1,
+       .lightmap_min = {-1, -2},
+       .lightmap_max = {11, 9},
+       .lightmap = {std::byte{1}, std::byte{2}, std::byte{3}, std::byte{255}},
+       .sun = {0.6F, 0.8F, 0}});
+  museum.rooms.push_back({.id = "east",
+                          .floor = 0,
+                          .title = {{"en", "East"}},
+                          .label = {5, 4},
+                          .outline = {{0, 0}, {10, 0}, {10, 8}}});
+  museum.exhibits.push_back({.id = "jade-disc",
+                             .floor = 0,
+                             .room = 0,
+                             .placement = {{10, 4}, 3.0},
+                             .view = {{8.5, 4}, 0.1},
+                             .place = ExhibitPlace::OnWall,
+                             .title = {{"en", "Jade disc"}},
+                             .text = {{"en", "A disc of jade."}, {"zh", "玉璧。"}},
+                             .image = 0});
+  museum.images.push_back(
+      {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
+  museum.kiosk = {{1, 1}, 0.5};
+  museum.body_radius = 0.3;
+  museum.ambient_count = 12;
+
+  MotionGraph& graph = museum.motion;
+  graph.skeleton.joint = {{.name = "Hips", .parent = JointIndex::None, .offset = {0, 1, 0}},
+                          {.name = "Spine", .parent = JointIndex{0}, .offset = {0, 0.5F, 0}}};
+  graph.skeleton.has_rotation = {true, false};
+  graph.skeleton.part.fill(JointIndex::None);
+  graph.skeleton.part[0] = JointIndex{0};
+  graph.clips.push_back(
+      {.name = "walk",
+       .role = ClipRole::Walk,
+       .motion_class = "walk",
+       .frame_rate = 60,
+       .joint_count = 2,
+       .root = {{0, 1, 0}, {0, 1, 0.125F}},
+       .rotation = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}},
+       .plants = {{.left = true, .right = false}, {.left = false, .right = true}}});
+  graph.transitions.push_back(
+      {.from = {0, 1}, .to = {0, 0}, .radius = 0, .distance = 0.125F, .alignment = {{1, 2}, -0.5}});
+  museum.avatar = {.vertices = {{.position = {0, 1, 0},
+                                 .normal = {0, 0, 1},
+                                 .joint = {0, 1, 0, 0},
+                                 .weight = {200, 55, 0, 0},
+                                 .material = Material::Coat,
+                                 .occlusion = 100}},
+                   .indices = {0, 0, 0},
+                   .inverse_bind = {Mat4(1), Mat4(2)}};
+  return museum;
+}
+
+}  // namespace docent::test
