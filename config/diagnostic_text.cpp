@@ -1,0 +1,84 @@
+#include "config/diagnostic_text.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+namespace docent {
+
+namespace {
+
+std::string_view name_of(Severity severity) {
+  return severity == Severity::Error ? "error" : "warning";
+}
+
+std::optional<std::string> line_of(const std::string& file, std::uint32_t number) {
+  std::ifstream in(file);
+  std::string line;
+  for (std::uint32_t i = 0; i < number; ++i)
+    if (!std::getline(in, line)) return {};
+  if (line.ends_with('\r')) line.pop_back();
+  return line;
+}
+
+/// The bytes of the first `count` characters of a line (UTF-8: every byte but a continuation begins
+/// one).
+std::size_t bytes_of(std::string_view line, std::size_t count) {
+  std::size_t at = 0;
+  for (; at < line.size(); ++at) {
+    const bool begins = (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U;
+    if (begins && count-- == 0) break;
+  }
+  return at;
+}
+
+/// Spaces (and the line's own tabs) that move the carets under the column.
+std::string indentation(std::string_view line, std::uint32_t column) {
+  std::string spaces;
+  for (const char c : line.substr(0, bytes_of(line, column - 1)))
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) spaces += c == '\t' ? '\t' : ' ';
+  return spaces;
+}
+
+std::string source_excerpt(const Diagnostic& d) {
+  if (d.line == 0) return {};
+  const auto line = line_of(d.file, d.line);
+  if (!line) return {};
+  std::string text = fmt::format("{:>6} | {}\n", d.line, *line);
+  if (d.column == 0) return text;
+  const std::string carets(std::min<std::size_t>(std::max(d.length, 1U), 120), '^');
+  text += fmt::format("       | {}{}{}{}\n", indentation(*line, d.column), carets,
+                      d.label.empty() ? "" : " ", d.label);
+  return text;
+}
+
+}  // namespace
+
+std::string to_text(const Diagnostic& d) {
+  std::string place = d.file;
+  if (d.line > 0) place += fmt::format(":{}", d.line);
+  if (d.line > 0 && d.column > 0) place += fmt::format(":{}", d.column);
+  const std::string separator = place.empty() ? "" : ": ";
+  std::string text =
+      fmt::format("{}{}{}[{}]: {}\n", place, separator, name_of(d.severity), d.code, d.message);
+  text += source_excerpt(d);
+  if (!d.hint.empty()) text += fmt::format("   hint: {}\n", d.hint);
+  return text;
+}
+
+std::string to_json(const Diagnostic& d) {
+  const nlohmann::ordered_json object = {{"file", d.file},
+                                         {"line", d.line},
+                                         {"column", d.column},
+                                         {"code", d.code},
+                                         {"severity", name_of(d.severity)},
+                                         {"message", d.message},
+                                         {"hint", d.hint}};
+  // Replaces bytes that are not UTF-8, where dump() alone would throw.
+  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace docent

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "runtime/model/diagnostic.h"
+
+namespace docent {
+
+/// A diagnostic as people read it, with its line of the source and carets under what is meant:
+///
+///     exhibits/bronze.toml:14:12: error[exhibit-outside-floor]: exhibit 'tripod' stands outside
+///        14 | position = [12.40, 3.10]
+///           |            ^^^^^^^^^^^^^ 0.18 m outside the floor of 'ground'
+///        hint: the nearest free point is [12.40, 3.45]
+///
+/// Ends with a line feed. Reads the source again; a line that is no longer there is left out.
+std::string to_text(const Diagnostic& diagnostic);
+
+/// The same as one JSON object on one line: file line column code severity message hint.
+std::string to_json(const Diagnostic& diagnostic);
+
+}  // namespace docent

@@ -1,0 +1,162 @@
+#include "config/fields.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "config/suggest.h"
+
+namespace docent {
+
+namespace {
+
+bool is_identifier(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  });
+}
+
+bool has_form(Form form, std::string_view text) {
+  switch (form) {
+    case Form::Free:
+      return true;
+    case Form::Name:
+    case Form::File:
+      return !text.empty();
+    case Form::Identifier:
+      return is_identifier(text);
+    case Form::Direction:
+      return text == "left-to-right" || text == "right-to-left";
+  }
+  return false;
+}
+
+std::string_view manual_of(Form form) {
+  switch (form) {
+    case Form::Identifier:
+      return "use letters, digits and hyphens, without spaces";
+    case Form::Direction:
+      return "write \"left-to-right\" or \"right-to-left\"";
+    case Form::Free:
+    case Form::Name:
+    case Form::File:
+      break;
+  }
+  return "it should not be empty";
+}
+
+bool is_number(const TomlNode& node) {
+  return node.kind == TomlNode::Kind::Integer || node.kind == TomlNode::Kind::Number;
+}
+
+bool is_point(const TomlNode& node) {
+  return node.kind == TomlNode::Kind::Array && node.items.size() == 2 && is_number(node.items[0]) &&
+         is_number(node.items[1]);
+}
+
+}  // namespace
+
+void SectionReader::report(SourceRange range, std::string code, std::string message,
+                           std::string label, std::string hint) {
+  diagnostics_.push_back({.file = file_name_,
+                          .line = range.line,
+                          .column = range.column,
+                          .length = range.length,
+                          .severity = Severity::Error,
+                          .code = std::move(code),
+                          .message = std::move(message),
+                          .label = std::move(label),
+                          .hint = std::move(hint)});
+}
+
+void SectionReader::unknown_key(const TomlEntry& entry, std::string_view section,
+                                const std::vector<std::string_view>& known) {
+  const std::string_view meant = closest(entry.key, known);
+  report(entry.key_range, "unknown-key", fmt::format("{} has no '{}'", section, entry.key),
+         "not known here",
+         meant.empty() ? fmt::format("it may hold {}", fmt::join(known, ", "))
+                       : fmt::format("did you mean '{}'?", meant));
+}
+
+void SectionReader::missing(const Place& place, std::string_view section, std::string_view key,
+                            std::string_view manual) {
+  report(place.range, "missing-field", fmt::format("{} lacks '{}'", section, key), {},
+         fmt::format("{}: {}", key, manual));
+}
+
+void SectionReader::wrong_type(const TomlNode& node, std::string_view key,
+                               std::string_view expected) {
+  report(node.range, "wrong-type", fmt::format("'{}' should be {}", key, expected),
+         fmt::format("this is {}", name_of(node.kind)));
+}
+
+bool SectionReader::in_range(const TomlNode& node, const Rules& rules) {
+  // Written so that a value that is not a number fails too.
+  if (node.number >= rules.limits.least && node.number <= rules.limits.most) return true;
+  report(
+      node.range, "out-of-range",
+      fmt::format("'{}' should be from {} to {}", rules.key, rules.limits.least, rules.limits.most),
+      fmt::format("this is {}", node.number));
+  return false;
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::string& value) {
+  if (node.kind != TomlNode::Kind::Text)
+    return wrong_type(node, rules.key, "a text in quotation marks");
+  if (!has_form(rules.form, node.text))
+    return report(node.range, "bad-value",
+                  fmt::format("'{}' cannot be \"{}\"", rules.key, node.text), {},
+                  std::string(manual_of(rules.form)));
+  value = node.text;
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, double& value) {
+  if (!is_number(node)) return wrong_type(node, rules.key, "a number");
+  if (in_range(node, rules)) value = node.number;
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::int64_t& value) {
+  if (node.kind != TomlNode::Kind::Integer) return wrong_type(node, rules.key, "a whole number");
+  if (in_range(node, rules)) value = node.integer;
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, bool& value) {
+  if (node.kind != TomlNode::Kind::Boolean) return wrong_type(node, rules.key, "true or false");
+  value = node.boolean;
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, Vec2& value) {
+  if (!is_point(node)) return wrong_type(node, rules.key, "a point: [east, north] in metres");
+  if (in_range(node.items[0], rules) && in_range(node.items[1], rules))
+    value = {node.items[0].number, node.items[1].number};
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value) {
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_point))
+    return wrong_type(node, rules.key, "a list of points: [[east, north], ...] in metres");
+  for (const TomlNode& point : node.items) read_value(point, rules, value.emplace_back());
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules,
+                               std::vector<std::string>& value) {
+  const auto is_text = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Text; };
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_text))
+    return wrong_type(node, rules.key, "a list of texts: [\"...\", \"...\"]");
+  for (const TomlNode& item : node.items) value.push_back(item.text);
+}
+
+void SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value) {
+  if (node.kind != TomlNode::Kind::Table)
+    return wrong_type(node, rules.key,
+                      fmt::format("given by language: {}.en = \"...\"", rules.key));
+  for (const TomlEntry& entry : node.entries) {
+    Located<std::string>& text = value[entry.key];
+    text.place = place(entry.value.range);
+    text.given = true;
+    read_value(entry.value, {fmt::format("{}.{}", rules.key, entry.key), {}, Form::Free},
+               text.value);
+  }
+}
+
+}  // namespace docent

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "config/located.h"
+#include "config/toml_document.h"
+#include "runtime/model/geometry/vec2.h"
+
+/// Tables of fields: what a section of a file may hold, said once, for the loader that checks it
+/// and the schema that describes it. Internal to config.
+namespace docent {
+
+enum class Presence : std::uint8_t { Optional, Required };
+
+/// What a text has to look like.
+enum class Form : std::uint8_t {
+  Free,
+  Name,        ///< Not empty.
+  Identifier,  ///< Letters, digits, hyphens, dots and underscores.
+  File,        ///< A path relative to the museum's folder.
+  Direction,   ///< left-to-right or right-to-left.
+};
+
+/// What a number has to lie in, ends included.
+struct Limits {
+  double least = -1e5, most = 1e5;
+};
+
+/// A field of the section T: where its value goes says of which type it is.
+template <typename T>
+struct Field {
+  std::string_view key;
+  std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
+               Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
+               Located<std::vector<std::string>> T::*, Located<LocatedTexts> T::*>
+      member;
+  Presence presence = Presence::Optional;
+  std::string_view manual;  ///< For staff and their editors.
+  Limits limits{};
+  Form form = Form::Free;
+};
+
+/// Reads TOML tables into sections by their tables of fields, noting everything that is wrong.
+class SectionReader {
+ public:
+  SectionReader(FileIndex file, std::string file_name, std::vector<Diagnostic>& diagnostics)
+      : file_(file), file_name_(std::move(file_name)), diagnostics_(diagnostics) {}
+
+  /// Fills `section` from a table; `name` is what sentences call it.
+  template <typename T>
+  void read(const TomlNode& table, std::string_view name, std::span<const Field<T>> fields,
+            T& section);
+
+  /// Says that the table holds a key that it should not, and which known one it may be.
+  void unknown_key(const TomlEntry& entry, std::string_view section,
+                   const std::vector<std::string_view>& known);
+  void missing(const Place& place, std::string_view section, std::string_view key,
+               std::string_view manual);
+  void wrong_type(const TomlNode& node, std::string_view key, std::string_view expected);
+
+  [[nodiscard]] Place place(SourceRange range) const { return {file_, range}; }
+
+ private:
+  /// What the rest of a field's description says of any value of its type.
+  struct Rules {
+    std::string_view key;
+    Limits limits;
+    Form form;
+  };
+  void read_value(const TomlNode& node, const Rules& rules, std::string& value);
+  void read_value(const TomlNode& node, const Rules& rules, double& value);
+  void read_value(const TomlNode& node, const Rules& rules, std::int64_t& value);
+  void read_value(const TomlNode& node, const Rules& rules, bool& value);
+  void read_value(const TomlNode& node, const Rules& rules, Vec2& value);
+  void read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
+  void read_value(const TomlNode& node, const Rules& rules, std::vector<std::string>& value);
+  void read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
+  bool in_range(const TomlNode& node, const Rules& rules);
+  void report(SourceRange range, std::string code, std::string message, std::string label = {},
+              std::string hint = {});
+
+  FileIndex file_;
+  std::string file_name_;
+  std::vector<Diagnostic>& diagnostics_;
+};
+
+template <typename T>
+void SectionReader::read(const TomlNode& table, std::string_view name,
+                         std::span<const Field<T>> fields, T& section) {
+  if (table.kind != TomlNode::Kind::Table) return wrong_type(table, name, "a table");
+  std::vector<std::string_view> known;
+  for (const Field<T>& field : fields) {
+    known.push_back(field.key);
+    std::visit([&](auto member) { (section.*member).place = place(table.range); }, field.member);
+  }
+  for (const TomlEntry& entry : table.entries) {
+    const auto field =
+        std::ranges::find(fields, std::string_view(entry.key), [](const auto& f) { return f.key; });
+    if (field == fields.end()) {
+      unknown_key(entry, name, known);
+      continue;
+    }
+    std::visit(
+        [&](auto member) {
+          auto& located = section.*member;
+          located.place = place(entry.value.range);
+          located.given = true;
+          read_value(entry.value, {field->key, field->limits, field->form}, located.value);
+        },
+        field->member);
+  }
+  for (const Field<T>& field : fields) {
+    const bool given =
+        std::visit([&](auto member) { return (section.*member).given; }, field.member);
+    if (!given && field.presence == Presence::Required)
+      missing(place(table.range), name, field.key, field.manual);
+  }
+}
+
+}  // namespace docent

@@ -1,0 +1,114 @@
+#include "config/kiosk_config.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+#include "config/fields.h"
+
+namespace docent {
+
+namespace {
+
+struct KioskFile {
+  Located<std::string> content, display, size;
+  Located<std::int64_t> idle_reset, rotate;
+  Located<double> text_scale;
+};
+
+constexpr std::array kiosk_file_fields{
+    Field<KioskFile>{
+        "content", &KioskFile::content, Presence::Optional, "The compiled museum", {}, Form::File},
+    Field<KioskFile>{"idle_reset",
+                     &KioskFile::idle_reset,
+                     Presence::Optional,
+                     "Seconds without a touch until the welcome screen returns",
+                     {10, 600}},
+    Field<KioskFile>{"text_scale",
+                     &KioskFile::text_scale,
+                     Presence::Optional,
+                     "How much larger letters are",
+                     {1, 2}},
+    Field<KioskFile>{"rotate",
+                     &KioskFile::rotate,
+                     Presence::Optional,
+                     "Degrees by which the screen hangs turned",
+                     {0, 270}},
+    Field<KioskFile>{"display", &KioskFile::display, Presence::Optional,
+                     "auto, kms, window or headless"},
+    Field<KioskFile>{"size", &KioskFile::size, Presence::Optional, "Pixels: \"1920x1080\""},
+};
+
+/// Reads "1920x1080"; false, and nothing changed, where it is not of that form.
+bool parse_size(std::string_view text, KioskConfig& config) {
+  int width = 0;
+  int height = 0;
+  const char* end = text.data() + text.size();
+  const auto [cross, bad_width] = std::from_chars(text.data(), end, width);
+  if (bad_width != std::errc() || cross == end || *cross != 'x') return false;
+  const auto [rest, bad_height] = std::from_chars(cross + 1, end, height);
+  if (bad_height != std::errc() || rest != end) return false;
+  if (width < 64 || height < 64 || width > 16384 || height > 16384) return false;
+  config.width = width;
+  config.height = height;
+  return true;
+}
+
+bool is_display(std::string_view name) {
+  return name == "auto" || name == "kms" || name == "window" || name == "headless";
+}
+
+/// Turns what was written into settings and says what cannot be one.
+class KioskSettings {
+ public:
+  KioskSettings(const std::filesystem::path& file, std::vector<Diagnostic>& diagnostics)
+      : file_(file), diagnostics_(diagnostics) {}
+
+  KioskConfig from(const KioskFile& written) {
+    KioskConfig config;
+    if (written.content.given) config.content = file_.parent_path() / written.content.value;
+    if (written.idle_reset.given)
+      config.idle_reset = std::chrono::seconds(written.idle_reset.value);
+    if (written.text_scale.given) config.text_scale = written.text_scale.value;
+    if (written.rotate.value % 90 != 0)
+      bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270");
+    config.rotate = static_cast<int>(written.rotate.value);
+    if (written.size.given && !parse_size(written.size.value, config))
+      bad_value(written.size.place, "'size' should be pixels: \"1920x1080\"");
+    if (written.display.given) config.display = written.display.value;
+    if (!is_display(config.display))
+      bad_value(written.display.place, "'display' should be auto, kms, window or headless");
+    return config;
+  }
+
+ private:
+  void bad_value(const Place& place, std::string message) {
+    Diagnostic diagnostic;
+    diagnostic.file = file_.string();
+    diagnostic.line = place.range.line;
+    diagnostic.column = place.range.column;
+    diagnostic.length = place.range.length;
+    diagnostic.code = "bad-value";
+    diagnostic.message = std::move(message);
+    diagnostics_.push_back(std::move(diagnostic));
+  }
+
+  const std::filesystem::path& file_;
+  std::vector<Diagnostic>& diagnostics_;
+};
+
+}  // namespace
+
+Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return {.value = KioskConfig{}, .diagnostics = {}};
+  TomlFile toml = read_toml(file, file.string());
+  if (!toml.root) return {.value = std::nullopt, .diagnostics = std::move(toml.diagnostics)};
+  KioskFile written;
+  SectionReader reader(FileIndex{}, file.string(), toml.diagnostics);
+  reader.read<KioskFile>(*toml.root, file.filename().string(), kiosk_file_fields, written);
+  const KioskConfig config = KioskSettings(file, toml.diagnostics).from(written);
+  return {.value = config, .diagnostics = std::move(toml.diagnostics)};
+}
+
+}  // namespace docent

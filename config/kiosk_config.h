@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "config/located.h"
+
+namespace docent {
+
+/// What an operator may change on a device. The defaults are what a new device ships with.
+struct KioskConfig {
+  std::filesystem::path content = "/var/lib/docent/museum.db";
+  std::chrono::seconds idle_reset{60};  ///< 10 to 600. Back to the welcome screen after this.
+  double text_scale = 1.0;       ///< 1 to 2. Larger letters for every visitor, not only on request.
+  int rotate = 0;                ///< Degrees by which the screen hangs turned: 0, 90, 180 or 270.
+  std::string display = "auto";  ///< auto, kms, window or headless.
+  int width = 0, height = 0;     ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
+};
+
+/// Reads kiosk.toml. A file that does not exist is a device with the defaults. `content` may be
+/// relative to the file's folder.
+Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file);
+
+}  // namespace docent

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/toml_document.h"
+#include "runtime/model/diagnostic.h"
+
+namespace docent {
+
+/// A file of those that were read, by its place in their list.
+enum class FileIndex : std::uint32_t {};
+
+/// Where a value was written.
+struct Place {
+  FileIndex file{};
+  SourceRange range;
+};
+
+/// A value with the place where people wrote it, so that whoever finds it wrong later can say
+/// where.
+template <typename T>
+struct Located {
+  T value{};
+  Place place;         ///< Where it was not given: the section that could have held it.
+  bool given = false;  ///< False: `value` is the default.
+};
+
+/// Texts by language or by key.
+using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
+
+/// What was read, where there is something, and everything that is wrong with it, in the order of
+/// the files. Without an error among the diagnostics the value is complete.
+template <typename T>
+struct Loaded {
+  std::optional<T> value;
+  std::vector<Diagnostic> diagnostics;
+};
+
+}  // namespace docent

@@ -1,0 +1,112 @@
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "config/museum_fields.h"
+
+namespace docent {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json texts_by_language() {
+  return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
+}
+
+Json point() {
+  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+Json number(std::string_view type, Limits limits) {
+  return {{"type", type}, {"minimum", limits.least}, {"maximum", limits.most}};
+}
+
+Json text(Form form) {
+  Json schema = {{"type", "string"}};
+  if (form == Form::Name || form == Form::File) schema["minLength"] = 1;
+  if (form == Form::Identifier) schema["pattern"] = "^[A-Za-z0-9._-]+$";
+  if (form == Form::Direction) schema["enum"] = {"left-to-right", "right-to-left"};
+  return schema;
+}
+
+/// The schema of a field's type, told by the type of the value that it goes into.
+template <typename T, typename Value>
+Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
+  if constexpr (std::is_same_v<Value, std::string>)
+    return text(field.form);
+  else if constexpr (std::is_same_v<Value, double>)
+    return number("number", field.limits);
+  else if constexpr (std::is_same_v<Value, std::int64_t>)
+    return number("integer", field.limits);
+  else if constexpr (std::is_same_v<Value, bool>)
+    return {{"type", "boolean"}};
+  else if constexpr (std::is_same_v<Value, Vec2>)
+    return point();
+  else if constexpr (std::is_same_v<Value, std::vector<Vec2>>)
+    return {{"type", "array"}, {"items", point()}};
+  else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+    return {{"type", "array"}, {"items", {{"type", "string"}}}};
+  else
+    return texts_by_language();
+}
+
+template <typename T, std::size_t n>
+Json section_schema(std::string_view manual, const std::array<Field<T>, n>& fields) {
+  Json properties = Json::object();
+  Json required = Json::array();
+  for (const Field<T>& field : fields) {
+    Json schema = std::visit([&](auto member) { return schema_of(field, member); }, field.member);
+    schema["description"] = field.manual;
+    properties[std::string(field.key)] = std::move(schema);
+    if (field.presence == Presence::Required) required.push_back(field.key);
+  }
+  return {{"type", "object"},
+          {"description", manual},
+          {"properties", std::move(properties)},
+          {"required", std::move(required)},
+          {"additionalProperties", false}};
+}
+
+/// Collects the sections of a file.
+struct SchemaVisitor {
+  Json properties = Json::object();
+
+  template <typename T, std::size_t n>
+  void one(std::string_view name, std::string_view manual, const std::array<Field<T>, n>& fields,
+           const T& /*section*/) {
+    properties[std::string(name)] = section_schema(manual, fields);
+  }
+  template <typename T, std::size_t n>
+  void many(std::string_view name, std::string_view manual, const std::array<Field<T>, n>& fields,
+            const std::vector<T>& /*sections*/) {
+    properties[std::string(name)] = {{"type", "array"}, {"items", section_schema(manual, fields)}};
+  }
+};
+
+Json file_schema(const SchemaVisitor& sections) {
+  return {{"type", "object"}, {"properties", sections.properties}, {"additionalProperties", false}};
+}
+
+}  // namespace
+
+std::string museum_schema() {
+  const MuseumConfig any;
+  SchemaVisitor museum;
+  museum_sections(museum, any);
+  SchemaVisitor exhibits;
+  exhibit_sections(exhibits, any);
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", "A museum for docent: museum.toml"},
+                 {"description",
+                  "Files of exhibits/ are described by #/$defs/exhibits, those of words/ by "
+                  "#/$defs/words."}};
+  schema.update(file_schema(museum));
+  schema["$defs"] = {
+      {"exhibits", file_schema(exhibits)},
+      {"words", section_schema("The interface's words in one language", words_fields)}};
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace docent
