@@ -12,7 +12,7 @@ FloorMap::OwnedMap::OwnedMap(const FloorPlan& plan, double radius)
     : graph(make_tangent_graph(plan, radius)), map(plan, graph) {}
 
 FloorMap::FloorMap(const Floor& floor)
-    : floor_(floor), walls_(floor.plan, 0), previous_(floor.plan.vertex.size()) {
+    : floor_(floor), walls_(floor.plan, 0), axis_(floor), previous_(floor.plan.vertex.size()) {
   const FloorPlan& plan = floor.plan;
   for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous_[plan.next[i]] = i;
   wall_site_.assign(plan.vertex.size(), 0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
+#include "runtime/path/medial_axis_map.h"
 #include "runtime/path/route.h"
 #include "runtime/path/shortest_way.h"
 #include "runtime/path/wall_grid.h"
@@ -19,7 +20,10 @@ class FloorMap {
   explicit FloorMap(const Floor& floor);
 
   const Floor& floor() const noexcept { return floor_; }
+  const FloorPlan& plan() const noexcept { return floor_.plan; }
+  /// Grid of radius 0.
   const WallGrid& walls() const noexcept { return walls_; }
+  const MedialAxisMap& medial_axis() const noexcept { return axis_; }
 
   /// The side of the nearest wall decides; a point on a wall is inside.
   bool is_inside(Vec2 point) const noexcept;
@@ -45,6 +49,7 @@ class FloorMap {
 
   const Floor& floor_;
   WallGrid walls_;
+  MedialAxisMap axis_;
   std::vector<std::uint32_t> previous_;     ///< Per vertex: the one before it in its ring.
   std::vector<std::uint32_t> wall_site_;    ///< Per wall: its site.
   std::vector<std::uint32_t> corner_site_;  ///< Per vertex: its site where it is reflex, else of

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/floor.h"
+#include "runtime/path/bisector.h"
+
+namespace docent {
+
+/// The Voronoi diagram and the roadmap of a floor made ready for queries. Borrows the floor.
+/// Immutable after construction.
+class MedialAxisMap {
+ public:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  explicit MedialAxisMap(const Floor& floor);
+
+  const Floor& floor() const noexcept { return *floor_; }
+  const Roadmap& roadmap() const noexcept { return floor_->roadmap; }
+  const VoronoiDiagram& diagram() const noexcept { return floor_->diagram; }
+
+  /// The curve of a Voronoi edge.
+  const Bisector& bisector(std::uint32_t voronoi_edge) const noexcept {
+    return bisector_[voronoi_edge];
+  }
+  /// The curve of a roadmap edge, from its `from` to its `to`.
+  const Bisector& bisector_of(const RoadmapEdge& edge) const noexcept {
+    return bisector_[edge.voronoi_edge];
+  }
+  /// The roadmap edges at a node.
+  std::span<const std::uint32_t> edges_at(std::uint32_t node) const noexcept {
+    return std::span(node_edge_)
+        .subspan(node_first_[node], node_first_[node + 1] - node_first_[node]);
+  }
+  /// The Voronoi edges on the medial axis at a Voronoi vertex.
+  std::span<const std::uint32_t> axis_edges_at(std::uint32_t vertex) const noexcept {
+    return std::span(vertex_edge_)
+        .subspan(vertex_first_[vertex], vertex_first_[vertex + 1] - vertex_first_[vertex]);
+  }
+  std::uint32_t node_at(std::uint32_t vertex) const noexcept { return vertex_node_[vertex]; }
+  std::uint32_t roadmap_edge(std::uint32_t voronoi_edge) const noexcept {
+    return edge_roadmap_[voronoi_edge];
+  }
+
+  /// A place on the medial axis.
+  struct Place {
+    std::uint32_t voronoi_edge = none;
+    double at = 0;  ///< As Bisector counts it.
+  };
+  /// Where the straight line from a site through `point`, on from it, meets the medial axis first.
+  /// The distance to the walls grows all along that line, at the rate of one. None where the floor
+  /// has no diagram.
+  std::optional<Place> place_above(std::uint32_t site, Vec2 point) const;
+
+ private:
+  const Floor* floor_;
+  std::vector<Bisector> bisector_;  ///< Per Voronoi edge.
+  std::vector<std::uint32_t> node_first_, node_edge_;
+  std::vector<std::uint32_t> vertex_first_, vertex_edge_;
+  std::vector<std::uint32_t> vertex_node_;   ///< Per Voronoi vertex: its node, or none.
+  std::vector<std::uint32_t> edge_roadmap_;  ///< Per Voronoi edge: its roadmap edge, or none.
+};
+
+}  // namespace docent
