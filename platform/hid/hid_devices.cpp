@@ -1,0 +1,77 @@
+#include "platform/hid/hid_devices.h"
+
+#include <fmt/format.h>
+#include <hidapi/hidapi.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "platform/handle.h"
+
+namespace docent {
+namespace {
+
+/// Names come as wide characters; what is not plain text is shown as a question mark.
+std::string narrow(const wchar_t* text) {
+  std::string out;
+  for (; text != nullptr && *text != 0; ++text)
+    out.push_back(*text >= 0x20 && *text < 0x7f ? static_cast<char>(*text) : '?');
+  return out;
+}
+
+HidDevice describe(const hid_device_info& info) {
+  HidDevice device;
+  device.path = info.path;
+  device.name = narrow(info.product_string);
+  device.vendor = info.vendor_id;
+  device.product = info.product_id;
+  const auto bytes = read_report_descriptor(device.path);
+  if (!bytes) {
+    device.unreadable = bytes.error().what;
+    return device;
+  }
+  auto descriptor = parse_report_descriptor(*bytes);
+  if (!descriptor) {
+    device.unreadable = descriptor.error().what;
+    return device;
+  }
+  device.descriptor = std::move(*descriptor);
+  device.kind = classify(device.descriptor);
+  return device;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_report_descriptor(const std::string& path) {
+  const auto node = std::filesystem::path(path).filename();
+  const auto file = std::filesystem::path("/sys/class/hidraw") / node / "device/report_descriptor";
+  std::ifstream in(file, std::ios::binary);
+  if (!in)
+    return std::unexpected(Error{
+        Errc::Environment, fmt::format("{}: cannot read its report descriptor at {}; is the device "
+                                       "still plugged in?",
+                                       path, file.string())});
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::vector<std::byte> bytes(text.size());
+  std::transform(text.begin(), text.end(), bytes.begin(),
+                 [](char c) { return static_cast<std::byte>(c); });
+  return bytes;
+}
+
+std::vector<HidDevice> list_hid_devices() {
+  std::vector<HidDevice> devices;
+  const std::unique_ptr<hid_device_info, CloseWith<hid_free_enumeration>> all(hid_enumerate(0, 0));
+  for (const hid_device_info* info = all.get(); info != nullptr; info = info->next) {
+    // hidapi lists a device once for each of its top-level collections
+    const bool known = std::any_of(devices.begin(), devices.end(),
+                                   [&](const HidDevice& d) { return d.path == info->path; });
+    if (!known) devices.push_back(describe(*info));
+  }
+  std::sort(devices.begin(), devices.end(),
+            [](const HidDevice& a, const HidDevice& b) { return a.path < b.path; });
+  return devices;
+}
+
+}  // namespace docent

@@ -1,0 +1,93 @@
+#include "platform/hid/hid_report.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace docent {
+namespace {
+
+std::string kind_of(const HidDevice& device) {
+  if (!device.unreadable.empty() || !device.kind.ignored.empty()) return "ignored";
+  return device.kind.touch ? "touch screen" : "keypad";
+}
+
+std::string reason_of(const HidDevice& device) {
+  return device.unreadable.empty() ? device.kind.ignored : device.unreadable;
+}
+
+std::string field_name(Usage usage) {
+  switch (usage) {
+    case usages::x:
+      return "X";
+    case usages::y:
+      return "Y";
+    case usages::tip_switch:
+      return "Tip Switch";
+    case usages::in_range:
+      return "In Range";
+    case usages::confidence:
+      return "Confidence";
+    case usages::contact_identifier:
+      return "Contact Identifier";
+    case usages::contact_count:
+      return "Contact Count";
+    case usages::scan_time:
+      return "Scan Time";
+    default:
+      return fmt::format("{:04x}:{:04x}", usage >> 16U, usage & 0xffffU);
+  }
+}
+
+/// JSON's rules for strings; names are plain ASCII here.
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out.push_back('\\');
+    out.push_back(c);
+  }
+  return out + '"';
+}
+
+}  // namespace
+
+std::string describe_devices(std::span<const HidDevice> devices) {
+  if (devices.empty())
+    return "no hidraw devices: is a touch screen plugged in, and is /dev/hidraw* there?\n";
+  std::string out;
+  for (const HidDevice& d : devices) {
+    const std::string reason = reason_of(d);
+    fmt::format_to(std::back_inserter(out), "{}  {:04x}:{:04x}  {}: {}{}{}\n", d.path, d.vendor,
+                   d.product, d.name, kind_of(d), reason.empty() ? "" : ", ", reason);
+    for (const ReportField& f : d.descriptor.inputs)
+      if (!f.is_array)
+        fmt::format_to(std::back_inserter(out), "    report {} bit {} size {}: {} {}..{}\n",
+                       f.report_id, f.bit_offset, f.bit_size, field_name(f.usage), f.logical_min,
+                       f.logical_max);
+  }
+  return out;
+}
+
+std::string describe_devices_json(std::span<const HidDevice> devices) {
+  std::string out = "[";
+  for (const HidDevice& d : devices) {
+    fmt::format_to(std::back_inserter(out),
+                   "{}\n  {{\"path\": {}, \"name\": {}, \"vendor\": {}, \"product\": {}, "
+                   "\"kind\": {}, \"reason\": {}, \"fields\": [",
+                   out.size() > 1 ? "," : "", quoted(d.path), quoted(d.name), d.vendor, d.product,
+                   quoted(kind_of(d)), quoted(reason_of(d)));
+    bool first = true;
+    for (const ReportField& f : d.descriptor.inputs) {
+      fmt::format_to(std::back_inserter(out),
+                     "{}{{\"report\": {}, \"bit\": {}, \"size\": {}, \"usage\": {}, "
+                     "\"logical_min\": {}, \"logical_max\": {}}}",
+                     first ? "" : ", ", f.report_id, f.bit_offset, f.bit_size,
+                     quoted(field_name(f.usage)), f.logical_min, f.logical_max);
+      first = false;
+    }
+    out += "]}";
+  }
+  return out + "\n]\n";
+}
+
+}  // namespace docent

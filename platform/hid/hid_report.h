@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "platform/hid/hid_devices.h"
+
+namespace docent {
+
+/// What `docent hid list` prints: a line or more for each device, what it is taken for, and its
+/// fields.
+std::string describe_devices(std::span<const HidDevice> devices);
+/// The same as JSON: an array of objects with `path name vendor product kind reason fields`.
+std::string describe_devices_json(std::span<const HidDevice> devices);
+
+}  // namespace docent

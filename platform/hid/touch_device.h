@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "platform/handle.h"
+#include "runtime/model/result.h"
+
+// hidapi's handle, so that only this folder includes hidapi
+struct hid_device_;
+extern "C" void hid_close(hid_device_*);
+
+namespace docent {
+
+/// One opened hidraw device: bytes in, no meaning.
+class TouchDevice {
+ public:
+  /// Opening can take 50 ms, so not on the frame thread. Fails with a sentence naming the path.
+  static Result<TouchDevice> open(const std::string& path);
+
+  /// Waits up to `patience` for the next input report; empty when none came. Called by the device's
+  /// own reader thread, because the kernel keeps only 64 reports. The bytes stay valid until the
+  /// next read.
+  std::span<const std::byte> read(std::chrono::milliseconds patience) noexcept;
+
+  /// False once a read has failed: the device was unplugged.
+  bool is_present() const noexcept { return handle_ != nullptr; }
+
+ private:
+  using Handle = std::unique_ptr<hid_device_, CloseWith<hid_close>>;
+  explicit TouchDevice(Handle handle) : handle_(std::move(handle)) {}
+
+  Handle handle_;
+  std::array<unsigned char, 16384> buffer_{};  // the kernel's largest report
+};
+
+}  // namespace docent
