@@ -62,10 +62,16 @@ struct WalkRequest {
   Fidelity fidelity = Fidelity::Exact;
 };
 
+struct WalkGraph;
+
 /// Synthesises a walk from the motion graph along a path: starts standing (or from `before`), turns
 /// on the spot by steps where the path starts or ends in another direction, and ends standing. The
 /// result keeps to the path (Exact) so that a clear path is a clear walk. Fails with a sentence
 /// where the graph cannot walk (no start, no stop, no clips).
+/// `graph` (runtime/motion/walk_graph.h) is made once and shared by all walks. Any thread may call.
+Result<Walk> make_walk(const WalkGraph& graph, const WalkRequest& request);
+
+/// The same for a single walk: makes the graph ready (some milliseconds) and forgets it.
 Result<Walk> make_walk(const MotionGraph& graph, const WalkRequest& request);
 
 }  // namespace docent

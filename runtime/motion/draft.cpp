@@ -1,0 +1,193 @@
+#include "runtime/motion/draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "runtime/motion/placement.h"
+#include "runtime/motion/smoothing.h"
+
+namespace docent {
+namespace {
+
+/// The rotation as an axis times an angle in (-pi, pi].
+Vec3 rotation_vector(Quat q) noexcept {
+  if (q.w < 0) q = -q;
+  const Vec3 axis(q.x, q.y, q.z);
+  const float sine = glm::length(axis);
+  if (sine < 1e-7f) return 2.0f * axis;
+  return axis * (2 * std::atan2(sine, q.w) / sine);
+}
+
+Quat rotation_of(Vec3 vector) noexcept {
+  const float angle = glm::length(vector);
+  if (angle < 1e-7f)
+    return glm::normalize(Quat(1, 0.5f * vector.x, 0.5f * vector.y, 0.5f * vector.z));
+  return glm::angleAxis(angle, vector / angle);
+}
+
+/// A curve that leaves `value` with `slope` and comes to rest at nothing after `duration`: the
+/// quintic whose second derivative also vanishes at both ends.
+template <typename Value>
+Value fading(Value value, Value slope, double time, double duration) noexcept {
+  if (time >= duration) return Value{};
+  const auto t = static_cast<float>(time / duration);
+  const float t3 = t * t * t;
+  const float of_value = 1 - t3 * (10 - t * (15 - 6 * t));
+  const float of_slope = t - t3 * (6 - t * (8 - 3 * t));
+  return of_value * value + (of_slope * static_cast<float>(duration)) * slope;
+}
+
+float vertical_drop(Vec3 hip, Vec3 ankle, float reach) noexcept {
+  const float across = std::hypot(hip.x - ankle.x, hip.z - ankle.z);
+  if (across >= reach) return hip.y - ankle.y;
+  return std::max(0.0f, hip.y - ankle.y - std::sqrt(reach * reach - across * across));
+}
+
+constexpr double largest_drop = 0.12;   // metres
+constexpr double drop_seconds = 0.12;   // half of the time over which hips sink and rise again
+constexpr float straight_leg = 0.985f;  // of the leg's length: a knee is never quite straight
+constexpr float straightest_leg = 0.9985f;
+
+/// How far the hips must sink in each frame for both feet to be in reach.
+std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft) {
+  const std::size_t frames = draft.walk.root.size();
+  std::vector<double> drop(frames, 0.0);
+  for (std::size_t f = 0; f < frames; ++f) {
+    const PoseView pose = pose_of(draft.walk, f);
+    for (const Side side : both_sides) {
+      const Leg& leg = graph.legs[side];
+      const Vec3 hip = leg_pose(graph.motion->skeleton, leg, pose).position[leg.hip];
+      const float reach = std::clamp(draft.reach[index_of(side)][f], straight_leg * leg.length,
+                                     straightest_leg * leg.length);
+      const float need = vertical_drop(hip, ankle_of(leg, draft.foot[index_of(side)][f]), reach);
+      drop[f] = std::max(drop[f], std::min<double>(need, largest_drop));
+    }
+  }
+  return drop;
+}
+
+/// The least smooth curve on or above the given one: the running maximum, then a bell as wide.
+std::vector<double> smooth_above(const std::vector<double>& values, std::size_t radius) {
+  std::vector<double> widened(values.size());
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    const std::size_t from = f > radius ? f - radius : 0;
+    const std::size_t to = std::min(f + radius + 1, values.size());
+    widened[f] = *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(from),
+                                   values.begin() + static_cast<std::ptrdiff_t>(to));
+  }
+  return smooth_held(widened, hann_kernel(radius));
+}
+
+}  // namespace
+
+Draft empty_draft(const WalkGraph& graph) {
+  Draft draft;
+  draft.walk.frame_rate = graph.frame_rate;
+  draft.walk.joint_count = static_cast<std::uint32_t>(graph.motion->skeleton.joint.size());
+  return draft;
+}
+
+PoseView pose_of(Walk& walk, std::size_t frame) noexcept {
+  const std::size_t joints = walk.joint_count;
+  return {walk.root[frame], std::span(walk.rotation).subspan(frame * joints, joints)};
+}
+
+Momentum momentum_at(const WalkGraph& graph, const Walk& walk, std::uint32_t frame) {
+  const std::uint32_t now = std::min(frame, frame_count(walk) - 1), was = now > 0 ? now - 1 : 0;
+  const auto rate = static_cast<float>(walk.frame_rate);
+  const std::size_t joints = walk.joint_count;
+  std::vector<Quat> before(walk.rotation.begin() + static_cast<std::ptrdiff_t>(was * joints),
+                           walk.rotation.begin() + static_cast<std::ptrdiff_t>((was + 1) * joints));
+  Momentum m;
+  m.root = walk.root[now];
+  m.rotation.assign(walk.rotation.begin() + static_cast<std::ptrdiff_t>(now * joints),
+                    walk.rotation.begin() + static_cast<std::ptrdiff_t>((now + 1) * joints));
+  m.root_velocity = (walk.root[now] - walk.root[was]) * rate;
+  for (std::size_t j = 0; j < joints; ++j)
+    m.turning.push_back(rotation_vector(m.rotation[j] * glm::inverse(before[j])) * rate);
+  for (const Side side : both_sides) {
+    const Leg& leg = graph.legs[side];
+    const std::size_t i = index_of(side);
+    m.foot[i] = foot_of(graph.motion->skeleton, leg, {m.root, m.rotation});
+    m.foot_velocity[i] =
+        (m.foot[i].toe - foot_of(graph.motion->skeleton, leg, {walk.root[was], before}).toe) * rate;
+  }
+  m.planted = {walk.plants[now].left, walk.plants[now].right};
+  m.body = walk.body[now];
+  m.body_velocity = {(walk.body[now].position - walk.body[was].position) * walk.frame_rate,
+                     wrap_angle(walk.body[now].heading - walk.body[was].heading) * walk.frame_rate};
+  return m;
+}
+
+Momentum momentum_of(const WalkGraph& graph, const Stand& stand, const Placement& body) {
+  Momentum m;
+  m.root = moved(body, stand.root);
+  m.rotation = stand.rotation;
+  m.rotation[0] = world_rotation(body.heading) * m.rotation[0];
+  m.turning.assign(m.rotation.size(), Vec3{});
+  for (const Side side : both_sides)
+    m.foot[index_of(side)] =
+        foot_of(graph.motion->skeleton, graph.legs[side], {m.root, m.rotation});
+  m.body = body;
+  return m;
+}
+
+void take_over(const Momentum& momentum, double seconds, Draft& draft) {
+  Walk& walk = draft.walk;
+  const std::size_t joints = walk.joint_count, frames = walk.root.size();
+  if (frames < 2 || momentum.rotation.size() != joints) return;
+  const auto rate = static_cast<float>(walk.frame_rate);
+  const auto count = std::min(frames, static_cast<std::size_t>(seconds * walk.frame_rate) + 1);
+  const auto bend = [&](auto offset, auto slope, auto&& add) {
+    for (std::size_t f = 0; f < count; ++f)
+      add(f, fading(offset, slope, static_cast<double>(f) / walk.frame_rate, seconds));
+  };
+  const Vec3 velocity = (walk.root[1] - walk.root[0]) * rate;
+  bend(momentum.root - walk.root[0], momentum.root_velocity - velocity,
+       [&](std::size_t f, Vec3 offset) { walk.root[f] += offset; });
+  for (std::size_t j = 0; j < joints; ++j) {
+    const Quat first = walk.rotation[j], second = walk.rotation[joints + j];
+    const Vec3 turning = rotation_vector(second * glm::inverse(first)) * rate;
+    bend(rotation_vector(momentum.rotation[j] * glm::inverse(first)), momentum.turning[j] - turning,
+         [&](std::size_t f, Vec3 offset) {
+           Quat& q = walk.rotation[f * joints + j];
+           q = glm::normalize(rotation_of(offset) * q);
+         });
+  }
+}
+
+void settle(const WalkGraph& graph, Draft& draft) {
+  const auto radius = static_cast<std::size_t>(drop_seconds * draft.walk.frame_rate);
+  const std::vector<double> drop = smooth_above(hip_drops(graph, draft), radius);
+  for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
+    draft.walk.root[f].y -= static_cast<float>(drop[f]);
+    PoseView pose = pose_of(draft.walk, f);
+    for (const Side side : both_sides)
+      place_foot(graph.motion->skeleton, graph.legs[side], draft.foot[index_of(side)][f], pose);
+  }
+}
+
+void append(const Draft& draft, Walk& walk) {
+  const Walk& more = draft.walk;
+  const std::size_t skip = walk.root.empty() ? 0 : 1;
+  const std::size_t joints = more.joint_count;
+  walk.frame_rate = more.frame_rate;
+  walk.joint_count = more.joint_count;
+  const auto add = [](auto& to, const auto& from, std::size_t first) {
+    if (first < from.size())
+      to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.end());
+  };
+  add(walk.root, more.root, skip);
+  add(walk.rotation, more.rotation, skip * joints);
+  add(walk.plants, more.plants, skip);
+  add(walk.body, more.body, skip);
+  add(walk.along, more.along, skip);
+  add(walk.gait, more.gait, skip);
+  add(walk.source, more.source, skip);
+  walk.transitions += more.transitions;
+  walk.expanded += more.expanded;
+  walk.search_seconds += more.search_seconds;
+}
+
+}  // namespace docent

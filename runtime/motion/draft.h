@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "runtime/motion/take.h"
+#include "runtime/motion/walk.h"
+
+namespace docent {
+
+/// A stretch of walk in the making: poses, and beside them where each foot shall be. The legs of
+/// the poses are only nearly right until settle() has placed the feet.
+struct Draft {
+  Walk walk;
+  std::array<std::vector<Foot>, 2> foot;    ///< Per frame.
+  std::array<std::vector<float>, 2> reach;  ///< Per frame: hip to ankle in the motion that the
+                                            ///< frame came from, metres; how straight the leg was.
+};
+
+Draft empty_draft(const WalkGraph& graph);
+
+/// How a body is at a moment and how it moves: what the next stretch takes over.
+struct Momentum {
+  Vec3 root{};
+  std::vector<Quat> rotation;
+  Vec3 root_velocity{};       ///< Metres a second.
+  std::vector<Vec3> turning;  ///< Per joint, radians a second about axes of the parent.
+  std::array<Foot, 2> foot;
+  std::array<Vec3, 2> foot_velocity{};
+  std::array<bool, 2> planted{true, true};
+  Placement body;
+  Placement body_velocity;  ///< Metres and radians a second.
+};
+
+/// At a frame of a walk, from that frame and the one before.
+Momentum momentum_at(const WalkGraph& graph, const Walk& walk, std::uint32_t frame);
+
+/// At a stand.
+Momentum momentum_of(const WalkGraph& graph, const Stand& stand, const Placement& body);
+
+/// The pose of a frame, borrowed.
+PoseView pose_of(Walk& walk, std::size_t frame) noexcept;
+
+/// Bends the first `seconds` of a draft so that its first frame is as the momentum says and moves
+/// on as it did (inertialization: Bollo 2018).
+void take_over(const Momentum& momentum, double seconds, Draft& draft);
+
+/// Lowers the hips where a foot is out of reach, smoothly, and places the feet.
+void settle(const WalkGraph& graph, Draft& draft);
+
+/// Adds a settled draft; its first frame is the walk's last again and is left out, unless the
+/// walk has none.
+void append(const Draft& draft, Walk& walk);
+
+}  // namespace docent

@@ -1,0 +1,141 @@
+#include "runtime/motion/leg.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace docent {
+namespace {
+
+std::optional<Leg> find_leg(const Skeleton& skeleton, BodyPart hip, BodyPart knee, BodyPart ankle,
+                            BodyPart toe, BodyPart tip) {
+  for (const BodyPart part : {hip, knee, ankle, toe})
+    if (skeleton[part] == JointIndex::None) return std::nullopt;
+  Leg leg;
+  std::size_t count = 0;
+  for (JointIndex j = skeleton[toe]; j != JointIndex::None;
+       j = skeleton.joint[index_of(j)].parent) {
+    if (count == Leg::max_joints) return std::nullopt;
+    leg.joint[count++] = static_cast<std::uint32_t>(index_of(j));
+  }
+  std::reverse(leg.joint.begin(), leg.joint.begin() + static_cast<std::ptrdiff_t>(count));
+  const auto place_of = [&](BodyPart part) {
+    const auto end = leg.joint.begin() + static_cast<std::ptrdiff_t>(count);
+    return static_cast<std::size_t>(
+        std::find(leg.joint.begin(), end, static_cast<std::uint32_t>(index_of(skeleton[part]))) -
+        leg.joint.begin());
+  };
+  leg.hip = place_of(hip);
+  leg.knee = place_of(knee);
+  leg.ankle = place_of(ankle);
+  leg.toe = count - 1;
+  if (leg.hip >= leg.knee || leg.knee >= leg.ankle || leg.ankle + 1 != leg.toe) return std::nullopt;
+  leg.ankle_to_toe = skeleton.joint[leg.joint[leg.toe]].offset;
+  if (skeleton[tip] != JointIndex::None && skeleton[tip] != skeleton[toe])
+    leg.tip = skeleton.joint[index_of(skeleton[tip])].offset;
+  for (std::size_t i = leg.hip + 1; i <= leg.ankle; ++i)
+    leg.length += glm::length(skeleton.joint[leg.joint[i]].offset);
+  return leg;
+}
+
+/// Where a hip joint is in the root's frame when nothing turns.
+Vec3 rest_hip(const Skeleton& skeleton, const Leg& leg) {
+  Vec3 place{};
+  for (std::size_t i = 1; i <= leg.hip; ++i) place += skeleton.joint[leg.joint[i]].offset;
+  return place;
+}
+
+/// The shortest rotation that turns one direction into another.
+Quat shortest_arc(Vec3 from, Vec3 to) noexcept {
+  const float lengths = glm::length(from) * glm::length(to);
+  if (lengths < 1e-9f) return {1, 0, 0, 0};
+  const Vec3 axis = glm::cross(from, to);
+  const float w = lengths + glm::dot(from, to);
+  if (w < 1e-6f * lengths) return {1, 0, 0, 0};  // opposite: no leg folds so far
+  return glm::normalize(Quat(w, axis.x, axis.y, axis.z));
+}
+
+/// The angle opposite to side `c` of a triangle.
+float opposite_angle(float a, float b, float c) noexcept {
+  return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.0f, 1.0f));
+}
+
+}  // namespace
+
+std::optional<Legs> find_legs(const Skeleton& skeleton) {
+  const auto left = find_leg(skeleton, BodyPart::LeftHip, BodyPart::LeftKnee, BodyPart::LeftAnkle,
+                             BodyPart::LeftToe, BodyPart::LeftToeTip);
+  const auto right = find_leg(skeleton, BodyPart::RightHip, BodyPart::RightKnee,
+                              BodyPart::RightAnkle, BodyPart::RightToe, BodyPart::RightToeTip);
+  if (!left || !right) return std::nullopt;
+  Legs legs{{*left, *right}};
+  const Vec3 across = rest_hip(skeleton, *left) - rest_hip(skeleton, *right);
+  if (glm::length(across) < 1e-4f) return std::nullopt;
+  for (Leg& leg : legs.leg) leg.body_left = glm::normalize(across);
+  return legs;
+}
+
+LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+  LegPose out;
+  out.position[0] = pose.root;
+  out.rotation[0] = pose.rotation[leg.joint[0]];
+  for (std::size_t i = 1; i <= leg.toe; ++i) {
+    const std::uint32_t j = leg.joint[i];
+    out.position[i] = out.position[i - 1] + out.rotation[i - 1] * skeleton.joint[j].offset;
+    out.rotation[i] = out.rotation[i - 1] * pose.rotation[j];
+  }
+  return out;
+}
+
+Foot foot_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+  const LegPose at = leg_pose(skeleton, leg, pose);
+  return {at.position[leg.toe], at.rotation[leg.ankle]};
+}
+
+Vec3 ankle_of(const Leg& leg, const Foot& foot) noexcept {
+  return foot.toe - foot.rotation * leg.ankle_to_toe;
+}
+
+void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
+                PoseView& pose) noexcept {
+  const LegPose at = leg_pose(skeleton, leg, pose);
+  const Vec3 hip = at.position[leg.hip], knee = at.position[leg.knee],
+             ankle = at.position[leg.ankle], target = ankle_of(leg, foot);
+  const float thigh = glm::length(knee - hip), shin = glm::length(ankle - knee);
+  if (thigh < 1e-4f || shin < 1e-4f) return;
+  const float reach = std::clamp(glm::length(target - hip), std::abs(thigh - shin) + 1e-3f,
+                                 (thigh + shin) * 0.9999f);
+
+  // The hinge points to the body's left, and is given a share of that direction so that a straight
+  // leg, whose plane is undefined, bends forwards too.
+  const Vec3 left = at.rotation[0] * leg.body_left;
+  const Vec3 hinge =
+      glm::normalize(glm::cross(knee - hip, ankle - knee) + left * (0.02f * thigh * shin));
+  const float bend =
+      opposite_angle(thigh, shin, glm::length(ankle - hip)) - opposite_angle(thigh, shin, reach);
+  const Quat flex = glm::angleAxis(bend, hinge);
+  const Vec3 flexed_ankle = knee + flex * (ankle - knee);
+  const Quat swing = shortest_arc(flexed_ankle - hip, target - hip);
+
+  const auto parent_rotation = [&](std::size_t place) {
+    return place == 0 ? Quat(1, 0, 0, 0) : at.rotation[place - 1];
+  };
+  const Quat hip_rotation = swing * at.rotation[leg.hip];
+  const Quat knee_parent = swing * parent_rotation(leg.knee);
+  const Quat knee_rotation = swing * flex * at.rotation[leg.knee];
+  const Quat ankle_parent = swing * flex * parent_rotation(leg.ankle);
+  pose.rotation[leg.joint[leg.hip]] =
+      glm::normalize(glm::inverse(parent_rotation(leg.hip)) * hip_rotation);
+  pose.rotation[leg.joint[leg.knee]] = glm::normalize(glm::inverse(knee_parent) * knee_rotation);
+  pose.rotation[leg.joint[leg.ankle]] = glm::normalize(glm::inverse(ankle_parent) * foot.rotation);
+}
+
+double facing(const Skeleton& skeleton, const Legs& legs, const PoseView& pose) noexcept {
+  const Leg& l = legs[Side::Left];
+  const Leg& r = legs[Side::Right];
+  const Vec3 across =
+      leg_pose(skeleton, l, pose).position[l.hip] - leg_pose(skeleton, r, pose).position[r.hip];
+  const Vec2 left = to_floor(across);
+  return std::atan2(-left.x, left.y);
+}
+
+}  // namespace docent

@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "runtime/motion/draft.h"
+#include "runtime/motion/path_track.h"
+#include "runtime/motion/placement.h"
+#include "runtime/motion/search.h"
+#include "runtime/motion/smoothing.h"
+#include "runtime/motion/steps.h"
+#include "runtime/motion/take.h"
+#include "runtime/motion/walk.h"
+#include "runtime/motion/walk_graph.h"
+#include "runtime/motion/warp.h"
+
+namespace docent {
+namespace {
+
+constexpr double shortest_way = 0.02;          // metres: nearer than that is there already
+constexpr double largest_curved_start = 0.5;   // radians: below, the first steps curve
+constexpr double largest_facing_error = 0.06;  // radians left at the end without a turn
+constexpr double largest_walking_turn = 1.05;  // radians that a walker turns into without braking
+constexpr double longest_run_out = 0.5;        // metres walked on before turning right round
+constexpr double least_stretch = 0.62;         // of the clips' strides; below, small steps
+constexpr double take_over_seconds = 0.35;
+constexpr double walking_speed = 0.25;  // metres a second: slower bodies about stand
+
+bool is_finite(Vec2 p) {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
+std::vector<Vec2> finite_points(std::span<const Vec2> path) {
+  std::vector<Vec2> out;
+  for (const Vec2 p : path)
+    if (is_finite(p) && (out.empty() || glm::distance(out.back(), p) > 1e-6)) out.push_back(p);
+  return out;
+}
+
+double direction_of(std::span<const Vec2> path, double along) {
+  const Vec2 way = point_along(path, along) - path.front();
+  return glm::length(way) > 1e-9 ? std::atan2(way.y, way.x) : 0;
+}
+
+/// Makes a walk stretch by stretch; each takes over the momentum of the one before.
+class WalkMaker {
+ public:
+  WalkMaker(const WalkGraph& graph, const WalkRequest& request)
+      : graph_(graph), request_(request), path_(finite_points(request.path)) {}
+
+  Result<Walk> make() {
+    if (path_.empty() && !request_.before)
+      return std::unexpected(Error{Errc::InvalidInput, "the path has no point to walk to"});
+    if (request_.before && request_.before->root.empty())
+      return std::unexpected(Error{Errc::InvalidInput, "the walk to go on from is empty"});
+    begin();
+    if (is_walking_)
+      go_on_walking();
+    else
+      walk_from_standing(path_);
+    if (request_.final_heading) turn_to(*request_.final_heading, largest_facing_error);
+    if (walk_.root.empty()) stand_still();
+    return std::move(walk_);
+  }
+
+ private:
+  void begin() {
+    if (request_.before) {
+      const auto frame = std::min(request_.before_frame, frame_count(*request_.before) - 1);
+      momentum_ = momentum_at(graph_, *request_.before, frame);
+      const ClipFrame source = request_.before->source[frame];
+      is_walking_ = request_.before->gait[frame] == Gait::Walk &&
+                    source.clip < graph_.clip.size() &&
+                    source.frame < graph_.clip[source.clip].last &&
+                    glm::length(momentum_.body_velocity.position) > walking_speed;
+      source_ = source;
+      return;
+    }
+    Placement body{path_.front(), 0};
+    if (path_.size() > 1) body.heading = direction_of(path_, 0.25);
+    if (request_.start) body = *request_.start;
+    momentum_ = momentum_of(graph_, graph_.before_walking, body);
+    if (glm::distance(body.position, path_.front()) > shortest_way)
+      path_.insert(path_.begin(), body.position);
+  }
+
+  TrackPace pace() const {
+    TrackPace pace;
+    pace.speed = graph_.speed;
+    if (request_.fidelity == Fidelity::Raw) pace.turning_rate = 1e9;
+    return pace;
+  }
+
+  void go_on_walking() {
+    if (polyline_length(path_) < shortest_way) return brake();
+    const double turn = wrap_angle(direction_of(path_, 0.3) - momentum_.body.heading);
+    std::vector<Vec2> path = path_;
+    if (std::abs(turn) > largest_walking_turn) {
+      const double run_out = longest_run_out * std::abs(turn) / 3.14159265358979;
+      const std::vector<Vec2> ahead = first_part(braking_line(), run_out);
+      path.assign(ahead.begin(), ahead.end());
+      path.insert(path.end(), ahead.rbegin(), ahead.rend());
+      path.insert(path.end(), path_.begin(), path_.end());
+      path = finite_points(path);
+    }
+    if (!walk_on(path)) {
+      brake();
+      walk_from_standing(joined(momentum_.body.position, path_));
+    }
+  }
+
+  /// Where the body would have gone on to.
+  std::vector<Vec2> braking_line() const {
+    std::vector<Vec2> line = finite_points(request_.old_path_ahead);
+    if (line.size() >= 2) return line;
+    const Vec2 at = momentum_.body.position;
+    return {at,
+            at + 3.0 * Vec2(std::cos(momentum_.body.heading), std::sin(momentum_.body.heading))};
+  }
+
+  static std::vector<Vec2> joined(Vec2 first, std::span<const Vec2> path) {
+    std::vector<Vec2> out{first};
+    out.insert(out.end(), path.begin(), path.end());
+    return finite_points(out);
+  }
+
+  /// Stops within the shortest natural distance.
+  void brake() {
+    const std::vector<Vec2> line = braking_line();
+    const double natural = graph_.clip[source_.clip].to_stand[source_.frame];
+    const double room = polyline_length(line);
+    const double distance = std::min(std::isfinite(natural) ? natural : 1.0, room);
+    if (distance < shortest_way || !walk_on(first_part(line, distance)))
+      step_to({line.front(), momentum_.body.heading});
+  }
+
+  /// Comes to a stand by putting one foot beside the other.
+  void step_to(const Placement& place) {
+    const Side first = momentum_.planted[0] ? Side::Right : Side::Left;
+    const std::vector<Step> steps{{first, place}, {other(first), place}};
+    add(make_steps(graph_, momentum_, steps, graph_.after_walking, Gait::Walk));
+  }
+
+  void walk_from_standing(std::vector<Vec2> path) {
+    if (path.size() < 2 || polyline_length(path) < shortest_way) return;
+    turn_to(direction_of(path, 0.3), largest_curved_start);
+    std::vector<MotionStart> starts;
+    for (const std::uint32_t clip : graph_.starts)
+      starts.push_back({{clip, graph_.clip[clip].first}, momentum_.body});
+    if (!walk_along(path, starts)) walk_by_small_steps(path);
+  }
+
+  bool walk_on(const std::vector<Vec2>& path) {
+    const double first_share =
+        std::min(1.0, glm::length(momentum_.body_velocity.position) / graph_.speed);
+    return walk_along(path, {{source_, momentum_.body}}, first_share);
+  }
+
+  /// False where the clips cannot do it: no way to a stand from there, or strides would have to be
+  /// too short.
+  bool walk_along(const std::vector<Vec2>& path, const std::vector<MotionStart>& starts,
+                  double first_share = 0) {
+    TrackPace pace = this->pace();
+    pace.first_share = first_share;
+    const PathTrack track = make_path_track(path, pace);
+    const auto began = std::chrono::steady_clock::now();
+    MotionPlan plan;
+    for (const MotionStart& start : starts) {
+      MotionPlan candidate = request_.fidelity == Fidelity::Raw
+                                 ? find_raw_motion(graph_, track, start)
+                                 : find_warped_motion(graph_, track, start);
+      const std::uint32_t expanded = plan.expanded + candidate.expanded;
+      if (candidate.expanded > 0 && (plan.expanded == 0 || candidate.cost < plan.cost))
+        plan = std::move(candidate);
+      plan.expanded = plan.expanded > 0 ? expanded : 0;
+    }
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+    if (plan.expanded == 0) return false;
+    const bool standing = first_share == 0;
+    if (standing && track.effort.back() < least_stretch * plan.effort) return false;
+    const ClipPath& first = graph_.clip[plan.start.clip];
+    const Take take =
+        play(graph_, plan, compose(momentum_.body, inverse(first.body[plan.start.frame])));
+    Draft draft = request_.fidelity == Fidelity::Raw ? as_it_is(graph_, take)
+                                                     : warp_onto(graph_, take, track, momentum_);
+    draft.walk.transitions = static_cast<std::uint32_t>(plan.transitions.size());
+    draft.walk.expanded = plan.expanded;
+    draft.walk.search_seconds = taken.count();
+    add(std::move(draft));
+    return true;
+  }
+
+  void walk_by_small_steps(const std::vector<Vec2>& path) {
+    const PathTrack track = make_path_track(path, pace());
+    const std::vector<Step> steps = plan_short_walk(track, momentum_);
+    Draft draft = make_steps(graph_, momentum_, steps, graph_.after_walking, Gait::Walk);
+    const auto frames = static_cast<double>(draft.walk.along.size() - 1);
+    for (std::size_t f = 0; f < draft.walk.along.size(); ++f)
+      draft.walk.along[f] = static_cast<float>(track.length() * static_cast<double>(f) / frames);
+    add(std::move(draft));
+  }
+
+  void turn_to(double heading, double tolerance) {
+    const double angle = wrap_angle(heading - momentum_.body.heading);
+    const bool in_the_air = !momentum_.planted[0] || !momentum_.planted[1];
+    if (std::abs(angle) <= tolerance && !in_the_air) return;
+    add(make_steps(graph_, momentum_, plan_turn(momentum_.body, angle, momentum_),
+                   graph_.after_walking, Gait::Turn));
+  }
+
+  void stand_still() { add(make_steps(graph_, momentum_, {}, graph_.after_walking, Gait::Idle)); }
+
+  void add(Draft draft) {
+    take_over(momentum_, take_over_seconds, draft);
+    if (!draft.foot[0].empty() && request_.fidelity == Fidelity::Exact) settle(graph_, draft);
+    const float along = walk_.along.empty() ? 0.0f : walk_.along.back();
+    for (float& a : draft.walk.along) a += along;
+    append(draft, walk_);
+    momentum_ = momentum_at(graph_, walk_, frame_count(walk_) - 1);
+    momentum_.planted = {true, true};
+  }
+
+  const WalkGraph& graph_;
+  const WalkRequest& request_;
+  std::vector<Vec2> path_;
+  Momentum momentum_;
+  ClipFrame source_;
+  bool is_walking_ = false;
+  Walk walk_;
+};
+
+}  // namespace
+
+Result<Walk> make_walk(const WalkGraph& graph, const WalkRequest& request) {
+  return WalkMaker(graph, request).make();
+}
+
+Result<Walk> make_walk(const MotionGraph& graph, const WalkRequest& request) {
+  const Result<WalkGraph> ready = make_walk_graph(graph);
+  if (!ready) return std::unexpected(ready.error());
+  return make_walk(*ready, request);
+}
+
+}  // namespace docent

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// How briskly bends are taken.
+struct TrackPace {
+  double speed = 1.0;         ///< Metres a second, of the clips' ordinary walk.
+  double turning_rate = 2.4;  ///< Radians a second that a walker turns at most.
+  double first_share = 0;     ///< Share of the ordinary speed at the track's beginning that cannot
+                              ///< be shed at once; 0 from standing.
+};
+
+/// Where the body's circle goes along a path, and which way it faces: the polyline with its corners
+/// rounded (by at most 7 cm at a right angle and 8 cm at a full turn; a circle of 0.5 m radius is
+/// left by 1 cm), its two ends kept.
+///
+/// A walker takes shorter and slower strides where the heading turns quickly. `effort` measures the
+/// track in metres of the clips' own stride: walking one metre of effort covers `stride` metres.
+struct PathTrack {
+  double spacing = 0;           ///< Metres of path between samples.
+  std::vector<Vec2> position;   ///< Floor frame.
+  std::vector<double> heading;  ///< Radians, unwrapped.
+  std::vector<double> stride;   ///< In (0, 1], also the share of the ordinary cadence.
+  std::vector<double> effort;   ///< Metres from the beginning; strictly increasing.
+
+  double length() const noexcept { return spacing * static_cast<double>(position.size() - 1); }
+};
+
+/// A place on a track.
+struct TrackPoint {
+  Placement placement;
+  double along = 0;  ///< Metres of path.
+  double stride = 1;
+};
+
+/// Needs at least two different points; coincident neighbours are harmless.
+PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace);
+
+/// The place where `effort` metres have been walked, clamped to the ends. `hint` speeds up a walk
+/// along the track: it holds the sample found last.
+TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept;
+
+/// Total length of a polyline, metres.
+double polyline_length(std::span<const Vec2> path) noexcept;
+
+/// The point `along` metres from the beginning of a polyline, clamped to its ends.
+Vec2 point_along(std::span<const Vec2> path, double along) noexcept;
+
+/// The beginning of a polyline, `along` metres of it.
+std::vector<Vec2> first_part(std::span<const Vec2> path, double along);
+
+}  // namespace docent

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cmath>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// A placement seen as the rigid motion of the floor that takes the origin, facing east, to it.
+
+inline Vec2 turned(Vec2 v, double angle) noexcept {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// `inner` first, then `outer`.
+inline Placement compose(const Placement& outer, const Placement& inner) noexcept {
+  return {outer.position + turned(inner.position, outer.heading), outer.heading + inner.heading};
+}
+
+inline Placement inverse(const Placement& motion) noexcept {
+  return {turned(-motion.position, -motion.heading), -motion.heading};
+}
+
+/// A turn of the floor about the vertical, as a rotation of the world.
+inline Quat world_rotation(double heading) noexcept {
+  return glm::angleAxis(static_cast<float>(heading), Vec3(0, 1, 0));
+}
+
+/// A point of the world carried along; its height stays.
+inline Vec3 moved(const Placement& motion, Vec3 point) noexcept {
+  const Vec2 p = motion.position + turned(Vec2(point.x, -point.z), motion.heading);
+  return to_world(p, point.y);
+}
+
+}  // namespace docent

@@ -1,0 +1,184 @@
+#include "runtime/motion/replant.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/placement.h"
+#include "runtime/motion/smoothing.h"
+
+namespace docent {
+namespace {
+
+/// What a foot's own motion must be moved by: place, and heading about the vertical.
+struct Shift {
+  Vec3 place{};
+  float heading = 0;
+};
+
+Shift operator+(Shift a, Shift b) noexcept {
+  return {a.place + b.place, a.heading + b.heading};
+}
+Shift operator-(Shift a, Shift b) noexcept {
+  return {a.place - b.place, a.heading - b.heading};
+}
+Shift operator*(float s, Shift a) noexcept {
+  return {s * a.place, s * a.heading};
+}
+
+/// Hermite's cubic between two values with given slopes (per unit of t).
+Shift hermite(Shift from, Shift from_slope, Shift to, Shift to_slope, float t) noexcept {
+  const float u = 1 - t;
+  return (u * u * (1 + 2 * t)) * from + (u * u * t) * from_slope + (t * t * (1 + 2 * u)) * to +
+         (-t * t * u) * to_slope;
+}
+
+struct Contact {
+  std::size_t first = 0, end = 0;  ///< Frames [first, end).
+  Foot anchor;
+  float heading = 0;
+};
+
+class Replanting {
+ public:
+  Replanting(const WalkGraph& graph, Side side, std::span<Foot> feet)
+      : leg_(graph.legs[side]),
+        rest_(graph.toe_height[index_of(side)]),
+        rate_(static_cast<float>(graph.frame_rate)),
+        feet_(feet),
+        shift_(feet.size()),
+        heading_(feet.size()) {
+    std::vector<double> headings(feet.size());
+    for (std::size_t f = 0; f < feet.size(); ++f) headings[f] = foot_heading(leg_, feet[f]);
+    unwrap_angles(headings);
+    std::transform(headings.begin(), headings.end(), heading_.begin(),
+                   [](double h) { return static_cast<float>(h); });
+  }
+
+  void find_contacts(const std::vector<bool>& contact) {
+    for (std::size_t f = 0; f < contact.size();) {
+      std::size_t end = f;
+      while (end < contact.size() && contact[end] == contact[f]) ++end;
+      if (contact[f]) contacts_.push_back(anchored(f, end));
+      f = end;
+    }
+  }
+
+  void start_from(const FootStart& start, bool planted) {
+    const Shift first = shift_to(start.foot.toe, start_heading(start.foot), 0);
+    if (planted && !contacts_.empty() && contacts_.front().first == 0) {
+      contacts_.front().anchor.toe = start.foot.toe;
+      contacts_.front().heading = start_heading(start.foot);
+      return;
+    }
+    begin_ = first;
+    const Vec3 own = feet_.size() > 1 ? (feet_[1].toe - feet_[0].toe) * rate_ : Vec3{};
+    begin_slope_ = {start.velocity - own, 0};
+  }
+
+  void apply() {
+    for (const Contact& c : contacts_)
+      for (std::size_t f = c.first; f < c.end; ++f)
+        shift_[f] = shift_to(c.anchor.toe, c.heading, f);
+    bridge_gaps();
+    for (std::size_t f = 0; f < feet_.size(); ++f) {
+      feet_[f].toe += shift_[f].place;
+      feet_[f].rotation = world_rotation(shift_[f].heading) * feet_[f].rotation;
+    }
+    keep_above_ground();
+  }
+
+ private:
+  float start_heading(const Foot& foot) const {
+    const auto own = static_cast<double>(heading_.front());
+    return static_cast<float>(own + wrap_angle(foot_heading(leg_, foot) - own));
+  }
+
+  Shift shift_to(Vec3 place, float heading, std::size_t f) const {
+    return {place - feet_[f].toe, heading - heading_[f]};
+  }
+
+  /// A contact's place: the mean over its middle half, where the foot is flat.
+  Contact anchored(std::size_t first, std::size_t end) const {
+    Contact c{first, end, {}, 0};
+    const std::size_t quarter = (end - first) / 4;
+    Vec3 sum{};
+    float heading = 0, count = 0;
+    for (std::size_t f = first + quarter; f < end - quarter; ++f, ++count) {
+      sum += feet_[f].toe;
+      heading += heading_[f];
+    }
+    c.anchor.toe = sum / count;
+    c.anchor.toe.y = rest_;
+    c.heading = heading / count;
+    return c;
+  }
+
+  /// The slope of the shift just inside a contact, per second: minus the foot's own motion, which
+  /// the pin cancels. Bounded, so that a foot that was still sliding does not fling the swing.
+  Shift slope(std::size_t a, std::size_t b) const {
+    if (a == b) return {};
+    Shift s = (rate_ / static_cast<float>(b - a)) * (shift_[b] - shift_[a]);
+    const float speed = glm::length(s.place);
+    if (speed > 0.5f) s.place *= 0.5f / speed;
+    s.heading = std::clamp(s.heading, -2.0f, 2.0f);
+    return s;
+  }
+
+  void bridge_gaps() {
+    if (contacts_.empty()) {
+      for (std::size_t f = 0; f < shift_.size(); ++f) shift_[f] = begin_;
+      return;
+    }
+    constexpr std::size_t span = 3;
+    if (const Contact& next = contacts_.front(); next.first > 0)
+      bridge(0, next.first, begin_, begin_slope_,
+             slope(next.first, std::min(next.first + span, next.end - 1)));
+    for (std::size_t i = 1; i < contacts_.size(); ++i) {
+      const Contact &last = contacts_[i - 1], &next = contacts_[i];
+      const std::size_t a = last.end - 1;
+      bridge(a, next.first, shift_[a], slope(a - std::min(span, a - last.first), a),
+             slope(next.first, std::min(next.first + span, next.end - 1)));
+    }
+    const std::size_t after = contacts_.back().end;
+    for (std::size_t f = after; f < shift_.size(); ++f) shift_[f] = shift_[after - 1];
+  }
+
+  /// Fills the shifts of frames [from, to) from a value and slope at `from` to those at `to`.
+  void bridge(std::size_t from, std::size_t to, Shift start, Shift start_slope, Shift end_slope) {
+    const float seconds = static_cast<float>(to - from) / rate_;
+    for (std::size_t f = from; f < to; ++f) {
+      const float t = static_cast<float>(f - from) / static_cast<float>(to - from);
+      shift_[f] = hermite(start, seconds * start_slope, shift_[to], seconds * end_slope, t);
+    }
+  }
+
+  void keep_above_ground() {
+    for (Foot& foot : feet_) foot.toe.y = std::max(foot.toe.y, rest_ - 0.001f);
+  }
+
+  const Leg& leg_;
+  float rest_, rate_;
+  std::span<Foot> feet_;
+  std::vector<Shift> shift_;
+  std::vector<float> heading_;  ///< Of the feet in their own motion, unwrapped.
+  std::vector<Contact> contacts_;
+  Shift begin_, begin_slope_;
+};
+
+}  // namespace
+
+double foot_heading(const Leg& leg, const Foot& foot) noexcept {
+  const Vec2 forwards = to_floor(foot.rotation * leg.ankle_to_toe);
+  return std::atan2(forwards.y, forwards.x);
+}
+
+void replant(const WalkGraph& graph, Side side, std::span<Foot> feet,
+             const std::vector<bool>& contact, const FootStart& start, bool starts_planted) {
+  if (feet.empty()) return;
+  Replanting work(graph, side, feet);
+  work.find_contacts(contact);
+  work.start_from(start, starts_planted);
+  work.apply();
+}
+
+}  // namespace docent

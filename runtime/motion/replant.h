@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "runtime/motion/draft.h"
+
+namespace docent {
+
+/// Where a foot is and how it moves when a stretch of motion begins.
+struct FootStart {
+  Foot foot;
+  Vec3 velocity{};
+};
+
+/// Holds a foot still while it touches the ground. `feet` are its places in the motion, `contact`
+/// says when its toe joint rests on the ground; each contact gets one place (its own mean, or
+/// `start` where it goes on from there) at `toe_height`, and one heading. Between contacts the
+/// difference is bridged by a curve without kinks, so that the foot leaves and lands as it did.
+void replant(const WalkGraph& graph, Side side, std::span<Foot> feet,
+             const std::vector<bool>& contact, const FootStart& start, bool starts_planted);
+
+/// The heading of a foot from ankle to toe (floor frame, radians).
+double foot_heading(const Leg& leg, const Foot& foot) noexcept;
+
+}  // namespace docent

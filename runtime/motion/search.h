@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/motion/path_track.h"
+#include "runtime/motion/walk_graph.h"
+
+namespace docent {
+
+/// A way through the motion graph: from a frame, over transitions, to a standing end.
+struct MotionPlan {
+  ClipFrame start;
+  std::vector<std::uint32_t> transitions;  ///< Indices into MotionGraph::transitions.
+  std::uint32_t last_frame = 0;            ///< Of the clip that the last transition leads to.
+  double effort = 0;                       ///< Metres walked by the clips themselves.
+  double cost = 0;                         ///< Lower is better, among plans for one track.
+  std::uint32_t expanded = 0;              ///< Search states looked at; 0 where no way was found.
+};
+
+/// Where a search begins.
+struct MotionStart {
+  ClipFrame frame;
+  Placement body;  ///< Where the body is then.
+};
+
+/// The best way along a track that will be warped onto it: at each state only the misfit of
+/// headings counts, and it is forgotten as the warp takes it up, so the search is one of time and
+/// heading alone. A beam search in order of effort.
+MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
+                              const MotionStart& start);
+
+/// The best way whose own, unwarped track keeps to the path: deviation to the side and in heading
+/// counts all along.
+MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
+                           const MotionStart& start);
+
+}  // namespace docent

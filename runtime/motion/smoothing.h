@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// Weights of a bell of 2 * radius + 1 samples that add up to one: a Gaussian of the given
+/// deviation (in samples), cut at three of them.
+std::vector<double> gaussian_kernel(double deviation);
+
+/// Weights of a Hann window of 2 * radius + 1 samples that add up to one.
+std::vector<double> hann_kernel(std::size_t radius);
+
+/// Convolves evenly spaced values; beyond the ends the end values go on.
+std::vector<double> smooth_held(std::span<const double> values, std::span<const double> kernel);
+
+/// Convolves evenly spaced points; beyond an end the curve goes on as its own image through the end
+/// point, so that both ends stay where they are.
+std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const double> kernel);
+
+/// The angle in (-pi, pi] that differs by whole turns.
+double wrap_angle(double angle) noexcept;
+
+/// Adds whole turns so that neighbours differ by at most half a turn.
+void unwrap_angles(std::span<double> angles) noexcept;
+
+}  // namespace docent

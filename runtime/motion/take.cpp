@@ -1,0 +1,178 @@
+#include "runtime/motion/take.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/placement.h"
+#include "runtime/motion/smoothing.h"
+
+namespace docent {
+namespace {
+
+/// Writes frames of clips, laid onto the floor, one after another.
+class Player {
+ public:
+  Player(const WalkGraph& graph, Take& take) : graph_(graph), take_(take) {}
+
+  void lay_clip(const Placement& clip_to_floor) { clip_to_floor_ = clip_to_floor; }
+  void follow(const Placement& alignment) { clip_to_floor_ = compose(clip_to_floor_, alignment); }
+
+  void copy(std::uint32_t clip, std::size_t from, std::size_t to) {
+    for (std::size_t f = from; f < to; ++f) add({clip, static_cast<std::uint32_t>(f)});
+  }
+
+  /// Blends 2 * radius frames about a transition's two middles and goes on in the destination.
+  void cross(const Transition& way, std::size_t radius) {
+    const Placement destination = compose(clip_to_floor_, way.alignment);
+    const std::uint32_t joints = joint_count();
+    for (std::size_t i = 0; i < 2 * radius; ++i) {
+      const auto step = static_cast<std::uint32_t>(i);
+      const auto r = static_cast<std::uint32_t>(radius);
+      const ClipFrame from{way.from.clip, way.from.frame - r + step};
+      const ClipFrame to{way.to.clip, way.to.frame - r + step};
+      const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(2 * radius);
+      const auto share = static_cast<float>(t * t * t * (t * (6 * t - 15) + 10));
+      add(from);
+      const MotionClip& clip = motion().clips[to.clip];
+      take_.root.back() =
+          glm::mix(take_.root.back(), moved(destination, clip.root[to.frame]), share);
+      if (share >= 0.5f) take_.source.back() = to;
+      Quat* out = take_.rotation.data() + take_.rotation.size() - joints;
+      const Quat* other = clip.rotation.data() + std::size_t{to.frame} * joints;
+      const Quat turn = world_rotation(destination.heading);
+      for (std::uint32_t j = 0; j < joints; ++j)
+        out[j] = glm::normalize(glm::slerp(out[j], j == 0 ? turn * other[0] : other[j], share));
+    }
+    clip_to_floor_ = destination;
+  }
+
+ private:
+  const MotionGraph& motion() const { return *graph_.motion; }
+  std::uint32_t joint_count() const { return motion().clips.front().joint_count; }
+
+  void add(ClipFrame frame) {
+    const MotionClip& clip = motion().clips[frame.clip];
+    take_.root.push_back(moved(clip_to_floor_, clip.root[frame.frame]));
+    const auto first =
+        clip.rotation.begin() + static_cast<std::ptrdiff_t>(frame.frame) * clip.joint_count;
+    const std::size_t at = take_.rotation.size();
+    take_.rotation.insert(take_.rotation.end(), first, first + clip.joint_count);
+    take_.rotation[at] = world_rotation(clip_to_floor_.heading) * take_.rotation[at];
+    take_.source.push_back(frame);
+  }
+
+  const WalkGraph& graph_;
+  Take& take_;
+  Placement clip_to_floor_;
+};
+
+void find_body(const WalkGraph& graph, Take& take) {
+  const std::size_t frames = take.root.size();
+  const std::size_t joints = graph.motion->skeleton.joint.size();
+  std::vector<Vec2> roots(frames);
+  std::vector<double> headings(frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    roots[f] = to_floor(take.root[f]);
+    const PoseView pose{take.root[f], std::span(take.rotation).subspan(f * joints, joints)};
+    headings[f] = facing(graph.motion->skeleton, graph.legs, pose);
+  }
+  unwrap_angles(headings);
+  take.body = body_track(roots, headings, graph.stride_seconds * graph.frame_rate);
+  take.effort = effort_along(take.body);
+  const double run_up = take.effort[take.first];
+  for (double& effort : take.effort) effort -= run_up;
+}
+
+constexpr float touching_height = 0.015f;  // metres above the toe joint's resting height
+constexpr float rolling_height = 0.03f;   // metres: contact lasts until the toe has left the ground
+constexpr float landing_speed = 0.35f;    // metres a second of the toe joint
+constexpr double shortest_contact = 0.1;  // seconds
+constexpr double longest_gap = 0.05;      // seconds
+
+/// Joins contacts that a flicker parted, and drops those that are too short to bear a body.
+void tidy_contacts(std::vector<bool>& contact, double frame_rate) {
+  const auto flip_short_runs = [&](bool value, double seconds) {
+    const auto shortest = static_cast<std::size_t>(seconds * frame_rate);
+    for (std::size_t f = 0; f < contact.size();) {
+      std::size_t end = f;
+      while (end < contact.size() && contact[end] == contact[f]) ++end;
+      const bool inside = f > 0 && end < contact.size();
+      if (contact[f] == value && inside && end - f < shortest)
+        std::fill(contact.begin() + static_cast<std::ptrdiff_t>(f),
+                  contact.begin() + static_cast<std::ptrdiff_t>(end), !value);
+      f = end;
+    }
+  };
+  flip_short_runs(false, longest_gap);
+  flip_short_runs(true, shortest_contact);
+}
+
+/// When the toe joint rests on the ground: from when the clip's own plants say so, and while the
+/// foot still rolls over it, which plants (a flat and still foot) leave out.
+void find_contacts(const WalkGraph& graph, Take& take, Side side) {
+  const std::size_t frames = take.root.size();
+  const std::size_t joints = graph.motion->skeleton.joint.size();
+  const Leg& leg = graph.legs[side];
+  std::vector<Vec3> toe(frames);
+  std::vector<bool> planted(frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    const PoseView pose{take.root[f], std::span(take.rotation).subspan(f * joints, joints)};
+    toe[f] = foot_of(graph.motion->skeleton, leg, pose).toe;
+    const FootPlants plants = graph.motion->clips[take.source[f].clip].plants[take.source[f].frame];
+    planted[f] = side == Side::Left ? plants.left : plants.right;
+  }
+  const float rest = graph.toe_height[index_of(side)];
+  const auto speed = [&](std::size_t f) {
+    const std::size_t a = f > 1 ? f - 2 : 0, b = std::min(f + 2, frames - 1);
+    const Vec3 step = toe[b] - toe[a];
+    return std::hypot(step.x, step.z) * static_cast<float>(graph.frame_rate) /
+           static_cast<float>(std::max<std::size_t>(b - a, 1));
+  };
+  const auto stays = [&](std::size_t f, float height) {
+    return toe[f].y < rest + height && speed(f) < landing_speed;
+  };
+  std::vector<bool>& contact = take.contact[index_of(side)];
+  contact = planted;
+  for (std::size_t f = 1; f < frames; ++f)
+    if (contact[f - 1] && stays(f, rolling_height)) contact[f] = true;
+  for (std::size_t f = frames; f-- > 1;)
+    if (contact[f] && stays(f - 1, touching_height)) contact[f - 1] = true;
+  tidy_contacts(contact, graph.frame_rate);
+}
+
+}  // namespace
+
+Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor) {
+  Take take;
+  Player player(graph, take);
+  player.lay_clip(clip_to_floor);
+  const auto run_up = static_cast<std::uint32_t>(graph.stride_seconds * graph.frame_rate);
+  const bool from_standing = graph.motion->clips[plan.start.clip].role == ClipRole::Start &&
+                             plan.start.frame <= graph.clip[plan.start.clip].first;
+  std::size_t frame =
+      from_standing ? plan.start.frame : plan.start.frame - std::min(plan.start.frame, run_up);
+  take.first = plan.start.frame - frame;
+  std::size_t earliest = plan.start.frame;  // a blend must not reach into the run-up
+  std::uint32_t clip = plan.start.clip;
+  for (const std::uint32_t t : plan.transitions) {
+    const Transition& way = graph.motion->transitions[t];
+    const std::size_t most =
+        std::min<std::size_t>({way.from.frame - earliest, way.to.frame,
+                               frame_count(graph.motion->clips[way.from.clip]) - way.from.frame,
+                               frame_count(graph.motion->clips[way.to.clip]) - way.to.frame});
+    const std::size_t radius = std::min<std::size_t>(way.radius, most);
+    player.copy(clip, frame, way.from.frame - radius);
+    if (radius > 0)
+      player.cross(way, radius);
+    else
+      player.follow(way.alignment);
+    clip = way.to.clip;
+    earliest = frame = way.to.frame + radius;
+  }
+  player.copy(clip, frame, plan.last_frame + 1);
+  find_body(graph, take);
+  for (const Side side : both_sides) find_contacts(graph, take, side);
+  return take;
+}
+
+}  // namespace docent

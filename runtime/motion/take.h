@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/motion/search.h"
+#include "runtime/motion/walk_graph.h"
+
+namespace docent {
+
+/// Clips played one after another along a plan, blended at the transitions: the motion graph's own
+/// motion before anything is warped. Floor and world frames as in MotionClip.
+struct Take {
+  std::vector<Vec3> root;
+  std::vector<Quat> rotation;  ///< joint_count per frame.
+  std::vector<ClipFrame> source;
+  std::vector<Placement> body;
+  std::vector<double> effort;  ///< Metres walked since the first frame; negative in the run-up.
+  std::array<std::vector<bool>, 2> contact;  ///< Per foot: the toe joint rests on the ground.
+  std::size_t first = 0;  ///< Frames before it are a run-up that is not shown: they tell where the
+                          ///< body was when the motion begins in the middle of a clip.
+};
+
+/// Plays a plan. `clip_to_floor` lays the first clip onto the floor.
+Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor);
+
+}  // namespace docent

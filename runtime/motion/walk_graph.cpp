@@ -1,0 +1,271 @@
+#include "runtime/motion/walk_graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/placement.h"
+#include "runtime/motion/smoothing.h"
+
+namespace docent {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double still_speed = 0.06;     // metres a second of the hips: below it a body stands
+constexpr double stillness_kept = 0.08;  // seconds of standing kept before a start, after a stop
+
+PoseView frame_of(const MotionClip& clip, std::size_t frame, std::vector<Quat>& buffer) {
+  const auto first = clip.rotation.begin() + static_cast<std::ptrdiff_t>(frame * clip.joint_count);
+  buffer.assign(first, first + clip.joint_count);
+  return {clip.root[frame], buffer};
+}
+
+std::vector<double> facings(const Skeleton& skeleton, const Legs& legs, const MotionClip& clip) {
+  std::vector<double> out(frame_count(clip));
+  std::vector<Quat> buffer;
+  for (std::size_t f = 0; f < out.size(); ++f)
+    out[f] = facing(skeleton, legs, frame_of(clip, f, buffer));
+  unwrap_angles(out);
+  return out;
+}
+
+double speed_at(const MotionClip& clip, std::size_t frame) {
+  const std::size_t span = std::max<std::size_t>(1, static_cast<std::size_t>(clip.frame_rate / 24));
+  const std::size_t from = frame > span ? frame - span : 0;
+  const std::size_t to = std::min<std::size_t>(frame + span, frame_count(clip) - 1);
+  if (to == from) return 0;
+  return glm::distance(to_floor(clip.root[from]), to_floor(clip.root[to])) * clip.frame_rate /
+         static_cast<double>(to - from);
+}
+
+/// Where standing ends at a start clip's beginning, and begins at a stop clip's end.
+void trim_stillness(const MotionClip& clip, ClipPath& path) {
+  const auto kept = static_cast<std::uint32_t>(stillness_kept * clip.frame_rate);
+  path.first = 0;
+  path.last = frame_count(clip) - 1;
+  if (clip.role == ClipRole::Start) {
+    std::uint32_t moving = 0;
+    while (moving < path.last && speed_at(clip, moving) < still_speed) ++moving;
+    path.first = moving > kept ? moving - kept : 0;
+  }
+  if (clip.role == ClipRole::Stop) {
+    std::uint32_t moving = path.last;
+    while (moving > 0 && speed_at(clip, moving) < still_speed) --moving;
+    path.last = std::min(path.last, moving + kept);
+  }
+}
+
+template <typename Value>
+Value median_of(std::vector<Value> values, Value otherwise) {
+  if (values.empty()) return otherwise;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+bool is_planted(const FootPlants& plants, Side side) {
+  return side == Side::Left ? plants.left : plants.right;
+}
+
+/// Time between two plants of one foot.
+double stride_seconds(const MotionGraph& motion) {
+  std::vector<double> strides;
+  for (const MotionClip& clip : motion.clips) {
+    if (clip.plants.size() != clip.root.size()) continue;
+    for (const Side side : both_sides) {
+      double last = -1;
+      for (std::size_t f = 1; f < clip.plants.size(); ++f) {
+        if (is_planted(clip.plants[f - 1], side) || !is_planted(clip.plants[f], side)) continue;
+        const double now = static_cast<double>(f) / clip.frame_rate;
+        if (last >= 0 && now - last > 0.7 && now - last < 1.8) strides.push_back(now - last);
+        last = now;
+      }
+    }
+  }
+  return median_of(std::move(strides), 1.1);
+}
+
+void measure_resting_heights(WalkGraph& graph) {
+  const MotionGraph& motion = *graph.motion;
+  std::vector<Quat> buffer;
+  for (const Side side : both_sides) {
+    std::vector<float> toes, ankles;
+    const Leg& leg = graph.legs[side];
+    for (const MotionClip& clip : motion.clips)
+      for (std::size_t f = 0; f < clip.plants.size(); ++f) {
+        if (!is_planted(clip.plants[f], side)) continue;
+        const LegPose at = leg_pose(motion.skeleton, leg, frame_of(clip, f, buffer));
+        toes.push_back(at.position[leg.toe].y);
+        ankles.push_back(at.position[leg.ankle].y);
+      }
+    graph.toe_height[index_of(side)] = median_of(std::move(toes), 0.03f);
+    graph.ankle_height[index_of(side)] = median_of(std::move(ankles), 0.08f);
+  }
+}
+
+double ordinary_speed(const WalkGraph& graph) {
+  std::vector<double> speeds;
+  for (std::size_t c = 0; c < graph.clip.size(); ++c) {
+    const MotionClip& clip = graph.motion->clips[c];
+    if (clip.role == ClipRole::Start || clip.role == ClipRole::Stop) continue;
+    const double seconds = static_cast<double>(frame_count(clip)) / clip.frame_rate;
+    if (seconds > 0.2) speeds.push_back(graph.clip[c].effort.back() / seconds);
+  }
+  return std::clamp(median_of(std::move(speeds), 1.0), 0.3, 3.0);
+}
+
+void find_transition_ranges(WalkGraph& graph) {
+  const auto& transitions = graph.motion->transitions;
+  for (std::uint32_t c = 0; c < graph.clip.size(); ++c) {
+    const auto of_clip = [](const Transition& t, std::uint32_t clip) { return t.from.clip < clip; };
+    const auto first = std::lower_bound(transitions.begin(), transitions.end(), c, of_clip);
+    const auto last = std::lower_bound(first, transitions.end(), c + 1, of_clip);
+    graph.clip[c].first_transition = static_cast<std::uint32_t>(first - transitions.begin());
+    graph.clip[c].last_transition = static_cast<std::uint32_t>(last - transitions.begin());
+  }
+}
+
+/// The least effort from every frame to a standing end. One sweep of a clip takes it from its
+/// transitions' destinations; sweeps go on until nothing improves, which takes as many as the
+/// shortest ways have transitions.
+void measure_ways_to_stand(WalkGraph& graph) {
+  const auto& transitions = graph.motion->transitions;
+  for (std::size_t c = 0; c < graph.clip.size(); ++c)
+    graph.clip[c].to_stand.assign(graph.clip[c].effort.size(), infinite);
+  for (const std::uint32_t c : graph.stops) {
+    ClipPath& clip = graph.clip[c];
+    for (std::size_t f = 0; f <= clip.last; ++f)
+      clip.to_stand[f] = clip.effort[clip.last] - clip.effort[f];
+  }
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (ClipPath& clip : graph.clip) {
+      double best = infinite;  // effort at the transition plus what comes after it
+      std::uint32_t t = clip.last_transition;
+      for (std::size_t f = clip.to_stand.size(); f-- > 0;) {
+        for (; t > clip.first_transition && transitions[t - 1].from.frame >= f; --t) {
+          const Transition& way = transitions[t - 1];
+          best = std::min(
+              best, clip.effort[way.from.frame] + graph.clip[way.to.clip].to_stand[way.to.frame]);
+        }
+        if (best - clip.effort[f] < clip.to_stand[f] - 1e-9) {
+          clip.to_stand[f] = best - clip.effort[f];
+          improved = true;
+        }
+      }
+    }
+  }
+}
+
+bool is_well_formed(const MotionGraph& motion) {
+  for (const MotionClip& clip : motion.clips)
+    if (clip.root.empty() || clip.joint_count != motion.skeleton.joint.size() ||
+        clip.rotation.size() != clip.root.size() * clip.joint_count ||
+        clip.plants.size() != clip.root.size())
+      return false;
+  for (const Transition& t : motion.transitions)
+    for (const ClipFrame& end : {t.from, t.to})
+      if (end.clip >= motion.clips.size() || end.frame >= frame_count(motion.clips[end.clip]))
+        return false;
+  return true;
+}
+
+std::unexpected<Error> cannot_walk(const char* why) {
+  return std::unexpected(Error{Errc::InvalidInput, why});
+}
+
+void describe_clip(WalkGraph& graph, std::uint32_t index) {
+  const MotionClip& clip = graph.motion->clips[index];
+  ClipPath& path = graph.clip[index];
+  std::vector<Vec2> roots(clip.root.size());
+  std::transform(clip.root.begin(), clip.root.end(), roots.begin(), to_floor);
+  path.body = body_track(roots, facings(graph.motion->skeleton, graph.legs, clip),
+                         graph.stride_seconds * clip.frame_rate);
+  path.effort = effort_along(path.body);
+  trim_stillness(clip, path);
+  if (clip.role == ClipRole::Start) graph.starts.push_back(index);
+  if (clip.role == ClipRole::Stop) graph.stops.push_back(index);
+}
+
+Stand stand_in_clip(const WalkGraph& graph, std::uint32_t index, std::uint32_t frame) {
+  std::vector<Quat> buffer;
+  return stand_of(graph, frame_of(graph.motion->clips[index], frame, buffer),
+                  graph.clip[index].body[frame]);
+}
+
+}  // namespace
+
+std::vector<Placement> body_track(std::span<const Vec2> roots, std::span<const double> headings,
+                                  double stride_frames) {
+  // A box as long as a stride silences the stride's frequency and all its multiples. Smoothing cuts
+  // corners; adding back what a second pass takes away (Tukey's twicing) undoes that to second
+  // order.
+  const auto box = [](double frames) {
+    const auto radius = static_cast<std::size_t>(std::max(frames, 1.0) / 2);
+    return std::vector<double>(2 * radius + 1, 1.0 / static_cast<double>(2 * radius + 1));
+  };
+  const std::vector<double> stride = box(stride_frames), jerk = box(stride_frames / 4);
+  const auto smooth_points = [&](std::span<const Vec2> points) {
+    return smooth_pinned(smooth_pinned(points, stride), jerk);
+  };
+  const std::vector<Vec2> once = smooth_points(roots), twice = smooth_points(once);
+  const std::vector<double> heading = smooth_held(smooth_held(headings, stride), jerk);
+  std::vector<Placement> body(roots.size());
+  for (std::size_t f = 0; f < body.size(); ++f) body[f] = {2.0 * once[f] - twice[f], heading[f]};
+  return body;
+}
+
+std::vector<double> effort_along(std::span<const Placement> body) {
+  std::vector<double> effort(body.size(), 0.0);
+  for (std::size_t f = 1; f < body.size(); ++f) {
+    const double heading = body[f].heading;
+    const double forwards =
+        dot(body[f].position - body[f - 1].position, Vec2(std::cos(heading), std::sin(heading)));
+    effort[f] = effort[f - 1] + std::max(0.0, forwards);
+  }
+  return effort;
+}
+
+Stand stand_of(const WalkGraph& graph, const PoseView& pose, const Placement& body) {
+  const Placement home = inverse(body);
+  const Quat turn = world_rotation(home.heading);
+  Stand stand{moved(home, pose.root), {pose.rotation.begin(), pose.rotation.end()}, {}};
+  stand.rotation[0] = turn * stand.rotation[0];
+  const PoseView placed{stand.root, stand.rotation};
+  for (const Side side : both_sides)
+    stand.foot[index_of(side)] = foot_of(graph.motion->skeleton, graph.legs[side], placed);
+  return stand;
+}
+
+Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
+  if (motion.clips.empty())
+    return cannot_walk("the museum holds no walking clips: compile it without --no-motion");
+  if (!is_well_formed(motion)) return cannot_walk("the motion graph is damaged: recompile");
+  WalkGraph graph;
+  graph.motion = &motion;
+  const std::optional<Legs> legs = find_legs(motion.skeleton);
+  if (!legs) return cannot_walk("the clips' skeleton has no legs of hip, knee, ankle and toe");
+  graph.legs = *legs;
+  graph.frame_rate = motion.clips.front().frame_rate;
+  for (const MotionClip& clip : motion.clips)
+    if (clip.frame_rate != graph.frame_rate)
+      return cannot_walk("the clips have different frame rates");
+  graph.stride_seconds = stride_seconds(motion);
+  graph.clip.resize(motion.clips.size());
+  for (std::uint32_t c = 0; c < graph.clip.size(); ++c) describe_clip(graph, c);
+  if (graph.starts.empty()) return cannot_walk("no clip begins standing and goes on to walk");
+  if (graph.stops.empty()) return cannot_walk("no clip ends walking and stands still");
+  find_transition_ranges(graph);
+  measure_ways_to_stand(graph);
+  for (const std::uint32_t c : graph.starts)
+    if (graph.clip[c].to_stand[graph.clip[c].first] == infinite)
+      return cannot_walk("no transitions lead from a start clip to a stop clip");
+  graph.speed = ordinary_speed(graph);
+  measure_resting_heights(graph);
+  graph.before_walking =
+      stand_in_clip(graph, graph.starts.front(), graph.clip[graph.starts.front()].first);
+  graph.after_walking =
+      stand_in_clip(graph, graph.stops.front(), graph.clip[graph.stops.front()].last);
+  return graph;
+}
+
+}  // namespace docent

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "runtime/model/motion/motion_graph.h"
+#include "runtime/model/result.h"
+#include "runtime/motion/leg.h"
+
+namespace docent {
+
+/// What a search and a synthesis need to know of a clip.
+struct ClipPath {
+  std::vector<Placement> body;   ///< Per frame: the root with the gait's sway taken out.
+  std::vector<double> effort;    ///< Per frame: metres walked forwards since the first frame.
+  std::vector<double> to_stand;  ///< Per frame: the least metres to a standing end, infinite where
+                                 ///< there is none.
+  std::uint32_t first = 0;       ///< Where its motion begins (a start clip stands for a while).
+  std::uint32_t last = 0;        ///< Where its motion has ended.
+  std::uint32_t first_transition = 0, last_transition = 0;  ///< Its range of the graph's.
+};
+
+/// A standing body, placed at the origin of the floor and facing east.
+struct Stand {
+  Vec3 root{};
+  std::vector<Quat> rotation;
+  std::array<Foot, 2> foot;
+};
+
+/// A motion graph made ready to walk: made once, shared by all walks. Borrows the motion graph,
+/// which must outlive it. Immutable, so any thread may read it.
+struct WalkGraph {
+  const MotionGraph* motion = nullptr;
+  Legs legs;
+  double frame_rate = 120;
+  double stride_seconds = 1.1;  ///< Two steps of the ordinary walk.
+  double speed = 1;             ///< Metres a second of the ordinary walk.
+  std::vector<ClipPath> clip;
+  std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing.
+  std::array<float, 2> toe_height{};         ///< Of a planted foot's toe joint, metres.
+  std::array<float, 2> ankle_height{};       ///< Of a planted foot's ankle joint, metres.
+  Stand before_walking;                      ///< How the first start clip begins.
+  Stand after_walking;                       ///< How the first stop clip ends.
+};
+
+/// Fails with a sentence where the graph cannot walk: no clips, no legs, no start, no stop, clips
+/// of different rates, or no way from a start to a stop.
+Result<WalkGraph> make_walk_graph(const MotionGraph& motion);
+
+/// The body's circle for a run of frames: roots and facings with the gait's sway taken out.
+/// `roots` and `headings` (unwrapped) have one entry per frame.
+std::vector<Placement> body_track(std::span<const Vec2> roots, std::span<const double> headings,
+                                  double stride_frames);
+
+/// Metres walked forwards since the first frame, never decreasing.
+std::vector<double> effort_along(std::span<const Placement> body);
+
+/// The pose as it is when the body stands at the origin facing east.
+Stand stand_of(const WalkGraph& graph, const PoseView& pose, const Placement& body);
+
+}  // namespace docent

@@ -1,0 +1,139 @@
+#include "runtime/motion/warp.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion/placement.h"
+#include "runtime/motion/replant.h"
+#include "runtime/motion/smoothing.h"
+
+namespace docent {
+namespace {
+
+constexpr double turn_in_seconds = 0.9;  // time in which a body takes up the track's heading
+constexpr double join_seconds = 0.6;     // time in which it takes up the track's direction
+
+/// A moment between two frames of a take.
+struct TakeMoment {
+  std::size_t frame = 0;
+  double share = 0;  ///< Of the next frame.
+};
+
+void add_pose(const WalkGraph& graph, const Take& take, TakeMoment at, const Placement& body,
+              Draft& draft) {
+  const std::size_t joints = graph.motion->skeleton.joint.size();
+  const std::size_t next = std::min(at.frame + 1, take.root.size() - 1);
+  const auto share = static_cast<float>(at.share);
+  const Placement& a = take.body[at.frame];
+  const Placement& b = take.body[next];
+  const Placement own{glm::mix(a.position, b.position, at.share),
+                      glm::mix(a.heading, b.heading, at.share)};
+  const Placement move = compose(body, inverse(own));
+  Walk& walk = draft.walk;
+  walk.root.push_back(moved(move, glm::mix(take.root[at.frame], take.root[next], share)));
+  const Quat* first = take.rotation.data() + at.frame * joints;
+  const Quat* second = take.rotation.data() + next * joints;
+  const std::size_t start = walk.rotation.size();
+  for (std::size_t j = 0; j < joints; ++j) {
+    const Quat to = glm::dot(first[j], second[j]) < 0 ? -second[j] : second[j];
+    walk.rotation.push_back(glm::normalize(first[j] * (1 - share) + to * share));
+  }
+  walk.rotation[start] = world_rotation(move.heading) * walk.rotation[start];
+  const std::size_t nearest = at.share < 0.5 ? at.frame : next;
+  walk.plants.push_back({take.contact[0][nearest], take.contact[1][nearest]});
+  walk.source.push_back(take.source[nearest]);
+  walk.body.push_back(body);
+  walk.gait.push_back(Gait::Walk);
+}
+
+void find_feet(const WalkGraph& graph, Draft& draft) {
+  for (const Side side : both_sides) {
+    const Leg& leg = graph.legs[side];
+    for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
+      const LegPose at = leg_pose(graph.motion->skeleton, leg, pose_of(draft.walk, f));
+      draft.foot[index_of(side)].push_back({at.position[leg.toe], at.rotation[leg.ankle]});
+      draft.reach[index_of(side)].push_back(
+          glm::distance(at.position[leg.hip], at.position[leg.ankle]));
+    }
+  }
+}
+
+/// The difference between how the body moves at first and how the track begins, which fades.
+class Joining {
+ public:
+  Joining(const Momentum& momentum, const PathTrack& track, double first_speed) {
+    const double heading = track.heading.front();
+    turn_ = wrap_angle(momentum.body.heading - heading);
+    turn_rate_ = momentum.body_velocity.heading;
+    offset_ = momentum.body.position - track.position.front();
+    const Vec2 along =
+        glm::normalize(track.position[1] - track.position[0] + Vec2(1e-12, 0)) * first_speed;
+    drift_ = momentum.body_velocity.position - along;
+  }
+
+  Placement bent(Placement body, double seconds) const {
+    body.position += fade(offset_, drift_, seconds / join_seconds, join_seconds);
+    body.heading += fade(turn_, turn_rate_, seconds / turn_in_seconds, turn_in_seconds);
+    return body;
+  }
+
+ private:
+  template <typename Value>
+  static Value fade(Value value, Value slope, double t, double duration) {
+    if (t >= 1) return Value{};
+    return (1 - t * t * t * (10 - t * (15 - 6 * t))) * value +
+           (t - t * t * t * (6 - t * (8 - 3 * t))) * duration * slope;
+  }
+
+  Vec2 offset_{}, drift_{};
+  double turn_ = 0, turn_rate_ = 0;
+};
+
+}  // namespace
+
+Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track,
+                const Momentum& momentum) {
+  Draft draft = empty_draft(graph);
+  const double walked = take.effort.back();
+  const double stretch = walked > 1e-6 ? track.effort.back() / walked : 0;
+  const std::size_t last = take.root.size() - 1;
+  const double first_step = last > take.first ? take.effort[take.first + 1] * stretch : 0;
+  const Joining joining(
+      momentum, track, first_step * graph.frame_rate * track.stride.front() * track.stride.front());
+  std::size_t hint = 0;
+  for (double at = static_cast<double>(take.first);;) {
+    const auto frame = std::min(static_cast<std::size_t>(at), last);
+    const TakeMoment moment{frame,
+                            std::min(at, static_cast<double>(last)) - static_cast<double>(frame)};
+    const std::size_t next = std::min(frame + 1, last);
+    const double effort = stretch * glm::mix(take.effort[frame], take.effort[next], moment.share);
+    const TrackPoint point = at_effort(track, effort, hint);
+    const double seconds = static_cast<double>(draft.walk.root.size()) / graph.frame_rate;
+    add_pose(graph, take, moment, joining.bent(point.placement, seconds), draft);
+    draft.walk.along.push_back(static_cast<float>(point.along));
+    if (at >= static_cast<double>(last)) break;
+    at += point.stride;
+  }
+  find_feet(graph, draft);
+  for (const Side side : both_sides) {
+    const std::size_t i = index_of(side);
+    std::vector<bool> contact(draft.walk.plants.size());
+    for (std::size_t f = 0; f < contact.size(); ++f)
+      contact[f] = side == Side::Left ? draft.walk.plants[f].left : draft.walk.plants[f].right;
+    replant(graph, side, draft.foot[i], contact, {momentum.foot[i], momentum.foot_velocity[i]},
+            momentum.planted[i]);
+  }
+  return draft;
+}
+
+Draft as_it_is(const WalkGraph& graph, const Take& take) {
+  Draft draft = empty_draft(graph);
+  for (std::size_t f = take.first; f < take.root.size(); ++f) {
+    add_pose(graph, take, {f, 0}, take.body[f], draft);
+    draft.walk.along.push_back(static_cast<float>(take.effort[f]));
+  }
+  find_feet(graph, draft);
+  return draft;
+}
+
+}  // namespace docent
