@@ -109,6 +109,9 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
   view->pixel_width = static_cast<float>(request.shape.width);
   view->pixel_height = static_cast<float>(request.shape.height);
+  const Measures measures = measures_of(request.shape);
+  view->spot_px = measures.touch;
+  view->unit_px = measures.unit;
 
   Sheet sheet(museum, request, texts, *view);
   const Box panel = panel_box(request.shape);

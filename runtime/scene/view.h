@@ -27,6 +27,7 @@ struct Element {
   Quad quad;
   std::int32_t control = -1;  ///< Index of the control it belongs to: it is pressed with it.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
+  bool stays = false;  ///< Also in the view before or after this one: the frame thread's note.
 };
 
 /// A text that stands where something is on the model: a gallery's name, an exhibit's number.
@@ -58,6 +59,8 @@ struct View {
   Rect panel;                          ///< Screen frame.
   Rect free{0, 0, 1, 1};               ///< What is left to the model; at least 55 % of the screen.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen, for texel for pixel labels.
+  float spot_px = 54;                       ///< How wide and high a spot is.
+  float unit_px = 8;                        ///< 1/135 of the shorter side.
 };
 
 }  // namespace docent

@@ -1,0 +1,149 @@
+#include "runtime/guide/avatar.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace docent {
+namespace {
+
+/// How long the breathing takes to give way to the first step.
+constexpr double leave_idle_seconds = 0.4;
+
+Placement interpolated(const Placement& a, const Placement& b, double t) noexcept {
+  return {glm::mix(a.position, b.position, t),
+          a.heading + std::remainder(b.heading - a.heading, 2 * std::numbers::pi) * t};
+}
+
+/// Where the body is on its walk at this moment.
+void follow(Avatar& avatar) noexcept {
+  const Walk& walk = avatar.plan->walk;
+  if (walk.body.empty()) return;
+  const double at =
+      std::clamp(avatar.seconds * walk.frame_rate, 0.0, static_cast<double>(walk.body.size() - 1));
+  const auto frame = static_cast<std::size_t>(at);
+  const std::size_t after = std::min(frame + 1, walk.body.size() - 1);
+  const double t = at - static_cast<double>(frame);
+  avatar.body = interpolated(walk.body[frame], walk.body[after], t);
+  avatar.along =
+      std::lerp(static_cast<double>(walk.along[frame]), static_cast<double>(walk.along[after]), t);
+  avatar.gait = has_finished(avatar) ? Gait::Idle : walk.gait[frame];
+}
+
+/// Changes to the next plan at exactly the frame from which it was made.
+void change_plan(Avatar& avatar) noexcept {
+  if (!avatar.next) return;
+  const double change = avatar.next->order.before_frame / avatar.plan->walk.frame_rate;
+  if (avatar.seconds < change) return;
+  avatar.seconds -= change;
+  avatar.plan = std::move(avatar.next);
+}
+
+void pose(const Museum& museum, Avatar& avatar) noexcept {
+  const Walk& walk = avatar.plan->walk;
+  if (walk.joint_count == 0 || walk.joint_count != avatar.rotation.size()) return;
+  PoseView view{.root = {}, .rotation = avatar.rotation};
+  sample(walk, avatar.seconds, view);
+  if (avatar.idle_weight > 0) {
+    std::ranges::copy(avatar.rotation, avatar.still.begin());
+    PoseView living{.root = view.root, .rotation = avatar.still};
+    add_idle(museum.motion.skeleton, avatar.standing, living);
+    const auto weight = static_cast<float>(avatar.idle_weight);
+    view.root = glm::mix(view.root, living.root, weight);
+    for (std::size_t j = 0; j < avatar.rotation.size(); ++j)
+      avatar.rotation[j] = glm::slerp(avatar.rotation[j], avatar.still[j], weight);
+  }
+  to_world_space(museum.motion.skeleton, view, avatar.world);
+  const auto height = static_cast<float>(museum.floors[avatar.floor].plan.height);
+  for (Mat4& joint : avatar.world) joint[3].y += height;
+}
+
+/// World y of a body part; the floor where the skeleton has no such part.
+Vec3 place_of(const Museum& museum, const Avatar& avatar, BodyPart part) noexcept {
+  const JointIndex joint = museum.motion.skeleton[part];
+  if (joint == JointIndex::None || index_of(joint) >= avatar.world.size()) return {};
+  return Vec3(avatar.world[index_of(joint)][3]);
+}
+
+}  // namespace
+
+Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<Plan> standing) {
+  Avatar avatar;
+  avatar.floor = floor;
+  avatar.plan = std::move(standing);
+  avatar.rotation.resize(avatar.plan->walk.joint_count, Quat(1, 0, 0, 0));
+  avatar.still = avatar.rotation;
+  avatar.world.resize(avatar.rotation.size(), Mat4(1));
+  advance(museum, avatar, 0);
+  avatar.ankle_rest = place_of(museum, avatar, BodyPart::LeftAnkle).y;
+  avatar.toe_rest = place_of(museum, avatar, BodyPart::LeftToe).y;
+  return avatar;
+}
+
+bool has_finished(const Avatar& avatar) noexcept {
+  return !avatar.next && avatar.seconds >= avatar.plan->seconds();
+}
+
+std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {
+  const Walk& walk = avatar.plan->walk;
+  if (walk.root.empty()) return 0;
+  const double frame = std::ceil((avatar.seconds + lead) * walk.frame_rate);
+  return static_cast<std::uint32_t>(std::min(frame, static_cast<double>(walk.root.size() - 1)));
+}
+
+bool take_plan(Avatar& avatar, std::unique_ptr<Plan> plan) noexcept {
+  const Walk& walk = avatar.plan->walk;
+  const double change = plan->order.before_frame / walk.frame_rate;
+  const bool stands_there =
+      plan->order.before_frame + 1 >= walk.root.size() && avatar.seconds >= avatar.plan->seconds();
+  if (stands_there) {
+    avatar.seconds = change;  // however long it has stood: it sets out now
+  } else if (avatar.seconds > change) {
+    return false;
+  }
+  avatar.next = std::move(plan);
+  return true;
+}
+
+void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
+  avatar.seconds += seconds;
+  change_plan(avatar);
+  follow(avatar);
+  if (has_finished(avatar)) {
+    if (avatar.idle_weight < 1) avatar.standing = 0;
+    avatar.idle_weight = 1;
+    avatar.standing += seconds;
+  } else {
+    avatar.standing += seconds;
+    avatar.idle_weight = std::max(0.0, avatar.idle_weight - seconds / leave_idle_seconds);
+  }
+  pose(museum, avatar);
+}
+
+void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept {
+  const std::vector<Mat4>& inverse_bind = museum.avatar.inverse_bind;
+  if (avatar.world.empty() || inverse_bind.size() != avatar.world.size()) return;
+  const std::size_t first = list.palette.size();
+  list.palette.resize(first + avatar.world.size());
+  fill_skinning_palette(avatar.world, inverse_bind,
+                        std::span(list.palette).subspan(first, avatar.world.size()));
+
+  AvatarDraw it;
+  it.first_matrix = static_cast<std::uint32_t>(first);
+  it.centre = Vec3(avatar.world[0][3]);
+  const auto floor = static_cast<float>(museum.floors[avatar.floor].plan.height);
+  constexpr std::array feet{std::pair{BodyPart::LeftAnkle, BodyPart::LeftToe},
+                            std::pair{BodyPart::RightAnkle, BodyPart::RightToe}};
+  for (std::size_t side = 0; side < feet.size(); ++side) {
+    const Vec3 ankle = place_of(museum, avatar, feet[side].first);
+    const Vec3 toe = place_of(museum, avatar, feet[side].second);
+    it.feet[side] = {(ankle.x + toe.x) / 2, floor, (ankle.z + toe.z) / 2};
+    it.foot_height[side] =
+        std::max(0.0F, std::min(ankle.y - avatar.ankle_rest, toe.y - avatar.toe_rest));
+  }
+  list.avatars.push_back(it);
+}
+
+}  // namespace docent

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "runtime/model/museum.h"
+#include "runtime/motion/pose.h"
+#include "runtime/plan/plan.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// What an avatar does, as states.csv names it.
+enum class AvatarState : std::uint8_t { Idle, Turn, Walk, Wait, Look, Gesture };
+
+/// Someone who walks: the plan being walked, and the pose at this moment.
+struct Avatar {
+  std::uint32_t floor = 0;
+  std::unique_ptr<Plan> plan;  ///< Never empty; standing at its last frame when it is over.
+  std::unique_ptr<Plan> next;  ///< Takes over at next->order.before_frame of plan.
+  double seconds = 0;          ///< Since the first frame of plan's walk.
+  double standing = 0;         ///< Seconds that it has stood; keeps its value while it sets out...
+  double idle_weight = 1;      ///< ... and this fades the idle motion out.
+  Placement body;
+  double along = 0;  ///< Metres of the plan's way behind it.
+  Gait gait = Gait::Idle;
+
+  std::vector<Quat> rotation, still;   ///< One per joint.
+  std::vector<Mat4> world;             ///< One per joint, world frame.
+  float ankle_rest = 0, toe_rest = 0;  ///< World y of the joints when standing flat.
+};
+
+/// An avatar that stands at the given place. Sizes all that it will need.
+Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<Plan> standing);
+
+/// Is it at the end of its plan?
+bool has_finished(const Avatar& avatar) noexcept;
+
+/// The frame of the plan's walk from which a new plan can take over, `lead` seconds from now.
+std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept;
+
+/// Hands it the plan that was made from `frame_ahead`. False where that frame has passed already:
+/// then it has to be asked for again.
+bool take_plan(Avatar& avatar, std::unique_ptr<Plan> plan) noexcept;
+
+/// One step of time: follows the plan, changes to the next at its frame, poses the body.
+void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept;
+
+/// Appends the avatar to a draw list.
+void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept;
+
+}  // namespace docent

@@ -1,0 +1,275 @@
+#include "runtime/guide/guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace docent {
+namespace {
+
+constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
+constexpr std::size_t most_joints = 64;
+constexpr double longest_lead = 2;  ///< Seconds: a plan is never asked for from later than that.
+constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
+constexpr double touching = 0.01;   ///< Metres of the body that may be in a wall unremarked.
+
+}  // namespace
+
+Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settings)
+    : museum_(museum), planner_(planner), settings_(settings), visitors_(1), stage_(museum) {
+  avatars_.push_back(make_avatar(museum, museum.kiosk_floor, make_standing(museum, museum.kiosk)));
+  list_.avatars.reserve(avatars_.size());
+  list_.palette.reserve(avatars_.size() * most_joints);
+  list_.ribbons.reserve(1);
+  list_.ribbon_point.reserve(most_ribbon_points);
+  list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8));
+  list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512));
+  request_view();
+}
+
+bool Guide::is_settled() const noexcept {
+  return view() != nullptr && !awaiting_view_ && view()->state == state() &&
+         !overlay_.is_fading() && !stage_.is_flying();
+}
+
+bool Guide::is_out() const noexcept {
+  const Vec2 off = avatars_.front().body.position - museum_.kiosk.position;
+  return dot(off, off) > at_home * at_home || !has_finished(avatars_.front());
+}
+
+AvatarState Guide::state_of(const Avatar& avatar) const noexcept {
+  switch (avatar.gait) {
+    case Gait::Turn:
+      return AvatarState::Turn;
+    case Gait::Walk:
+      return AvatarState::Walk;
+    case Gait::Idle:
+      break;
+  }
+  if (awaiting_plan_) return AvatarState::Wait;
+  return state().arrived ? AvatarState::Look : AvatarState::Idle;
+}
+
+// What visitors do.
+
+void Guide::touch(const InputEvent& event) noexcept {
+  visitors_.front().idle_seconds = 0;
+  if (event.kind == InputEvent::Kind::KeyDown) return press_key(event.key);
+  const std::optional<Gesture> gesture = gestures_.take(event);
+  if (event.kind == InputEvent::Kind::Down) {
+    ++counters_.touches;
+    overlay_.clear_focus();
+    overlay_.touch_down({event.contact, event.contact, 0});
+  }
+  if (gesture) press(*gesture);
+}
+
+void Guide::press(const Gesture& gesture) noexcept {
+  const std::int32_t control = overlay_.touch_up(gesture.finger);
+  const View* shown = view();
+  if (shown == nullptr) return;
+  const bool swiped = gesture.kind != Gesture::Kind::Release;
+  if (swiped && state().screen == Screen::Choosing) {
+    // What is further on comes from the side where lines end.
+    const bool forwards =
+        (gesture.kind == Gesture::Kind::SwipeLeft) != runs_right_to_left(museum_, state().language);
+    const std::uint32_t pages = page_count(museum_, exhibits_per_page(settings_.shape));
+    if (forwards && state().page + 1 < pages) act({Action::Kind::TurnPage, state().page + 1});
+    if (!forwards && state().page > 0) act({Action::Kind::TurnPage, state().page - 1});
+    return;
+  }
+  if (control >= 0)
+    act(shown->controls[static_cast<std::size_t>(control)].action);
+  else if (state().screen == Screen::Welcome)
+    act({Action::Kind::Begin});  // the whole glass invites
+}
+
+void Guide::press_key(Key key) noexcept {
+  switch (key) {
+    case Key::Up:
+    case Key::Left:
+      return overlay_.move_focus(-1);
+    case Key::Down:
+    case Key::Right:
+      return overlay_.move_focus(1);
+    case Key::Enter:
+      if (overlay_.focus() >= 0 && view() != nullptr)
+        act(view()->controls[static_cast<std::size_t>(overlay_.focus())].action);
+      else if (state().screen == Screen::Welcome)
+        act({Action::Kind::Begin});
+      return;
+    case Key::Back:
+      if (state().screen == Screen::Choosing)
+        act({state().exhibit >= 0 ? Action::Kind::Return : Action::Kind::Home});
+      else if (state().screen != Screen::Welcome)
+        act({Action::Kind::ShowExhibits});
+      return;
+    default:
+      return;
+  }
+}
+
+void Guide::act(Action action) noexcept {
+  const InterfaceState before = state();
+  show(after(before, action));
+  switch (action.kind) {
+    case Action::Kind::Choose:
+      set_out();
+      break;
+    case Action::Kind::TakeRoute:
+      if (errand_.kind == Errand::Kind::ToExhibit && !before.arrived) set_out();
+      break;
+    case Action::Kind::Stop:
+      order({.kind = Errand::Kind::Stop});
+      break;
+    case Action::Kind::Home:
+      if (is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
+      break;
+    default:
+      break;
+  }
+}
+
+/// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
+void Guide::set_out() noexcept {
+  const Errand errand{Errand::Kind::ToExhibit, state().exhibit, state().kind};
+  if (state().arrived || errand.exhibit < 0) return;
+  if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
+      errand_.route == errand.route)
+    return;
+  order(errand);
+}
+
+void Guide::order(const Errand& errand) noexcept {
+  errand_ = errand;
+  trip_.reset();
+  const Avatar& avatar = leader();
+  WalkOrder it;
+  it.id = ++last_order_;
+  it.floor = avatar.floor;
+  it.kind = errand.route;
+  it.start = avatar.body;
+  it.before = avatar.plan.get();
+  it.before_frame = frame_ahead(avatar, lead_);
+  if (errand.kind == Errand::Kind::ToExhibit)
+    it.goal = museum_.exhibits[static_cast<std::size_t>(errand.exhibit)].view;
+  if (errand.kind == Errand::Kind::Home) it.goal = museum_.kiosk;
+  leader().next.reset();
+  awaiting_plan_ = true;
+  planner_.ask(it);
+  request_view();
+}
+
+// What the planner answers.
+
+void Guide::show(const InterfaceState& state) noexcept {
+  if (visitors_.front().state == state) return;
+  visitors_.front().state = state;
+  request_view();
+}
+
+void Guide::request_view() noexcept {
+  awaiting_view_ = true;
+  planner_.ask(ViewRequest{++last_request_, state(), settings_.shape, trip_});
+}
+
+void Guide::resize(const ScreenShape& shape) noexcept {
+  if (shape == settings_.shape) return;
+  settings_.shape = shape;
+  request_view();
+}
+
+void Guide::take_answers() noexcept {
+  while (std::unique_ptr<Plan> plan = planner_.take_plan()) take_answer(std::move(plan));
+  while (std::unique_ptr<View> view = planner_.take_view()) {
+    if (view->request != last_request_) continue;  // the visitor has gone on
+    awaiting_view_ = false;
+    ++counters_.views;
+    stage_.enter(view->state, view->free, aspect_ratio(settings_.shape), leader());
+    overlay_.enter(std::move(view));
+  }
+}
+
+void Guide::take_answer(std::unique_ptr<Plan> plan) noexcept {
+  if (plan->order.id != last_order_) return;
+  awaiting_plan_ = false;
+  if (errand_.kind == Errand::Kind::ToExhibit) {
+    ++counters_.routes;
+    trip_ = Trip{plan->status, plan->length, plan->seconds()};
+    request_view();
+  }
+  if (plan->status != RouteStatus::Ok) {
+    if (errand_.kind == Errand::Kind::ToExhibit) errand_ = {};
+    return;
+  }
+  stage_.show_way(*plan, list_);
+  if (!take_plan(leader(), std::move(plan))) {
+    lead_ = std::min(2 * lead_, longest_lead);
+    order(errand_);
+  }
+}
+
+// What time brings.
+
+void Guide::step(Seconds dt) noexcept {
+  const float seconds = dt.count();
+  take_answers();
+  for (Avatar& avatar : avatars_) advance(museum_, avatar, seconds);
+  notice_arrival();
+  notice_absence(seconds);
+  gestures_.advance(seconds);
+  overlay_.advance(seconds);
+  stage_.advance(state(), leader(), seconds);
+  count_collisions();
+  fill_draw_list();
+}
+
+void Guide::notice_arrival() noexcept {
+  if (awaiting_plan_ || !has_finished(leader()) || errand_.kind == Errand::Kind::None) return;
+  if (errand_.kind != Errand::Kind::ToExhibit) {
+    errand_ = {};
+    return;
+  }
+  InterfaceState now = state();
+  if (now.arrived) return;
+  now.arrived = true;
+  if (now.screen == Screen::Walking) now.screen = Screen::Arrived;
+  show(now);
+}
+
+/// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
+void Guide::notice_absence(float seconds) noexcept {
+  Visitor& visitor = visitors_.front();
+  const bool follows = visitor.state.screen == Screen::Walking && !has_finished(leader());
+  visitor.idle_seconds = follows ? 0 : visitor.idle_seconds + seconds;
+  if (visitor.idle_seconds < settings_.idle_reset.count()) return;
+  visitor.idle_seconds = 0;
+  overlay_.clear_focus();
+  if (visitor.state == InterfaceState{}) return;
+  act({Action::Kind::Home});
+  show({});
+}
+
+void Guide::count_collisions() noexcept {
+  for (const Avatar& avatar : avatars_)
+    if (avatar.floor < planner_.maps().size() &&
+        clearance_at(*planner_.maps()[avatar.floor], avatar.body.position) <
+            museum_.body_radius - touching)
+      ++counters_.collisions;
+}
+
+void Guide::fill_draw_list() noexcept {
+  list_.avatars.clear();
+  list_.palette.clear();
+  list_.quads.clear();
+  for (const Avatar& avatar : avatars_) draw(museum_, avatar, list_);
+  stage_.draw(state(), leader(), errand_.kind == Errand::Kind::ToExhibit, list_);
+  const double floor_height = museum_.floors[leader().floor].plan.height;
+  overlay_.follow(list_.camera, static_cast<float>(floor_height));
+  const double whole = leader().plan->reach.empty() ? 0 : leader().plan->reach.back();
+  const bool names = state().screen == Screen::Choosing;
+  overlay_.draw(static_cast<float>(whole - leader().along), names && !stage_.is_flying() ? 1 : 0,
+                list_);
+}
+
+}  // namespace docent

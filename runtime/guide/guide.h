@@ -1,0 +1,112 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "runtime/guide/avatar.h"
+#include "runtime/guide/overlay.h"
+#include "runtime/guide/stage.h"
+#include "runtime/input/gesture.h"
+#include "runtime/model/museum.h"
+#include "runtime/plan/planner.h"
+#include "runtime/scene/draw_list.h"
+#include "runtime/scene/layout.h"
+
+namespace docent {
+
+using Seconds = std::chrono::duration<float>;
+
+/// Someone in front of the glass: what they see and what they asked for.
+struct Visitor {
+  InterfaceState state;
+  std::uint32_t avatar = 0;  ///< Who guides them.
+  float idle_seconds = 0;    ///< Since they last touched anything.
+};
+
+/// What the guide was sent to do.
+struct Errand {
+  enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
+  Kind kind = Kind::None;
+  std::int32_t exhibit = -1;
+  RouteKind route = RouteKind::Shortest;
+};
+
+/// What an operator set for this device.
+struct GuideSettings {
+  ScreenShape shape;
+  Seconds idle_reset{60};
+};
+
+/// What happened so far, for --stats.
+struct GuideCounters {
+  std::uint64_t touches = 0, routes = 0, collisions = 0;
+  std::uint64_t views = 0;  ///< Grows in the frame in which another view is entered.
+};
+
+/// The kiosk's whole state, without the edges: touches and time in, a draw list out.
+///
+/// Called by the frame thread alone. After construction its functions do not throw, allocate or
+/// wait: what takes long is asked of the planner, whose answers are taken at the next step. Borrows
+/// the museum and the planner.
+class Guide {
+ public:
+  Guide(const Museum& museum, Planner& planner, const GuideSettings& settings);
+
+  void touch(const InputEvent& event) noexcept;
+  void step(Seconds dt) noexcept;
+  const DrawList& draw_list() const noexcept { return list_; }
+
+  /// The screen has another size: a view is laid out for it.
+  void resize(const ScreenShape& shape) noexcept;
+  /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
+  std::unique_ptr<TextChanges> take_texts() noexcept { return planner_.take_texts(); }
+
+  const InterfaceState& state() const noexcept { return visitors_.front().state; }
+  const ScreenShape& shape() const noexcept { return settings_.shape; }
+  /// The view on the screen; empty before the first one. Its spots follow the camera.
+  const View* view() const noexcept { return overlay_.view(); }
+  /// Does the screen show the state the visitor asked for, and does nothing fly or fade?
+  bool is_settled() const noexcept;
+  const std::vector<Avatar>& avatars() const noexcept { return avatars_; }
+  AvatarState state_of(const Avatar& avatar) const noexcept;
+  const GuideCounters& counters() const noexcept { return counters_; }
+
+ private:
+  void press(const Gesture& gesture) noexcept;
+  void press_key(Key key) noexcept;
+  void act(Action action) noexcept;
+  void show(const InterfaceState& state) noexcept;
+  void request_view() noexcept;
+  void set_out() noexcept;
+  void order(const Errand& errand) noexcept;
+  void take_answers() noexcept;
+  void take_answer(std::unique_ptr<Plan> plan) noexcept;
+  void notice_arrival() noexcept;
+  void notice_absence(float seconds) noexcept;
+  void count_collisions() noexcept;
+  void fill_draw_list() noexcept;
+
+  Avatar& leader() noexcept { return avatars_.front(); }
+  bool is_out() const noexcept;
+
+  const Museum& museum_;
+  Planner& planner_;
+  GuideSettings settings_;
+  std::vector<Visitor> visitors_;
+  std::vector<Avatar> avatars_;
+  Errand errand_;
+  std::uint64_t last_order_ = 0, last_request_ = 0;
+  bool awaiting_plan_ = false, awaiting_view_ = false;
+  double lead_ = 0.25;        ///< Seconds ahead from which the next plan is asked for.
+  std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
+  GestureRecogniser gestures_;
+  Overlay overlay_;
+  Stage stage_;
+  GuideCounters counters_;
+  DrawList list_;
+};
+
+}  // namespace docent

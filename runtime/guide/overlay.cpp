@@ -1,0 +1,268 @@
+#include "runtime/guide/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "runtime/scene/theme.h"
+
+namespace docent {
+namespace {
+
+constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much smaller.
+constexpr float release_seconds = 0.15F;
+
+const Theme theme;
+
+bool same(const Rect& a, const Rect& b) noexcept {
+  return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
+}
+
+bool same(const Colour& a, const Colour& b) noexcept {
+  return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+bool same(const Quad& a, const Quad& b) noexcept {
+  return a.fill == b.fill && a.texture == b.texture && same(a.rect, b.rect) &&
+         same(a.colour, b.colour);
+}
+
+Rect scaled(const Rect& rect, const Rect& about, float scale) noexcept {
+  const float x = about.x + about.width / 2, y = about.y + about.height / 2;
+  return {x + (rect.x - x) * scale, y + (rect.y - y) * scale, rect.width * scale,
+          rect.height * scale};
+}
+
+Rect between(const Rect& a, const Rect& b, float t) noexcept {
+  return {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t), std::lerp(a.width, b.width, t),
+          std::lerp(a.height, b.height, t)};
+}
+
+Rect around(float x, float y, float width, float height) noexcept {
+  return {x - width / 2, y - height / 2, width, height};
+}
+
+float shorter_px(const View& view) noexcept {
+  return std::min(view.pixel_width, view.pixel_height);
+}
+
+/// Marks what two views have in common: it is drawn once and does not fade.
+void note_what_stays(View& leaving, View& entering) noexcept {
+  for (Element& old : leaving.elements) old.stays = false;
+  for (Element& element : entering.elements) {
+    const auto twin = std::ranges::find_if(
+        leaving.elements, [&](const Element& old) { return same(old.quad, element.quad); });
+    element.stays = twin != leaving.elements.end();
+    if (element.stays) twin->stays = true;
+  }
+}
+
+}  // namespace
+
+void Overlay::enter(std::unique_ptr<View> view) noexcept {
+  if (view_) note_what_stays(*view_, *view);
+  leaving_ = std::exchange(view_, std::move(view));
+  age_ = leaving_ ? 0 : fade_seconds;
+  for (Press& press : presses_) press.control = -1;
+  if (focus_ >= static_cast<std::int32_t>(view_->controls.size())) focus_ = -1;
+  if (leaving_ && leaving_->state.screen != view_->state.screen && focus_ >= 0) {
+    focus_ = -1;
+    move_focus(1);
+  }
+}
+
+void Overlay::advance(float seconds) noexcept {
+  age_ += seconds;
+  if (!is_fading()) leaving_.reset();
+  for (Ring& ring : rings_) ring.age += seconds;
+  for (Press& press : presses_)
+    if (!press.held) press.age += seconds;
+}
+
+void Overlay::follow(const CameraView& camera, float floor_height) noexcept {
+  for (View* view : {view_.get(), leaving_.get()}) {
+    if (view == nullptr) continue;
+    for (FloorLabel& label : view->labels) {
+      const auto at = project(camera, to_world(label.position, floor_height + label.height));
+      label.rect = {};
+      const bool in_picture = at && contains(view->free, at->x, at->y);
+      if (in_picture)
+        label.rect = around(at->x, at->y, label.width_px / view->pixel_width,
+                            label.height_px / view->pixel_height);
+      if (label.control < 0) continue;
+      Rect& spot = view->controls[static_cast<std::size_t>(label.control)].rect;
+      spot = in_picture ? around(at->x, at->y, view->spot_px / view->pixel_width,
+                                 view->spot_px / view->pixel_height)
+                        : Rect{};
+    }
+  }
+}
+
+std::int32_t Overlay::control_at(float x, float y) const noexcept {
+  if (!view_) return -1;
+  std::int32_t nearest = -1;
+  float nearest_square = 1e9F;
+  for (std::size_t i = 0; i < view_->controls.size(); ++i) {
+    const Control& control = view_->controls[i];
+    if (!control.enabled || !contains(control.rect, x, y)) continue;
+    if (control.role != Role::Spot) return static_cast<std::int32_t>(i);
+    const float across = (control.rect.x + control.rect.width / 2 - x) * view_->pixel_width;
+    const float down = (control.rect.y + control.rect.height / 2 - y) * view_->pixel_height;
+    const float square = across * across + down * down;
+    if (square < nearest_square && !contains(view_->panel, x, y)) {
+      nearest_square = square;
+      nearest = static_cast<std::int32_t>(i);
+    }
+  }
+  return nearest;
+}
+
+void Overlay::touch_down(const Finger& finger) noexcept {
+  rings_[next_ring_++ % rings_.size()] = {finger.at.x, finger.at.y, 0};
+  Press& press = *std::ranges::min_element(presses_, {},
+                                           [](const Press& p) { return p.held ? 1e9F : -p.age; });
+  press = {finger.at.id, control_at(finger.at.x, finger.at.y), true, 0};
+}
+
+std::int32_t Overlay::touch_up(const Finger& finger) noexcept {
+  const auto press = std::ranges::find_if(
+      presses_, [&](const Press& p) { return p.held && p.finger == finger.at.id; });
+  if (press == presses_.end()) return -1;
+  press->held = false;
+  press->age = 0;
+  const std::int32_t left = control_at(finger.at.x, finger.at.y);
+  return left == press->control ? left : -1;
+}
+
+void Overlay::move_focus(int step) noexcept {
+  if (!view_ || view_->controls.empty()) return;
+  const auto count = static_cast<std::int32_t>(view_->controls.size());
+  std::int32_t at = focus_ < 0 && step < 0 ? 0 : focus_;
+  for (std::int32_t tried = 0; tried < count; ++tried) {
+    at = (at + step + count) % count;
+    const Control& control = view_->controls[static_cast<std::size_t>(at)];
+    if (control.role == Role::Spot || !control.enabled || control.rect.width <= 0) continue;
+    focus_ = at;
+    return;
+  }
+}
+
+float Overlay::press_depth(std::int32_t control) const noexcept {
+  float depth = 0;
+  for (const Press& press : presses_)
+    if (press.control == control && control >= 0)
+      depth = std::max(depth, press.held ? 1 : 1 - press.age / release_seconds);
+  return depth;
+}
+
+void Overlay::draw_elements(const View& view, float opacity, float unchanged_opacity, bool leaving,
+                            DrawList& list) const noexcept {
+  for (const Element& element : view.elements) {
+    if (element.is_panel && leaving) continue;
+    Quad quad = element.quad;
+    float shown = element.stays ? unchanged_opacity : opacity;
+    if (element.is_panel) {
+      shown = 1;
+      if (leaving_ && !same(leaving_->panel, view.panel)) {
+        const Rect at =
+            between(leaving_->panel, view.panel, static_cast<float>(ease_out(age_ / fade_seconds)));
+        quad.rect.x += at.x - view.panel.x;
+        quad.rect.y += at.y - view.panel.y;
+      }
+    }
+    if (element.control >= 0 && !leaving)
+      if (const float depth = press_depth(element.control); depth > 0)
+        quad.rect = scaled(quad.rect, view.controls[static_cast<std::size_t>(element.control)].rect,
+                           1 - press_depth_share * depth);
+    quad.colour = with_opacity(quad.colour, shown);
+    if (quad.colour.a > 0.002F) list.quads.push_back(quad);
+  }
+}
+
+void Overlay::draw_focus(DrawList& list) const noexcept {
+  if (focus_ < 0 || !view_) return;
+  const Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
+  if (rect.width <= 0) return;
+  // Two nested frames, dark round light, are seen on every ground.
+  const float thick = view_->unit_px * 0.5F;
+  for (const auto& [reach, colour] :
+       {std::pair{1.6F, theme.skeleton}, std::pair{0.9F, theme.paper}}) {
+    const float x = reach * thick / view_->pixel_width, y = reach * thick / view_->pixel_height;
+    Quad frame;
+    frame.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y};
+    frame.colour = colour;
+    frame.corner = (1.5F * view_->unit_px + reach * thick) / shorter_px(*view_);
+    list.quads.push_back(frame);
+  }
+}
+
+void Overlay::draw_labels(const View& view, float opacity, DrawList& list) const noexcept {
+  if (opacity <= 0.002F) return;
+  const float shorter = shorter_px(view);
+  for (const FloorLabel& label : view.labels) {
+    if (label.rect.width <= 0 || label.texture == TextureId::None) continue;
+    const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
+    const Control* spot =
+        label.control < 0 ? nullptr : &view.controls[static_cast<std::size_t>(label.control)];
+    const bool selected = spot != nullptr && spot->selected;
+    if (label.on_disc) {
+      const float size = std::max(4.2F * view.unit_px,
+                                  std::max(label.width_px + 1.4F * view.unit_px, label.height_px)) *
+                         (1 - 0.1F * press_depth(label.control)) * (selected ? 1.2F : 1);
+      Quad disc;
+      disc.rect = around(x, y, size / view.pixel_width, size / view.pixel_height);
+      disc.corner = size / 2 / shorter;
+      disc.colour = with_opacity(selected ? theme.shortest : theme.paper, opacity);
+      list.quads.push_back(disc);
+    }
+    Quad text;
+    text.fill = QuadFill::Text;
+    text.texture = label.texture;
+    text.rect = label.rect;
+    text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
+    text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;
+    text.colour = with_opacity(
+        selected ? theme.paper : (label.on_disc ? theme.ink : theme.quiet_ink), opacity);
+    list.quads.push_back(text);
+  }
+}
+
+void Overlay::draw_remaining(const View& view, float metres, float opacity,
+                             DrawList& list) const noexcept {
+  for (const CountedText& text : view.remaining) {
+    if (metres > text.metres) continue;
+    Quad quad = text.quad;
+    quad.colour = with_opacity(quad.colour, opacity);
+    list.quads.push_back(quad);
+    return;
+  }
+}
+
+void Overlay::draw(float remaining, float labels_opacity, DrawList& list) const noexcept {
+  if (!view_) return;
+  const float t = is_fading() ? static_cast<float>(ease_out(age_ / fade_seconds)) : 1;
+  if (leaving_) draw_labels(*leaving_, labels_opacity * (1 - t), list);
+  draw_labels(*view_, labels_opacity * t, list);
+
+  draw_elements(*view_, t, 1, false, list);
+  if (leaving_) {
+    draw_elements(*leaving_, 1 - t, 0, true, list);
+    if (view_->remaining.empty()) draw_remaining(*leaving_, remaining, 1 - t, list);
+  }
+  draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
+  draw_focus(list);
+
+  for (const Ring& ring : rings_) {
+    if (ring.age >= ring_seconds) continue;
+    const float share = ring.age / ring_seconds;
+    const float size = (3 + 5 * static_cast<float>(ease_out(share))) * view_->unit_px * 2;
+    Quad quad;
+    quad.fill = QuadFill::Ring;
+    quad.rect = around(ring.x, ring.y, size / view_->pixel_width, size / view_->pixel_height);
+    quad.softness = 0.6F * view_->unit_px / shorter_px(*view_);
+    quad.colour = with_opacity(theme.shortest, (1 - share) * 0.9F);
+    list.quads.push_back(quad);
+  }
+}
+
+}  // namespace docent

@@ -1,0 +1,166 @@
+#include "runtime/guide/stage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace docent {
+namespace {
+
+constexpr double long_flight_seconds = 1.1;  ///< From over the whole floor down to the guide.
+constexpr double short_flight_seconds = 0.7;
+constexpr double turn_time_constant = 0.9;  ///< The camera turns slower than the guide...
+constexpr double most_turn = 0.8;           ///< ... and never faster than 46 degrees a second.
+constexpr float way_fade_seconds = 0.3F;
+constexpr float flow_speed = 0.35F;  ///< Metres a second that the ribbon's pattern moves.
+
+bool seen_from_above(Screen screen) noexcept {
+  return screen == Screen::Welcome || screen == Screen::Choosing;
+}
+
+double height_of(const Museum& museum, std::uint32_t floor) noexcept {
+  return floor < museum.floors.size() ? museum.floors[floor].plan.height : 0;
+}
+
+/// What the guide is about to walk: points at every metre.
+struct AheadPoints {
+  std::array<Vec2, 8> point{};
+  std::size_t count = 0;
+  std::span<const Vec2> span() const noexcept { return {point.data(), count}; }
+};
+
+AheadPoints ahead_of(const Avatar& avatar) noexcept {
+  AheadPoints ahead;
+  const Plan& plan = *avatar.plan;
+  if (plan.points.size() < 2) return ahead;
+  for (double metres = 1; metres <= view_ahead; metres += 1) {
+    if (avatar.along + metres > plan.reach.back() + 1) break;
+    ahead.point[ahead.count++] = point_along(plan, avatar.along + metres);
+  }
+  return ahead;
+}
+
+}  // namespace
+
+Stage::Stage(const Museum& museum) : museum_(museum) {
+  for (const Floor& floor : museum.floors) {
+    std::vector<Vec2>& outline = outlines_.emplace_back();
+    for (const Vec2 p : floor.plan.vertex) outline.push_back(p);
+  }
+}
+
+void Stage::enter(const InterfaceState& state, const Rect& free, float aspect,
+                  const Avatar& leader) noexcept {
+  const bool flies = !entered_ || screen_ != state.screen || free_.x != free.x ||
+                     free_.y != free.y || free_.width != free.width || aspect_ != aspect;
+  const bool long_way = seen_from_above(screen_) != seen_from_above(state.screen);
+  if (state.screen == Screen::Walking && screen_ != Screen::Walking) {
+    yaw_ = rig_.yaw;
+    distance_ = 9;
+  }
+  free_ = free;
+  aspect_ = aspect;
+  screen_ = state.screen;
+  if (leader.floor < outlines_.size())
+    overview_ = overview_of(outlines_[leader.floor], height_of(museum_, leader.floor),
+                            museum_.kiosk.heading, free_, aspect_);
+  if (!entered_) {
+    rig_ = wanted_rig(state, leader);
+    flight_ = 1;
+  } else if (flies) {
+    from_ = rig_;
+    flight_ = 0;
+    flight_seconds_ = long_way ? long_flight_seconds : short_flight_seconds;
+  }
+  entered_ = true;
+}
+
+CameraRig Stage::wanted_rig(const InterfaceState& state, const Avatar& leader) const noexcept {
+  const double height = height_of(museum_, leader.floor);
+  if (state.screen == Screen::Arrived && state.exhibit >= 0) {
+    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
+    return beside(leader.body, exhibit.placement.position, height, free_, aspect_);
+  }
+  if (state.screen == Screen::Walking) {
+    const AheadPoints ahead = ahead_of(leader);
+    CameraRig rig = behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
+    rig.distance = distance_;
+    return rig;
+  }
+  return overview_;
+}
+
+void Stage::advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept {
+  time_ += seconds;
+  way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
+  const AheadPoints ahead = ahead_of(leader);
+  const Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
+  yaw_ = turn_smoothly(yaw_, yaw_towards(walker, leader.body.heading), seconds, turn_time_constant,
+                       most_turn);
+  const double roomy = behind(walker, yaw_, free_, aspect_).distance;
+  distance_ += (roomy - distance_) * (1 - std::exp(-seconds / 0.8));
+
+  flight_ = std::min(1.0, flight_ + seconds / flight_seconds_);
+  const CameraRig wanted = wanted_rig(state, leader);
+  rig_ = flight_ < 1 ? blend(from_, wanted, smooth_step(flight_)) : wanted;
+}
+
+void Stage::show_way(const Plan& plan, DrawList& list) noexcept {
+  ++revision_;
+  way_opacity_ = 0;
+  way_kind_ = plan.order.kind;
+  way_count_ =
+      static_cast<std::uint32_t>(std::min(plan.points.size(), list.ribbon_point.capacity()));
+  way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
+  list.ribbon_point.assign(plan.points.begin(),
+                           plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
+}
+
+void Stage::draw(const InterfaceState& state, const Avatar& leader, bool leads_to_exhibit,
+                 DrawList& list) const noexcept {
+  const double height = height_of(museum_, leader.floor);
+  list.floor = leader.floor;
+  list.camera = view_of(rig_, aspect_);
+  const bool above = seen_from_above(screen_);
+  list.focus = leader.body.position;
+  list.focus_radius = above ? 1e3F : 16.0F;
+  list.goal_radius = 0;
+  list.highlighted_exhibit = state.exhibit;
+
+  list.ribbons.clear();
+  list.markers.clear();
+  const auto mark = [&](MarkerDraw::Kind kind, Vec2 at, float radius, double heading) {
+    list.markers.push_back({.kind = kind,
+                            .position = to_world(at, height),
+                            .radius = radius,
+                            .heading = static_cast<float>(heading)});
+  };
+  if (museum_.kiosk_floor == leader.floor)
+    mark(MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
+  if (above)
+    for (std::size_t i = 0; i < museum_.exhibits.size(); ++i)
+      if (museum_.exhibits[i].floor == leader.floor)
+        mark(static_cast<std::int32_t>(i) == state.exhibit ? MarkerDraw::Kind::SelectedExhibit
+                                                           : MarkerDraw::Kind::Exhibit,
+             museum_.exhibits[i].placement.position, 0.3F, 0);
+  if (!leads_to_exhibit) return;
+
+  if (state.exhibit >= 0) {
+    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
+    list.goal = exhibit.view.position;
+    list.goal_radius = 6;
+    mark(MarkerDraw::Kind::Goal, exhibit.view.position, 0.35F, exhibit.view.heading);
+  }
+  if (way_count_ >= 2)
+    list.ribbons.push_back({.kind = way_kind_,
+                            .first = 0,
+                            .count = way_count_,
+                            .revision = revision_,
+                            .length = way_length_,
+                            .walked = static_cast<float>(leader.along),
+                            .flow = time_ * flow_speed,
+                            .opacity = way_opacity_});
+}
+
+}  // namespace docent

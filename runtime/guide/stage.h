@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "runtime/guide/avatar.h"
+#include "runtime/model/museum.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/control.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// The model on its table: the camera, the way on the floor, the marks. Everything that is drawn
+/// below the interface except the bodies.
+class Stage {
+ public:
+  explicit Stage(const Museum& museum);
+
+  /// A view is entered: which part of the screen it leaves free. The camera flies where it must.
+  void enter(const InterfaceState& state, const Rect& free, float aspect,
+             const Avatar& leader) noexcept;
+  void advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept;
+  /// Fills in camera, light, ways and marks.
+  void draw(const InterfaceState& state, const Avatar& leader, bool leads_to_exhibit,
+            DrawList& list) const noexcept;
+  /// The leader follows another way: its points go into the draw list.
+  void show_way(const Plan& plan, DrawList& list) noexcept;
+
+  bool is_flying() const noexcept { return flight_ < 1; }
+  const CameraRig& rig() const noexcept { return rig_; }
+
+ private:
+  CameraRig wanted_rig(const InterfaceState& state, const Avatar& leader) const noexcept;
+
+  const Museum& museum_;
+  std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
+  CameraRig rig_, from_;
+  double flight_ = 1;          ///< Share of the flight from `from_`.
+  double flight_seconds_ = 1;  ///< What a flight takes.
+  Screen screen_ = Screen::Welcome;
+  bool entered_ = false;
+  Rect free_{0, 0, 1, 1};
+  float aspect_ = 16.0F / 9;
+  double yaw_ = 0;       ///< Of the walking camera; turns slower than the guide.
+  double distance_ = 9;  ///< Of the walking camera.
+  CameraRig overview_;   ///< Of the free part.
+  float time_ = 0;
+  float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
+  std::uint32_t revision_ = 0;
+  RouteKind way_kind_ = RouteKind::Shortest;
+  std::uint32_t way_count_ = 0;
+  float way_length_ = 0;
+};
+
+}  // namespace docent

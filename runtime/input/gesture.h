@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "runtime/input/contact.h"
+
+namespace docent {
+
+/// A finger while it is on the glass.
+struct Finger {
+  Contact start;      ///< Where it came down.
+  Contact at;         ///< Where it is.
+  float seconds = 0;  ///< Since it came down.
+};
+
+/// What a finger meant when it left the glass.
+struct Gesture {
+  enum class Kind : std::uint8_t {
+    Release,    ///< It moved a little or stayed long: whatever it left is pressed.
+    SwipeLeft,  ///< It flicked; in screen directions, whatever the language.
+    SwipeRight,
+  };
+  Kind kind = Kind::Release;
+  Finger finger;
+};
+
+/// Follows every finger on its own: two contacts are two fingers, each with its own gesture.
+class GestureRecogniser {
+ public:
+  /// A finger more than these is not followed.
+  static constexpr std::size_t most_fingers = 10;
+
+  /// Takes an event of the glass; the gesture that it ended, if any. Keys and contacts that never
+  /// came down are passed over.
+  std::optional<Gesture> take(const InputEvent& event) noexcept;
+  void advance(float seconds) noexcept;
+
+  std::span<const Finger> fingers() const noexcept { return {fingers_.data(), count_}; }
+
+ private:
+  Finger* find(std::uint32_t id) noexcept;
+
+  std::array<Finger, most_fingers> fingers_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace docent

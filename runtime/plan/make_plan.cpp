@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/plan/plan.h"
+
+namespace docent {
+namespace {
+
+/// A way is flattened to a millimetre; the ribbon and the camera need no more than this.
+constexpr double ribbon_tolerance = 0.002;
+constexpr std::size_t most_ribbon_points = 2048;
+
+double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
+  const Vec2 d = b - a;
+  const double square = dot(d, d);
+  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
+  return glm::length(p - (a + d * t));
+}
+
+/// Douglas and Peucker 1973: marks which points of [first, last] to keep.
+void mark_kept(std::span<const Vec2> points, std::size_t first, std::size_t last, double tolerance,
+               std::vector<bool>& keep) {
+  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    double worst = tolerance;
+    std::size_t at = a;
+    for (std::size_t i = a + 1; i < b; ++i)
+      if (const double off = distance_to_segment(points[i], points[a], points[b]); off > worst) {
+        worst = off;
+        at = i;
+      }
+    if (at == a) continue;
+    keep[at] = true;
+    open.emplace_back(a, at);
+    open.emplace_back(at, b);
+  }
+}
+
+std::vector<Vec2> simplified(std::span<const Vec2> points) {
+  if (points.size() < 3) return {points.begin(), points.end()};
+  std::vector<Vec2> kept;
+  for (double tolerance = ribbon_tolerance;; tolerance *= 2) {
+    std::vector<bool> keep(points.size(), false);
+    keep.front() = keep.back() = true;
+    mark_kept(points, 0, points.size() - 1, tolerance, keep);
+    kept.clear();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (keep[i]) kept.push_back(points[i]);
+    if (kept.size() <= most_ribbon_points) return kept;
+  }
+}
+
+Placement last_place(const Walk& walk, std::uint32_t frame, const Placement& otherwise) noexcept {
+  if (walk.body.empty()) return otherwise;
+  return walk.body[std::min<std::size_t>(frame, walk.body.size() - 1)];
+}
+
+/// What is left of a plan's way at one of its frames.
+std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
+  if (plan.walk.along.empty() || plan.points.empty()) return {};
+  const double along = plan.walk.along[std::min<std::size_t>(frame, plan.walk.along.size() - 1)];
+  std::vector<Vec2> ahead{last_place(plan.walk, frame, {}).position};
+  for (std::size_t i = 0; i < plan.points.size(); ++i)
+    if (plan.reach[i] > along + 0.02) ahead.push_back(plan.points[i]);
+  return ahead;
+}
+
+/// The way from where the guide is. A body in mid-step may be a little nearer to a corner than its
+/// circle would be: then the way is asked for a slightly thinner one.
+Way find_way(const Museum& museum, const FloorMap& map, const WalkOrder& order, Vec2 from) {
+  RouteQuery query{.kind = order.kind, .from = from, .to = order.goal->position};
+  Way way;
+  for (const double share : {1.0, 0.95, 0.85, 0.6}) {
+    query.radius = museum.body_radius * share;
+    way = route(map, query);
+    if (way.status != RouteStatus::StartBlocked) break;
+  }
+  return way;
+}
+
+Walk walk_along(const Museum& museum, const WalkOrder& order, const Placement& from,
+                std::span<const Vec2> points) {
+  WalkRequest request;
+  request.path = points;
+  request.start = from;
+  std::vector<Vec2> ahead;
+  if (order.goal) request.final_heading = order.goal->heading;
+  if (order.before != nullptr && order.before->walk.joint_count > 0) {
+    ahead = way_ahead(*order.before, order.before_frame);
+    request.before = &order.before->walk;
+    request.before_frame = order.before_frame;
+    request.old_path_ahead = ahead;
+  }
+  if (!museum.motion.clips.empty())
+    if (Result<Walk> walk = make_walk(museum.motion, request); walk && !walk->root.empty())
+      return std::move(*walk);
+  return glide(from, points, request.final_heading);
+}
+
+}  // namespace
+
+Vec2 point_along(const Plan& plan, double metres) noexcept {
+  if (plan.points.empty()) return {};
+  const auto after = std::ranges::upper_bound(plan.reach, metres);
+  if (after == plan.reach.begin()) return plan.points.front();
+  if (after == plan.reach.end()) return plan.points.back();
+  const auto i = static_cast<std::size_t>(after - plan.reach.begin());
+  const double t = (metres - plan.reach[i - 1]) / (plan.reach[i] - plan.reach[i - 1]);
+  return glm::mix(plan.points[i - 1], plan.points[i], t);
+}
+
+std::unique_ptr<Plan> make_plan(const Museum& museum, const FloorMap& map, const WalkOrder& order) {
+  auto plan = std::make_unique<Plan>();
+  plan->order = order;
+  const Placement from = order.before != nullptr
+                             ? last_place(order.before->walk, order.before_frame, order.start)
+                             : order.start;
+  std::vector<Vec2> points;
+  if (order.goal) {
+    Way way = find_way(museum, map, order, from.position);
+    plan->status = way.status;
+    if (way.status != RouteStatus::Ok) return plan;
+    plan->length = way.length;
+    points = std::move(way.points);
+    if (points.size() < 2) points = {from.position, order.goal->position};
+  }
+  plan->status = RouteStatus::Ok;
+  plan->walk = walk_along(museum, order, from, points);
+  plan->points = simplified(points);
+  for (std::size_t i = 0; i < plan->points.size(); ++i)
+    plan->reach.push_back(
+        i == 0 ? 0 : plan->reach.back() + glm::length(plan->points[i] - plan->points[i - 1]));
+  return plan;
+}
+
+std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place) {
+  auto plan = std::make_unique<Plan>();
+  plan->order.start = place;
+  plan->status = RouteStatus::Ok;
+  // A walk begins standing: its first frame is the pose.
+  const std::array path{place.position,
+                        place.position + Vec2{std::cos(place.heading), std::sin(place.heading)}};
+  plan->walk = walk_along(museum, plan->order, place, path);
+  Walk& walk = plan->walk;
+  walk.root.resize(1);
+  walk.rotation.resize(walk.joint_count);
+  walk.plants.resize(1);
+  walk.body.assign(1, place);
+  walk.along.assign(1, 0);
+  walk.gait.assign(1, Gait::Idle);
+  walk.source.resize(1);
+  return plan;
+}
+
+}  // namespace docent

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "runtime/model/museum.h"
+#include "runtime/motion/walk.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+struct Plan;
+
+/// What the guide is asked to do.
+struct WalkOrder {
+  std::uint64_t id = 0;
+  std::uint32_t floor = 0;
+  RouteKind kind = RouteKind::Shortest;
+  std::optional<Placement> goal;  ///< Empty: stop as soon as is natural.
+  Placement start;                ///< Where it stands, where there is no plan in progress.
+  /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
+  /// keeps that plan until the answer to its latest order has come.
+  const Plan* before = nullptr;
+  std::uint32_t before_frame = 0;
+};
+
+/// A way and the walk along it: what the worker answers. Immutable once made.
+struct Plan {
+  WalkOrder order;
+  RouteStatus status = RouteStatus::NoRoute;
+  double length = 0;          ///< Metres of the way.
+  std::vector<Vec2> points;   ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;  ///< Metres along the way of each point.
+  Walk walk;                  ///< At least one frame unless status says there is no way.
+
+  double seconds() const noexcept {
+    return walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
+  }
+};
+
+/// The point `metres` along a plan's way, clamped to its ends.
+Vec2 point_along(const Plan& plan, double metres) noexcept;
+
+/// Finds a way and makes a walk along it. Where the motion graph cannot walk (a museum compiled
+/// without motion), the body glides along the way instead, so the guide still leads there.
+std::unique_ptr<Plan> make_plan(const Museum& museum, const FloorMap& map, const WalkOrder& order);
+
+/// Standing at a place: a plan of one frame.
+std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
+
+/// A walk without a body: turns on the spot, then moves along `path` at walking pace with smooth
+/// starts and stops.
+Walk glide(const Placement& start, std::span<const Vec2> path, std::optional<double> final_heading);
+
+}  // namespace docent

@@ -1,0 +1,76 @@
+#include "runtime/plan/planner.h"
+
+#include <utility>
+
+namespace docent {
+namespace {
+
+/// All texts of a visit in one language; a fourth of it is on the screen.
+constexpr std::size_t text_budget = 6 << 20;
+
+/// Puts a parcel on the belt; while the belt is full, the frame thread is behind and gets time.
+template <typename T, std::size_t n>
+void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& stop) {
+  while (!belt.put(parcel) && !stop.load(std::memory_order_relaxed)) std::this_thread::yield();
+}
+
+}  // namespace
+
+Planner::Planner(const Museum& museum, SetText set_text)
+    : museum_(museum), cache_(std::move(set_text), first_text_texture, text_budget) {
+  for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
+  thread_ = std::thread([this] { work(); });
+}
+
+Planner::~Planner() {
+  stop_ = true;
+  letters_.release();
+  thread_.join();
+}
+
+void Planner::announce() noexcept {
+  asked_.fetch_add(1, std::memory_order_release);
+  letters_.release();
+}
+
+void Planner::ask(const WalkOrder& order) noexcept {
+  orders_.put(order);
+  announce();
+}
+
+void Planner::ask(const ViewRequest& request) noexcept {
+  requests_.put(request);
+  announce();
+}
+
+void Planner::wait() const noexcept {
+  const std::uint64_t asked = asked_.load(std::memory_order_acquire);
+  for (std::uint64_t done = answered_.load(std::memory_order_acquire); done < asked;
+       done = answered_.load(std::memory_order_acquire))
+    answered_.wait(done, std::memory_order_acquire);
+}
+
+void Planner::work() {
+  while (true) {
+    letters_.acquire();
+    if (stop_) return;
+    const std::uint64_t asked = asked_.load(std::memory_order_acquire);
+    if (const auto order = orders_.take()) answer(*order);
+    if (const auto request = requests_.take()) answer(*request);
+    answered_.store(asked, std::memory_order_release);
+    answered_.notify_all();
+  }
+}
+
+void Planner::answer(const WalkOrder& order) {
+  if (order.floor >= maps_.size()) return;
+  send(plans_, make_plan(museum_, *maps_[order.floor], order), stop_);
+}
+
+void Planner::answer(const ViewRequest& request) {
+  std::unique_ptr<View> view = make_view(museum_, request, cache_);
+  if (auto changes = cache_.end_view()) send(texts_, std::move(changes), stop_);
+  send(views_, std::move(view), stop_);
+}
+
+}  // namespace docent

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <semaphore>
+#include <thread>
+#include <vector>
+
+#include "runtime/plan/mailbox.h"
+#include "runtime/plan/plan.h"
+#include "runtime/scene/layout.h"
+#include "runtime/scene/text_cache.h"
+
+namespace docent {
+
+/// The worker that answers routes, walks and views while frames go on. One thread of its own; every
+/// public function but the constructor is for the frame thread, does not wait (but for wait()) and
+/// does not allocate.
+///
+/// Orders and view requests are two letterboxes of which only the latest letter counts: what the
+/// visitor no longer wants is not worked out. Answers come in the order they were made.
+class Planner {
+ public:
+  /// Borrows the museum. Type is set with `set_text`, on the worker only.
+  Planner(const Museum& museum, SetText set_text);
+  ~Planner();
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+
+  void ask(const WalkOrder& order) noexcept;
+  void ask(const ViewRequest& request) noexcept;
+
+  std::unique_ptr<Plan> take_plan() noexcept { return plans_.take(); }
+  std::unique_ptr<View> take_view() noexcept { return views_.take(); }
+  /// Changes of texture memory, to be applied in this order before the views that need them.
+  std::unique_ptr<TextChanges> take_texts() noexcept { return texts_.take(); }
+
+  /// Waits until everything asked so far is answered: for runs that must repeat exactly.
+  void wait() const noexcept;
+
+  const std::vector<std::shared_ptr<const FloorMap>>& maps() const noexcept { return maps_; }
+
+ private:
+  static constexpr std::size_t belt_length = 32;
+
+  void work();
+  void answer(const WalkOrder& order);
+  void answer(const ViewRequest& request);
+  void announce() noexcept;
+
+  const Museum& museum_;
+  std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< One per floor.
+  TextCache cache_;                                    ///< The worker's.
+  LatestMail<WalkOrder> orders_;
+  LatestMail<ViewRequest> requests_;
+  Belt<Plan, belt_length> plans_;
+  Belt<View, belt_length> views_;
+  Belt<TextChanges, belt_length> texts_;
+  std::counting_semaphore<> letters_{0};
+  std::atomic<std::uint64_t> asked_{0}, answered_{0};
+  std::atomic<bool> stop_{false};
+  std::thread thread_;  ///< Last: it uses all of the above.
+};
+
+}  // namespace docent
