@@ -20,6 +20,7 @@ enum class Surface : std::uint8_t {
   Picture,
   Object,
   Ground,
+  Stone,  ///< Floor laid with stone; `Floor` itself is oak.
   Count
 };
 
@@ -28,9 +29,10 @@ enum class Surface : std::uint8_t {
 struct SceneryVertex {
   Vec3 position{};
   Vec3 normal{};
-  std::array<float, 2>
-      uv{};  ///< Floor and Ground: place in the lightmap. Picture: place in the exhibit's image.
-  std::uint8_t sky = 255;  ///< Share of the sky that is seen, of 255.
+  /// Picture: place in the exhibit's image, from its upper left. Everything else: place in the
+  /// lightmap.
+  std::array<float, 2> uv{};
+  std::uint8_t sky = 255;  ///< Share of the sky that is seen, of 255. Glass: its opacity.
   std::uint8_t sun = 255;  ///< Share of the sun's disc that is seen, of 255.
 };
 
@@ -46,8 +48,11 @@ struct Scenery {
   std::vector<SceneryVertex> vertices;
   std::vector<std::uint32_t> indices;  ///< Triangles, counter-clockwise seen from outside.
   std::vector<SceneryPart> parts;
-  /// Light on the floor: one byte of sky and one of sun a texel, row by row from the south-west
-  /// corner.
+  /// Light on the floor, three bytes a texel, row by row from the south-west corner: the share of
+  /// sky, the share of sun, and up to which height the shade stands (of 255 in shade_range), which
+  /// lights what moves.
+  static constexpr std::uint32_t lightmap_channels = 3;
+  static constexpr float shade_range = 2.0F;  ///< Metres above the floor.
   std::uint32_t lightmap_width = 0, lightmap_height = 0;
   Vec2 lightmap_min{}, lightmap_max{};  ///< Floor frame: the rectangle that it covers.
   std::vector<std::byte> lightmap;

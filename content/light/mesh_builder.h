@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "runtime/model/scenery.h"
+
+namespace docent {
+
+/// A convex polygon of the floor frame, counter-clockwise.
+using Outline = std::vector<Vec2>;
+
+/// Gathers triangles by surface and exhibit. Heights are metres above the floor.
+class MeshBuilder {
+ public:
+  /// What the following faces are made of, and whose.
+  void use(Surface surface, std::int32_t exhibit = -1);
+
+  /// A flat four-sided face, corners counter-clockwise seen from outside, world frame.
+  void quad(const std::array<Vec3, 4>& corners, const std::array<std::array<float, 2>, 4>& uv = {});
+  /// The same with a normal of its own and opacities for glass (SceneryVertex::sky of glass).
+  void triangle(const std::array<Vec3, 3>& corners, Vec3 normal);
+  /// A vertical face from `a` to `b` (left to right as it is seen), cut at the given heights.
+  void wall(Vec2 a, Vec2 b, std::span<const double> heights);
+  /// The sides of a prism; smooth where the outline is round.
+  void sides(const Outline& outline, std::span<const double> heights, bool smooth = false);
+  /// A slope from one outline to another with as many corners: a bevel, a step.
+  void slope(const Outline& low, double low_height, const Outline& high, double high_height);
+  /// A level face that looks up.
+  void lid(const Outline& outline, double height);
+
+  /// Opacity of the glass made from now on, of 255.
+  void glass_opacity(std::uint8_t opacity) { opacity_ = opacity; }
+
+  /// Everything gathered, in the order of surface and exhibit.
+  Scenery finish() &&;
+
+ private:
+  std::uint32_t vertex(Vec3 position, Vec3 normal, std::array<float, 2> uv = {});
+
+  std::vector<SceneryVertex> vertices_;
+  std::map<std::pair<Surface, std::int32_t>, std::vector<std::uint32_t>> parts_;
+  std::vector<std::uint32_t>* indices_ = nullptr;
+  std::uint8_t opacity_ = 255;
+};
+
+/// The outline with every side moved inwards by `distance`; outwards where it is negative.
+Outline inset(const Outline& outline, double distance);
+
+/// A rectangle about `centre`: `half` across and along `heading`.
+Outline rectangle(Vec2 centre, double heading, Vec2 half);
+
+}  // namespace docent

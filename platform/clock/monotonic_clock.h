@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace docent {
+
+/// Time that only moves forward (CLOCK_MONOTONIC): nanoseconds since some fixed moment.
+std::chrono::nanoseconds monotonic_now() noexcept;
+
+/// Measures the time between frames.
+class FrameClock {
+ public:
+  FrameClock() noexcept : last_(monotonic_now()) {}
+
+  /// Time since the last call, or since construction: between zero and a tenth of a second, so that
+  /// a debugger's pause or a suspended machine does not make the guide leap.
+  std::chrono::duration<float> since_last_frame() noexcept;
+
+ private:
+  std::chrono::nanoseconds last_;
+};
+
+}  // namespace docent

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+namespace docent {
+
+struct PixelSize {
+  std::uint32_t width = 0, height = 0;
+  bool operator==(const PixelSize&) const = default;
+};
+
+/// How the framebuffer stores colours.
+enum class Encoding : std::uint8_t {
+  Srgb,   ///< It encodes linear colours itself and blends in linear light.
+  Plain,  ///< It keeps what it is given: the window system's own framebuffers.
+};
+
+/// Clockwise, as the panel is mounted.
+enum class Rotation : std::uint8_t { None, Quarter, Half, ThreeQuarters };
+
+/// Where the renderer draws a frame. `size` is what the visitor sees, after rotation.
+struct RenderTarget {
+  std::uint32_t framebuffer = 0;  ///< OpenGL's name; 0 is the window's own.
+  PixelSize size;
+  Encoding encoding = Encoding::Plain;
+  Rotation rotation = Rotation::None;  ///< Only of a Plain target.
+};
+
+/// Where frames go: a screen, a window, or memory. Its OpenGL context is current on the thread that
+/// made it, and only that thread may call it.
+class Display {
+ public:
+  Display() = default;
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+  virtual ~Display() = default;
+
+  /// Waits until the last frame is shown and the next may be drawn. False when the display has gone
+  /// for good: its window was closed.
+  virtual bool wait_for_page_flip() noexcept = 0;
+  /// Where to draw the next frame; ask again each frame, since a window may have been resized.
+  virtual RenderTarget target() const noexcept = 0;
+  /// Shows what was drawn: queues the next page flip.
+  virtual void present() noexcept = 0;
+};
+
+}  // namespace docent
