@@ -1,0 +1,87 @@
+#include "content/motion/classify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "content/import/motion_body.h"
+#include "content/motion/extract_root_motion.h"
+
+namespace docent {
+namespace {
+
+// Speeds of adults, m/s. Walking ends, and running begins, at about 2 m/s (Bertram 2005).
+constexpr double standing = 0.25, slowest_walk = 0.35, fastest_walk = 2.2;
+constexpr double least_turn = 20 * std::numbers::pi / 180;
+constexpr double most_airborne =
+    0.12;                           // A walk always has a foot on the ground; plants are strict.
+constexpr double crouching = 0.75;  // Hips lower than this share of the leg's length.
+
+double mean(const std::vector<double>& values, std::size_t first, std::size_t last) {
+  double sum = 0;
+  for (std::size_t f = first; f < last; ++f) sum += values[f];
+  return last > first ? sum / static_cast<double>(last - first) : 0;
+}
+
+}  // namespace
+
+ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track) {
+  const std::vector<Placement> body = extract_root_motion(skeleton, clip, track);
+  const std::vector<double> speed = body_speed(body, clip.frame_rate);
+  const double size = size_of(skeleton), leg = leg_length(skeleton);
+  const std::size_t frames = speed.size();
+  const std::size_t quarter = std::min<std::size_t>(frames, frames_in(0.25, clip.frame_rate));
+
+  ClipMeasures measures{.first_speed = mean(speed, 0, quarter),
+                        .last_speed = mean(speed, frames - quarter, frames),
+                        .turned = body.back().heading - body.front().heading};
+  std::vector<double> moving, hips;
+  std::size_t airborne = 0;
+  for (std::size_t f = 0; f < frames; ++f) {
+    hips.push_back(track.at(f, 0).y);
+    if (speed[f] < standing * size) continue;
+    moving.push_back(speed[f]);
+    airborne += !clip.plants[f].left && !clip.plants[f].right;
+  }
+  if (leg > 0) measures.lowest_hips = std::ranges::min(hips) / leg;
+  if (!moving.empty()) {
+    measures.airborne = static_cast<double>(airborne) / static_cast<double>(moving.size());
+    std::ranges::nth_element(moving,
+                             moving.begin() + static_cast<std::ptrdiff_t>(moving.size() / 2));
+    measures.typical_speed = moving[moving.size() / 2];
+  }
+  return measures;
+}
+
+ClipRole classify(const ClipMeasures& m, double size) {
+  const bool walks = m.typical_speed > slowest_walk * size &&
+                     m.typical_speed < fastest_walk * size && m.airborne < most_airborne &&
+                     m.lowest_hips > crouching;
+  const bool stands_first = m.first_speed < standing * size;
+  const bool stands_last = m.last_speed < standing * size;
+  if (!walks || (stands_first && stands_last)) return ClipRole::Other;
+  if (stands_first) return ClipRole::Start;
+  if (stands_last) return ClipRole::Stop;
+  if (m.turned > least_turn) return ClipRole::TurnLeft;
+  return m.turned < -least_turn ? ClipRole::TurnRight : ClipRole::Walk;
+}
+
+const char* name_of(ClipRole role) {
+  switch (role) {
+    case ClipRole::Walk:
+      return "walk";
+    case ClipRole::Start:
+      return "start";
+    case ClipRole::Stop:
+      return "stop";
+    case ClipRole::TurnLeft:
+      return "turn-left";
+    case ClipRole::TurnRight:
+      return "turn-right";
+    case ClipRole::Other:
+      break;
+  }
+  return "other";
+}
+
+}  // namespace docent

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "content/motion/track.h"
+
+namespace docent {
+
+/// What a clip does, measured on its body (sway taken out).
+struct ClipMeasures {
+  double first_speed = 0, last_speed = 0;  ///< m/s over the first and last quarter of a second.
+  double typical_speed = 0;                ///< m/s, the median while the body moves.
+  double turned = 0;                       ///< Radians from first to last, counter-clockwise.
+  double airborne = 0;                     ///< Share of the moving frames without a planted foot.
+  double lowest_hips = 0;                  ///< Hips' least height over the leg's length.
+};
+
+ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track);
+
+/// The role that the measures speak for: a start stands first and walks last, a stop the other way
+/// round; a turn changes the heading by more than 20 degrees. What stands throughout, runs, jumps,
+/// dances, crouches or walks backwards is Other. `size` is the body's, against an adult.
+ClipRole classify(const ClipMeasures& measures, double size);
+
+/// "turn-left", as reports and clips.toml write it.
+const char* name_of(ClipRole role);
+
+}  // namespace docent

@@ -1,0 +1,65 @@
+#include "content/motion/compile_motion.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "content/content_error.h"
+#include "content/import/motion_folder.h"
+#include "content/motion/resample.h"
+
+namespace docent {
+namespace {
+
+/// Do two recordings show the same body? Names and bones must agree, to a millimetre.
+bool same_skeleton(const Skeleton& a, const Skeleton& b) {
+  return std::ranges::equal(a.joint, b.joint, [](const Joint& p, const Joint& q) {
+    return p.name == q.name && p.parent == q.parent && glm::distance(p.offset, q.offset) < 1e-3f;
+  });
+}
+
+/// The skeleton that most recordings share; of equally many the one that comes first.
+const Skeleton& commonest_skeleton(const std::vector<FolderMotion>& motions) {
+  std::size_t best = 0, most = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto alike = static_cast<std::size_t>(std::ranges::count_if(motions, [&](const auto& m) {
+      return same_skeleton(motions[i].motion.skeleton, m.motion.skeleton);
+    }));
+    if (alike > most) most = alike, best = i;
+  }
+  return motions[best].motion.skeleton;
+}
+
+}  // namespace
+
+MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,
+                           std::vector<Diagnostic>& problems) {
+  std::vector<FolderMotion> motions = read_motion_folder(folder, problems);
+  const Skeleton skeleton = commonest_skeleton(motions);
+  double rate = 0;
+  for (const FolderMotion& m : motions)
+    if (same_skeleton(m.motion.skeleton, skeleton)) rate = std::max(rate, m.motion.clip.frame_rate);
+
+  std::vector<SourceClip> sources;
+  for (FolderMotion& m : motions) {
+    if (!same_skeleton(m.motion.skeleton, skeleton)) {
+      problems.push_back({.file = m.file,
+                          .severity = Severity::Warning,
+                          .code = "other-skeleton",
+                          .message = "this clip is of another body than most of the folder and is "
+                                     "left out",
+                          .hint = "keep the clips of one person in one folder"});
+      continue;
+    }
+    MotionClip& clip = m.motion.clip;
+    sources.push_back({.clip = clip.frame_rate == rate ? std::move(clip) : resample(clip, rate),
+                       .file = m.file,
+                       .role_stated = m.role.has_value()});
+    if (m.role) sources.back().clip.role = *m.role;
+    if (!m.motion_class.empty()) sources.back().clip.motion_class = m.motion_class;
+  }
+  return make_motion_graph(skeleton, std::move(sources), folder.string(), options, problems);
+}
+
+}  // namespace docent

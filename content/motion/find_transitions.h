@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "content/motion/capture_faults.h"
+#include "content/motion/pose_distance.h"
+#include "runtime/model/motion/motion_graph.h"
+
+namespace docent {
+
+/// How alike two passages must be, and how long a blend is.
+struct TransitionOptions {
+  /// Seconds to each side of a transition's middle: the comparison's window and the blend. Kovar,
+  /// Gleicher and Pighin blend over a third of a second.
+  double radius = 0.15;
+  /// Poses count as alike up to the distance that a body's own motion covers in this time (seconds,
+  /// the median over all frames that move), so the threshold grows with the body and its
+  /// liveliness.
+  double alike_within = 0.08;
+  /// Seconds round a transition within which no other between the same clips is kept.
+  double apart = 0.06;
+};
+
+/// What transitions are judged by, one entry per clip.
+struct StudiedClips {
+  std::vector<PoseCloud> cloud;
+  std::vector<std::vector<CaptureFault>> faults;
+};
+
+/// The largest distance (metres) at which poses of these clips count as alike.
+double alike_threshold(const std::vector<MotionClip>& clips, const StudiedClips& studied,
+                       const TransitionOptions& options);
+
+/// Finds the passages between clips, and within a clip, that can be blended into each other: local
+/// minima of the pose distance below `threshold` where the same feet are planted. Both directions
+/// of each are returned, sorted as MotionGraph wants them.
+///
+/// A blend's radius is shortened where it would reach over the end of a clip (section 3.1.3 of the
+/// paper), down to half; windows that touch a fault of capture are left out. Works on `jobs`
+/// threads; the result does not depend on how many.
+std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
+                                         const StudiedClips& studied, double threshold,
+                                         const TransitionOptions& options, unsigned jobs);
+
+}  // namespace docent

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "content/motion/track.h"
+
+namespace docent {
+
+/// Finds in which frames each foot's toe joint rests on the ground, and writes `clip.plants`.
+///
+/// A foot is put down when its toe joint is low and slow, and lifted when it is clearly high or
+/// fast (hysteresis), so a plant neither flickers nor ends while the heel is already rising. Low is
+/// measured from where that foot rests in this clip, because the floor of a recording lies some
+/// centimetres off. Clips without feet get no plants.
+void find_foot_plants(const Skeleton& skeleton, const Track& track, MotionClip& clip);
+
+/// The height at which planted toe joints rest, the mean of both feet's medians; 0 without plants.
+double planted_height(const Skeleton& skeleton, const Track& track, const MotionClip& clip);
+
+/// Moves the clips up or down so that all stand on one floor, y = 0.
+///
+/// The recordings' own floor is right on average (a laboratory is calibrated), so the clips are
+/// levelled to the median of their planted heights. Where that is no height for a toe joint the
+/// floor was elsewhere, and the toes are put where toes are: 2.5 cm up.
+void level_ground(const Skeleton& skeleton, std::vector<MotionClip>& clips,
+                  std::vector<Track>& tracks);
+
+}  // namespace docent

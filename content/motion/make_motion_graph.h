@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "content/motion/find_transitions.h"
+#include "runtime/model/diagnostic.h"
+#include "runtime/model/motion/motion_graph.h"
+
+namespace docent {
+
+struct MotionOptions {
+  TransitionOptions transitions{};
+  unsigned jobs = 1;  ///< Threads. The result is the same for any number.
+};
+
+/// A clip on its way into the graph, and the file to name when something is wrong with it.
+struct SourceClip {
+  MotionClip clip;
+  std::string file;
+  bool role_stated = false;  ///< By clips.toml; otherwise the motion decides.
+};
+
+/// Makes a motion graph of clips that share a skeleton and a frame rate: levels their ground, finds
+/// foot plants, roles and faults of capture, then transitions, and keeps what never dead-ends.
+///
+/// Clips that do not walk are left out with a warning, and so is what no transition reaches.
+/// Throws ContentError (about `folder`) where no clip starts, none stops, or no walk leads from a
+/// start to a stop. Deterministic.
+MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> sources,
+                              const std::string& folder, const MotionOptions& options,
+                              std::vector<Diagnostic>& warnings);
+
+}  // namespace docent
