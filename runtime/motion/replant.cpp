@@ -34,8 +34,10 @@ Shift hermite(Shift from, Shift from_slope, Shift to, Shift to_slope, float t) n
 
 struct Contact {
   std::size_t first = 0, end = 0;  ///< Frames [first, end).
-  Foot anchor;
+  Vec3 anchor{};                   ///< Where the toe joint stays.
   float heading = 0;
+  float rise = 0;  ///< Levels the ground: the toe keeps its own movement up and down, which is
+                   ///< the foot's rolling.
 };
 
 class Replanting {
@@ -66,7 +68,8 @@ class Replanting {
   void start_from(const FootStart& start, bool planted) {
     const Shift first = shift_to(start.foot.toe, start_heading(start.foot), 0);
     if (planted && !contacts_.empty() && contacts_.front().first == 0) {
-      contacts_.front().anchor.toe = start.foot.toe;
+      contacts_.front().anchor = start.foot.toe;
+      contacts_.front().rise = start.foot.toe.y - feet_.front().toe.y;
       contacts_.front().heading = start_heading(start.foot);
       return;
     }
@@ -77,8 +80,10 @@ class Replanting {
 
   void apply() {
     for (const Contact& c : contacts_)
-      for (std::size_t f = c.first; f < c.end; ++f)
-        shift_[f] = shift_to(c.anchor.toe, c.heading, f);
+      for (std::size_t f = c.first; f < c.end; ++f) {
+        shift_[f] = shift_to(c.anchor, c.heading, f);
+        shift_[f].place.y = c.rise;
+      }
     bridge_gaps();
     for (std::size_t f = 0; f < feet_.size(); ++f) {
       feet_[f].toe += shift_[f].place;
@@ -99,7 +104,7 @@ class Replanting {
 
   /// A contact's place: the mean over its middle half, where the foot is flat.
   Contact anchored(std::size_t first, std::size_t end) const {
-    Contact c{first, end, {}, 0};
+    Contact c{first, end, {}, 0, 0};
     const std::size_t quarter = (end - first) / 4;
     Vec3 sum{};
     float heading = 0, count = 0;
@@ -107,8 +112,8 @@ class Replanting {
       sum += feet_[f].toe;
       heading += heading_[f];
     }
-    c.anchor.toe = sum / count;
-    c.anchor.toe.y = rest_;
+    c.anchor = sum / count;
+    c.rise = rest_ - c.anchor.y;
     c.heading = heading / count;
     return c;
   }
@@ -153,7 +158,7 @@ class Replanting {
   }
 
   void keep_above_ground() {
-    for (Foot& foot : feet_) foot.toe.y = std::max(foot.toe.y, rest_ - 0.001f);
+    for (Foot& foot : feet_) foot.toe.y = std::max(foot.toe.y, rest_ - 0.02f);
   }
 
   const Leg& leg_;
