@@ -8,6 +8,10 @@
 
 namespace docent {
 
+void TouchDevice::Close::operator()(hid_device_* device) const noexcept {
+  hid_close(device);
+}
+
 Result<TouchDevice> TouchDevice::open(const std::string& path) {
   errno = 0;
   Handle handle(hid_open_path(path.c_str()));

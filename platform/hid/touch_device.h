@@ -7,12 +7,9 @@
 #include <span>
 #include <string>
 
-#include "platform/handle.h"
 #include "runtime/model/result.h"
 
-// hidapi's handle, so that only this folder includes hidapi
-struct hid_device_;
-extern "C" void hid_close(hid_device_*);
+struct hid_device_;  // hidapi's handle
 
 namespace docent {
 
@@ -31,7 +28,10 @@ class TouchDevice {
   bool is_present() const noexcept { return handle_ != nullptr; }
 
  private:
-  using Handle = std::unique_ptr<hid_device_, CloseWith<hid_close>>;
+  struct Close {
+    void operator()(hid_device_* device) const noexcept;
+  };
+  using Handle = std::unique_ptr<hid_device_, Close>;
   explicit TouchDevice(Handle handle) : handle_(std::move(handle)) {}
 
   Handle handle_;
