@@ -350,9 +350,6 @@ FloorPlan to_floor_plan(const std::vector<std::vector<Vec2>>& rings) {
 
 FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings) {
   const Reporter reporter(imported.files, mendings);
-  for (const LeftOut& thing : imported.left_out)
-    reporter.warn(thing.place, "not-an-area",
-                  fmt::format("a {} is no area and is left out", thing.what));
   check_size(imported);
 
   const std::vector<DrawnRing> drawn = tidy(collect(imported), &reporter);
