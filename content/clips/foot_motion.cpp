@@ -1,0 +1,157 @@
+#include "content/clips/foot_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include "content/clips/gait_figures.h"
+#include "content/clips/gait_skeleton.h"
+
+namespace docent {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+
+/// Seconds of a whole cycle, for the shares of stance: stance takes 60 % of it.
+double cycle_of(const Footstep& step) {
+  const double stance = step.toe_off - step.strike;
+  return std::clamp(stance / gait_figures::stance_share, 0.9, 1.5);
+}
+
+double pitch_at_strike(const Footstep& step) {
+  // A foot that closes up beside the other comes down almost flat.
+  return gait_figures::strike_pitch * radians * std::clamp(1.35 * step.length_in - 0.35, 0.05, 1.1);
+}
+double pitch_at_toe_off(const Footstep& step) {
+  return gait_figures::toe_off_pitch * radians *
+         std::clamp(0.35 + 0.65 * step.length_out, 0.0, 1.1);
+}
+
+/// From `value` with `rate` (per unit of share) at share 0 to nothing at 1, with no velocity or
+/// acceleration there: a quintic with no acceleration at 0 either.
+double settle(double value, double rate, double share) {
+  const double t = std::clamp(share, 0.0, 1.0);
+  const double t3 = t * t * t;
+  return value * (1 - t3 * (10 - 15 * t + 6 * t * t)) + rate * (t - t3 * (6 - 8 * t + 3 * t * t));
+}
+
+/// Ankle of a foot that turns about a point of the ground `forward` of the ankle's own place, at
+/// `height` over the floor.
+glm::dvec3 ankle_about(GroundPoint ankle, double yaw, double pitch, double forward, double height) {
+  const double along = -forward;  // From the pivot to the ankle, flat.
+  const double up = walker::ankle_height - height;
+  const double z = along * std::cos(pitch) - up * std::sin(pitch);
+  const double y = along * std::sin(pitch) + up * std::cos(pitch);
+  const GroundPoint ground = ankle + forward_of(yaw) * (forward + z);
+  return {ground.x, height + y, ground.y};
+}
+
+FootPose stance_pose(const Footstep& step, double time) {
+  const double cycle = cycle_of(step);
+  const double flat = step.strike + gait_figures::flat_share * cycle;
+  const double heel_off =
+      step.toe_off - (gait_figures::stance_share - gait_figures::heel_off_share) * cycle;
+  FootPose pose{.yaw = step.yaw};
+  if (time < flat) {
+    const double share = (time - step.strike) / (flat - step.strike);
+    pose.pitch = settle(pitch_at_strike(step), -0.9 * pitch_at_strike(step), share);
+    pose.toe_pitch = pose.pitch;
+    pose.ankle = ankle_about(step.ankle, step.yaw, pose.pitch, -walker::heel_behind, 0);
+    return pose;
+  }
+  if (time > heel_off) {
+    const double share = 1 - (time - heel_off) / (step.toe_off - heel_off);
+    // Slowly at first, then quicker and quicker until the toes leave.
+    pose.pitch = settle(pitch_at_toe_off(step), -2.1 * pitch_at_toe_off(step), share);
+  }
+  pose.ankle =
+      ankle_about(step.ankle, step.yaw, pose.pitch, walker::ankle_to_ball, walker::ball_height);
+  return pose;
+}
+
+/// The ball of the foot under an ankle.
+glm::dvec3 ball_of(const FootPose& pose) {
+  const double down = walker::ball_height - walker::ankle_height;
+  const double z = walker::ankle_to_ball * std::cos(pose.pitch) - down * std::sin(pose.pitch);
+  const double y = walker::ankle_to_ball * std::sin(pose.pitch) + down * std::cos(pose.pitch);
+  const GroundPoint forward = forward_of(pose.yaw);
+  return pose.ankle + glm::dvec3{forward.x * z, y, forward.y * z};
+}
+
+/// A pose and how fast it changes, a second.
+struct MovingFoot {
+  glm::dvec3 ball{}, velocity{};
+  double pitch = 0, pitch_rate = 0;
+};
+
+MovingFoot moving_at(const Footstep& step, double time, double dt) {
+  const FootPose now = stance_pose(step, time);
+  const FootPose then = stance_pose(step, time + dt);
+  return {ball_of(now), (ball_of(then) - ball_of(now)) / dt, now.pitch,
+          (then.pitch - now.pitch) / dt};
+}
+
+/// Quintic from a to b with given velocities and no acceleration at the ends; u in [0, 1], the
+/// velocities per unit of u.
+template <typename T>
+T quintic(T a, T velocity_a, T b, T velocity_b, double u) {
+  const double u3 = u * u * u;
+  const double h = u3 * (10 - 15 * u + 6 * u * u);
+  const double start = u - u3 * (6 - 8 * u + 3 * u * u);
+  const double end = u3 * (-4 + 7 * u - 3 * u * u);
+  return a * (1 - h) + b * h + velocity_a * start + velocity_b * end;
+}
+
+/// A curve through swing: stance's own value and velocity at both ends, and between them knots of
+/// the normative curve, scaled.
+double through_swing(double from, double from_rate, std::span<const gait_figures::Knot> inside,
+                     double offset, double scale, double to, double to_rate, double u) {
+  std::vector<gait_figures::Knot> knots{{0, from}};
+  for (const gait_figures::Knot& knot : inside)
+    knots.push_back({knot.at, offset + scale * knot.value});
+  knots.push_back({1, to});
+  return spline(knots, from_rate, to_rate, u);
+}
+
+FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
+  constexpr double tick = 1e-4;
+  const double duration = to.strike - from.toe_off;
+  const double u = (time - from.toe_off) / duration;
+  const MovingFoot off = moving_at(from, from.toe_off - tick, tick);
+  const MovingFoot on = moving_at(to, to.strike, tick);
+  const double full = std::clamp(to.length_in, 0.0, 1.1);
+
+  FootPose pose;
+  pose.yaw = from.yaw + (to.yaw - from.yaw) * ease((u - 0.05) / 0.85);
+  pose.pitch = through_swing(off.pitch, off.pitch_rate * duration, gait_figures::swing_pitch(), 0,
+                             radians * (0.3 + 0.7 * full), on.pitch, on.pitch_rate * duration, u);
+
+  glm::dvec3 ball = quintic(off.ball, off.velocity * duration, on.ball, on.velocity * duration, u);
+  ball.y = through_swing(off.ball.y, off.velocity.y * duration, gait_figures::swing_ball_rise(),
+                         walker::ball_height, 0.45 + 0.55 * full, on.ball.y,
+                         on.velocity.y * duration, u);
+  const double down = walker::ball_height - walker::ankle_height;
+  const double z = walker::ankle_to_ball * std::cos(pose.pitch) - down * std::sin(pose.pitch);
+  const double y = walker::ankle_to_ball * std::sin(pose.pitch) + down * std::cos(pose.pitch);
+  const GroundPoint forward = forward_of(pose.yaw);
+  pose.ankle = ball - glm::dvec3{forward.x * z, y, forward.y * z};
+
+  // The toes leave the floor last, then straighten.
+  pose.toe_pitch = pose.pitch * ease(u / 0.30);
+  return pose;
+}
+
+}  // namespace
+
+FootPose foot_at(std::span<const Footstep> placings, double time) {
+  std::size_t k = 0;
+  while (k + 1 < placings.size() && placings[k + 1].strike <= time) ++k;
+  const Footstep& step = placings[k];
+  if (time <= step.toe_off || k + 1 == placings.size()) return stance_pose(step, time);
+  return swing_pose(step, placings[k + 1], time);
+}
+
+}  // namespace docent

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace docent {
+
+/// The ground of a gait clip: x to the left of the first walking direction, z along it, so that a
+/// heading of 0 looks along +z and turning left is positive. Metres and radians.
+using GroundPoint = glm::dvec2;
+GroundPoint forward_of(double heading) noexcept;
+GroundPoint left_of_heading(double heading) noexcept;
+
+enum class Foot : std::uint8_t { Left, Right };
+constexpr Foot other(Foot foot) noexcept {
+  return foot == Foot::Left ? Foot::Right : Foot::Left;
+}
+constexpr double sign_of(Foot foot) noexcept {
+  return foot == Foot::Left ? 1.0 : -1.0;
+}
+
+/// One placing of a foot, from its heel strike to its toe-off. Times in seconds.
+struct Footstep {
+  Foot foot = Foot::Left;
+  GroundPoint ankle{};    ///< Under the ankle while the foot is flat.
+  double yaw = 0;         ///< Where the foot points.
+  double heading = 0;     ///< Where the body goes, halfway through the step that ends here.
+  double strike = 0;      ///< Before all time for the feet that stand at the start.
+  double toe_off = 0;     ///< After all time for those that stand at the end.
+  double length_in = 0;   ///< Of the step that ends here, as a share of a full step.
+  double length_out = 0;  ///< Of the step that this foot takes next, likewise.
+};
+
+/// What a clip is asked to do. The plan's clock is 0 where the way is: in the middle of the turn,
+/// when the first step is begun, or when the last foot comes down.
+struct GaitPlan {
+  double speed = 1.1;       ///< Metres a second on the straight.
+  double turn = 0;          ///< Radians, left positive; begins and ends straight.
+  double turn_speed = 1.1;  ///< Metres a second in the middle of the turn.
+  double turn_length = 1;   ///< Metres of way that the turn takes.
+  enum class Kind : std::uint8_t { Walking, FromStanding, ToStanding } kind = Kind::Walking;
+  Foot first = Foot::Left;  ///< Which foot is placed at (or nearest before) time 0.
+  std::uint32_t seed = 1;   ///< Of the variation from step to step.
+};
+
+/// The footsteps of a plan, by time of strike, from well before to well after any clip's frames.
+///
+/// Feet fall on both sides of a line; on a bend the inner foot's steps are therefore shorter and
+/// its toes turn further. Speed, step length and cadence keep the walk ratio. From standing the
+/// first step is short, to standing the last ones are and the feet end side by side.
+std::vector<Footstep> plan_footsteps(const GaitPlan& plan);
+
+/// Seconds that a step takes at a speed, and its length, in metres.
+double step_duration(double speed) noexcept;
+double step_length(double speed) noexcept;
+
+}  // namespace docent
