@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
 
 namespace docent {
 namespace {
@@ -89,11 +90,6 @@ double MotionText::next_number(std::string_view what) {
   if (!std::isfinite(*value) || std::abs(*value) > largest_number)
     throw error("bad-number", fmt::format("{} is {}, which no recording holds", what, shown(word)));
   return *value;
-}
-
-std::optional<double> MotionText::try_number() {
-  if (!number_in(peek_word())) return {};
-  return next_number("the value");
 }
 
 std::size_t MotionText::next_count(std::string_view what, std::size_t at_most) {

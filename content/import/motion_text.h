@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,8 +25,6 @@ class MotionText {
   std::string_view rest_of_line();
   /// A finite number of at most 1e9; throws ContentError naming `what` otherwise.
   double next_number(std::string_view what);
-  /// The next number if the next word is one.
-  std::optional<double> try_number();
   /// A whole number from 0 to `at_most`.
   std::size_t next_count(std::string_view what, std::size_t at_most);
   /// Takes the next word if it is `word`, without regard to case.

@@ -10,6 +10,7 @@ struct ClipMeasures {
   double typical_speed = 0;                ///< m/s, the median while the body moves.
   double turned = 0;                       ///< Radians from first to last, counter-clockwise.
   double airborne = 0;                     ///< Share of the moving frames without a planted foot.
+  double astray = 0;                       ///< Share of them that moves aside or backwards.
   double lowest_hips = 0;                  ///< Hips' least height over the leg's length.
 };
 
