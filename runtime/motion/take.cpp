@@ -85,7 +85,9 @@ void find_body(const WalkGraph& graph, Take& take) {
 
 constexpr float touching_height = 0.015f;  // metres above the toe joint's resting height
 constexpr float rolling_height = 0.03f;   // metres: contact lasts until the toe has left the ground
-constexpr float landing_speed = 0.35f;    // metres a second of the toe joint
+constexpr float flat_height = 0.02f;      // metres above the ankle joint's resting height
+constexpr float rolling_speed = 0.35f;    // metres a second of the toe joint
+constexpr float landing_speed = 1.2f;     // metres a second: a flat foot brakes from it at once
 constexpr double shortest_contact = 0.1;  // seconds
 constexpr double longest_gap = 0.05;      // seconds
 
@@ -113,11 +115,13 @@ void find_contacts(const WalkGraph& graph, Take& take, Side side) {
   const std::size_t frames = take.root.size();
   const std::size_t joints = graph.motion->skeleton.joint.size();
   const Leg& leg = graph.legs[side];
-  std::vector<Vec3> toe(frames);
+  std::vector<Vec3> toe(frames), ankle(frames);
   std::vector<bool> planted(frames);
   for (std::size_t f = 0; f < frames; ++f) {
     const PoseView pose{take.root[f], std::span(take.rotation).subspan(f * joints, joints)};
-    toe[f] = foot_of(graph.motion->skeleton, leg, pose).toe;
+    const LegPose at = leg_pose(graph.motion->skeleton, leg, pose);
+    toe[f] = at.position[leg.toe];
+    ankle[f] = at.position[leg.ankle];
     const FootPlants plants = graph.motion->clips[take.source[f].clip].plants[take.source[f].frame];
     planted[f] = side == Side::Left ? plants.left : plants.right;
   }
@@ -128,15 +132,19 @@ void find_contacts(const WalkGraph& graph, Take& take, Side side) {
     return std::hypot(step.x, step.z) * static_cast<float>(graph.frame_rate) /
            static_cast<float>(std::max<std::size_t>(b - a, 1));
   };
-  const auto stays = [&](std::size_t f, float height) {
-    return toe[f].y < rest + height && speed(f) < landing_speed;
+  const auto rolls = [&](std::size_t f) {
+    return toe[f].y < rest + rolling_height && speed(f) < rolling_speed;
+  };
+  const auto has_landed = [&](std::size_t f) {
+    const bool flat = ankle[f].y < graph.ankle_height[index_of(side)] + flat_height;
+    return toe[f].y < rest + touching_height && speed(f) < (flat ? landing_speed : rolling_speed);
   };
   std::vector<bool>& contact = take.contact[index_of(side)];
   contact = planted;
   for (std::size_t f = 1; f < frames; ++f)
-    if (contact[f - 1] && stays(f, rolling_height)) contact[f] = true;
+    if (contact[f - 1] && rolls(f)) contact[f] = true;
   for (std::size_t f = frames; f-- > 1;)
-    if (contact[f] && stays(f - 1, touching_height)) contact[f - 1] = true;
+    if (contact[f] && has_landed(f - 1)) contact[f - 1] = true;
   tidy_contacts(contact, graph.frame_rate);
 }
 
