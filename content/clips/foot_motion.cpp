@@ -14,6 +14,10 @@ namespace docent {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
+/// Of the heel at the end of a full swing, metres a second (Winter 1992: 0.4 to 1).
+constexpr double strike_speed = 0.55;
+/// By how much of a stride the foot is ahead of a smooth way, at most.
+constexpr double early_progress = 0.085;
 
 /// Seconds of a whole cycle, for the shares of stance: stance takes 60 % of it.
 double cycle_of(const Footstep& step) {
@@ -105,15 +109,44 @@ T quintic(T a, T velocity_a, T b, T velocity_b, double u) {
   return a * (1 - h) + b * h + velocity_a * start + velocity_b * end;
 }
 
-/// A curve through swing: stance's own value and velocity at both ends, and between them knots of
-/// the normative curve, scaled.
-double through_swing(double from, double from_rate, std::span<const gait_figures::Knot> inside,
-                     double offset, double scale, double to, double to_rate, double u) {
-  std::vector<gait_figures::Knot> knots{{0, from}};
-  for (const gait_figures::Knot& knot : inside)
-    knots.push_back({knot.at, offset + scale * knot.value});
-  knots.push_back({1, to});
-  return spline(knots, from_rate, to_rate, u);
+/// A value at an end of swing and how fast it changes there, over the whole swing.
+struct SwingEnd {
+  double value, rate;
+};
+
+/// A curve through swing: stance's own value and velocity at both ends, `inside` between them.
+double through_swing(SwingEnd off, std::span<const gait_figures::Knot> inside, SwingEnd on,
+                     double u) {
+  std::vector<gait_figures::Knot> knots{{0, off.value}};
+  knots.insert(knots.end(), inside.begin(), inside.end());
+  knots.push_back({1, on.value});
+  return spline(knots, off.rate, on.rate, u);
+}
+
+/// The normative pitch, its toes-down part as deep as this toe-off, its toes-up part as high as
+/// this strike.
+double swing_pitch(const MovingFoot& off, const MovingFoot& on, double duration, double u) {
+  const double push = off.pitch / gait_figures::toe_off_pitch;
+  const double strike = on.pitch / gait_figures::strike_pitch;
+  std::vector<gait_figures::Knot> inside;
+  for (const gait_figures::Knot& knot : gait_figures::swing_pitch())
+    inside.push_back({knot.at, knot.value * (knot.value < 0 ? push : strike)});
+  return through_swing({off.pitch, off.pitch_rate * duration}, inside,
+                       {on.pitch, on.pitch_rate * duration}, u);
+}
+
+/// The normative rise of the ball of the foot: lower for a short step, and in its last part only as
+/// high as the toes are up.
+double swing_height(const MovingFoot& off, const MovingFoot& on, double duration, double length,
+                    double u) {
+  const double strike = on.pitch / (radians * gait_figures::strike_pitch);
+  std::vector<gait_figures::Knot> inside;
+  for (const gait_figures::Knot& knot : gait_figures::swing_ball_rise()) {
+    const double share = knot.at < 0.7 ? 0.45 + 0.55 * length : 0.15 + 0.85 * strike;
+    inside.push_back({knot.at, walker::ball_height + share * knot.value});
+  }
+  return through_swing({off.ball.y, off.velocity.y * duration}, inside,
+                       {on.ball.y, on.velocity.y * duration}, u);
 }
 
 FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
@@ -126,13 +159,16 @@ FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
 
   FootPose pose;
   pose.yaw = from.yaw + (to.yaw - from.yaw) * ease((u - 0.05) / 0.85);
-  pose.pitch = through_swing(off.pitch, off.pitch_rate * duration, gait_figures::swing_pitch(), 0,
-                             radians * (0.3 + 0.7 * full), on.pitch, on.pitch_rate * duration, u);
+  pose.pitch = swing_pitch(off, on, duration, u);
 
-  glm::dvec3 ball = quintic(off.ball, off.velocity * duration, on.ball, on.velocity * duration, u);
-  ball.y = through_swing(off.ball.y, off.velocity.y * duration, gait_figures::swing_ball_rise(),
-                         walker::ball_height, 0.45 + 0.55 * full, on.ball.y,
-                         on.velocity.y * duration, u);
+  // The heel strikes while the foot still goes forward; the floor stops it.
+  const GroundPoint ahead = forward_of(to.yaw) * (strike_speed * full);
+  const glm::dvec3 arrival = on.velocity + glm::dvec3{ahead.x, 0, ahead.y};
+  glm::dvec3 ball = quintic(off.ball, off.velocity * duration, on.ball, arrival * duration, u);
+  // The hip's pull-off brings the foot forward early in swing, more than the smoothest way would.
+  const double rest = 1 - u;
+  ball += (on.ball - off.ball) * (early_progress * u * u * u * rest * rest * rest * rest / 0.00839);
+  ball.y = swing_height(off, on, duration, full, u);
   const double down = walker::ball_height - walker::ankle_height;
   const double z = walker::ankle_to_ball * std::cos(pose.pitch) - down * std::sin(pose.pitch);
   const double y = walker::ankle_to_ball * std::sin(pose.pitch) + down * std::cos(pose.pitch);

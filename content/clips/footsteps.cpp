@@ -187,8 +187,10 @@ void set_toe_offs(const GaitPlan& plan, std::vector<Footstep>& steps) {
     steps[k].toe_off = began + double_support * step;
     steps[k].length_out = steps[k + 2].length_in;
   }
-  if (plan.kind == GaitPlan::Kind::FromStanding)
-    steps[0].toe_off = steps[2].strike - (1 - double_support) * step_duration(plan.speed);
+  if (plan.kind != GaitPlan::Kind::FromStanding) return;
+  // The first foot is lifted from under the body, without the roll of a step behind it.
+  steps[0].toe_off = steps[2].strike - (1 - double_support) * step_duration(plan.speed);
+  steps[0].length_out = 0.25;
 }
 
 }  // namespace

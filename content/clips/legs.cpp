@@ -13,9 +13,9 @@ namespace {
 
 constexpr double degree = 0.017453292519943295;
 constexpr double far_away = 500;
-/// Distance from hip to ankle with the knee at its straightest, 2.5 degrees: it never locks.
+/// Distance from hip to ankle with the knee at its straightest, 3.5 degrees: it never locks.
 const double longest_reach = std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
-                                       2 * walker::thigh * walker::shin * std::cos(2.5 * degree));
+                                       2 * walker::thigh * walker::shin * std::cos(3.5 * degree));
 
 double reach_at(double knee) {
   return std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
@@ -107,8 +107,8 @@ Leg reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading) {
 
 std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace& pace,
                                     std::uint32_t seed) {
-  // The mass of the body is a little before the hips.
-  constexpr double mass_ahead = -0.032;
+  // Standing, the body's mass is a little before the hips; a walker holds the hips ahead of it.
+  constexpr double mass_ahead_standing = 0.020, mass_ahead_walking = -0.038;
   const FrameTimes& times = pace.times;
   const std::vector<GroundPoint> mass = balanced_mass(centre_of_pressure(steps, times), times.rate);
   const std::vector<Footstep> placings[2] = {placings_of(steps, Foot::Left),
@@ -117,6 +117,8 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
   std::vector<GroundPoint> ground(times.count);
   for (std::size_t f = 0; f < times.count; ++f) {
     const double time = times.at(f);
+    const double mass_ahead =
+        mass_ahead_standing + pace.vigour[f] * (mass_ahead_walking - mass_ahead_standing);
     ground[f] = mass[f] - forward_of(pace.heading[f]) * mass_ahead;
     const glm::dquat pelvis = upper_body_at(pace, f, seed).pelvis;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -129,8 +131,8 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
       highest[f] = std::min(highest[f], support.highest);
     }
   }
-  smooth(height, times.rate, 0.045);
-  keep_below(height, highest, times.rate, 0.04);
+  smooth(height, times.rate, 0.032);
+  keep_below(height, highest, times.rate, 0.028);
   std::vector<glm::dvec3> places;
   for (std::size_t f = 0; f < times.count; ++f)
     places.emplace_back(ground[f].x, height[f], ground[f].y);
