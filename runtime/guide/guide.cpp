@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
 constexpr std::size_t most_joints = 64;
+constexpr std::size_t most_pieces = first_text_texture + 4096;
 constexpr double longest_lead = 2;  ///< Seconds: a plan is never asked for from later than that.
 constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
 constexpr double touching = 0.01;   ///< Metres of the body that may be in a wall unremarked.
@@ -16,7 +17,12 @@ constexpr double touching = 0.01;   ///< Metres of the body that may be in a wal
 }  // namespace
 
 Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settings)
-    : museum_(museum), planner_(planner), settings_(settings), visitors_(1), stage_(museum) {
+    : museum_(museum),
+      planner_(planner),
+      settings_(settings),
+      visitors_(1),
+      stage_(museum),
+      memory_(most_pieces, TextureId::None) {
   avatars_.push_back(make_avatar(museum, museum.kiosk_floor, make_standing(museum, museum.kiosk)));
   list_.avatars.reserve(avatars_.size());
   list_.palette.reserve(avatars_.size() * most_joints);
@@ -27,9 +33,12 @@ Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settin
   request_view();
 }
 
+bool Guide::shows_its_state() const noexcept {
+  return view() != nullptr && !awaiting_view_ && view()->state == state();
+}
+
 bool Guide::is_settled() const noexcept {
-  return view() != nullptr && !awaiting_view_ && view()->state == state() &&
-         !overlay_.is_fading() && !stage_.is_flying();
+  return shows_its_state() && !overlay_.is_fading() && !stage_.is_flying();
 }
 
 bool Guide::is_out() const noexcept {
@@ -177,6 +186,16 @@ void Guide::resize(const ScreenShape& shape) noexcept {
   if (shape == settings_.shape) return;
   settings_.shape = shape;
   request_view();
+}
+
+void Guide::bind(TextureId piece, TextureId memory) noexcept {
+  const auto i = static_cast<std::size_t>(piece);
+  if (i < memory_.size()) memory_[i] = memory;
+}
+
+TextureId Guide::memory_of(TextureId piece) const noexcept {
+  const auto i = static_cast<std::size_t>(piece);
+  return i < memory_.size() ? memory_[i] : TextureId::None;
 }
 
 void Guide::take_answers() noexcept {

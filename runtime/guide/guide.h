@@ -63,12 +63,18 @@ class Guide {
   void resize(const ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
   std::unique_ptr<TextChanges> take_texts() noexcept { return planner_.take_texts(); }
+  /// Views name their texts and pictures; this says which texture memory holds one. The draw list
+  /// has the memory's names. TextureId::None: it is gone.
+  void bind(TextureId piece, TextureId memory) noexcept;
+  TextureId memory_of(TextureId piece) const noexcept;
 
   const InterfaceState& state() const noexcept { return visitors_.front().state; }
   const ScreenShape& shape() const noexcept { return settings_.shape; }
   /// The view on the screen; empty before the first one. Its spots follow the camera.
   const View* view() const noexcept { return overlay_.view(); }
-  /// Does the screen show the state the visitor asked for, and does nothing fly or fade?
+  /// Does the screen show the state that the visitor asked for?
+  bool shows_its_state() const noexcept;
+  /// And does nothing fly or fade any more?
   bool is_settled() const noexcept;
   const std::vector<Avatar>& avatars() const noexcept { return avatars_; }
   AvatarState state_of(const Avatar& avatar) const noexcept;
@@ -106,6 +112,7 @@ class Guide {
   Overlay overlay_;
   Stage stage_;
   GuideCounters counters_;
+  std::vector<TextureId> memory_;  ///< By piece.
   DrawList list_;
 };
 

@@ -1,0 +1,108 @@
+#include "runtime/kiosk/edges.h"
+
+#include <cstdlib>
+#include <utility>
+
+#include "platform/kms/kms_display.h"
+
+namespace docent {
+namespace {
+
+constexpr PixelSize usual_size{1920, 1080};
+
+bool has_desktop() noexcept {
+  const auto is_set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  return is_set("WAYLAND_DISPLAY") || is_set("DISPLAY");
+}
+
+bool is_quarter(Rotation rotation) noexcept {
+  return rotation == Rotation::Quarter || rotation == Rotation::ThreeQuarters;
+}
+
+PixelSize turned(PixelSize size, Rotation rotation) noexcept {
+  return is_quarter(rotation) ? PixelSize{size.height, size.width} : size;
+}
+
+Result<void> open_headless_edge(const EdgeSettings& settings, PixelSize size, Edges& edges) {
+  // In memory nothing hangs turned: the picture is as the visitor would see it.
+  auto display = open_headless(turned(size, settings.rotation));
+  if (!display) return std::unexpected(display.error());
+  edges.headless = display->get();
+  edges.rotation = Rotation::None;
+  edges.display = std::move(*display);
+  return {};
+}
+
+Result<void> open_window_edge(PixelSize size, Edges& edges) {
+  auto display = open_window(size);
+  if (!display) return std::unexpected(display.error());
+  edges.window = display->get();
+  edges.display = std::move(*display);
+  return {};
+}
+
+Result<void> open_display(const EdgeSettings& settings, Edges& edges) {
+  DisplayKind kind = settings.kind;
+  if (kind == DisplayKind::Auto)
+    kind = is_kms_free() ? DisplayKind::Kms
+                         : (has_desktop() ? DisplayKind::Window : DisplayKind::Headless);
+  const PixelSize size = settings.size.width > 0 ? settings.size : usual_size;
+  if (kind == DisplayKind::Headless) return open_headless_edge(settings, size, edges);
+  if (kind == DisplayKind::Window) return open_window_edge(size, edges);
+  auto display = open_kms(settings.size);
+  if (!display) return std::unexpected(display.error());
+  edges.display = std::move(*display);
+  return {};
+}
+
+}  // namespace
+
+Result<Edges> open_edges(const EdgeSettings& settings) {
+  Edges edges;
+  edges.rotation = settings.rotation;
+  if (const Result<void> opened = open_display(settings, edges); !opened)
+    return std::unexpected(opened.error());
+  // A headless run repeats exactly: it hears of devices only where they were named.
+  if (edges.headless != nullptr && settings.hid.empty()) return edges;
+  // A window has mouse and keyboard; the kiosk's own glass is for the console.
+  if (edges.window != nullptr && settings.hid.empty()) return edges;
+  auto devices = InputDevices::open(settings.hid);
+  if (!devices) return std::unexpected(devices.error());
+  edges.devices = std::move(*devices);
+  return edges;
+}
+
+RenderTarget target_of(const Edges& edges) noexcept {
+  RenderTarget target = edges.display->target();
+  target.rotation = edges.rotation;
+  target.size = turned(target.size, edges.rotation);
+  return target;
+}
+
+Contact turned(Contact contact, Rotation rotation) noexcept {
+  const float x = contact.x, y = contact.y;
+  switch (rotation) {
+    case Rotation::Quarter:
+      return {contact.id, 1 - y, x};
+    case Rotation::Half:
+      return {contact.id, 1 - x, 1 - y};
+    case Rotation::ThreeQuarters:
+      return {contact.id, y, 1 - x};
+    case Rotation::None:
+      break;
+  }
+  return contact;
+}
+
+std::size_t arrived(Edges& edges, std::span<InputEvent> out) noexcept {
+  std::size_t count = 0;
+  if (edges.window != nullptr) count += edges.window->arrived(out);
+  if (edges.devices) count += edges.devices->arrived(out.subspan(count));
+  for (InputEvent& event : out.first(count)) event.contact = turned(event.contact, edges.rotation);
+  return count;
+}
+
+}  // namespace docent

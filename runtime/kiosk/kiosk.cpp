@@ -1,0 +1,294 @@
+#include "runtime/kiosk/kiosk.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <csignal>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <optional>
+#include <utility>
+
+#include "config/diagnostic_text.h"
+#include "config/kiosk_config.h"
+#include "platform/clock/monotonic_clock.h"
+#include "runtime/kiosk/allocations.h"
+#include "runtime/kiosk/edges.h"
+#include "runtime/kiosk/exhibition.h"
+#include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/statistics.h"
+#include "runtime/kiosk/visit_player.h"
+
+namespace docent {
+namespace {
+
+constexpr double frame_seconds = 1.0 / 60;
+/// A headless visit that does not say when to quit is given this long after its last command.
+constexpr double after_visit_seconds = 10;
+
+volatile std::sig_atomic_t stop_requested = 0;
+volatile std::sig_atomic_t reload_requested = 0;
+
+void handle_signals() {
+  struct sigaction action{};
+  action.sa_handler = [](int) { stop_requested = 1; };
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGINT, &action, nullptr);
+  action.sa_handler = [](int) { reload_requested = 1; };
+  sigaction(SIGHUP, &action, nullptr);
+}
+
+int say(const Error& error) {
+  fmt::print(stderr, "docent: {}\n", error.what);
+  return exit_code(error.code);
+}
+
+/// Prints every mistake; a terminal shows the first 20 and then the count.
+void say(const std::vector<Diagnostic>& mistakes) {
+  constexpr std::size_t most_on_terminal = 20;
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    if (terminal && i == most_on_terminal) {
+      fmt::print(stderr, "... and {} more\n", mistakes.size() - i);
+      return;
+    }
+    fmt::print(stderr, "{}", to_text(mistakes[i]));
+  }
+}
+
+bool has_error(const std::vector<Diagnostic>& mistakes) {
+  return std::ranges::any_of(mistakes,
+                             [](const Diagnostic& d) { return d.severity == Severity::Error; });
+}
+
+DisplayKind display_named(std::string_view name) noexcept {
+  if (name == "kms") return DisplayKind::Kms;
+  if (name == "window") return DisplayKind::Window;
+  return name == "headless" ? DisplayKind::Headless : DisplayKind::Auto;
+}
+
+/// The command line over kiosk.toml.
+EdgeSettings edge_settings(const Options& options, const KioskConfig& config) {
+  EdgeSettings settings;
+  settings.kind = options.display.value_or(display_named(config.display));
+  settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
+                                                  static_cast<std::uint32_t>(config.height)});
+  settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));
+  settings.hid = options.hid;
+  return settings;
+}
+
+ScreenShape shape_of(PixelSize size, const KioskConfig& config) {
+  ScreenShape shape;
+  shape.width = size.width;
+  shape.height = size.height;
+  shape.text_scale = static_cast<float>(config.text_scale);
+  return shape;
+}
+
+/// One run of the kiosk: the edges, the guide, and the loop that joins them.
+class Kiosk {
+ public:
+  Kiosk(const Options& options, const KioskConfig& config, Edges edges, Renderer renderer,
+        std::chrono::nanoseconds started)
+      : options_(options),
+        config_(config),
+        edges_(std::move(edges)),
+        renderer_(std::move(renderer)),
+        simulated_(edges_.headless != nullptr),
+        started_(started) {
+    database_ = options.content.value_or(config.content);
+  }
+
+  Result<void> open(const std::optional<Visit>& visit);
+  Result<void> run();
+
+ private:
+  GuideSettings guide_settings() const {
+    return {.shape = shape_of(target_of(edges_).size, config_), .idle_reset = config_.idle_reset};
+  }
+  Guide& guide() noexcept { return *exhibition_->guide; }
+
+  Seconds since_last_frame() noexcept;
+  void take_input() noexcept;
+  void draw() noexcept;
+  Result<void> frame();
+  Result<void> record();
+  void reload();
+  bool is_over() const noexcept;
+
+  const Options& options_;
+  const KioskConfig& config_;
+  Edges edges_;
+  Renderer renderer_;
+  bool simulated_;
+  std::chrono::nanoseconds started_;
+  std::filesystem::path database_;
+  std::unique_ptr<Exhibition> exhibition_;
+  std::future<Result<std::unique_ptr<Exhibition>>> loading_;
+  std::optional<VisitPlayer> visit_;
+  std::optional<Recorder> recorder_;
+  Statistics statistics_;
+  FrameClock clock_;
+  std::array<InputEvent, 256> events_{};
+  Pixels picture_;
+  double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
+  double last_command_ = 0;
+  std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
+  std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
+};
+
+Result<void> Kiosk::open(const std::optional<Visit>& visit) {
+  auto exhibition = load_exhibition(database_, guide_settings());
+  if (!exhibition) return std::unexpected(exhibition.error());
+  exhibition_ = std::move(*exhibition);
+  if (visit) {
+    const auto mistakes = unknown_names(exhibition_->museum, *visit, options_.visit.string());
+    say(mistakes);
+    if (!mistakes.empty())
+      return std::unexpected(Error{Errc::InvalidInput, "the visit was not begun"});
+    if (!visit->commands.empty()) last_command_ = visit->commands.back().time;
+    visit_.emplace(exhibition_->museum, *visit);
+  }
+  if (!options_.record.empty()) {
+    auto recorder = Recorder::open(options_.record);
+    if (!recorder) return std::unexpected(recorder.error());
+    recorder_ = std::move(*recorder);
+  }
+  upload(*exhibition_, renderer_);
+  return {};
+}
+
+bool Kiosk::is_over() const noexcept {
+  if (stop_requested != 0 || (visit_ && visit_->has_quit())) return true;
+  if (options_.seconds) return time_ >= *options_.seconds;
+  return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
+}
+
+Result<void> Kiosk::run() {
+  while (!is_over() && edges_.display->wait_for_page_flip())
+    if (const Result<void> made = frame(); !made) return made;
+
+  const GuideCounters& counters = guide().counters();
+  statistics_.touches = counters.touches;
+  statistics_.routes = counters.routes;
+  statistics_.collisions = counters.collisions;
+  if (recorder_)
+    if (const Result<void> finished = recorder_->finish(); !finished) return finished;
+  if (!options_.stats.empty()) return write_whole(options_.stats, to_json(statistics_));
+  return {};
+}
+
+Seconds Kiosk::since_last_frame() noexcept {
+  if (simulated_) return Seconds(statistics_.frames == 0 ? 0 : frame_seconds);
+  const Seconds passed = clock_.since_last_frame();
+  const double periods = std::round(passed.count() / frame_seconds);
+  if (statistics_.frames > 0 && periods > 1)
+    statistics_.dropped_frames += static_cast<std::uint64_t>(periods) - 1;
+  return passed;
+}
+
+void Kiosk::take_input() noexcept {
+  const std::size_t count = arrived(edges_, events_);
+  for (const InputEvent& event : std::span(events_).first(count)) guide().touch(event);
+  if (count > 0) touched_ = monotonic_now();
+}
+
+Result<void> Kiosk::frame() {
+  if (reload_requested != 0) reload();
+  const Seconds passed = since_last_frame();
+  time_ = simulated_ ? static_cast<double>(statistics_.frames) * frame_seconds
+                     : time_ + static_cast<double>(passed.count());
+  const std::uint64_t touches = guide().counters().touches;
+  if (visit_)
+    if (const Result<void> played = visit_->play(time_, guide()); !played) return played;
+  touched_.reset();
+  if (guide().counters().touches != touches) touched_ = monotonic_now();
+
+  const std::uint64_t allocations = allocations_on_this_thread();
+  const auto cpu = thread_cpu_now();
+  take_input();
+  if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
+  guide().step(passed);
+  const auto stepped = thread_cpu_now();
+  draw();
+  statistics_.frame_cpu.add(stepped - cpu);
+  statistics_.gl.add(thread_cpu_now() - stepped);
+
+  const bool entered = std::exchange(view_, guide().counters().views) != view_;
+  if (statistics_.frames > 0 && !entered)
+    statistics_.allocations_in_frames += allocations_on_this_thread() - allocations;
+  if (statistics_.frames++ == 0) statistics_.start_to_first_frame = monotonic_now() - started_;
+  if (touched_) statistics_.input_to_frame.add(monotonic_now() - *touched_);
+  return record();
+}
+
+void Kiosk::draw() noexcept {
+  const RenderTarget target = target_of(edges_);
+  guide().resize(shape_of(target.size, config_));
+  apply_texts(guide(), renderer_);
+  renderer_.draw(guide().draw_list(), target);
+  edges_.display->present();
+}
+
+Result<void> Kiosk::record() {
+  if (recorder_) recorder_->add_states(time_, guide());
+  if (edges_.headless == nullptr) return {};
+  const std::vector<std::filesystem::path> shots =
+      visit_ ? visit_->take_shots() : std::vector<std::filesystem::path>{};
+  const bool frame_due = recorder_ && recorder_->wants_frame(time_);
+  if (shots.empty() && !frame_due) return {};
+  edges_.headless->read_back(picture_);
+  if (frame_due)
+    if (const Result<void> written = recorder_->add_frame(picture_); !written) return written;
+  for (const std::filesystem::path& shot : shots)
+    if (const Result<void> written = write_png(shot, picture_); !written) return written;
+  return {};
+}
+
+/// Takes up a new database: read beside the frames, changed to in one of them. A database that
+/// cannot be read changes nothing.
+void Kiosk::reload() {
+  if (!loading_.valid())
+    loading_ = std::async(std::launch::async, [file = database_, settings = guide_settings()] {
+      return load_exhibition(file, settings);
+    });
+  if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return;
+  reload_requested = 0;
+  Result<std::unique_ptr<Exhibition>> next = loading_.get();
+  if (!next) {
+    say(next.error());
+    return;
+  }
+  exhibition_ = std::move(*next);
+  upload(*exhibition_, renderer_);
+}
+
+}  // namespace
+
+int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
+  std::optional<Visit> visit;
+  if (!options.visit.empty()) {
+    visit = load_visit(options.visit);
+    say(visit->mistakes);
+    if (!visit->mistakes.empty()) return 1;
+  }
+  const Loaded<KioskConfig> config = load_kiosk_config(options.config);
+  say(config.diagnostics);
+  if (has_error(config.diagnostics) || !config.value) return 1;
+
+  handle_signals();
+  Result<Edges> edges = open_edges(edge_settings(options, *config.value));
+  if (!edges) return say(edges.error());
+  Result<Renderer> renderer = make_renderer();
+  if (!renderer) return say(renderer.error());
+  Kiosk kiosk(options, *config.value, std::move(*edges), std::move(*renderer), started);
+  if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
+  if (const Result<void> ended = kiosk.run(); !ended) return say(ended.error());
+  return 0;
+}
+
+}  // namespace docent

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "runtime/kiosk/options.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// Runs the guide on the screen and glass that the options name until it is told to stop (SIGTERM,
+/// SIGINT, the window's close button, a visit's quit, --seconds). Returns CONTRACT's exit code;
+/// every problem has been said on standard error. `started`: when the program began.
+int run_kiosk(const Options& options, std::chrono::nanoseconds started);
+
+}  // namespace docent

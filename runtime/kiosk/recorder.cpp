@@ -1,0 +1,64 @@
+#include "runtime/kiosk/recorder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <system_error>
+
+#include "runtime/kiosk/statistics.h"
+
+namespace docent {
+
+std::string_view name_of(AvatarState state) noexcept {
+  switch (state) {
+    case AvatarState::Turn:
+      return "turn";
+    case AvatarState::Walk:
+      return "walk";
+    case AvatarState::Wait:
+      return "wait";
+    case AvatarState::Look:
+      return "look";
+    case AvatarState::Gesture:
+      return "gesture";
+    case AvatarState::Idle:
+      break;
+  }
+  return "idle";
+}
+
+Result<Recorder> Recorder::open(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder))
+    return std::unexpected(
+        Error{Errc::Environment, folder.string() + ": this folder cannot be made"});
+  return Recorder(folder);
+}
+
+void Recorder::add_states(double time, const Guide& guide) {
+  for (std::size_t i = 0; i < guide.avatars().size(); ++i) {
+    const Avatar& avatar = guide.avatars()[i];
+    const double turned = std::remainder(avatar.body.heading, 2 * std::numbers::pi);
+    fmt::format_to(std::back_inserter(states_), "{:.4f},{},{:.4f},{:.4f},{:.2f},{}\n", time, i,
+                   avatar.body.position.x, avatar.body.position.y, turned * 180 / std::numbers::pi,
+                   name_of(guide.state_of(avatar)));
+  }
+}
+
+bool Recorder::wants_frame(double time) const noexcept {
+  constexpr double frames_a_second = 30, tolerance = 1e-6;
+  return time + tolerance >= static_cast<double>(frames_) / frames_a_second;
+}
+
+Result<void> Recorder::add_frame(const Pixels& picture) {
+  return write_png(folder_ / fmt::format("frame-{:06}.png", frames_++), picture);
+}
+
+Result<void> Recorder::finish() {
+  return write_whole(folder_ / "states.csv", states_);
+}
+
+}  // namespace docent

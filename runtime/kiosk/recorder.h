@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "platform/handle.h"
+#include "platform/png/image.h"
+#include "runtime/guide/guide.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// Writes what happened into a folder: CONTRACT's frame-000000.png... and states.csv.
+class Recorder {
+ public:
+  /// Makes the folder. states.csv takes its name when the recording is finished.
+  static Result<Recorder> open(const std::filesystem::path& folder);
+
+  /// A row per avatar of this frame.
+  void add_states(double time, const Guide& guide);
+  /// Is a picture due at this time? 30 are, every second.
+  bool wants_frame(double time) const noexcept;
+  Result<void> add_frame(const Pixels& picture);
+  Result<void> finish();
+
+ private:
+  explicit Recorder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path folder_;
+  std::string states_ = "time,avatar,x,y,heading,state\n";
+  std::uint64_t frames_ = 0;
+};
+
+std::string_view name_of(AvatarState state) noexcept;
+
+}  // namespace docent

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// How often a duration was how long, in bins of 2 %: takes no memory as it fills.
+class Durations {
+ public:
+  void add(std::chrono::nanoseconds duration) noexcept;
+  /// Milliseconds that the given share of the durations did not exceed; 0 where there are none.
+  double milliseconds_at(double share) const noexcept;
+  double longest_milliseconds() const noexcept;
+
+ private:
+  static constexpr std::size_t bin_count = 1024;
+  std::array<std::uint32_t, bin_count> bin_{};
+  std::uint64_t count_ = 0;
+  std::chrono::nanoseconds longest_{0};
+};
+
+/// What --stats writes: CONTRACT's keys.
+struct Statistics {
+  std::uint64_t frames = 0, touches = 0, routes = 0, collisions = 0, dropped_frames = 0;
+  std::uint64_t allocations_in_frames = 0;
+  Durations frame_cpu, gl, input_to_frame, gpu;
+  std::chrono::nanoseconds start_to_first_frame{0};
+};
+
+std::string to_json(const Statistics& statistics);
+
+/// Writes a file whole or not at all.
+Result<void> write_whole(const std::filesystem::path& file, std::string_view text);
+
+/// CPU time of this thread.
+std::chrono::nanoseconds thread_cpu_now() noexcept;
+
+}  // namespace docent

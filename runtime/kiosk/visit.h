@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/input/contact.h"
+#include "runtime/model/diagnostic.h"
+
+namespace docent {
+
+/// One command of a scripted visit.
+struct VisitCommand {
+  enum class Kind : std::uint8_t { Tap, TapNamed, Down, Move, Up, Press, Shot, Quit };
+  double time = 0;  ///< Seconds.
+  Kind kind = Kind::Quit;
+  Contact contact;   ///< Tap, Down, Move, Up.
+  InputEvent key;    ///< Press.
+  std::string name;  ///< TapNamed: the control's name without "@". Shot: the file.
+  std::uint32_t line = 0;
+};
+
+/// A visit as it was written, in order of time, and everything that is wrong with it.
+struct Visit {
+  std::vector<VisitCommand> commands;
+  std::vector<Diagnostic> mistakes;
+};
+
+/// Reads CONTRACT's visit language; `file` names it in mistakes. Defined for any text.
+Visit parse_visit(std::string_view text, std::string_view file);
+
+/// Reads a file; a file that cannot be read is a mistake like others.
+Visit load_visit(const std::filesystem::path& file);
+
+/// The key of a name in a visit: UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a
+/// letter, a digit or F1...; Key::None where there is no such key.
+InputEvent key_named(std::string_view name) noexcept;
+
+}  // namespace docent

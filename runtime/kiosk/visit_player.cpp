@@ -1,0 +1,108 @@
+#include "runtime/kiosk/visit_player.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace docent {
+namespace {
+
+constexpr double tap_seconds = 0.1;                ///< How long a tap's finger stays down.
+constexpr std::uint32_t first_tap_finger = 10000;  ///< Apart from the fingers that visits number.
+
+/// The control of that name on the screen: a card before a spot.
+const Control* on_screen(const View& view, const Control& wanted) {
+  const auto found = std::ranges::find_if(view.controls, [&](const Control& c) {
+    return c.name == wanted.name && c.enabled && c.rect.width > 0 && c.role == wanted.role;
+  });
+  return found == view.controls.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool VisitPlayer::is_over() const noexcept {
+  return quit_ || (next_ == visit_.commands.size() && named_.empty() && lifts_.empty());
+}
+
+Result<void> VisitPlayer::play(double time, Guide& guide) {
+  constexpr double tolerance = 1e-9;
+  std::erase_if(lifts_, [&](const Lift& lift) {
+    if (lift.time > time + tolerance) return false;
+    guide.touch({.kind = InputEvent::Kind::Up, .contact = lift.contact});
+    return true;
+  });
+  while (next_ < visit_.commands.size() && visit_.commands[next_].time <= time + tolerance &&
+         !quit_)
+    play(visit_.commands[next_++], time, guide);
+  return continue_named_tap(time, guide);
+}
+
+void VisitPlayer::play(const VisitCommand& command, double time, Guide& guide) {
+  using Kind = VisitCommand::Kind;
+  switch (command.kind) {
+    case Kind::Tap:
+      return tap(command.contact.x, command.contact.y, time, guide);
+    case Kind::TapNamed:
+      return named_.push_back(command);
+    case Kind::Down:
+      return guide.touch({.kind = InputEvent::Kind::Down, .contact = command.contact});
+    case Kind::Move:
+      return guide.touch({.kind = InputEvent::Kind::Move, .contact = command.contact});
+    case Kind::Up:
+      return guide.touch({.kind = InputEvent::Kind::Up, .contact = command.contact});
+    case Kind::Press: {
+      InputEvent key = command.key;
+      guide.touch(key);
+      key.kind = InputEvent::Kind::KeyUp;
+      return guide.touch(key);
+    }
+    case Kind::Shot:
+      return shots_.push_back(command.name);
+    case Kind::Quit:
+      quit_ = true;
+  }
+}
+
+void VisitPlayer::tap(float x, float y, double time, Guide& guide) {
+  const Contact contact{first_tap_finger + fingers_++, x, y};
+  guide.touch({.kind = InputEvent::Kind::Down, .contact = contact});
+  lifts_.push_back({time + tap_seconds, contact});
+}
+
+/// One touch at a time, each when the last one's view is on the screen.
+Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
+  if (named_.empty() || !lifts_.empty() || !guide.shows_its_state()) return {};
+  const VisitCommand& wanted = named_.front();
+  const std::vector<Control> touches =
+      touches_to(museum_, guide.state(), exhibits_per_page(guide.shape()), wanted.name);
+  if (touches.empty())
+    return std::unexpected(
+        Error{Errc::InvalidInput,
+              fmt::format("line {}: no visitor could touch '@{}' within three touches "
+                          "from here",
+                          wanted.line, wanted.name)});
+  const Control* control = on_screen(*guide.view(), touches.front());
+  // Spots stand still only when the camera does.
+  if (control == nullptr || (control->role == Role::Spot && !guide.is_settled())) return {};
+  tap(control->rect.x + control->rect.width / 2, control->rect.y + control->rect.height / 2, time,
+      guide);
+  if (touches.size() == 1) named_.pop_front();
+  return {};
+}
+
+std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
+                                      std::string_view file) {
+  std::vector<Diagnostic> mistakes;
+  for (const VisitCommand& command : visit.commands)
+    if (command.kind == VisitCommand::Kind::TapNamed && !is_control_name(museum, command.name))
+      mistakes.push_back(
+          {.file = std::string(file),
+           .line = command.line,
+           .code = "unknown-control",
+           .message = fmt::format("no screen of this museum has a control '@{}'", command.name),
+           .hint = "names are @exhibit:ID, @route:shortest|skeleton|offset, @language:TAG, @home, "
+                   "@stop, @begin, @choose and @back"});
+  return mistakes;
+}
+
+}  // namespace docent

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/guide/guide.h"
+#include "runtime/kiosk/visit.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+/// Plays a visit: the hand of a visitor and the keypad, one step before the guide. Named taps look
+/// for their control as a visitor would: on this screen or up to three touches away.
+class VisitPlayer {
+ public:
+  VisitPlayer(const Museum& museum, Visit visit) : museum_(museum), visit_(std::move(visit)) {}
+
+  /// Does what is due at `time` (seconds since the first frame). Fails when a named control cannot
+  /// be reached.
+  Result<void> play(double time, Guide& guide);
+
+  /// Pictures asked for since the last call: they show the frame about to be drawn.
+  std::vector<std::filesystem::path> take_shots() { return std::exchange(shots_, {}); }
+  bool has_quit() const noexcept { return quit_; }
+  /// Is every command played, every finger lifted?
+  bool is_over() const noexcept;
+
+ private:
+  struct Lift {
+    double time = 0;
+    Contact contact;
+  };
+  void play(const VisitCommand& command, double time, Guide& guide);
+  void tap(float x, float y, double time, Guide& guide);
+  Result<void> continue_named_tap(double time, Guide& guide);
+
+  const Museum& museum_;
+  Visit visit_;
+  std::size_t next_ = 0;
+  std::deque<VisitCommand> named_;  ///< Named taps under way or waiting; the first is under way.
+  std::vector<Lift> lifts_;         ///< Fingers of taps that are still down.
+  std::uint32_t fingers_ = 0;
+  std::vector<std::filesystem::path> shots_;
+  bool quit_ = false;
+};
+
+/// Mistakes that need the museum to be seen: names of controls that no view has.
+std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
+                                      std::string_view file);
+
+}  // namespace docent
