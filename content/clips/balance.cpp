@@ -12,7 +12,7 @@ constexpr double far_away = 500;  ///< Seconds; beyond it lies a foot's "always"
 /// Under the ankle's own place: where pressure begins and ends on a foot, and rests in standing.
 constexpr double heel_pressure = -0.020, ball_pressure = 0.105, standing_pressure = 0.035;
 /// Seconds of the last weight shift, from the last strike to standing on both feet.
-constexpr double last_shift = 0.45;
+constexpr double last_shift = 0.36;
 
 bool stands_from_the_start(const Footstep& step) {
   return step.strike < -far_away;
@@ -51,6 +51,12 @@ GroundPoint standing_place(const Footstep& a, const Footstep& b) {
   return mix(on_foot(a, standing_pressure), on_foot(b, standing_pressure), 0.5);
 }
 
+/// On the foot that stands while the other closes up beside it: inward already, so that the body
+/// comes to rest when both feet do.
+GroundPoint closing_pressure(const Footstep& stands, const Footstep& closes) {
+  return mix(on_foot(stands, 0.05), standing_place(stands, closes), 0.45);
+}
+
 /// From quiet standing on steps 0 and 1 to standing on step 1 alone.
 GroundPoint pressure_before_walking(std::span<const Footstep> steps, double time) {
   const GroundPoint rest = standing_place(steps[0], steps[1]);
@@ -67,7 +73,7 @@ GroundPoint pressure_at(std::span<const Footstep> steps, double time) {
   const bool from_standing = stands_from_the_start(now);
   if (from_standing && time < before.toe_off) return pressure_before_walking(steps, time);
   if (before.toe_off > far_away)  // The last step: both feet stay.
-    return mix(on_foot(before, 0.06), standing_place(before, now),
+    return mix(closing_pressure(before, now), standing_place(before, now),
                ease((time - now.strike) / last_shift));
   const double heel = from_standing ? 0.0 : heel_pressure;
   if (time < before.toe_off) {
@@ -75,10 +81,11 @@ GroundPoint pressure_at(std::span<const Footstep> steps, double time) {
     return mix(on_foot(before, ball_pressure), on_foot(now, heel), ease(share));
   }
   if (k + 1 == steps.size()) return on_foot(now, standing_pressure);
-  const double share = (time - before.toe_off) / (steps[k + 1].strike - before.toe_off);
-  const bool closing = steps[k + 1].toe_off > far_away && now.toe_off > far_away;
-  const double end = closing ? 0.06 : ball_pressure;
-  return on_foot(now, heel + (end - heel) * std::clamp(share, 0.0, 1.0));
+  const double share =
+      std::clamp((time - before.toe_off) / (steps[k + 1].strike - before.toe_off), 0.0, 1.0);
+  if (now.toe_off > far_away)  // The other foot closes up.
+    return mix(on_foot(now, heel), closing_pressure(now, steps[k + 1]), share);
+  return on_foot(now, heel + (ball_pressure - heel) * share);
 }
 
 }  // namespace

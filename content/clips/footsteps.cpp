@@ -123,8 +123,8 @@ std::vector<Beat> starting_beats(const Way& way) {
 
 /// The last steps shorten and slow down; the last foot comes down beside the other at time 0.
 std::vector<Beat> stopping_beats(const Way& way) {
-  constexpr std::array<double, 4> shrink{0.0, 0.62, 0.88, 1.0};  // From the last step back.
-  constexpr std::array<double, 4> slower{1.12, 1.14, 1.04, 1.0};
+  constexpr std::array<double, 4> shrink{0.0, 0.70, 1.0, 1.0};  // From the last step back.
+  constexpr std::array<double, 4> slower{1.02, 1.02, 1.0, 1.0};
   std::vector<Beat> beats(1, {.s = 0.0,
                               .strike = 0,
                               .half_width = standing_half_width,

@@ -112,7 +112,7 @@ std::vector<GaitRecipe> default_clips() {
   return {
       {"stand-to-walk", {.kind = Kind::FromStanding, .first = Foot::Right, .seed = 3}, -0.85, 424},
       {"walk", {.kind = Kind::Walking, .first = Foot::Left, .seed = 5}, middle(471), 471},
-      {"walk-to-stand", {.kind = Kind::ToStanding, .first = Foot::Left, .seed = 8}, -1.42, 285},
+      {"walk-to-stand", {.kind = Kind::ToStanding, .first = Foot::Left, .seed = 8}, -1.95, 285},
       {"turn-left-90", turn(90, 1.75, 0.86, 13), middle(520), 520},
       {"turn-right-90", turn(-90, 1.65, 0.86, 21), middle(503), 503},
       {"turn-left-45", turn(45, 1.35, 0.97, 34), middle(441), 441},
