@@ -54,18 +54,37 @@ MedialAxisMap::MedialAxisMap(const Floor& floor) : floor_(&floor) {
       floor.roadmap.position.size(), edges.size(),
       [&](std::uint32_t e) { return std::array{edges[e].from, edges[e].to}; }, node_first_,
       node_edge_);
+  vertex_node_.assign(voronoi.vertex.size(), none);
+  for (std::uint32_t node = 0; node < floor.roadmap.voronoi_vertex.size(); ++node)
+    vertex_node_[floor.roadmap.voronoi_vertex[node]] = node;
+  edge_roadmap_.assign(voronoi.edge.size(), none);
+  for (std::uint32_t e = 0; e < edges.size(); ++e) edge_roadmap_[edges[e].voronoi_edge] = e;
+  lead_to_road();
+}
+
+/// Spreads from the nodes over the axis edges that the roadmap leaves out, breadth first.
+void MedialAxisMap::lead_to_road() {
+  const VoronoiDiagram& voronoi = floor_->diagram;
+  std::vector<std::uint32_t> first, edges;
   list_edges(
       voronoi.vertex.size(), voronoi.edge.size(),
       [&](std::uint32_t e) {
         const VoronoiEdge& edge = voronoi.edge[e];
         return edge.on_medial_axis ? std::array{edge.from, edge.to} : std::array{none, none};
       },
-      vertex_first_, vertex_edge_);
-  vertex_node_.assign(voronoi.vertex.size(), none);
-  for (std::uint32_t node = 0; node < floor.roadmap.voronoi_vertex.size(); ++node)
-    vertex_node_[floor.roadmap.voronoi_vertex[node]] = node;
-  edge_roadmap_.assign(voronoi.edge.size(), none);
-  for (std::uint32_t e = 0; e < edges.size(); ++e) edge_roadmap_[edges[e].voronoi_edge] = e;
+      first, edges);
+  edge_to_road_.assign(voronoi.vertex.size(), none);
+  std::vector<std::uint32_t> reached = floor_->roadmap.voronoi_vertex;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const std::uint32_t vertex = reached[i];
+    for (std::uint32_t k = first[vertex]; k < first[vertex + 1]; ++k) {
+      const VoronoiEdge& edge = voronoi.edge[edges[k]];
+      const std::uint32_t other = edge.from == vertex ? edge.to : edge.from;
+      if (vertex_node_[other] != none || edge_to_road_[other] != none) continue;
+      edge_to_road_[other] = edges[k];
+      reached.push_back(other);
+    }
+  }
 }
 
 std::optional<MedialAxisMap::Place> MedialAxisMap::place_above(std::uint32_t site,

@@ -36,12 +36,11 @@ class MedialAxisMap {
     return std::span(node_edge_)
         .subspan(node_first_[node], node_first_[node + 1] - node_first_[node]);
   }
-  /// The Voronoi edges on the medial axis at a Voronoi vertex.
-  std::span<const std::uint32_t> axis_edges_at(std::uint32_t vertex) const noexcept {
-    return std::span(vertex_edge_)
-        .subspan(vertex_first_[vertex], vertex_first_[vertex + 1] - vertex_first_[vertex]);
-  }
+  /// The node at a Voronoi vertex, or none.
   std::uint32_t node_at(std::uint32_t vertex) const noexcept { return vertex_node_[vertex]; }
+  /// The Voronoi edge that leads from a Voronoi vertex of the axis towards the roadmap, or none at
+  /// its nodes. What the roadmap leaves out are trees, so there is one way.
+  std::uint32_t edge_to_road(std::uint32_t vertex) const noexcept { return edge_to_road_[vertex]; }
   std::uint32_t roadmap_edge(std::uint32_t voronoi_edge) const noexcept {
     return edge_roadmap_[voronoi_edge];
   }
@@ -57,11 +56,13 @@ class MedialAxisMap {
   std::optional<Place> place_above(std::uint32_t site, Vec2 point) const;
 
  private:
+  void lead_to_road();
+
   const Floor* floor_;
   std::vector<Bisector> bisector_;  ///< Per Voronoi edge.
   std::vector<std::uint32_t> node_first_, node_edge_;
-  std::vector<std::uint32_t> vertex_first_, vertex_edge_;
   std::vector<std::uint32_t> vertex_node_;   ///< Per Voronoi vertex: its node, or none.
+  std::vector<std::uint32_t> edge_to_road_;  ///< Per Voronoi vertex.
   std::vector<std::uint32_t> edge_roadmap_;  ///< Per Voronoi edge: its roadmap edge, or none.
 };
 

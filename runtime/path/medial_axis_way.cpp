@@ -35,8 +35,8 @@ Vec2 point_of(const MedialAxisMap& axis, const RoadPlace& place) {
   return axis.bisector_of(roadmap.edges[place.edge]).point_at(place.at);
 }
 
-/// Goes straight away from the nearest wall until the axis, and on along it, clearance growing,
-/// where that is a twig which the roadmap leaves out.
+/// Goes straight away from the nearest wall until the axis, and on along it to the roadmap where
+/// that leaves this part of the axis out.
 std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
   const MedialAxisMap& axis = map.medial_axis();
   const auto place = axis.place_above(map.site_at(point), point);
@@ -48,36 +48,28 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
   const Vec2 reached = axis.bisector(edge).point_at(at);
   entry.length = glm::length(reached - point);
   append_point(reached, entry.points);
-  for (std::size_t steps = 0; steps <= voronoi.edge.size(); ++steps) {
-    if (axis.roadmap_edge(edge) != none) {
-      entry.place = {axis.roadmap_edge(edge), at, none};
-      return entry;
-    }
-    // To the end with more clearance, then on by the edge that rises furthest from there.
-    const VoronoiEdge& twig = voronoi.edge[edge];
-    const bool forward = voronoi.clearance[twig.to] >= voronoi.clearance[twig.from];
-    const std::uint32_t top = forward ? twig.to : twig.from;
-    const double end = forward ? axis.bisector(edge).end() : axis.bisector(edge).begin();
-    entry.length += axis.bisector(edge).length_between(at, end);
-    axis.bisector(edge).append_points(at, end, entry.points);
-    if (axis.node_at(top) != none) {
-      entry.place = {none, 0, axis.node_at(top)};
-      return entry;
-    }
-    double highest = voronoi.clearance[top];
-    std::uint32_t next = none;
-    for (const std::uint32_t e : axis.axis_edges_at(top)) {
-      const VoronoiEdge& candidate = voronoi.edge[e];
-      const std::uint32_t other = candidate.from == top ? candidate.to : candidate.from;
-      if (e == edge || voronoi.clearance[other] < highest) continue;
-      highest = voronoi.clearance[other];
-      next = e;
-    }
-    if (next == none) return {};
-    at = voronoi.edge[next].from == top ? axis.bisector(next).begin() : axis.bisector(next).end();
-    edge = next;
+  if (axis.roadmap_edge(edge) != none) {
+    entry.place = {axis.roadmap_edge(edge), at, none};
+    return entry;
   }
-  return {};
+  // Of the two ends, the road lies beyond the one that does not lead back over this edge.
+  bool forward = axis.edge_to_road(voronoi.edge[edge].to) != edge;
+  for (;;) {
+    const Bisector& curve = axis.bisector(edge);
+    const double end = forward ? curve.end() : curve.begin();
+    entry.length += curve.length_between(at, end);
+    entry.clearance = std::min(entry.clearance, curve.clearance_between(at, end));
+    curve.append_points(at, end, entry.points);
+    const std::uint32_t vertex = forward ? voronoi.edge[edge].to : voronoi.edge[edge].from;
+    if (axis.node_at(vertex) != none) {
+      entry.place = {none, 0, axis.node_at(vertex)};
+      return entry;
+    }
+    edge = axis.edge_to_road(vertex);
+    if (edge == none) return {};
+    forward = voronoi.edge[edge].from == vertex;
+    at = forward ? axis.bisector(edge).begin() : axis.bisector(edge).end();
+  }
 }
 
 /// A thing of the roadmap with how near it is, or may be.
@@ -128,7 +120,9 @@ std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double radiu
     append_point(reached, entry.points);
     return entry;
   }
-  return climb(map, point);
+  auto entry = climb(map, point);
+  if (entry && entry->clearance < radius - touching) entry.reset();
+  return entry;
 }
 
 /// Search over the nodes of the roadmap from one place to another.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "runtime/path/flatten.h"
 #include "runtime/path/floor_map.h"
@@ -34,19 +36,21 @@ void LevelCurve::find_crossings() {
   for (std::uint32_t e = 0; e < voronoi.edge.size(); ++e) {
     edge_first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
     const Bisector& curve = map_.bisector(e);
-    // Vertices are judged by their own stored clearance, so that all their edges agree.
+    // Vertices are judged by their own stored clearance, so that all their edges agree. A passage
+    // of exactly twice the distance is not passed: what would connect there has no area.
+    const double above_distance = distance_ + touching;
     const auto cross_between = [&](double a, double b, bool a_above, bool b_above) {
       if (a_above != b_above)
         crossing_.push_back({e, curve.place_of_clearance(distance_, a, b), b_above});
     };
-    const bool from_above = voronoi.clearance[voronoi.edge[e].from] >= distance_;
-    const bool to_above = voronoi.clearance[voronoi.edge[e].to] >= distance_;
+    const bool from_above = voronoi.clearance[voronoi.edge[e].from] > above_distance;
+    const bool to_above = voronoi.clearance[voronoi.edge[e].to] > above_distance;
     const double lowest = curve.lowest_place();
     if (lowest == curve.begin() || lowest == curve.end()) {
       cross_between(curve.begin(), curve.end(), from_above, to_above);
     } else {
       // Never above an end that is not: rounding must not make a third crossing.
-      const bool above = curve.clearance_at(lowest) >= distance_ && from_above && to_above;
+      const bool above = curve.clearance_at(lowest) > above_distance && from_above && to_above;
       cross_between(curve.begin(), lowest, from_above, above);
       cross_between(lowest, curve.end(), above, to_above);
     }
@@ -133,13 +137,69 @@ OffsetRing wall_ring(const FloorPlan& plan, const Ring& ring) {
   return made;
 }
 
-/// Follows the curve from one piece until it closes.
-OffsetRing follow(const LevelCurve& curve, std::uint32_t first, std::vector<bool>& followed) {
-  OffsetRing ring;
-  const Vec2 origin = curve.point_at(curve.pieces()[first].site, curve.pieces()[first].begin);
+/// Follows the curve from one piece until it closes; gives its pieces.
+std::vector<std::uint32_t> follow(const LevelCurve& curve, std::uint32_t first,
+                                  std::vector<bool>& followed) {
+  std::vector<std::uint32_t> pieces;
   for (std::uint32_t p = first; p != MedialAxisMap::none && !followed[p];
        p = curve.piece_from(curve.pieces()[p].to)) {
     followed[p] = true;
+    pieces.push_back(p);
+  }
+  return pieces;
+}
+
+/// Gives places that coincide the same number: where a curve touches itself. Crossings beside a
+/// place that the curve just touches are known to the square root of the rounding only.
+std::vector<std::uint32_t> number_places(const std::vector<Vec2>& points) {
+  constexpr double same_place = 1e-6;
+  std::vector<std::uint32_t> order(points.size()), number(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::iota(number.begin(), number.end(), 0U);
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(points[i].x, i); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i; j-- > 0;) {
+      const Vec2 apart = points[order[i]] - points[order[j]];
+      if (apart.x > same_place) break;
+      if (std::abs(apart.y) <= same_place) number[order[i]] = number[order[j]];
+    }
+  return number;
+}
+
+/// Splits a closed row of pieces where it touches itself, so that no ring passes a point twice: two
+/// holes that touch stay two.
+std::vector<std::vector<std::uint32_t>> split_where_touching(
+    const LevelCurve& curve, const std::vector<std::uint32_t>& pieces) {
+  std::vector<Vec2> begins;
+  for (const std::uint32_t p : pieces)
+    begins.push_back(curve.point_at(curve.pieces()[p].site, curve.pieces()[p].begin));
+  const auto place = number_places(begins);
+  std::vector<std::vector<std::uint32_t>> rings;
+  std::vector<std::size_t> open;                    // pieces not yet in a ring, in order
+  std::vector<bool> visited(pieces.size(), false);  // per place: does an open piece begin there?
+  for (std::size_t i = 0; i <= pieces.size(); ++i) {
+    const std::uint32_t here = place[i % pieces.size()];
+    if (visited[here]) {
+      std::vector<std::uint32_t> ring;
+      while (visited[here]) {
+        ring.push_back(pieces[open.back()]);
+        visited[place[open.back()]] = false;
+        open.pop_back();
+      }
+      std::ranges::reverse(ring);
+      rings.push_back(std::move(ring));
+    }
+    open.push_back(i % pieces.size());
+    visited[here] = true;
+  }
+  return rings;
+}
+
+OffsetRing make_ring(const LevelCurve& curve, const std::vector<std::uint32_t>& pieces) {
+  OffsetRing ring;
+  const LevelPiece& first = curve.pieces()[pieces.front()];
+  const Vec2 origin = curve.point_at(first.site, first.begin);
+  for (const std::uint32_t p : pieces) {
     const LevelPiece& piece = curve.pieces()[p];
     ring.length += curve.length_between(piece.site, piece.begin, piece.end);
     ring.area += curve.area_between(piece.site, piece.begin, piece.end, origin);
@@ -161,7 +221,9 @@ OffsetCurve offset_curve(const MedialAxisMap& map, double distance) {
     const LevelCurve curve(map, distance);
     std::vector<bool> followed(curve.pieces().size(), false);
     for (std::uint32_t p = 0; p < curve.pieces().size(); ++p)
-      if (!followed[p]) made.rings.push_back(follow(curve, p, followed));
+      if (!followed[p])
+        for (const auto& pieces : split_where_touching(curve, follow(curve, p, followed)))
+          made.rings.push_back(make_ring(curve, pieces));
   }
   for (const OffsetRing& ring : made.rings) {
     ++(ring.area > 0 ? made.components : made.holes);
