@@ -132,7 +132,7 @@ bool keeps(const Scenery& scenery, std::size_t exhibits) {
   return std::ranges::all_of(scenery.vertices, sound_vertex) &&
          are_triangles(scenery.indices, scenery.vertices.size()) &&
          std::ranges::all_of(scenery.parts, sound_part) && texels <= scenery.lightmap.size() &&
-         scenery.lightmap.size() == 2 * texels && finite(scenery.lightmap_min) &&
+         scenery.lightmap.size() == Scenery::lightmap_channels * texels && finite(scenery.lightmap_min) &&
          finite(scenery.lightmap_max) && finite(scenery.sun);
 }
 

@@ -53,7 +53,8 @@ inline Museum small_museum() {
        .lightmap_height = 1,
        .lightmap_min = {-1, -2},
        .lightmap_max = {11, 9},
-       .lightmap = {std::byte{1}, std::byte{2}, std::byte{3}, std::byte{255}},
+       .lightmap = {std::byte{1}, std::byte{2}, std::byte{0}, std::byte{3}, std::byte{255},
+                    std::byte{90}},
        .sun = {0.6F, 0.8F, 0}});
   museum.rooms.push_back({.id = "east",
                           .floor = 0,

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <string_view>
+
+#include "platform/gles/gl_names.h"
+#include "runtime/model/result.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// Texture units that samplers of a name are bound to, once, when a program is linked.
+enum class Unit : GLuint { Image, LightMap, ShadowAtlas };
+
+/// Binding points of the uniform blocks.
+enum class Block : GLuint { Frame, Palette };
+
+/// A linked program.
+class Program {
+ public:
+  Program() = default;
+  explicit Program(GlProgram program) noexcept : program_(std::move(program)) {}
+
+  void use() const noexcept { glUseProgram(program_.get()); }
+  /// Where a uniform is; -1, which setting ignores, where the shader does without it.
+  GLint operator[](const char* uniform) const noexcept {
+    return glGetUniformLocation(program_.get(), uniform);
+  }
+
+ private:
+  GlProgram program_;
+};
+
+/// Compiles and links the pieces; each stage is its pieces in order. `name` is for the message.
+Result<Program> link_program(std::string_view name, std::initializer_list<std::string_view> vertex,
+                             std::initializer_list<std::string_view> fragment);
+
+inline void set(GLint uniform, const Colour& c) noexcept {
+  glUniform4f(uniform, c.r, c.g, c.b, c.a);
+}
+
+}  // namespace docent

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "platform/egl/display.h"
+#include "platform/gles/program.h"
+#include "platform/gles/textures.h"
+
+namespace docent {
+
+/// Draws the interface: rectangles in order, as few calls as their textures allow.
+class QuadPass {
+ public:
+  Result<void> compile();
+  void draw(std::span<const Quad> quads, PixelSize screen, const Textures& textures) noexcept;
+
+ private:
+  /// One instance, in pixels.
+  struct Instance {
+    std::array<float, 4> rect, uv, colour, shape;
+  };
+  void flush(GLuint texture) noexcept;
+
+  GlBuffer instances_;
+  GlVertexArray array_;
+  std::vector<Instance> staging_;
+  Program program_;
+  GLint screen_ = -1;
+};
+
+}  // namespace docent

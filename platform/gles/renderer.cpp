@@ -1,0 +1,220 @@
+#include "platform/gles/renderer.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "platform/gles/avatar_pass.h"
+#include "platform/gles/program.h"
+#include "platform/gles/quad_pass.h"
+#include "platform/gles/scene_buffer.h"
+#include "platform/gles/scenery_pass.h"
+#include "platform/gles/shaders.h"
+#include "platform/gles/textures.h"
+#include "platform/gles/way_pass.h"
+#include "runtime/scene/theme.h"
+
+namespace docent {
+namespace {
+
+/// Block `Frame` of frame.glsl, in std140 layout.
+struct FrameBlock {
+  Mat4 view_projection;
+  Vec4 eye, sun, focus, goal, paper, lightmap, sun_colour, sky_colour, bounce_colour;
+};
+
+/// Late-afternoon light, chosen so that pale plaster in full light comes out just below paper.
+constexpr Vec4 sun_colour{1.36F, 1.20F, 0.96F, 0};
+constexpr Vec4 sky_colour{0.40F, 0.43F, 0.48F, 0};
+constexpr Vec4 bounce_colour{0.34F, 0.29F, 0.235F, 0};
+
+constexpr float fade_of_far_galleries = 0.62F;
+constexpr float light_of_goal = 0.16F;
+
+Vec4 colour_of(const Colour& c) noexcept {
+  return {c.r, c.g, c.b, c.a};
+}
+
+Vec4 place_on_floor(Vec2 place, float radius, float amount) noexcept {
+  const Vec3 world = to_world(place);
+  return {world.x, world.z, radius, amount};
+}
+
+FrameBlock frame_block(const DrawList& list, const SceneryPass& buildings,
+                       const Theme& theme) noexcept {
+  const Scenery* scenery = buildings.scenery_of(list.floor);
+  FrameBlock frame{};
+  frame.view_projection = list.camera.projection * list.camera.view;
+  frame.eye = Vec4(list.camera.eye, 1);
+  frame.focus = place_on_floor(list.focus, list.focus_radius, fade_of_far_galleries);
+  frame.goal = place_on_floor(list.goal, list.goal_radius, light_of_goal);
+  frame.paper = colour_of(theme.paper);
+  frame.sun = Vec4(0, 1, 0, 0);
+  frame.sun_colour = sun_colour;
+  frame.sky_colour = sky_colour;
+  frame.bounce_colour = bounce_colour;
+  if (scenery) {
+    const Vec2 size = scenery->lightmap_max - scenery->lightmap_min;
+    // The lightmap's rows run north, world z runs south.
+    frame.lightmap = {static_cast<float>(scenery->lightmap_min.x),
+                      static_cast<float>(-scenery->lightmap_min.y), static_cast<float>(1 / size.x),
+                      static_cast<float>(-1 / size.y)};
+    frame.sun = Vec4(scenery->sun, buildings.floor_height(list.floor));
+  }
+  return frame;
+}
+
+}  // namespace
+
+struct Renderer::Parts {
+  explicit Parts(const RendererOptions& options)
+      : buffer(options.samples, options.buffer_bytes),
+        frame(make_buffer()),
+        array(make_vertex_array()) {}
+
+  Result<void> compile();
+  void draw_model(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
+  void draw_strip(const DrawList& list) noexcept;
+  void draw_interface(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
+  void copy_to_panel(const RenderTarget& target) noexcept;
+
+  Theme theme;
+  Textures textures;
+  SceneBuffer buffer;
+  Picture picture;
+  SceneryPass scenery;
+  AvatarPass avatars;
+  WayPass way;
+  QuadPass quads;
+  Program copy;
+  GLint quarter_turns = -1;
+  GlBuffer frame;
+  GlVertexArray array;
+};
+
+Result<void> Renderer::Parts::compile() {
+  for (auto made : {scenery.compile(), avatars.compile(), way.compile(), quads.compile()})
+    if (!made) return made;
+  auto copier = link_program("copy", {shaders::copy_vert}, {shaders::copy_frag});
+  if (!copier) return std::unexpected(copier.error());
+  copy = std::move(*copier);
+  quarter_turns = copy["quarter_turns"];
+  glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
+  return {};
+}
+
+/// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
+void Renderer::Parts::draw_strip(const DrawList& list) noexcept {
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  avatars.draw_bodies(list);
+  scenery.draw_solids(list.floor, list.highlighted_exhibit, textures);
+  scenery.draw_floors(list.floor);
+
+  glDepthMask(GL_FALSE);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(-1, -2);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  way.draw(list);
+  glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+  avatars.draw_shadows(list);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  scenery.draw_glass(list.floor);
+  glDepthMask(GL_TRUE);
+}
+
+void Renderer::Parts::draw_model(const DrawList& list, GLuint framebuffer,
+                                 PixelSize size) noexcept {
+  const FrameBlock block = frame_block(list, scenery, theme);
+  glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
+  glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
+  glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
+  way.prepare(list);
+  avatars.prepare(list, Vec3(block.sun));
+  scenery.bind_light(list.floor);
+  buffer.fit(size);
+  for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
+    buffer.begin(strip);
+    draw_strip(list);
+    buffer.resolve(strip, framebuffer);
+  }
+}
+
+void Renderer::Parts::draw_interface(const DrawList& list, GLuint framebuffer,
+                                     PixelSize size) noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  quads.draw(list.quads, size, textures);
+}
+
+void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
+  const bool sideways =
+      target.rotation == Rotation::Quarter || target.rotation == Rotation::ThreeQuarters;
+  const auto width = static_cast<GLsizei>(sideways ? target.size.height : target.size.width);
+  const auto height = static_cast<GLsizei>(sideways ? target.size.width : target.size.height);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, width, height);
+  glDisable(GL_BLEND);
+  copy.use();
+  glUniform1i(quarter_turns, static_cast<GLint>(target.rotation));
+  bind_texture(static_cast<GLuint>(Unit::Image), picture.texture());
+  glBindVertexArray(array.get());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+TextureId Renderer::upload_text(std::uint32_t width, std::uint32_t height,
+                                std::span<const std::uint8_t> coverage) noexcept {
+  return parts_->textures.add_text(width, height, coverage);
+}
+
+TextureId Renderer::upload_image(const Pixels& picture) noexcept {
+  return parts_->textures.add_image(picture);
+}
+
+void Renderer::release(TextureId texture) noexcept {
+  parts_->textures.release(texture);
+}
+
+void Renderer::upload_scenery(std::uint32_t floor, const Scenery& scenery,
+                              std::span<const TextureId> image_of) {
+  parts_->scenery.upload(floor, scenery, image_of);
+}
+
+void Renderer::upload_avatar(const SkinnedMesh& mesh) {
+  parts_->avatars.upload(mesh);
+}
+
+void Renderer::draw(const DrawList& list, const RenderTarget& target) noexcept {
+  if (target.size.width == 0 || target.size.height == 0) return;
+  const bool direct = target.encoding == Encoding::Srgb;
+  if (!direct) parts_->picture.fit(target.size);
+  const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
+  parts_->draw_model(list, framebuffer, target.size);
+  parts_->draw_interface(list, framebuffer, target.size);
+  if (!direct) parts_->copy_to_panel(target);
+}
+
+Result<Renderer> make_renderer(const RendererOptions& options) {
+  auto parts = std::make_unique<Renderer::Parts>(options);
+  if (auto compiled = parts->compile(); !compiled) return std::unexpected(compiled.error());
+  return Renderer(std::move(parts));
+}
+
+}  // namespace docent

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "platform/egl/display.h"
+#include "platform/png/image.h"
+#include "runtime/model/motion/skinned_mesh.h"
+#include "runtime/model/result.h"
+#include "runtime/model/scenery.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+struct RendererOptions {
+  std::uint32_t samples = 4;  ///< A pixel of the model; 0 or 1: jagged edges, half the time.
+  /// The model is drawn in horizontal strips so that its multisampled buffers take no more than
+  /// this. A GPU is quicker with all of the screen in one strip.
+  std::size_t buffer_bytes = std::size_t{18} << 20;
+};
+
+/// Draws draw lists with OpenGL ES 3. Made, used and destroyed on the thread on which a context is
+/// current; that context outlives it.
+///
+/// Uploads may be made between frames. `draw` does not allocate, cannot fail, and shows less where
+/// a list asks for what was not uploaded.
+class Renderer {
+ public:
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// Keeps how much of each pixel a set text covers: `width` times `height` bytes, rows from the
+  /// top. None where there is no more room (4096 textures) or no pixel.
+  TextureId upload_text(std::uint32_t width, std::uint32_t height,
+                        std::span<const std::uint8_t> coverage) noexcept;
+  /// Keeps a picture, with smaller versions of itself for the distance.
+  TextureId upload_image(const Pixels& picture) noexcept;
+  /// Gives a texture's memory back; its id may be handed out again.
+  void release(TextureId texture) noexcept;
+
+  /// The building of a floor. `image_of` holds a texture per exhibit (SceneryPart::exhibit).
+  void upload_scenery(std::uint32_t floor, const Scenery& scenery,
+                      std::span<const TextureId> image_of);
+  /// The body that every avatar wears.
+  void upload_avatar(const SkinnedMesh& mesh);
+
+  /// Draws everything into the target.
+  void draw(const DrawList& list, const RenderTarget& target) noexcept;
+
+ private:
+  friend Result<Renderer> make_renderer(const RendererOptions&);
+  struct Parts;
+  explicit Renderer(std::unique_ptr<Parts> parts) noexcept;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Compiles the shaders in the current context. Fails with the driver's own words.
+Result<Renderer> make_renderer(const RendererOptions& options = {});
+
+}  // namespace docent

@@ -1,0 +1,86 @@
+#include "platform/gles/scene_buffer.h"
+
+#include <algorithm>
+
+namespace docent {
+
+SceneBuffer::SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept
+    : most_bytes_(most_bytes) {
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  samples_ = samples > 1 ? std::min(static_cast<GLint>(samples), most) : 0;
+}
+
+void SceneBuffer::fit(PixelSize picture) noexcept {
+  if (picture == picture_ || picture.width == 0 || picture.height == 0) return;
+  picture_ = picture;
+  constexpr std::size_t bytes_a_sample = 8;  // colour and depth
+  const std::size_t row =
+      bytes_a_sample * picture.width * static_cast<std::size_t>(std::max(samples_, 1));
+  const std::size_t rows =
+      std::clamp<std::size_t>(most_bytes_ / row, 64, std::max(64U, picture.height));
+  strips_ = static_cast<std::uint32_t>((picture.height + rows - 1) / rows);
+  strip_height_ = (picture.height + strips_ - 1) / strips_;
+
+  const auto width = static_cast<GLsizei>(picture.width);
+  const auto height = static_cast<GLsizei>(strip_height_);
+  colour_ = make_renderbuffer();
+  glBindRenderbuffer(GL_RENDERBUFFER, colour_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_SRGB8_ALPHA8, width, height);
+  depth_ = make_renderbuffer();
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.get());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_, GL_DEPTH_COMPONENT24, width, height);
+  framebuffer_ = make_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
+  if (strips_ == 1 || samples_ == 0) return;
+  resolved_ = make_renderbuffer();
+  glBindRenderbuffer(GL_RENDERBUFFER, resolved_.get());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width, height);
+  resolved_framebuffer_ = make_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_framebuffer_.get());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_.get());
+}
+
+void SceneBuffer::begin(std::uint32_t strip) const noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glViewport(0, -static_cast<GLint>(strip * strip_height_), static_cast<GLsizei>(picture_.width),
+             static_cast<GLsizei>(picture_.height));
+}
+
+void SceneBuffer::resolve(std::uint32_t strip, GLuint framebuffer) const noexcept {
+  const auto width = static_cast<GLint>(picture_.width);
+  const auto from = static_cast<GLint>(strip * strip_height_);
+  const auto to = static_cast<GLint>(std::min(picture_.height, (strip + 1) * strip_height_));
+  const GLint rows = to - from;
+  const auto blit = [&](GLuint source, GLuint destination, GLint y) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
+    glBlitFramebuffer(0, 0, width, rows, 0, y, width, y + rows, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  };
+  // OpenGL ES resolves samples only between equal rectangles (3.0, section 4.3.3), so the strip
+  // takes its place in the picture by a second copy.
+  const bool moves = from != 0 && samples_ > 0;
+  if (moves) blit(framebuffer_.get(), resolved_framebuffer_.get(), 0);
+  blit(moves ? resolved_framebuffer_.get() : framebuffer_.get(), framebuffer, from);
+  constexpr GLenum forget[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
+  glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, 2, forget);
+}
+
+void Picture::fit(PixelSize size) noexcept {
+  if (size == size_) return;
+  size_ = size;
+  texture_ = make_texture();
+  bind_texture(0, texture_.get());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, static_cast<GLsizei>(size.width),
+                 static_cast<GLsizei>(size.height));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  framebuffer_ = make_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
+}
+
+}  // namespace docent

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "platform/egl/display.h"
+#include "platform/gles/gl_names.h"
+
+namespace docent {
+
+/// The multisampled buffers that the model is drawn into, a horizontal strip of the picture at a
+/// time.
+class SceneBuffer {
+ public:
+  SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept;
+
+  /// Makes the buffers fit the picture; nothing happens while its size stays.
+  void fit(PixelSize picture) noexcept;
+
+  std::uint32_t strips() const noexcept { return strips_; }
+  /// Directs drawing to a strip: the viewport is that of the whole picture, moved.
+  void begin(std::uint32_t strip) const noexcept;
+  /// Resolves the strip into `framebuffer`, which encodes sRGB as this one does.
+  void resolve(std::uint32_t strip, GLuint framebuffer) const noexcept;
+
+ private:
+  GLsizei samples_ = 1;
+  std::size_t most_bytes_ = 0;
+  PixelSize picture_;
+  std::uint32_t strips_ = 0, strip_height_ = 0;
+  GlRenderbuffer colour_, depth_, resolved_;
+  GlFramebuffer framebuffer_, resolved_framebuffer_;
+};
+
+/// A picture that encodes sRGB and can be read as a texture, for panels that can do neither.
+class Picture {
+ public:
+  void fit(PixelSize size) noexcept;
+  GLuint framebuffer() const noexcept { return framebuffer_.get(); }
+  GLuint texture() const noexcept { return texture_.get(); }
+
+ private:
+  PixelSize size_;
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
+};
+
+}  // namespace docent

@@ -1,0 +1,81 @@
+#include "platform/gles/textures.h"
+
+#include <utility>
+
+namespace docent {
+namespace {
+
+constexpr std::size_t most_textures = 4096;
+
+void sample_with(GLint smaller, GLint larger) noexcept {
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smaller);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, larger);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
+
+Textures::Textures() {
+  entries_.reserve(most_textures);
+  released_.reserve(most_textures);
+}
+
+TextureId Textures::keep(GlTexture texture, std::uint32_t width, std::uint32_t height) noexcept {
+  if (!released_.empty()) {
+    const std::uint32_t slot = released_.back();
+    released_.pop_back();
+    entries_[slot] = {std::move(texture), width, height};
+    return TextureId{slot + 1};
+  }
+  if (entries_.size() == most_textures) return TextureId::None;
+  entries_.push_back({std::move(texture), width, height});
+  return TextureId{static_cast<std::uint32_t>(entries_.size())};
+}
+
+TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
+                             std::span<const std::uint8_t> coverage) noexcept {
+  if (width == 0 || height == 0 || coverage.size() < std::size_t{width} * height)
+    return TextureId::None;
+  GlTexture texture = make_texture();
+  bind_texture(0, texture.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, static_cast<GLsizei>(width),
+                 static_cast<GLsizei>(height));
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height),
+                  GL_RED, GL_UNSIGNED_BYTE, coverage.data());
+  sample_with(GL_NEAREST, GL_NEAREST);
+  return keep(std::move(texture), width, height);
+}
+
+TextureId Textures::add_image(const Pixels& picture) noexcept {
+  if (picture.rgba.empty()) return TextureId::None;
+  GLsizei levels = 1;
+  for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++levels;
+  GlTexture texture = make_texture();
+  bind_texture(0, texture.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexStorage2D(GL_TEXTURE_2D, levels, GL_SRGB8_ALPHA8, static_cast<GLsizei>(picture.width),
+                 static_cast<GLsizei>(picture.height));
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(picture.width),
+                  static_cast<GLsizei>(picture.height), GL_RGBA, GL_UNSIGNED_BYTE,
+                  picture.rgba.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  sample_with(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  return keep(std::move(texture), picture.width, picture.height);
+}
+
+void Textures::release(TextureId id) noexcept {
+  if (find(id) == nullptr) return;
+  const std::uint32_t slot = static_cast<std::uint32_t>(id) - 1;
+  entries_[slot] = {};
+  released_.push_back(slot);
+}
+
+const Textures::Entry* Textures::find(TextureId id) const noexcept {
+  const auto slot = static_cast<std::size_t>(id) - 1;  // None wraps beyond the end
+  if (slot >= entries_.size() || !entries_[slot].texture) return nullptr;
+  return &entries_[slot];
+}
+
+}  // namespace docent

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "platform/gles/gl_names.h"
+#include "platform/png/image.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent {
+
+/// The textures that draw lists name by TextureId: texts and pictures. Its room is fixed, so that
+/// an upload between frames does not allocate.
+class Textures {
+ public:
+  Textures();
+
+  TextureId add_text(std::uint32_t width, std::uint32_t height,
+                     std::span<const std::uint8_t> coverage) noexcept;
+  TextureId add_image(const Pixels& picture) noexcept;
+  void release(TextureId id) noexcept;
+
+  struct Entry {
+    GlTexture texture;
+    std::uint32_t width = 0, height = 0;
+  };
+  /// The texture of an id, or null where there is none.
+  const Entry* find(TextureId id) const noexcept;
+
+ private:
+  TextureId keep(GlTexture texture, std::uint32_t width, std::uint32_t height) noexcept;
+
+  std::vector<Entry> entries_;           // by id - 1
+  std::vector<std::uint32_t> released_;  // room to be used again
+};
+
+}  // namespace docent

@@ -1,0 +1,113 @@
+#include "platform/gles/way_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "platform/gles/shaders.h"
+
+namespace docent {
+namespace {
+
+constexpr std::size_t most_vertices = 32768;
+constexpr std::size_t most_points = 16384;
+constexpr float ribbon_lift = 0.012F;  // metres above the floor; markers lie a little higher
+constexpr float marker_lift = 0.02F;
+
+}  // namespace
+
+Result<void> WayPass::compile() {
+  using namespace shaders;
+  auto ribbon =
+      link_program("ribbon", {frame_glsl, ribbon_vert}, {frame_glsl, light_glsl, ribbon_frag});
+  if (!ribbon) return std::unexpected(ribbon.error());
+  auto marker =
+      link_program("marker", {frame_glsl, marker_vert}, {frame_glsl, light_glsl, marker_frag});
+  if (!marker) return std::unexpected(marker.error());
+  ribbon_ = std::move(*ribbon);
+  marker_ = std::move(*marker);
+  at_ = {ribbon_["lift"],  ribbon_["tone"], ribbon_["way"],  ribbon_["kind"],
+         marker_["place"], marker_["tone"], marker_["mark"], marker_["inner_tone"]};
+
+  staging_.reserve(most_vertices);
+  rounded_.reserve(most_points);
+  no_attributes_ = make_vertex_array();
+  array_ = make_vertex_array();
+  glBindVertexArray(array_.get());
+  vertices_ = make_buffer();
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  glBufferData(GL_ARRAY_BUFFER, most_vertices * sizeof(RibbonVertex), nullptr, GL_DYNAMIC_DRAW);
+  for (GLuint i = 0; i < 2; ++i) glEnableVertexAttribArray(i);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
+                        buffer_offset(offsetof(RibbonVertex, place)));
+  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
+                        buffer_offset(offsetof(RibbonVertex, ribbon)));
+  return {};
+}
+
+bool WayPass::is_current(const DrawList& list) const noexcept {
+  const std::size_t count = std::min(list.ribbons.size(), most_ribbons);
+  return count == strip_count_ &&
+         std::equal(strips_.begin(), strips_.begin() + static_cast<std::ptrdiff_t>(count),
+                    list.ribbons.begin(), [](const Strip& strip, const RibbonDraw& ribbon) {
+                      return strip.revision == ribbon.revision &&
+                             strip.first_point == ribbon.first && strip.point_count == ribbon.count;
+                    });
+}
+
+void WayPass::prepare(const DrawList& list) noexcept {
+  if (is_current(list)) return;
+  staging_.clear();
+  strip_count_ = std::min(list.ribbons.size(), most_ribbons);
+  for (std::size_t i = 0; i < strip_count_; ++i) {
+    const RibbonDraw& ribbon = list.ribbons[i];
+    const std::size_t first = std::min<std::size_t>(ribbon.first, list.ribbon_point.size());
+    const std::size_t count = std::min<std::size_t>(ribbon.count, list.ribbon_point.size() - first);
+    const auto before = static_cast<GLint>(staging_.size());
+    const std::size_t made = append_ribbon(std::span(list.ribbon_point).subspan(first, count),
+                                           ribbon.length, rounded_, staging_);
+    strips_[i] = {ribbon.revision, ribbon.first, ribbon.count, before, static_cast<GLsizei>(made)};
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
+  glBufferSubData(GL_ARRAY_BUFFER, 0,
+                  static_cast<GLsizeiptr>(staging_.size() * sizeof(RibbonVertex)), staging_.data());
+}
+
+void WayPass::draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const noexcept {
+  set(at_.tone, with_opacity(route_colour(theme_, ribbon.kind), ribbon.opacity));
+  glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
+              static_cast<float>(ribbon_half_width));
+  glUniform1i(at_.kind, static_cast<GLint>(ribbon.kind));
+  glDrawArrays(GL_TRIANGLE_STRIP, strip.first, strip.count);
+}
+
+void WayPass::draw_marker(const MarkerDraw& marker) const noexcept {
+  using Kind = MarkerDraw::Kind;
+  const bool is_exhibit = marker.kind == Kind::Exhibit;
+  set(at_.marker_tone,
+      with_opacity(is_exhibit ? theme_.quiet_ink : theme_.shortest, marker.opacity));
+  set(at_.inner_tone, theme_.paper);
+  const float reach =
+      marker.kind == Kind::YouAreHere ? 2.7F : 1.3F;  // radii that marker.frag draws
+  glUniform4f(at_.place, marker.position.x, marker.position.y + marker_lift, marker.position.z,
+              marker.radius * reach);
+  glUniform4f(at_.mark, marker.radius, std::cos(marker.heading), std::sin(marker.heading),
+              static_cast<float>(marker.kind));
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void WayPass::draw(const DrawList& list) const noexcept {
+  ribbon_.use();
+  glUniform1f(at_.lift, ribbon_lift);
+  glBindVertexArray(array_.get());
+  for (std::size_t i = 0; i < strip_count_; ++i)
+    if (strips_[i].count > 0 && list.ribbons[i].opacity > 0)
+      draw_ribbon(list.ribbons[i], strips_[i]);
+  marker_.use();
+  glBindVertexArray(no_attributes_.get());
+  for (const MarkerDraw& marker : list.markers)
+    if (marker.opacity > 0) draw_marker(marker);
+}
+
+}  // namespace docent

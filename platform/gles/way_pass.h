@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "platform/gles/program.h"
+#include "platform/gles/ribbon_mesh.h"
+#include "runtime/scene/theme.h"
+
+namespace docent {
+
+/// Draws the way on the floor: ribbons and markers.
+class WayPass {
+ public:
+  /// More ribbons than this are not drawn.
+  static constexpr std::size_t most_ribbons = 8;
+
+  Result<void> compile();
+  /// Rebuilds the strips of ribbons whose revision has changed. Before any strip of the picture.
+  void prepare(const DrawList& list) noexcept;
+  void draw(const DrawList& list) const noexcept;
+
+ private:
+  struct Strip {
+    std::uint32_t revision = 0, first_point = 0, point_count = 0;
+    GLint first = 0;
+    GLsizei count = 0;
+  };
+  bool is_current(const DrawList& list) const noexcept;
+  void draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const noexcept;
+  void draw_marker(const MarkerDraw& marker) const noexcept;
+
+  GlBuffer vertices_;
+  GlVertexArray array_, no_attributes_;
+  std::vector<RibbonVertex> staging_;
+  std::vector<Vec2> rounded_;
+  std::array<Strip, most_ribbons> strips_{};
+  std::size_t strip_count_ = 0;
+  Program ribbon_, marker_;
+  struct {
+    GLint lift, tone, way, kind, place, marker_tone, mark, inner_tone;
+  } at_{};
+  Theme theme_;
+};
+
+}  // namespace docent
