@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// What the commands that question a database share. All throw ContentError.
+
+/// The index of the floor of that name; the kiosk's floor where the name is empty.
+std::uint32_t floor_named(const Museum& museum, std::string_view name);
+
+/// Reads "X,Y" from the command line.
+Vec2 parse_point(std::string_view text, std::string_view option);
+
+/// Rows of a CSV file whose columns are all numbers, with the words that they were written as, so
+/// that an answer can repeat them.
+struct NumberTable {
+  std::vector<std::vector<double>> rows;
+  std::vector<std::string> written;  ///< Per row, without the line end.
+};
+
+/// Reads the named columns, which must come first and in this order; more may follow and are
+/// dropped.
+NumberTable read_numbers(const std::filesystem::path& file,
+                         const std::vector<std::string>& columns);
+
+/// Writes text in the place of a file, whole or not at all.
+void write_text(const std::filesystem::path& file, std::string_view text);
+
+/// A double in as few digits as read back the same; `null` where it is not finite.
+std::string json_number(double value);
+/// [[x, y], ...].
+std::string json_points(const std::vector<Vec2>& points);
+
+}  // namespace docent
