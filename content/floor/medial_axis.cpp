@@ -14,6 +14,11 @@ namespace {
 
 /// Metres. A dead end whose discs reach less than this beyond its junction's disc is noise.
 constexpr double smallest_reach = 0.05;
+/// Metres. Nobody stands where the clearance is less: a dead end that closes to it and opens
+/// towards its junction like a corner of 60 degrees or more is a corner that was traced with many
+/// walls.
+constexpr double smallest_tip = 0.15;
+constexpr double corner_slope = 0.5;
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -32,8 +37,8 @@ class Axis {
   void prune_noise() {
     for (std::uint32_t v = 0; v < edges_at_.size(); ++v) consider(v);
     while (!dead_ends_.empty()) {
-      const auto [reach, leaf] = *dead_ends_.begin();
-      if (reach >= smallest_reach) return;
+      const auto [significance, leaf] = *dead_ends_.begin();
+      if (significance >= 0) return;
       remove(leaf);
     }
   }
@@ -59,28 +64,32 @@ class Axis {
     return diagram_.edge[e].from == v ? diagram_.edge[e].to : diagram_.edge[e].from;
   }
 
-  /// How far the discs of a dead end's leaf, and of what was pruned there, reach beyond the disc of
-  /// the junction.
-  [[nodiscard]] double reach_of(std::uint32_t leaf) const {
+  /// How far the discs of a dead end, its leaf and what was pruned there, reach beyond the disc of
+  /// the junction, less what may be forgiven: negative for one that matters to nobody.
+  [[nodiscard]] double significance_of(std::uint32_t leaf) const {
     const std::uint32_t junction = other_end(edges_at_[leaf].front(), leaf);
-    const auto reach = [&](std::uint32_t v) {
-      return glm::distance(diagram_.vertex[v], diagram_.vertex[junction]) + diagram_.clearance[v] -
-             diagram_.clearance[junction];
+    double tip = diagram_.clearance[leaf];
+    for (const std::uint32_t v : discs_[leaf]) tip = std::min(tip, diagram_.clearance[v]);
+    const auto unforgiven = [&](std::uint32_t v) {
+      const double way = glm::distance(diagram_.vertex[v], diagram_.vertex[junction]);
+      const double reach = way + diagram_.clearance[v] - diagram_.clearance[junction];
+      const double corner = tip < smallest_tip ? (1 - corner_slope) * way : 0.0;
+      return reach - std::max(smallest_reach, corner);
     };
-    double farthest = reach(leaf);
-    for (const std::uint32_t v : discs_[leaf]) farthest = std::max(farthest, reach(v));
-    return farthest;
+    double most = unforgiven(leaf);
+    for (const std::uint32_t v : discs_[leaf]) most = std::max(most, unforgiven(v));
+    return most;
   }
 
   void consider(std::uint32_t v) {
-    if (edges_at_[v].size() == 1) dead_ends_.insert({reach_of(v), v});
+    if (edges_at_[v].size() == 1) dead_ends_.insert({significance_of(v), v});
   }
 
   void remove(std::uint32_t leaf) {
-    dead_ends_.erase({reach_of(leaf), leaf});
+    dead_ends_.erase({significance_of(leaf), leaf});
     const std::uint32_t edge = edges_at_[leaf].front();
     const std::uint32_t junction = other_end(edge, leaf);
-    if (edges_at_[junction].size() == 1) dead_ends_.erase({reach_of(junction), junction});
+    if (edges_at_[junction].size() == 1) dead_ends_.erase({significance_of(junction), junction});
     is_kept_[edge] = false;
     is_node_[leaf] = false;
     edges_at_[leaf].clear();
@@ -95,7 +104,7 @@ class Axis {
   std::vector<std::vector<std::uint32_t>> discs_;         ///< Per vertex, what was pruned there.
   std::vector<bool> is_node_;                             ///< Per vertex.
   std::vector<bool> is_kept_;                             ///< Per edge.
-  std::set<std::pair<double, std::uint32_t>> dead_ends_;  ///< Reach and leaf, the least first.
+  std::set<std::pair<double, std::uint32_t>> dead_ends_;  ///< Significance, leaf; least first.
 };
 
 }  // namespace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// A way over the floor, told apart by colour and pattern as on the kiosk.
+enum class LineKind : std::uint8_t {
+  Shortest,  ///< Vermilion, solid.
+  Skeleton,  ///< Teal, long dashes.
+  Offset,    ///< Ochre, round dots.
+  Level,     ///< A thin line of equal clearance.
+};
+
+/// A line over the plan. Frame: floor.
+struct DrawnLine {
+  LineKind kind = LineKind::Shortest;
+  std::vector<Vec2> points;
+  bool closed = false;
+};
+
+/// What of a floor is drawn.
+struct PlanLayers {
+  bool walls = false;     ///< Outlines, cases, columns and doors.
+  bool regions = false;   ///< Voronoi regions, tinted so that neighbours differ.
+  bool sites = false;     ///< Walls' ends and reflex corners.
+  bool skeleton = false;  ///< The roadmap, darker where the room is wider.
+  bool exhibits = false;  ///< Objects, viewing points and ids; the kiosk.
+};
+
+/// Draws one floor of a museum as an SVG document, the longer side 1,800 pixels, with a scale bar.
+/// `lines` lie on top, in their order. The curves of the diagram are exact: an arc of a parabola is
+/// a quadratic Bezier curve.
+std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayers& layers,
+                      const std::vector<DrawnLine>& lines);
+
+}  // namespace docent

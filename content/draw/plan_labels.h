@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// A word beside a mark. Pixels, y down.
+struct Label {
+  std::string words;
+  Vec2 mark{};      ///< The middle of what it names.
+  Vec2 baseline{};  ///< Where its first letter stands; found by place_labels.
+};
+
+/// Puts each label beside its mark, where it hides no mark and no label placed before it; where
+/// there is no such place, where it hides the least. `letter` is the type's size.
+void place_labels(std::vector<Label>& labels, double letter, Vec2 page);
+
+}  // namespace docent
