@@ -313,10 +313,12 @@ void shape_arms(const MeanPose& pose, Skeleton& skeleton) {
   for (const std::size_t j : spine)
     for (const std::size_t child : children[j])
       if (!contains(spine, child) && j != 0) starts.push_back(child);
-  const auto reach = [&](std::size_t start) {
+  const auto length_of = [&](std::size_t start) {
     return line_to(skeleton, farthest_end(skeleton, start)).size();
   };
-  std::ranges::stable_sort(starts, std::ranges::greater{}, reach);
+  std::ranges::sort(starts, [&](std::size_t a, std::size_t b) {
+    return std::pair(length_of(b), a) < std::pair(length_of(a), b);
+  });
   if (starts.size() < 2) return;
 
   const Vec3 left =
