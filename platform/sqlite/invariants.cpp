@@ -150,6 +150,7 @@ bool keeps(const Skeleton& skeleton) {
     const bool is_root = parent == static_cast<std::int32_t>(JointIndex::None);
     if (is_root != (i == 0) || parent < -1 || parent >= i || !finite(joint.offset)) return false;
   }
+  if (joints == 0) return skeleton.has_rotation.empty();  // compiled without motion
   return skeleton.has_rotation.size() == skeleton.joint.size() &&
          std::ranges::all_of(skeleton.part, [=](JointIndex j) {
            const auto index = static_cast<std::int32_t>(j);
