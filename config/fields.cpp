@@ -85,10 +85,11 @@ void SectionReader::missing(const Place& place, std::string_view section, std::s
          fmt::format("{}: {}", key, manual));
 }
 
-void SectionReader::wrong_type(const TomlNode& node, std::string_view key,
+bool SectionReader::wrong_type(const TomlNode& node, std::string_view key,
                                std::string_view expected) {
   report(node.range, "wrong-type", fmt::format("'{}' should be {}", key, expected),
          fmt::format("this is {}", name_of(node.kind)));
+  return false;
 }
 
 bool SectionReader::in_range(const TomlNode& node, const Rules& rules) {
@@ -101,62 +102,73 @@ bool SectionReader::in_range(const TomlNode& node, const Rules& rules) {
   return false;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::string& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, std::string& value) {
   if (node.kind != TomlNode::Kind::Text)
     return wrong_type(node, rules.key, "a text in quotation marks");
-  if (!has_form(rules.form, node.text))
-    return report(node.range, "bad-value",
-                  fmt::format("'{}' cannot be \"{}\"", rules.key, node.text), {},
-                  std::string(manual_of(rules.form)));
+  if (!has_form(rules.form, node.text)) {
+    report(node.range, "bad-value", fmt::format("'{}' cannot be \"{}\"", rules.key, node.text), {},
+           std::string(manual_of(rules.form)));
+    return false;
+  }
   value = node.text;
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, double& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, double& value) {
   if (!is_number(node)) return wrong_type(node, rules.key, "a number");
-  if (in_range(node, rules)) value = node.number;
+  if (!in_range(node, rules)) return false;
+  value = node.number;
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::int64_t& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, std::int64_t& value) {
   if (node.kind != TomlNode::Kind::Integer) return wrong_type(node, rules.key, "a whole number");
-  if (in_range(node, rules)) value = node.integer;
+  if (!in_range(node, rules)) return false;
+  value = node.integer;
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, bool& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, bool& value) {
   if (node.kind != TomlNode::Kind::Boolean) return wrong_type(node, rules.key, "true or false");
   value = node.boolean;
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, Vec2& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Vec2& value) {
   if (!is_point(node)) return wrong_type(node, rules.key, "a point: [east, north] in metres");
-  if (in_range(node.items[0], rules) && in_range(node.items[1], rules))
-    value = {node.items[0].number, node.items[1].number};
+  if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;
+  value = {node.items[0].number, node.items[1].number};
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value) {
   if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_point))
     return wrong_type(node, rules.key, "a list of points: [[east, north], ...] in metres");
-  for (const TomlNode& point : node.items) read_value(point, rules, value.emplace_back());
+  return std::ranges::all_of(node.items, [&](const TomlNode& point) {
+    return read_value(point, rules, value.emplace_back());
+  });
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules,
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
                                std::vector<std::string>& value) {
   const auto is_text = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Text; };
   if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_text))
     return wrong_type(node, rules.key, "a list of texts: [\"...\", \"...\"]");
   for (const TomlNode& item : node.items) value.push_back(item.text);
+  return true;
 }
 
-void SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value) {
   if (node.kind != TomlNode::Kind::Table)
     return wrong_type(node, rules.key,
                       fmt::format("given by language: {}.en = \"...\"", rules.key));
   for (const TomlEntry& entry : node.entries) {
     Located<std::string>& text = value[entry.key];
     text.place = place(entry.value.range);
-    text.given = true;
-    read_value(entry.value, {fmt::format("{}.{}", rules.key, entry.key), {}, Form::Free},
-               text.value);
+    text.given = read_value(
+        entry.value, {fmt::format("{}.{}", rules.key, entry.key), {}, Form::Free}, text.value);
   }
+  return true;
 }
 
 }  // namespace docent

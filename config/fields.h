@@ -63,7 +63,7 @@ class SectionReader {
                    const std::vector<std::string_view>& known);
   void missing(const Place& place, std::string_view section, std::string_view key,
                std::string_view manual);
-  void wrong_type(const TomlNode& node, std::string_view key, std::string_view expected);
+  bool wrong_type(const TomlNode& node, std::string_view key, std::string_view expected);
 
   [[nodiscard]] Place place(SourceRange range) const { return {file_, range}; }
 
@@ -74,14 +74,15 @@ class SectionReader {
     Limits limits;
     Form form;
   };
-  void read_value(const TomlNode& node, const Rules& rules, std::string& value);
-  void read_value(const TomlNode& node, const Rules& rules, double& value);
-  void read_value(const TomlNode& node, const Rules& rules, std::int64_t& value);
-  void read_value(const TomlNode& node, const Rules& rules, bool& value);
-  void read_value(const TomlNode& node, const Rules& rules, Vec2& value);
-  void read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
-  void read_value(const TomlNode& node, const Rules& rules, std::vector<std::string>& value);
-  void read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
+  /// These fill the value, or report why they cannot and return false.
+  bool read_value(const TomlNode& node, const Rules& rules, std::string& value);
+  bool read_value(const TomlNode& node, const Rules& rules, double& value);
+  bool read_value(const TomlNode& node, const Rules& rules, std::int64_t& value);
+  bool read_value(const TomlNode& node, const Rules& rules, bool& value);
+  bool read_value(const TomlNode& node, const Rules& rules, Vec2& value);
+  bool read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
+  bool read_value(const TomlNode& node, const Rules& rules, std::vector<std::string>& value);
+  bool read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
   bool in_range(const TomlNode& node, const Rules& rules);
   void report(SourceRange range, std::string code, std::string message, std::string label = {},
               std::string hint = {});
@@ -94,7 +95,10 @@ class SectionReader {
 template <typename T>
 void SectionReader::read(const TomlNode& table, std::string_view name,
                          std::span<const Field<T>> fields, T& section) {
-  if (table.kind != TomlNode::Kind::Table) return wrong_type(table, name, "a table");
+  if (table.kind != TomlNode::Kind::Table) {
+    wrong_type(table, name, "a table");
+    return;
+  }
   std::vector<std::string_view> known;
   for (const Field<T>& field : fields) {
     known.push_back(field.key);
@@ -111,15 +115,15 @@ void SectionReader::read(const TomlNode& table, std::string_view name,
         [&](auto member) {
           auto& located = section.*member;
           located.place = place(entry.value.range);
-          located.given = true;
-          read_value(entry.value, {field->key, field->limits, field->form}, located.value);
+          located.given =
+              read_value(entry.value, {field->key, field->limits, field->form}, located.value);
         },
         field->member);
   }
   for (const Field<T>& field : fields) {
-    const bool given =
-        std::visit([&](auto member) { return (section.*member).given; }, field.member);
-    if (!given && field.presence == Presence::Required)
+    const bool written =
+        std::ranges::find(table.entries, field.key, &TomlEntry::key) != table.entries.end();
+    if (!written && field.presence == Presence::Required)
       missing(place(table.range), name, field.key, field.manual);
   }
 }

@@ -34,8 +34,10 @@ class SectionVisitor {
     known_.push_back(name);
     const TomlNode* node = find(name);
     if (node == nullptr) return;
-    if (node->kind != TomlNode::Kind::Array)
-      return reader_.wrong_type(*node, name, fmt::format("written [[{}]], once for each", name));
+    if (node->kind != TomlNode::Kind::Array) {
+      reader_.wrong_type(*node, name, fmt::format("written [[{}]], once for each", name));
+      return;
+    }
     for (const TomlNode& item : node->items) {
       T& section = sections.emplace_back();
       section.place = reader_.place(item.range);

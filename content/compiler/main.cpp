@@ -21,6 +21,15 @@ int run(int argc, char** argv) {
   app.name("docent-content");
   app.require_subcommand(1);
   int exit_code = 0;  // Each command below sets it when it runs.
+  docent::add_compile_command(app, exit_code);
+  docent::add_check_command(app, exit_code);
+  docent::add_info_command(app, exit_code);
+  docent::add_route_command(app, exit_code);
+  docent::add_at_command(app, exit_code);
+  docent::add_see_command(app, exit_code);
+  docent::add_offset_command(app, exit_code);
+  docent::add_show_command(app, exit_code);
+  docent::add_walk_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "content/compiler/progress.h"
+#include "content/compiler/report.h"
+#include "content/import/floor_plan_geojson.h"
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// What is to be compiled, and how.
+struct CompileOptions {
+  std::vector<std::string> sources;  ///< One museum folder, or GeoJSON files of one floor.
+  std::vector<std::string> clips;    ///< Folders of recordings; empty: the museum's or the shipped.
+  Coordinates coordinates = Coordinates::Metres;
+  std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
+  bool with_motion = true;
+  unsigned jobs = 1;  ///< Threads; the result is the same for any number.
+};
+
+/// Makes a museum of its sources. Everything that is wrong with them goes into the report; the
+/// museum is empty where any of it is an error.
+std::optional<Museum> compile(const CompileOptions& options, Report& report, Progress& progress);
+
+}  // namespace docent

@@ -1,0 +1,103 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "content/compiler/commands.h"
+#include "content/compiler/compile.h"
+#include "content/compiler/part_sizes.h"
+#include "content/write/content_writer.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+
+namespace {
+
+/// What the user asked for.
+struct CompileRequest {
+  CompileOptions options;
+  std::string output;
+  bool no_motion = false, json = false, quiet = false;
+};
+
+/// Options that `check` shares with `compile`.
+void add_source_options(CLI::App& command, CompileRequest& request) {
+  CompileOptions& options = request.options;
+  command.add_option("SOURCE", options.sources, "A museum folder, or GeoJSON files of one floor")
+      ->required();
+  command.add_option("--clips", options.clips, "Walk with the BVH or ASF/AMC files of this folder")
+      ->allow_extra_args(false);
+  command.add_option("--coordinates", options.coordinates, "What GeoJSON numbers mean")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Coordinates>{
+          {"metres", Coordinates::Metres}, {"wgs84", Coordinates::Wgs84}}));
+  command.add_option("--radius", options.radii, "A radius to precompute shortest ways for, metres")
+      ->allow_extra_args(false)
+      ->check(CLI::Range(0.0, 100.0));
+  command.add_flag("--no-motion", request.no_motion, "Leave out clips, motion graph and avatar");
+  command.add_option("--jobs", options.jobs, "Threads")->check(CLI::Range(1U, 1024U));
+  command.add_flag("--json", request.json, "Problems and stages as JSON");
+  command.add_flag("--quiet", request.quiet, "No progress");
+}
+
+/// Compiles and reports; empty where the sources have errors.
+std::optional<Museum> compile_and_report(CompileRequest& request, Progress& progress) {
+  request.options.with_motion = !request.no_motion;
+  Report report;
+  std::optional<Museum> museum = compile(request.options, report, progress);
+  report.print(request.json ? Report::Form::Json : Report::Form::Text);
+  return museum;
+}
+
+void print_stages(const Progress& progress, const std::string& output) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  double seconds = 0;
+  for (const Progress::Stage& stage : progress.stages()) {
+    stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
+    seconds += stage.seconds;
+  }
+  const PartSizes sizes = part_sizes(output);
+  nlohmann::ordered_json parts;
+  for (const auto& [part, bytes] : sizes.parts) parts[part] = bytes;
+  const nlohmann::ordered_json summary = {
+      {"stages", stages}, {"parts", parts}, {"seconds", seconds}, {"bytes", sizes.file}};
+  fmt::print("{}\n", summary.dump());
+}
+
+int run_compile(CompileRequest& request) {
+  Progress progress(progress_output(request.quiet));
+  progress.plan("write", 1);
+  const std::optional<Museum> museum = compile_and_report(request, progress);
+  if (!museum) return docent::exit_code(Errc::InvalidInput);
+  {
+    const auto stage = progress.start("write");
+    write_museum(*museum, request.output);
+  }
+  if (request.json) print_stages(progress, request.output);
+  return 0;
+}
+
+int run_check(CompileRequest& request) {
+  Progress progress(progress_output(request.quiet));
+  return compile_and_report(request, progress) ? 0 : docent::exit_code(Errc::InvalidInput);
+}
+
+}  // namespace
+
+void add_compile_command(CLI::App& app, int& exit_code) {
+  const auto request = std::make_shared<CompileRequest>();
+  CLI::App* command = app.add_subcommand("compile", "Compile a museum into a database");
+  add_source_options(*command, *request);
+  command->add_option("-o,--output", request->output, "The database to write")->required();
+  command->callback([request, &exit_code] { exit_code = run_compile(*request); });
+}
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  const auto request = std::make_shared<CompileRequest>();
+  CLI::App* command = app.add_subcommand("check", "Report what compile would, and write nothing");
+  add_source_options(*command, *request);
+  command->callback([request, &exit_code] { exit_code = run_check(*request); });
+}
+
+}  // namespace docent

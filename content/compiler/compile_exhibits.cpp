@@ -1,0 +1,253 @@
+#include "content/compiler/compile_exhibits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "content/compiler/load_image.h"
+#include "content/compiler/place_exhibits.h"
+#include "content/content_error.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+namespace {
+
+double to_radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+double signed_area(const std::vector<Vec2>& polygon) {
+  double doubled = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    doubled += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return doubled / 2;
+}
+
+bool contains(const std::vector<Vec2>& polygon, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i];
+    const Vec2 b = polygon[(i + 1) % polygon.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+      inside = !inside;
+  }
+  return inside;
+}
+
+class ExhibitCompiler {
+ public:
+  ExhibitCompiler(const MuseumConfig& config, std::span<const CompiledFloor> floors, Museum& museum,
+                  Report& report)
+      : config_(config), floors_(floors), museum_(museum), report_(report) {
+    for (const CompiledFloor& compiled : floors)
+      maps_.push_back(compiled.floor.plan.vertex.empty() ? nullptr
+                                                         : make_floor_map(compiled.floor));
+  }
+
+  void run() {
+    add_rooms();
+    add_doors();
+    place_kiosk();
+    for (const ExhibitSection& section : config_.exhibits) add_exhibit(section);
+  }
+
+ private:
+  void error(const Place& place, std::string code, std::string message, std::string label = {},
+             std::string hint = {}) {
+    report_.add(diagnostic_at(config_, place, std::move(code), std::move(message), std::move(label),
+                              std::move(hint)));
+  }
+
+  void add_rooms() {
+    for (const RoomSection& section : config_.rooms) {
+      Room room{.id = section.id.value,
+                .floor = static_cast<std::uint32_t>(floor_index(config_, section.floor.value)),
+                .title = plain_texts(section.title.value),
+                .label = section.label.value,
+                .outline = section.outline.value};
+      if (section.outline.given && (room.outline.size() < 3 || signed_area(room.outline) == 0))
+        error(section.outline.place, "bad-value",
+              fmt::format("the outline of room '{}' holds no area", room.id));
+      if (signed_area(room.outline) < 0) std::ranges::reverse(room.outline);
+      museum_.rooms.push_back(std::move(room));
+    }
+  }
+
+  /// A room for exhibits of a floor on which staff named none: the floor itself.
+  std::uint32_t add_room_of_floor(std::uint32_t floor) {
+    Room room;
+    room.id = config_.floors[floor].name.value;
+    room.floor = floor;
+    for (const std::string& tag : config_.languages) room.title[tag] = room.id;
+    museum_.rooms.push_back(std::move(room));
+    return static_cast<std::uint32_t>(museum_.rooms.size() - 1);
+  }
+
+  void add_doors() {
+    for (const DoorSection& section : config_.doors) {
+      const std::size_t floor = floor_index(config_, section.floor.value);
+      const Door door{.name = section.name.value,
+                      .a = section.a.value,
+                      .b = section.b.value,
+                      .closed = section.closed.value};
+      if (floor >= museum_.floors.size() || !section.a.given || !section.b.given) continue;
+      if (maps_[floor] && !is_inside(*maps_[floor], (door.a + door.b) * 0.5))
+        error(section.a.place, "door-outside-floor",
+              fmt::format("door '{}' does not cross the floor", door.name),
+              "its middle is not where one can walk");
+      museum_.floors[floor].plan.doors.push_back(door);
+    }
+  }
+
+  void place_kiosk() {
+    const KioskSection& kiosk = config_.kiosk;
+    kiosk_floor_ = floor_index(config_, kiosk.floor.value);
+    museum_.kiosk_floor = static_cast<std::uint32_t>(kiosk_floor_);
+    museum_.kiosk = {kiosk.position.value, to_radians(kiosk.facing.value)};
+    if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
+    const FloorMap& map = *maps_[kiosk_floor_];
+    if (!kiosk.position.given) {
+      museum_.kiosk.position = most_open_point(floors_[kiosk_floor_].floor);
+    } else if (!is_inside(map, museum_.kiosk.position) ||
+               clearance_at(map, museum_.kiosk.position) < museum_.body_radius) {
+      const auto free = nearest_free_point(map, museum_.kiosk.position, museum_.body_radius + 0.05);
+      error(
+          kiosk.position.place, "kiosk-outside-floor",
+          "nobody can stand where the kiosk is said to be",
+          fmt::format("{:.2f} m {}", clearance_at(map, museum_.kiosk.position),
+                      is_inside(map, museum_.kiosk.position) ? "from a wall" : "outside the floor"),
+          free ? fmt::format("the nearest point with room is {}", point_text(*free)) : "");
+      return;
+    }
+    entrance_ = museum_.kiosk.position;
+  }
+
+  void add_exhibit(const ExhibitSection& section) {
+    Exhibit exhibit;
+    exhibit.id = section.id.value;
+    exhibit.floor = static_cast<std::uint32_t>(floor_index(config_, section.floor.value));
+    exhibit.placement = {section.position.value, to_radians(section.facing.value)};
+    exhibit.title = plain_texts(section.title.value);
+    exhibit.text = plain_texts(section.text.value);
+    if (section.position.given && section.facing.given && exhibit.floor < maps_.size() &&
+        maps_[exhibit.floor])
+      place(section, exhibit);
+    exhibit.room = room_of(exhibit);
+    exhibit.image = image_of(section);
+    museum_.exhibits.push_back(std::move(exhibit));
+  }
+
+  void place(const ExhibitSection& section, Exhibit& exhibit) {
+    const PlacingFloor floor{.map = *maps_[exhibit.floor],
+                             .name = config_.floors[exhibit.floor].name.value,
+                             .drawn = floors_[exhibit.floor].drawn.polygons,
+                             .entrance = exhibit.floor == kiosk_floor_ ? entrance_ : std::nullopt,
+                             .body_radius = museum_.body_radius};
+    const WantedPlace wanted{
+        .position = exhibit.placement.position,
+        .heading = exhibit.placement.heading,
+        .view = section.view.given ? std::optional(section.view.value) : std::nullopt};
+    const PlacedExhibit placed = place_exhibit(floor, wanted);
+    exhibit.place = placed.place;
+    exhibit.view = placed.view;
+    if (placed.problem) report_problem(section, *placed.problem);
+  }
+
+  void report_problem(const ExhibitSection& section, const PlaceProblem& problem) {
+    const std::string& id = section.id.value;
+    const Place& view_place = section.view.given ? section.view.place : section.position.place;
+    switch (problem.kind) {
+      case PlaceProblem::Kind::Outside:
+        return error(section.position.place, "exhibit-outside-floor",
+                     fmt::format("exhibit '{}' stands outside the building", id), problem.label,
+                     problem.hint);
+      case PlaceProblem::Kind::NoView:
+        return error(section.facing.place, "exhibit-unreachable",
+                     fmt::format("exhibit '{}' cannot be looked at from the front", id),
+                     problem.label, problem.hint);
+      case PlaceProblem::Kind::ViewBlocked:
+        return error(view_place, "exhibit-unreachable",
+                     fmt::format("nobody can stand at the viewing point of exhibit '{}'", id),
+                     problem.label, problem.hint);
+      case PlaceProblem::Kind::Unreachable:
+        return error(view_place, "exhibit-unreachable",
+                     fmt::format("no visitor can reach exhibit '{}' from the kiosk", id),
+                     problem.label, problem.hint);
+    }
+  }
+
+  /// The room that an exhibit hangs in is the one in front of it; where no outline holds that
+  /// place, the one whose label is nearest.
+  std::uint32_t room_of(const Exhibit& exhibit) {
+    const Vec2 object = exhibit.placement.position;
+    const Vec2 front = object + 0.3 * Vec2(std::cos(exhibit.placement.heading),
+                                           std::sin(exhibit.placement.heading));
+    for (const Vec2 p : {front, exhibit.view.position, object})
+      for (std::uint32_t i = 0; i < museum_.rooms.size(); ++i)
+        if (museum_.rooms[i].floor == exhibit.floor && contains(museum_.rooms[i].outline, p))
+          return i;
+    std::optional<std::uint32_t> nearest;
+    const auto distance = [&](std::uint32_t i) {
+      return glm::distance(museum_.rooms[i].label, object);
+    };
+    for (std::uint32_t i = 0; i < museum_.rooms.size(); ++i)
+      if (museum_.rooms[i].floor == exhibit.floor && (!nearest || distance(i) < distance(*nearest)))
+        nearest = i;
+    return nearest ? *nearest : add_room_of_floor(exhibit.floor);
+  }
+
+  /// The image of that file, read once however many exhibits show it.
+  std::uint32_t image_of(const ExhibitSection& section) {
+    const std::string& name = section.image.value;
+    const std::filesystem::path file = config_.folder / name;
+    if (!name.empty() && !std::filesystem::exists(file)) return 0;  // already reported
+    const auto [known, is_new] =
+        image_index_.emplace(name, static_cast<std::uint32_t>(museum_.images.size()));
+    if (!is_new) return known->second;
+    try {
+      museum_.images.push_back(name.empty() ? blank_image() : load_image(file, name));
+    } catch (const ContentError& unusable) {
+      error(section.image.place, unusable.code, unusable.what(), {}, unusable.hint);
+      museum_.images.emplace_back();
+    }
+    return known->second;
+  }
+
+  static Vec2 most_open_point(const Floor& floor) {
+    const auto widest = std::ranges::max_element(floor.roadmap.clearance);
+    if (widest == floor.roadmap.clearance.end()) return floor.plan.vertex.front();
+    return floor.roadmap
+        .position[static_cast<std::size_t>(widest - floor.roadmap.clearance.begin())];
+  }
+
+  const MuseumConfig& config_;
+  std::span<const CompiledFloor> floors_;
+  Museum& museum_;
+  Report& report_;
+  std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< Null for floors without a plan.
+  std::size_t kiosk_floor_ = 0;
+  std::optional<Vec2> entrance_;
+  std::map<std::string, std::uint32_t> image_index_;
+};
+
+}  // namespace
+
+LocalText plain_texts(const LocatedTexts& texts) {
+  LocalText plain;
+  for (const auto& [tag, text] : texts) plain[tag] = text.value;
+  return plain;
+}
+
+void compile_exhibits(const MuseumConfig& config, std::span<const CompiledFloor> floors,
+                      Museum& museum, Report& report) {
+  ExhibitCompiler(config, floors, museum, report).run();
+}
+
+}  // namespace docent

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "config/museum_config.h"
+#include "content/compiler/compile_floor.h"
+#include "content/compiler/report.h"
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+LocalText plain_texts(const LocatedTexts& texts);
+
+/// Makes rooms, doors, the kiosk's place, exhibits and images of what staff wrote, and puts them
+/// into the museum, whose floors are there already. `floors` has one entry per floor of the config,
+/// without walls where the plan was no use: what stands on such a floor is not placed. Problems go
+/// into the report.
+void compile_exhibits(const MuseumConfig& config, std::span<const CompiledFloor> floors,
+                      Museum& museum, Report& report);
+
+}  // namespace docent

@@ -1,0 +1,70 @@
+#include "content/compiler/compile_floor.h"
+
+#include <fmt/core.h>
+
+#include "content/floor/medial_axis.h"
+#include "content/floor/mend.h"
+#include "content/floor/voronoi.h"
+#include "runtime/path/make_tangent_graph.h"
+
+namespace docent {
+
+namespace {
+
+std::string plan_stage(const std::string& floor) {
+  return "plan " + floor;
+}
+std::string voronoi_stage(const std::string& floor) {
+  return "voronoi " + floor;
+}
+std::string paths_stage(const std::string& floor) {
+  return "paths " + floor;
+}
+
+void report_left_out(const ImportedPlan& plan, Report& report) {
+  for (const LeftOut& left_out : plan.left_out) {
+    Diagnostic diagnostic;
+    diagnostic.file = plan.files[left_out.place.file];
+    diagnostic.line = left_out.place.line;
+    diagnostic.column = left_out.place.column;
+    diagnostic.severity = Severity::Warning;
+    diagnostic.code = "left-out";
+    diagnostic.message = fmt::format("a {} is no area and was left out", left_out.what);
+    report.add(std::move(diagnostic));
+  }
+}
+
+}  // namespace
+
+void plan_floor_stages(Progress& progress, const std::string& floor_name) {
+  progress.plan(plan_stage(floor_name), 1);
+  progress.plan(voronoi_stage(floor_name), 4);
+  progress.plan(paths_stage(floor_name), 2);
+}
+
+CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
+                            Coordinates coordinates, std::span<const double> radii, Report& report,
+                            Progress& progress) {
+  CompiledFloor compiled;
+  Floor& floor = compiled.floor;
+  {
+    const auto stage = progress.start(plan_stage(name));
+    compiled.drawn = read_floor_plan(files, coordinates);
+    report_left_out(compiled.drawn, report);
+    std::vector<Diagnostic> mendings;
+    floor.plan = mend(compiled.drawn, mendings);
+    floor.plan.name = name;
+    report.add(mendings);
+  }
+  {
+    const auto stage = progress.start(voronoi_stage(name));
+    floor.diagram = voronoi_diagram(floor.plan);
+    floor.roadmap = medial_axis(floor.plan, floor.diagram);
+  }
+  const auto stage = progress.start(paths_stage(name));
+  for (const double radius : radii)
+    floor.tangent_graphs.push_back(make_tangent_graph(floor.plan, radius));
+  return compiled;
+}
+
+}  // namespace docent

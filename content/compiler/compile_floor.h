@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "content/compiler/progress.h"
+#include "content/compiler/report.h"
+#include "content/import/floor_plan_geojson.h"
+#include "runtime/model/geometry/floor.h"
+
+namespace docent {
+
+/// A floor compiled, with the plan as it was drawn.
+struct CompiledFloor {
+  ImportedPlan drawn;
+  Floor floor;
+};
+
+/// Plans the stages of compile_floor.
+void plan_floor_stages(Progress& progress, const std::string& floor_name);
+
+/// Makes a floor of its plan files: walls, Voronoi diagram, medial axis, a tangent graph per
+/// radius. Mendings go into the report. Throws ContentError where the plan cannot be used.
+CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
+                            Coordinates coordinates, std::span<const double> radii, Report& report,
+                            Progress& progress);
+
+}  // namespace docent

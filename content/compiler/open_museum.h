@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "platform/sqlite/database.h"
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// Opens a database for a command. Throws ContentError with the reader's sentence where it cannot.
+Database open_or_throw(const std::filesystem::path& file);
+
+/// Reads the museum of a database. Throws as open_or_throw does.
+Museum load_or_throw(const std::filesystem::path& file);
+
+}  // namespace docent
