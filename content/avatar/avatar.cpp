@@ -4,34 +4,39 @@
 
 #include "content/avatar/layers.h"
 #include "content/avatar/occlusion.h"
+#include "content/avatar/simplify.h"
 
 namespace docent {
 namespace {
 
-/// Covered triangles are dropped where all three corners lie this deep, in cells.
-constexpr float covered_depth = 0.8F;
+/// Longest edge that simplification may make, in cells.
+constexpr float longest_edge = 3.2F;
+/// Triangles are left out where all three corners lie this deep under another layer, metres.
+constexpr float covered_depth = 0.006F;
 
 /// Appends the visible part of a layer's surface to the mesh.
 void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& occlusion,
                SkinnedMesh& mesh) {
-  const Surface3 surface = polygonise(layer.solid, layer.box, layer.cell);
+  Surface3 surface = polygonise(layer.solid, layer.box, layer.cell);
+  simplify(surface, {.error = layer.error, .edge = longest_edge * layer.cell});
   std::vector<bool> hidden(surface.position.size(), false);
   if (layer.covered)
     for (std::size_t v = 0; v < hidden.size(); ++v)
-      hidden[v] = layer.covered(surface.position[v]) < -covered_depth * layer.cell;
+      hidden[v] = layer.covered(surface.position[v]) < -covered_depth;
 
   constexpr std::uint32_t unused = 0xFFFFFFFF;
   std::vector<std::uint32_t> moved_to(surface.position.size(), unused);
   const auto vertex = [&](std::uint32_t v) {
     if (moved_to[v] == unused) {
       moved_to[v] = static_cast<std::uint32_t>(mesh.vertices.size());
+      const Vec3 normal = gradient_of(layer.solid, surface.position[v], 0.35F * layer.cell);
       const JointShares shares = weights.at(surface.position[v], layer.region);
       mesh.vertices.push_back({.position = surface.position[v],
-                               .normal = surface.normal[v],
+                               .normal = normal,
                                .joint = shares.joint,
                                .weight = shares.weight,
                                .material = layer.material,
-                               .occlusion = occlusion.at(surface.position[v], surface.normal[v])});
+                               .occlusion = occlusion.at(surface.position[v], normal)});
     }
     return moved_to[v];
   };

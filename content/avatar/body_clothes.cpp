@@ -42,17 +42,19 @@ float coat_trunk(const Body& body, Vec3 p, float ease) {
   const float walls = column(body.girths, p, ease);
   const float top = p.y - (body.shoulder_height + 0.05F * s + ease);
   const float bottom = body.hem - ease - p.y;
-  return meet(meet(walls, top, 0.02F * s), bottom, 0.012F * s);
+  return meet(meet(walls, top, 0.02F * s), bottom, 0.016F * s);
 }
 
 float coat_sleeve(const Body& body, Vec3 p, Side side) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const Vec3 cuff = glm::mix(limb.elbow, limb.wrist, 0.94F);
-  // The sleeve's head sits a little inside the joint, so that shoulders slope rather than jut.
-  const Vec3 head = limb.shoulder + Vec3{-sign_of(side) * 0.018F, -0.016F, 0} * s;
-  const float upper = tapered_capsule(p, head, limb.elbow, 0.056F * s, 0.046F * s);
-  const float lower = tapered_capsule(p, limb.elbow, cuff, 0.046F * s, 0.041F * s);
+  // The sleeve's head sits inside and below the joint, so that shoulders slope rather than jut; the
+  // more, the wider the skeleton's are.
+  const float inside = 0.020F * s + 0.6F * std::max(body.shoulder_half - 0.172F * s, 0.0F);
+  const Vec3 head = limb.shoulder + Vec3{-sign_of(side) * inside, -0.030F * s, 0};
+  const float upper = tapered_capsule(p, head, limb.elbow, 0.052F * s, 0.045F * s);
+  const float lower = tapered_capsule(p, limb.elbow, cuff, 0.045F * s, 0.040F * s);
   const Vec3 along = glm::normalize(limb.wrist - limb.elbow);
   return meet(join(upper, lower, 0.008F * s), half_space(p, cuff, along), 0.01F * s);
 }
@@ -66,7 +68,7 @@ float coat_solid(const Body& body, Vec3 p) {
   const LimbPoints& left = body.limb(Side::Left);
   const float slope =
       tapered_capsule({x, p.y, p.z}, body.neck_base + Vec3{0.030F, -0.012F, -0.012F} * s,
-                      left.shoulder + Vec3{-0.02F, -0.018F, 0} * s, 0.046F * s, 0.052F * s);
+                      left.shoulder + Vec3{-0.030F, -0.030F, 0} * s, 0.044F * s, 0.048F * s);
   // Near the armpit the fill is small, or arm and flank would grow together.
   const float fill =
       0.012F * s + 0.045F * s * smoothstep(-0.12F * s, 0.0F, p.y - body.shoulder_height);
@@ -78,7 +80,7 @@ float trouser_leg(const Body& body, Vec3 p, Side side) {
   const LimbPoints& limb = body.limb(side);
   const Vec3 hem = limb.ankle + Vec3{0, -0.010F, -0.006F} * s;
   const float thigh =
-      tapered_capsule(p, limb.hip + Vec3{0, -0.02F, 0} * s, limb.knee, 0.088F * s, 0.067F * s);
+      tapered_capsule(p, limb.hip + Vec3{0, -0.02F, 0} * s, limb.knee, 0.080F * s, 0.067F * s);
   const float shin = tapered_capsule(p, limb.knee, hem, 0.067F * s, 0.058F * s);
   const float leg = join(thigh, shin, 0.01F * s);
   return meet(leg, hem.y - 0.008F * s - p.y, 0.01F * s);

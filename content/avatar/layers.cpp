@@ -42,45 +42,75 @@ Vec3 on_front(const Body& body, float x, float height) {
   return {x, height, z};
 }
 
-/// A shawl collar, rolled from the neckline's bottom round the neck, and the edge where the coat
-/// closes: they lie on the coat.
+/// Lapels and collar, and the edge where the coat closes: they lie on the coat.
 struct CoatEdges {
   const Body& body;
   Neckline neckline;
-  std::array<Vec3, 6> roll;  ///< Middle of the left half's roll; the right mirrors it.
+  std::array<Vec3, 3> roll;  ///< Of the collar's left half, from the lapel round to the nape.
 
   CoatEdges(const Body& of, const Neckline& open) : body{of}, neckline{open} {
     const float s = body.scale;
-    const float top = body.shoulder_height;
-    const auto beside = [&](float height, float out) {
-      return on_front(body, neckline.half_width(height) + out * s, height);
-    };
-    roll = {on_front(body, 0.004F * s, neckline.bottom - 0.004F * s),
-            beside(neckline.bottom + 0.09F * s, 0.020F),
-            beside(top - 0.055F * s, 0.028F),
-            beside(top + 0.01F * s, 0.020F),
-            body.neck_base + Vec3{0.062F, 0.018F, -0.012F} * s,
-            body.neck_base + Vec3{0.0F, 0.028F, -0.066F} * s};
+    const float height = body.shoulder_height + 0.004F * s;
+    roll = {on_front(body, neckline.half_width(height) + 0.016F * s, height),
+            body.neck_base + Vec3{0.062F, 0.014F, -0.014F} * s,
+            body.neck_base + Vec3{0.0F, 0.026F, -0.066F} * s};
+  }
+
+  /// A lapel grows from the neckline's bottom to the collar.
+  float lapel(Vec3 p, float on_coat) const {
+    const float s = body.scale;
+    const float height = body.shoulder_height - neckline.bottom;
+    const float t = std::clamp((p.y - neckline.bottom) / height, 0.0F, 1.2F);
+    const float width = (0.004F + 0.098F * t - 0.052F * t * t) * s;
+    const float outer = 0.9F * (std::abs(p.x) - neckline.half_width(p.y) - width);
+    const float ends = std::max({neckline.bottom - 0.006F * s - p.y, neckline.front - p.z,
+                                 p.y - body.shoulder_height - 0.02F * s});
+    return meet(std::max(outer, ends), on_coat - 0.009F * s, 0.006F * s);
+  }
+
+  float collar(Vec3 p, float on_coat) const {
+    const float s = body.scale;
+    const Vec3 half{std::abs(p.x), p.y, p.z};
+    const float side = tapered_capsule(half, roll[0], roll[1], 0.034F * s, 0.026F * s);
+    const float back = tapered_capsule(half, roll[1], roll[2], 0.026F * s, 0.026F * s);
+    return meet(join(side, back, 0.01F * s), on_coat - 0.013F * s, 0.012F * s);
+  }
+
+  /// The edge of the panel that closes over the other; towards the right it sinks into the coat.
+  float closure(Vec3 p, float on_coat) const {
+    const float s = body.scale;
+    const float strip = std::max(std::abs(p.x + 0.015F * s) - 0.045F * s, -p.z);
+    const float ends = std::max(p.y - neckline.bottom - 0.012F * s, body.hem - 0.002F * s - p.y);
+    const float raised = 0.0055F * s + 0.11F * (p.x - 0.03F * s);
+    return meet(std::max(strip, ends), on_coat - raised, 0.003F * s);
   }
 
   float operator()(Vec3 p) const {
     const float s = body.scale;
-    constexpr std::array<float, 6> width{0.010F, 0.030F, 0.040F, 0.034F, 0.024F, 0.024F};
-    const Vec3 half{std::abs(p.x), p.y, p.z};
-    float collar = 1;
-    for (std::size_t k = 0; k + 1 < roll.size(); ++k)
-      collar =
-          join(collar, tapered_capsule(half, roll[k], roll[k + 1], width[k] * s, width[k + 1] * s),
-               0.012F * s);
     const float on_coat = coat_solid(body, p);
-    collar = meet(collar, on_coat - 0.012F * s, 0.012F * s);
-    collar = carve(collar, neckline.wedge(p), 0.008F * s);
+    const float edges = join(lapel(p, on_coat), collar(p, on_coat), 0.01F * s);
+    return std::min(carve(edges, neckline.wedge(p), 0.006F * s), closure(p, on_coat));
+  }
+};
 
-    const float closure_side = std::max(std::abs(p.x + 0.012F * s) - 0.028F * s, -p.z);
-    float closure =
-        std::max({closure_side, p.y - neckline.bottom - 0.012F * s, body.hem - 0.002F * s - p.y});
-    closure = meet(closure, on_coat - 0.0045F * s, 0.005F * s);
-    return std::min(collar, closure);
+/// A row of buttons down the closing edge.
+struct Buttons {
+  std::array<Vec3, 4> place;
+  Vec3 radius;
+
+  Buttons(const Body& body, const Neckline& neckline)
+      : radius{Vec3{0.0115F, 0.0115F, 0.0065F} * body.scale} {
+    float height = neckline.bottom - 0.030F * body.scale;
+    for (Vec3& button : place) {
+      button = on_front(body, 0.006F * body.scale, height) + Vec3{0, 0, 0.002F} * body.scale;
+      height -= 0.112F * body.scale;
+    }
+  }
+
+  float operator()(Vec3 p) const {
+    float nearest = 1;
+    for (const Vec3& button : place) nearest = std::min(nearest, ellipsoid(p, button, radius));
+    return nearest;
   }
 };
 
@@ -88,12 +118,11 @@ struct CoatEdges {
 float shirt(const Body& body, const Neckline& neckline, Vec3 p) {
   const float s = body.scale;
   const float chest = std::max(coat_trunk(body, p, -0.013F * s), p.y - neckline.top + 0.02F * s);
-  const Vec3 throat = body.neck_base + Vec3{0, 0.012F, 0.004F} * s;
+  // A band round the neck, lower in front.
   const Vec3 axis = glm::normalize(Vec3{0, 1, 0.45F});
-  const Vec3 off = p - throat;
-  const float height = glm::dot(off, axis);
-  const float ring = std::abs(glm::length(off - axis * height) - 0.0635F * s) - 0.005F * s;
-  const float band = std::max(ring, std::abs(height) - 0.020F * s);
+  const float height = half_space(p, body.neck_base + Vec3{0, 0.004F, 0.004F} * s, axis);
+  const float band =
+      meet(head_and_neck(body, p) - 0.006F * s, std::abs(height) - 0.024F * s, 0.006F * s);
   return join(chest, band, 0.006F * s);
 }
 
@@ -103,55 +132,86 @@ void add_head_layers(const Body& body, std::vector<Layer>& layers) {
                  body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
   const Box head_neck{{head.low.x, body.neck_base.y - 0.12F * s, head.low.z - 0.02F * s},
                       head.high};
-  layers.push_back({Material::Skin, Region::Head,
-                    [&body](Vec3 p) { return head_and_neck(body, p); }, head_neck, 0.0068F * s,
-                    [&body, s](Vec3 p) {
-                      const float collar = coat_trunk(body, p, -0.02F * s);
-                      return std::min(hair(body, p), collar);
-                    }});
-  layers.push_back({Material::Hair, Region::Head, [&body](Vec3 p) { return hair(body, p); }, head,
-                    0.013F * s,
-                    [&body, s](Vec3 p) { return head_and_neck(body, p) + 0.004F * s; }});
-  const Vec3 face = body.skull + Vec3{0, 0.012F, 0.075F} * s;
-  layers.push_back({Material::Hair,
-                    Region::Head,
-                    [&body](Vec3 p) { return brows(body, p); },
-                    box_around(face, face, 0.056F * s),
-                    0.0045F * s,
-                    {}});
-  layers.push_back({Material::Eye, Region::Head, [&body](Vec3 p) { return eyes(body, p); },
-                    box_around(face, face, 0.056F * s), 0.0042F * s,
-                    [&body, s](Vec3 p) { return head_and_neck(body, p); }});
+  const Vec3 eye_line = body.skull + Vec3{0, 0.012F, 0.075F} * s;
+  const Box face = box_around(eye_line, eye_line, 0.056F * s);
+  layers.push_back({.material = Material::Skin,
+                    .region = Region::Head,
+                    .solid = [&body](Vec3 p) { return head_and_neck(body, p); },
+                    .box = head_neck,
+                    .cell = 0.0062F * s,
+                    .error = 0.0004F * s,
+                    .covered =
+                        [&body, s](Vec3 p) {
+                          return std::min(hair(body, p), coat_trunk(body, p, -0.02F * s));
+                        }});
+  layers.push_back({.material = Material::Hair,
+                    .region = Region::Head,
+                    .solid = [&body](Vec3 p) { return hair(body, p); },
+                    .box = head,
+                    .cell = 0.0095F * s,
+                    .error = 0.0007F * s,
+                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  layers.push_back({.material = Material::Hair,
+                    .region = Region::Head,
+                    .solid = [&body](Vec3 p) { return brows(body, p); },
+                    .box = face,
+                    .cell = 0.0034F * s,
+                    .error = 0.0004F * s,
+                    .covered = {}});
+  layers.push_back({.material = Material::Eye,
+                    .region = Region::Head,
+                    .solid = [&body](Vec3 p) { return eyes(body, p); },
+                    .box = face,
+                    .cell = 0.0036F * s,
+                    .error = 0.0003F * s,
+                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
 }
 
 void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
   const float s = body.scale;
   const Neckline neckline(body);
-  const LimbPoints& left = body.limb(Side::Left);
-  const float reach = std::max(left.wrist.x + 0.07F * s, 0.26F * s);
-  const Box all{{-reach, body.hem - 0.02F * s, -0.28F * s},
-                {reach, body.shoulder_height + 0.13F * s, 0.32F * s}};
-  layers.push_back({Material::Coat,
-                    Region::Coat,
-                    [&body, neckline](Vec3 p) { return coat(body, neckline, p); },
-                    all,
-                    0.0195F * s,
-                    {}});
-  const Box front{{-0.19F * s, body.hem - 0.02F * s, body.neck_base.z - 0.12F * s},
-                  {0.19F * s, body.shoulder_height + 0.13F * s, 0.30F * s}};
-  layers.push_back({Material::Coat, Region::Coat, CoatEdges(body, neckline), front, 0.010F * s,
-                    [&body, neckline](Vec3 p) { return coat(body, neckline, p); }});
+  const DistanceField whole = [&body, neckline](Vec3 p) { return coat(body, neckline, p); };
+  const float reach = std::max(body.limb(Side::Left).wrist.x + 0.07F * s, 0.26F * s);
+  const float top = body.shoulder_height + 0.13F * s;
+  const float hem = body.hem - 0.02F * s;
+  layers.push_back({.material = Material::Coat,
+                    .region = Region::Coat,
+                    .solid = whole,
+                    .box = {{-reach, hem, -0.28F * s}, {reach, top, 0.32F * s}},
+                    .cell = 0.0165F * s,
+                    .error = 0.0009F * s,
+                    .covered = {}});
+  layers.push_back(
+      {.material = Material::Coat,
+       .region = Region::Coat,
+       .solid = CoatEdges(body, neckline),
+       .box = {{-0.19F * s, hem, body.neck_base.z - 0.12F * s}, {0.19F * s, top, 0.30F * s}},
+       .cell = 0.0085F * s,
+       .error = 0.0007F * s,
+       .covered = whole});
+  const Buttons buttons(body, neckline);
+  layers.push_back({.material = Material::Trousers,
+                    .region = Region::Coat,
+                    .solid = buttons,
+                    .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
+                    .cell = 0.0052F * s,
+                    .error = 0.0005F * s,
+                    .covered = whole});
   const Box chest{{-0.12F * s, neckline.bottom - 0.02F * s, neckline.front - 0.08F * s},
-                  {0.12F * s, neckline.top + 0.03F * s, neckline.front + 0.20F * s}};
-  layers.push_back({Material::Shirt, Region::Coat,
-                    [&body, neckline, chest](Vec3 p) {
-                      const Vec3 middle = 0.5F * (chest.low + chest.high);
-                      const Vec3 half = 0.5F * (chest.high - chest.low) - 0.012F;
-                      return std::max(shirt(body, neckline, p),
-                                      rounded_box(p, middle, glm::mat3(1.0F), half, 0.01F));
-                    },
-                    chest, 0.0095F * s,
-                    [&body, neckline](Vec3 p) { return coat(body, neckline, p); }});
+                  {0.12F * s, neckline.top + 0.04F * s, neckline.front + 0.20F * s}};
+  layers.push_back({.material = Material::Shirt,
+                    .region = Region::Coat,
+                    .solid =
+                        [&body, neckline, chest](Vec3 p) {
+                          const Vec3 middle = 0.5F * (chest.low + chest.high);
+                          const Vec3 half = 0.5F * (chest.high - chest.low) - 0.012F;
+                          return std::max(shirt(body, neckline, p),
+                                          rounded_box(p, middle, glm::mat3(1.0F), half, 0.01F));
+                        },
+                    .box = chest,
+                    .cell = 0.0085F * s,
+                    .error = 0.0007F * s,
+                    .covered = whole});
 }
 
 void add_limb_layers(const Body& body, Side side, std::vector<Layer>& layers) {
@@ -159,21 +219,30 @@ void add_limb_layers(const Body& body, Side side, std::vector<Layer>& layers) {
   const LimbPoints& limb = body.limb(side);
   const bool left = side == Side::Left;
   const Region leg = left ? Region::LeftLeg : Region::RightLeg;
-  layers.push_back({Material::Skin, left ? Region::LeftHand : Region::RightHand,
-                    [&body, side](Vec3 p) { return hand(body, p, side); },
-                    box_around(limb.wrist - limb.hand_axis * 0.06F * s,
-                               limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),
-                    0.0066F * s, [&body, side](Vec3 p) { return coat_sleeve(body, p, side); }});
-  layers.push_back({Material::Trousers, leg,
-                    [&body, side](Vec3 p) { return trouser_leg(body, p, side); },
-                    box_around(limb.hip, limb.ankle, 0.13F * s), 0.028F * s,
-                    [&body, s](Vec3 p) {
-                      return body.hem + 0.14F * s - p.y;  // Above this the coat is never lifted.
-                    }});
-  const Vec3 sole{limb.ankle.x, 0, limb.ankle.z};
-  layers.push_back({Material::Shoes, leg, [&body, side](Vec3 p) { return shoe(body, p, side); },
-                    box_around(sole, limb.toe + limb.foot_forward * 0.06F * s, 0.12F * s),
-                    0.014F * s, [&body, side](Vec3 p) { return trouser_leg(body, p, side); }});
+  layers.push_back({.material = Material::Skin,
+                    .region = left ? Region::LeftHand : Region::RightHand,
+                    .solid = [&body, side](Vec3 p) { return hand(body, p, side); },
+                    .box = box_around(limb.wrist - limb.hand_axis * 0.06F * s,
+                                      limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),
+                    .cell = 0.0058F * s,
+                    .error = 0.0006F * s,
+                    .covered = [&body, side](Vec3 p) { return coat_sleeve(body, p, side); }});
+  layers.push_back({.material = Material::Trousers,
+                    .region = leg,
+                    .solid = [&body, side](Vec3 p) { return trouser_leg(body, p, side); },
+                    .box = box_around(limb.hip, limb.ankle, 0.13F * s),
+                    .cell = 0.022F * s,
+                    .error = 0.0012F * s,
+                    // Above this the coat is never lifted.
+                    .covered = [&body, s](Vec3 p) { return body.hem + 0.14F * s - p.y; }});
+  layers.push_back({.material = Material::Shoes,
+                    .region = leg,
+                    .solid = [&body, side](Vec3 p) { return shoe(body, p, side); },
+                    .box = box_around({limb.ankle.x, 0, limb.ankle.z},
+                                      limb.toe + limb.foot_forward * 0.06F * s, 0.12F * s),
+                    .cell = 0.0105F * s,
+                    .error = 0.0008F * s,
+                    .covered = [&body, side](Vec3 p) { return trouser_leg(body, p, side); }});
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ struct Layer {
   Region region = Region::Coat;
   DistanceField solid;
   Box box{};
-  float cell = 0.02F;  ///< Metres.
+  float cell = 0.02F;    ///< Metres: the finest detail.
+  float error = 0.001F;  ///< Metres that simplification may take off or put on.
   /// What is deeper than a margin inside this is covered by other layers and left out; may be
   /// empty.
   DistanceField covered;

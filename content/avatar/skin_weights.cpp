@@ -118,7 +118,7 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
   const Vec3 outward = glm::normalize(Vec3{sign_of(side), -1.1F, 0});
   const float nearer = coat_trunk(body_, p, 0) - coat_sleeve(body_, p, side);
   const float below = smoothstep(0.0F, 0.16F * s, limb.shoulder.y - p.y);
-  const float sleeve = smoothstep(-0.055F * s, 0.050F * s, glm::dot(off_shoulder, outward)) *
+  const float sleeve = smoothstep(-0.075F * s, 0.060F * s, glm::dot(off_shoulder, outward)) *
                        glm::mix(1.0F, smoothstep(-0.02F * s, 0.03F * s, nearer), below);
   add_chain(arm_[i], p, sleeve, shares);
   const float trunk = 1 - sleeve;
@@ -129,9 +129,9 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
   shares[clavicle_[i]] += trunk * cap;
 
   const float drop = body_.hip_height + 0.02F * s - p.y;
-  const float skirt = 0.97F * smoothstep(0.0F, 0.30F * s, drop);
+  const float skirt = 0.97F * smoothstep(-0.02F * s, 0.23F * s, drop);
   // Front and back panels, across the middle, go with both legs.
-  const float left = smoothstep(-0.13F * s, 0.13F * s, p.x);
+  const float left = smoothstep(-0.10F * s, 0.10F * s, p.x);
   shares[thigh_[0]] += trunk * (1 - cap) * skirt * left;
   shares[thigh_[1]] += trunk * (1 - cap) * skirt * (1 - left);
   add_chain(spine_, p, trunk * (1 - cap) * (1 - skirt), shares);

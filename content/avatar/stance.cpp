@@ -76,8 +76,8 @@ std::vector<Quat> stance_rotations(const Skeleton& skeleton, const std::vector<V
     const std::array<Aim, 5> aims{{
         {parts.hip, parts.knee, {x * 0.02F, -1, 0.01F}},
         {parts.knee, parts.ankle, {x * 0.015F, -1, -0.03F}},
-        {parts.shoulder, parts.elbow, {x * 0.21F, -1, -0.05F}},
-        {parts.elbow, parts.wrist, {x * 0.13F, -1, 0.17F}},
+        {parts.shoulder, parts.elbow, {x * 0.21F, -1, -0.04F}},
+        {parts.elbow, parts.wrist, {x * 0.15F, -1, 0.15F}},
         {parts.wrist, parts.hand_tip, {x * 0.04F, -1, 0.2F}},
     }};
     for (const Aim& aim : aims) {

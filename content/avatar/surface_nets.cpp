@@ -40,6 +40,28 @@ Grid grid_over(const Box& box, float cell) {
   return grid;
 }
 
+/// The field at every node near the surface. Far from it, where a whole block of cells lies on one
+/// side, only the sign matters and the block's middle speaks for all of it.
+std::vector<float> sampled(const DistanceField& field, const Grid& grid) {
+  constexpr std::uint32_t block = 5;
+  // From the middle of a block to its corners, and half as much again since a field is not quite a
+  // distance.
+  const float reach = 1.5F * 0.866F * static_cast<float>(block) * grid.cell;
+  std::vector<float> value(grid.stride(2) * grid.nodes[2]);
+  std::array<std::uint32_t, 3> b{};
+  for (b[2] = 0; b[2] < grid.nodes[2]; b[2] += block)
+    for (b[1] = 0; b[1] < grid.nodes[1]; b[1] += block)
+      for (b[0] = 0; b[0] < grid.nodes[0]; b[0] += block) {
+        const float middle = field(grid.place(b[0], b[1], b[2]) + 0.5F * (block - 1) * grid.cell);
+        for (std::uint32_t z = b[2]; z < std::min(b[2] + block, grid.nodes[2]); ++z)
+          for (std::uint32_t y = b[1]; y < std::min(b[1] + block, grid.nodes[1]); ++y)
+            for (std::uint32_t x = b[0]; x < std::min(b[0] + block, grid.nodes[0]); ++x)
+              value[grid.index(x, y, z)] =
+                  std::abs(middle) > reach ? middle : field(grid.place(x, y, z));
+      }
+  return value;
+}
+
 /// Mean of the points where the surface crosses the edges of a cell; false when it crosses none.
 bool mean_crossing(const Grid& grid, const std::vector<float>& value, std::uint32_t x,
                    std::uint32_t y, std::uint32_t z, Vec3& mean) {
@@ -96,10 +118,7 @@ Vec3 gradient_of(const DistanceField& field, Vec3 p, float step) {
 Surface3 polygonise(const DistanceField& field, const Box& box, float cell) {
   const Grid grid = grid_over(box, cell);
   const std::size_t count = grid.stride(2) * grid.nodes[2];
-  std::vector<float> value(count);
-  for_each_node(grid, 0, [&](auto x, auto y, auto z) {
-    value[grid.index(x, y, z)] = field(grid.place(x, y, z));
-  });
+  const std::vector<float> value = sampled(field, grid);
 
   Surface3 surface;
   std::vector<std::uint32_t> vertex(count, no_vertex);
@@ -111,7 +130,6 @@ Surface3 polygonise(const DistanceField& field, const Box& box, float cell) {
         const Vec3 p = pulled_onto(field, mean, cell);
         vertex[grid.index(x, y, z)] = static_cast<std::uint32_t>(surface.position.size());
         surface.position.push_back(p);
-        surface.normal.push_back(gradient_of(field, p, 0.35F * cell));
       }
 
   // Every grid edge that crosses the surface is ringed by four cells: two triangles.

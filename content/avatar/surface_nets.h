@@ -14,7 +14,6 @@ struct Box {
 /// A closed surface of triangles, counter-clockwise seen from outside.
 struct Surface3 {
   std::vector<Vec3> position;
-  std::vector<Vec3> normal;  ///< Unit, from the field's gradient.
   std::vector<std::uint32_t> indices;
 };
 
