@@ -46,15 +46,8 @@ Vec3 on_front(const Body& body, float x, float height) {
 struct CoatEdges {
   const Body& body;
   Neckline neckline;
-  std::array<Vec3, 3> roll;  ///< Of the collar's left half, from the lapel round to the nape.
 
-  CoatEdges(const Body& of, const Neckline& open) : body{of}, neckline{open} {
-    const float s = body.scale;
-    const float height = body.shoulder_height + 0.004F * s;
-    roll = {on_front(body, neckline.half_width(height) + 0.016F * s, height),
-            body.neck_base + Vec3{0.062F, 0.014F, -0.014F} * s,
-            body.neck_base + Vec3{0.0F, 0.026F, -0.066F} * s};
-  }
+  CoatEdges(const Body& of, const Neckline& open) : body{of}, neckline{open} {}
 
   /// A lapel grows from the neckline's bottom to the collar.
   float lapel(Vec3 p, float on_coat) const {
@@ -68,12 +61,18 @@ struct CoatEdges {
     return meet(std::max(outer, ends), on_coat - 0.009F * s, 0.006F * s);
   }
 
-  float collar(Vec3 p, float on_coat) const {
+  /// A band that stands round the neck, higher behind, on an ellipse as wide as the neckline.
+  float collar(Vec3 p) const {
     const float s = body.scale;
-    const Vec3 half{std::abs(p.x), p.y, p.z};
-    const float side = tapered_capsule(half, roll[0], roll[1], 0.034F * s, 0.026F * s);
-    const float back = tapered_capsule(half, roll[1], roll[2], 0.026F * s, 0.026F * s);
-    return meet(join(side, back, 0.01F * s), on_coat - 0.013F * s, 0.012F * s);
+    constexpr float half_width = 0.069F, half_depth = 0.066F;
+    const Vec3 q = (p - body.neck_base) / s - Vec3{0, 0.012F, -0.004F};
+    const float round =
+        std::sqrt(q.x * q.x / (half_width * half_width) + q.z * q.z / (half_depth * half_depth));
+    const float out = (round - 1) * 0.5F * (half_width + half_depth) + 0.25F * (q.y + 0.02F);
+    const float up = q.y + 0.38F * q.z + 0.9F * std::max(q.z - 0.02F, 0.0F);
+    const float across = std::max(std::abs(out) - 0.003F, 0.0F);
+    const float along = std::max(std::abs(up) - 0.022F, 0.0F);
+    return (std::sqrt(across * across + along * along) - 0.0065F) * s;
   }
 
   /// The edge of the panel that closes over the other; towards the right it sinks into the coat.
@@ -88,7 +87,7 @@ struct CoatEdges {
   float operator()(Vec3 p) const {
     const float s = body.scale;
     const float on_coat = coat_solid(body, p);
-    const float edges = join(lapel(p, on_coat), collar(p, on_coat), 0.01F * s);
+    const float edges = join(lapel(p, on_coat), collar(p), 0.01F * s);
     return std::min(carve(edges, neckline.wedge(p), 0.006F * s), closure(p, on_coat));
   }
 };

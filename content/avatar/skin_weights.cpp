@@ -128,8 +128,10 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
                     smoothstep(-0.15F * s, 0.0F, p.y - body_.shoulder_height);
   shares[clavicle_[i]] += trunk * cap;
 
+  // The front is pushed by the thigh that comes forward; the back hangs freely and follows less.
   const float drop = body_.hip_height + 0.02F * s - p.y;
-  const float skirt = 0.97F * smoothstep(-0.02F * s, 0.23F * s, drop);
+  const float follows = 0.62F + 0.34F * smoothstep(-0.11F * s, 0.09F * s, p.z);
+  const float skirt = follows * smoothstep(-0.02F * s, 0.23F * s, drop);
   // Front and back panels, across the middle, go with both legs.
   const float left = smoothstep(-0.10F * s, 0.10F * s, p.x);
   shares[thigh_[0]] += trunk * (1 - cap) * skirt * left;
