@@ -17,6 +17,7 @@ void add_at_command(CLI::App& app, int& exit_code);
 void add_see_command(CLI::App& app, int& exit_code);
 void add_offset_command(CLI::App& app, int& exit_code);
 void add_show_command(CLI::App& app, int& exit_code);
+void add_graph_command(CLI::App& app, int& exit_code);
 void add_walk_command(CLI::App& app, int& exit_code);
 
 }  // namespace docent

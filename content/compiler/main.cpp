@@ -4,15 +4,14 @@
 #include <cstdio>
 #include <exception>
 
+#include "config/diagnostic_text.h"
 #include "content/compiler/commands.h"
 #include "content/content_error.h"
 
 namespace {
 
 int report(const docent::ContentError& error) {
-  const auto place = error.line > 0 ? fmt::format(":{}:{}", error.line, error.column) : "";
-  fmt::print(stderr, "{}{}: error[{}]: {}\n", error.file, place, error.code, error.what());
-  if (!error.hint.empty()) fmt::print(stderr, "   hint: {}\n", error.hint);
+  fmt::print(stderr, "{}", docent::to_text(docent::to_diagnostic(error)));
   return docent::exit_code(error.kind);
 }
 
@@ -29,6 +28,7 @@ int run(int argc, char** argv) {
   docent::add_see_command(app, exit_code);
   docent::add_offset_command(app, exit_code);
   docent::add_show_command(app, exit_code);
+  docent::add_graph_command(app, exit_code);
   docent::add_walk_command(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "runtime/model/motion/motion_graph.h"
+
+namespace docent {
+
+/// Draws a motion graph as an SVG document 1,800 pixels wide: each clip a line along its time, with
+/// the foot plants of its left foot above and its right foot below, and each transition an arc from
+/// the frame that is left to the frame that is reached, coloured by its distance (the paper's
+/// Figure 2b). Arcs bow to the right as one travels along them, so the two directions do not cover
+/// each other.
+std::string draw_motion_graph(const MotionGraph& graph);
+
+}  // namespace docent
