@@ -47,8 +47,8 @@ double meets(Vec2 foot, Vec2 n, const FloorPlan& plan, Site other) {
 
 MedialAxisMap::MedialAxisMap(const Floor& floor) : floor_(&floor) {
   const VoronoiDiagram& voronoi = floor.diagram;
-  bisector_.reserve(voronoi.edge.size());
-  for (const VoronoiEdge& edge : voronoi.edge) bisector_.emplace_back(floor.plan, voronoi, edge);
+  curve_.reserve(voronoi.edge.size());
+  for (const VoronoiEdge& edge : voronoi.edge) curve_.emplace_back(floor.plan, voronoi, edge);
   const auto& edges = floor.roadmap.edges;
   list_edges(
       floor.roadmap.position.size(), edges.size(),
@@ -124,8 +124,8 @@ std::optional<MedialAxisMap::Place> MedialAxisMap::place_above(std::uint32_t sit
   double best_squared = infinity;
   for (const std::uint32_t e : region) {
     if (!voronoi.edge[e].on_medial_axis) continue;
-    const double at = bisector_[e].nearest_place(top);
-    const Vec2 apart = bisector_[e].point_at(at) - top;
+    const double at = curve_[e].nearest_place(top);
+    const Vec2 apart = curve_[e].point_at(at) - top;
     if (dot(apart, apart) >= best_squared) continue;
     best_squared = dot(apart, apart);
     best = Place{e, at};

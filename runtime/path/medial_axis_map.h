@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
-#include "runtime/path/bisector.h"
+#include "runtime/path/edge_curve.h"
 
 namespace docent {
 
@@ -24,12 +24,12 @@ class MedialAxisMap {
   const VoronoiDiagram& diagram() const noexcept { return floor_->diagram; }
 
   /// The curve of a Voronoi edge.
-  const Bisector& bisector(std::uint32_t voronoi_edge) const noexcept {
-    return bisector_[voronoi_edge];
+  const EdgeCurve& curve(std::uint32_t voronoi_edge) const noexcept {
+    return curve_[voronoi_edge];
   }
   /// The curve of a roadmap edge, from its `from` to its `to`.
-  const Bisector& bisector_of(const RoadmapEdge& edge) const noexcept {
-    return bisector_[edge.voronoi_edge];
+  const EdgeCurve& curve_of(const RoadmapEdge& edge) const noexcept {
+    return curve_[edge.voronoi_edge];
   }
   /// The roadmap edges at a node.
   std::span<const std::uint32_t> edges_at(std::uint32_t node) const noexcept {
@@ -48,7 +48,7 @@ class MedialAxisMap {
   /// A place on the medial axis.
   struct Place {
     std::uint32_t voronoi_edge = none;
-    double at = 0;  ///< As Bisector counts it.
+    double at = 0;  ///< As EdgeCurve counts it.
   };
   /// Where the straight line from a site through `point`, on from it, meets the medial axis first.
   /// The distance to the walls grows all along that line, at the rate of one. None where the floor
@@ -59,7 +59,7 @@ class MedialAxisMap {
   void lead_to_road();
 
   const Floor* floor_;
-  std::vector<Bisector> bisector_;  ///< Per Voronoi edge.
+  std::vector<EdgeCurve> curve_;  ///< Per Voronoi edge.
   std::vector<std::uint32_t> node_first_, node_edge_;
   std::vector<std::uint32_t> vertex_node_;   ///< Per Voronoi vertex: its node, or none.
   std::vector<std::uint32_t> edge_to_road_;  ///< Per Voronoi vertex.

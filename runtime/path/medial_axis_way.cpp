@@ -32,7 +32,7 @@ struct Entry {
 Vec2 point_of(const MedialAxisMap& axis, const RoadPlace& place) {
   const Roadmap& roadmap = axis.roadmap();
   if (place.edge == none) return roadmap.position[place.node];
-  return axis.bisector_of(roadmap.edges[place.edge]).point_at(place.at);
+  return axis.curve_of(roadmap.edges[place.edge]).point_at(place.at);
 }
 
 /// Goes straight away from the nearest wall until the axis, and on along it to the roadmap where
@@ -45,7 +45,7 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
   Entry entry{{}, {point}, 0, map.clearance_at(point)};
   std::uint32_t edge = place->voronoi_edge;
   double at = place->at;
-  const Vec2 reached = axis.bisector(edge).point_at(at);
+  const Vec2 reached = axis.curve(edge).point_at(at);
   entry.length = glm::length(reached - point);
   append_point(reached, entry.points);
   if (axis.roadmap_edge(edge) != none) {
@@ -55,7 +55,7 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
   // Of the two ends, the road lies beyond the one that does not lead back over this edge.
   bool forward = axis.edge_to_road(voronoi.edge[edge].to) != edge;
   for (;;) {
-    const Bisector& curve = axis.bisector(edge);
+    const EdgeCurve& curve = axis.curve(edge);
     const double end = forward ? curve.end() : curve.begin();
     entry.length += curve.length_between(at, end);
     entry.clearance = std::min(entry.clearance, curve.clearance_between(at, end));
@@ -68,7 +68,7 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
     edge = axis.edge_to_road(vertex);
     if (edge == none) return {};
     forward = voronoi.edge[edge].from == vertex;
-    at = forward ? axis.bisector(edge).begin() : axis.bisector(edge).end();
+    at = forward ? axis.curve(edge).begin() : axis.curve(edge).end();
   }
 }
 
@@ -91,7 +91,7 @@ std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double radiu
   const Roadmap& roadmap = axis.roadmap();
   std::vector<Candidate> candidates;
   for (std::uint32_t e = 0; e < roadmap.edges.size(); ++e) {
-    const Bisector& curve = axis.bisector_of(roadmap.edges[e]);
+    const EdgeCurve& curve = axis.curve_of(roadmap.edges[e]);
     const Vec2 apart = point - glm::clamp(point, curve.low(), curve.high());
     candidates.push_back({dot(apart, apart), {e, 0, none}, false});
   }
@@ -105,7 +105,7 @@ std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double radiu
     Candidate nearest = queue.top();
     queue.pop();
     if (!nearest.exact) {
-      const Bisector& curve = axis.bisector_of(roadmap.edges[nearest.place.edge]);
+      const EdgeCurve& curve = axis.curve_of(roadmap.edges[nearest.place.edge]);
       nearest.place.at = curve.nearest_place(point);
       const Vec2 apart = curve.point_at(nearest.place.at) - point;
       queue.push({dot(apart, apart), nearest.place, true});
@@ -197,7 +197,7 @@ class RoadSearch {
   }
 
  private:
-  const Bisector& curve_of(std::uint32_t e) const { return axis_.bisector_of(roadmap_.edges[e]); }
+  const EdgeCurve& curve_of(std::uint32_t e) const { return axis_.curve_of(roadmap_.edges[e]); }
   std::uint32_t other_end(std::uint32_t e, std::uint32_t node) const {
     return roadmap_.edges[e].from == node ? roadmap_.edges[e].to : roadmap_.edges[e].from;
   }
@@ -216,7 +216,7 @@ class RoadSearch {
   template <class Visit>
   void start(Visit visit) {
     if (from_.edge == none) return visit(from_.node, 0.0, infinity);
-    const Bisector& curve = curve_of(from_.edge);
+    const EdgeCurve& curve = curve_of(from_.edge);
     visit(roadmap_.edges[from_.edge].from, curve.length_between(from_.at, curve.begin()),
           curve.clearance_between(from_.at, curve.begin()));
     visit(roadmap_.edges[from_.edge].to, curve.length_between(from_.at, curve.end()),
@@ -229,7 +229,7 @@ class RoadSearch {
       if (node == to_.node) visit(0.0, infinity);
       return;
     }
-    const Bisector& curve = curve_of(to_.edge);
+    const EdgeCurve& curve = curve_of(to_.edge);
     const RoadmapEdge& edge = roadmap_.edges[to_.edge];
     if (node == edge.from)
       visit(curve.length_between(curve.begin(), to_.at),

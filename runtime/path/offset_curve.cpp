@@ -35,7 +35,7 @@ void LevelCurve::find_crossings() {
   edge_first_.reserve(voronoi.edge.size() + 1);
   for (std::uint32_t e = 0; e < voronoi.edge.size(); ++e) {
     edge_first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
-    const Bisector& curve = map_.bisector(e);
+    const EdgeCurve& curve = map_.curve(e);
     // Vertices are judged by their own stored clearance, so that all their edges agree. A passage
     // of exactly twice the distance is not passed: what would connect there has no area.
     const double above_distance = distance_ + touching;
@@ -84,7 +84,7 @@ void LevelCurve::find_pieces() {
       if (!passed[i].rises || fall.rises) continue;
       const std::uint32_t from = fall.crossing, to = passed[i].crossing;
       const auto place = [&](std::uint32_t c) {
-        return place_of(site, map_.bisector(crossing_[c].voronoi_edge).point_at(crossing_[c].at));
+        return place_of(site, map_.curve(crossing_[c].voronoi_edge).point_at(crossing_[c].at));
       };
       piece_from_[from] = static_cast<std::uint32_t>(piece_.size());
       piece_.push_back({site, from, to, place(from), place(to)});

@@ -14,7 +14,7 @@ class FloorMap;
 /// Where the curve at one distance from the walls meets a Voronoi edge.
 struct LevelCrossing {
   std::uint32_t voronoi_edge = 0;
-  double at = 0;       ///< The place on it, as Bisector counts.
+  double at = 0;       ///< The place on it, as EdgeCurve counts.
   bool rises = false;  ///< The clearance grows past the distance when going from `from` to `to`.
 };
 

@@ -62,7 +62,7 @@ class Network {
   Vec2 position(std::uint32_t node) const {
     const auto crossings = curve_.crossings();
     if (node < crossings.size())
-      return axis_.bisector(crossings[node].voronoi_edge).point_at(crossings[node].at);
+      return axis_.curve(crossings[node].voronoi_edge).point_at(crossings[node].at);
     return axis_.diagram().vertex[node - crossings.size()];
   }
   std::uint32_t node_of_vertex(std::uint32_t vertex) const {
@@ -101,7 +101,7 @@ class Network {
     add(link);
   }
   void add_axis(std::uint32_t e, std::uint32_t from, double begin, std::uint32_t to, double end) {
-    const Bisector& bisector = axis_.bisector(e);
+    const EdgeCurve& bisector = axis_.curve(e);
     const bool wide = bisector.clearance_at((begin + end) / 2) > curve_.distance();
     add_both_ways({Link::Kind::Axis, wide, from, to, e, begin, end,
                    bisector.length_between(begin, end), bisector.clearance_between(begin, end)});
@@ -118,10 +118,10 @@ class Network {
   };
   std::vector<Stop> stops_of(std::uint32_t e) const {
     const VoronoiEdge& edge = axis_.diagram().edge[e];
-    std::vector<Stop> stops{{node_of_vertex(edge.from), axis_.bisector(e).begin()}};
+    std::vector<Stop> stops{{node_of_vertex(edge.from), axis_.curve(e).begin()}};
     for (std::uint32_t c = curve_.first_crossing(e); c < curve_.end_crossing(e); ++c)
       stops.push_back({c, curve_.crossings()[c].at});
-    stops.push_back({node_of_vertex(edge.to), axis_.bisector(e).end()});
+    stops.push_back({node_of_vertex(edge.to), axis_.curve(e).end()});
     return stops;
   }
   void add_axis_edge(std::uint32_t e) {
@@ -146,7 +146,7 @@ class Network {
     if (!above) return {};
     Attachment made{.above = *above};
     const double clearance = map_.clearance_at(point);
-    const Bisector& bisector = axis_.bisector(above->voronoi_edge);
+    const EdgeCurve& bisector = axis_.curve(above->voronoi_edge);
     const double height = bisector.clearance_at(above->at);
     const std::uint32_t top = add_node(bisector.point_at(above->at));
     join_axis(top, *above);
@@ -240,7 +240,7 @@ class Network {
           curve_.append_points(link.along, link.begin, link.end, way.points);
           break;
         case Link::Kind::Axis:
-          axis_.bisector(link.along).append_points(link.begin, link.end, way.points);
+          axis_.curve(link.along).append_points(link.begin, link.end, way.points);
           break;
         case Link::Kind::Straight:
           append_point(position_[link.to], way.points);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "runtime/model/geometry/bisector.h"
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/voronoi_diagram.h"
 
@@ -12,11 +13,10 @@ namespace docent {
 /// The curve of a Voronoi edge, with the distance to its two sites along it.
 ///
 /// A place on it is a number between `begin` (the edge's `from`) and `end` (its `to`). On a line it
-/// is metres from `from`. On a parabola it is metres along the wall from the corner's foot on it:
-/// with the corner h above the wall, the curve is y = (x^2 + h^2) / (2 h), and y is the clearance.
-class Bisector {
+/// is metres from `from`, on a parabola its parameter (see Parabola).
+class EdgeCurve {
  public:
-  Bisector(const FloorPlan& plan, const VoronoiDiagram& diagram, const VoronoiEdge& edge);
+  EdgeCurve(const FloorPlan& plan, const VoronoiDiagram& diagram, const VoronoiEdge& edge);
 
   double begin() const noexcept { return begin_; }
   double end() const noexcept { return end_; }
@@ -43,16 +43,17 @@ class Bisector {
  private:
   enum class Kind : unsigned char {
     Linear,   ///< A line; the clearance changes evenly.
-    Corners,  ///< A line between two corners: clearance sqrt(height^2 + (x - middle)^2).
+    Corners,  ///< A line between two corners: clearance hypot(half distance, x - middle).
     Parabola,
   };
   double clamped(double place) const noexcept;
 
   Kind kind_ = Kind::Linear;
   double begin_ = 0, end_ = 0;
-  Vec2 origin_{}, along_{1, 0}, up_{0, 1};
-  double height_ = 1;  ///< Parabola: of the corner above the wall. Corners: half their distance.
-  double middle_ = 0;  ///< Corners: the place between them.
+  Parabola parabola_;                       ///< Parabola only.
+  Vec2 origin_{}, along_{1, 0};             ///< Lines only.
+  double middle_ = 0;                       ///< Corners: the place between them.
+  double half_distance_ = 0;                ///< Corners: half of theirs.
   double begin_clearance_ = 0, slope_ = 0;  ///< Linear.
   Vec2 low_{}, high_{};
 };
