@@ -31,7 +31,7 @@ constexpr std::int64_t steps_each_way = 11;
 
 /// Ankles from the line they walk on: half the stride width, and half the distance in which one
 /// stands at ease. Toes point out a little.
-constexpr double walking_half_width = 0.047, standing_half_width = 0.085;
+constexpr double walking_half_width = 0.055, standing_half_width = 0.085;
 constexpr double walking_toe_out = 6 * radians, standing_toe_out = 8 * radians;
 
 /// Variation from step to step: standard figures for healthy adults are 2 to 3 % of step length,
