@@ -157,11 +157,15 @@ void take_over(const Momentum& momentum, double seconds, Draft& draft) {
   }
 }
 
-void settle(const WalkGraph& graph, Draft& draft) {
+void lower_hips(const WalkGraph& graph, Draft& draft) {
   const auto radius = static_cast<std::size_t>(drop_seconds * draft.walk.frame_rate);
   const std::vector<double> drop = smooth_above(hip_drops(graph, draft), radius);
-  for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
+  for (std::size_t f = 0; f < draft.walk.root.size(); ++f)
     draft.walk.root[f].y -= static_cast<float>(drop[f]);
+}
+
+void place_feet(const WalkGraph& graph, Draft& draft) {
+  for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
     PoseView pose = pose_of(draft.walk, f);
     for (const Side side : both_sides)
       place_foot(graph.motion->skeleton, graph.legs[side], draft.foot[index_of(side)][f], pose);

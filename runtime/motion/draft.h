@@ -10,7 +10,7 @@
 namespace docent {
 
 /// A stretch of walk in the making: poses, and beside them where each foot shall be. The legs of
-/// the poses are only nearly right until settle() has placed the feet.
+/// the poses are only nearly right until place_feet().
 struct Draft {
   Walk walk;
   std::array<std::vector<Foot>, 2> foot;    ///< Per frame.
@@ -46,10 +46,13 @@ PoseView pose_of(Walk& walk, std::size_t frame) noexcept;
 /// on as it did (inertialization: Bollo 2018).
 void take_over(const Momentum& momentum, double seconds, Draft& draft);
 
-/// Lowers the hips where a foot is out of reach, smoothly, and places the feet.
-void settle(const WalkGraph& graph, Draft& draft);
+/// Lowers the hips, smoothly, where a foot would be out of reach.
+void lower_hips(const WalkGraph& graph, Draft& draft);
 
-/// Adds a settled draft; its first frame is the walk's last again and is left out, unless the
+/// Bends the legs so that every foot is where it shall be.
+void place_feet(const WalkGraph& graph, Draft& draft);
+
+/// Adds a finished draft; its first frame is the walk's last again and is left out, unless the
 /// walk has none.
 void append(const Draft& draft, Walk& walk);
 

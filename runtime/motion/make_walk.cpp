@@ -212,8 +212,11 @@ class WalkMaker {
   void stand_still() { add(make_steps(graph_, momentum_, {}, graph_.after_walking, Gait::Idle)); }
 
   void add(Draft draft) {
+    // The hips sink before the stretch takes over, so that its first frame stays what it was.
+    const bool exact = request_.fidelity == Fidelity::Exact;
+    if (exact) lower_hips(graph_, draft);
     take_over(momentum_, take_over_seconds, draft);
-    if (!draft.foot[0].empty() && request_.fidelity == Fidelity::Exact) settle(graph_, draft);
+    if (exact) place_feet(graph_, draft);
     const float along = walk_.along.empty() ? 0.0f : walk_.along.back();
     for (float& a : draft.walk.along) a += along;
     append(draft, walk_);
