@@ -65,8 +65,9 @@ bool is_compact(const Outline& outline, const Extents& e) {
   return signed_area(outline) > 0.55 * e.least * e.most;
 }
 
+/// An octagon is meant as one; from ten sides on, a circle is.
 bool is_round(const Outline& outline) {
-  return outline.size() >= 8 && roundness(outline) > 0.9;
+  return outline.size() >= 10 && roundness(outline) > 0.92;
 }
 
 HoleKind kind_of(const Outline& outline, bool holds_exhibit) {
@@ -79,18 +80,36 @@ HoleKind kind_of(const Outline& outline, bool holds_exhibit) {
   if (!is_compact(outline, e)) return HoleKind::Wall;
   if (holds_exhibit) {
     if (e.most > largest_case) return HoleKind::Wall;
-    return is_round(outline) || e.most < 1.05 ? HoleKind::Pedestal : HoleKind::Case;
+    return roundness(outline) > 0.9 || e.most < 1.05 ? HoleKind::Pedestal : HoleKind::Case;
   }
   if (is_round(outline) && e.most < largest_column) return HoleKind::Column;
   if (e.most < 0.75) return HoleKind::Column;
   return e.most < largest_empty_case ? HoleKind::Case : HoleKind::Wall;
 }
 
+/// A round outline with more corners, so that it looks round from nearby too; any other as it is.
+/// Plans draw circles with a dozen corners: the true circle goes a centimetre beyond their sides.
+Outline rounded(const Outline& outline) {
+  if (!is_round(outline)) return outline;
+  Vec2 centre{};
+  for (const Vec2 p : outline) centre += p / static_cast<double>(outline.size());
+  double radius = 0;
+  for (const Vec2 p : outline)
+    radius += std::hypot(p.x - centre.x, p.y - centre.y) / static_cast<double>(outline.size());
+  constexpr int corners = 40;
+  Outline circle;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners;
+    circle.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+  }
+  return circle;
+}
+
 // Heights of furniture, metres.
 constexpr double toe_height = 0.07;
-constexpr double case_height = 0.82;
-constexpr double glass_top = 1.42;
-constexpr double pedestal_height = 0.78;
+constexpr double case_height = 0.74;
+constexpr double glass_top = 1.5;
+constexpr double pedestal_height = 0.72;
 constexpr double low_pedestal_height = 0.36;
 constexpr double bevel = 0.025;
 
@@ -124,9 +143,9 @@ void build_body(const Outline& outline, double height, MeshBuilder& mesh) {
 
 /// A pane with a brighter rim, as the cut edge of glass is.
 void build_pane(const std::array<Vec3, 4>& corner, MeshBuilder& mesh) {
-  constexpr std::uint8_t clear = 16;
-  constexpr std::uint8_t edge = 130;
-  constexpr float rim = 0.018F;
+  constexpr std::uint8_t clear = 14;
+  constexpr std::uint8_t edge = 110;
+  constexpr float rim = 0.013F;
   const Vec3 right = corner[1] - corner[0];
   const Vec3 up = corner[3] - corner[0];
   const float width = std::sqrt(glm::dot(right, right));
@@ -188,7 +207,7 @@ void build_board(const Board& board, std::int32_t exhibit, MeshBuilder& mesh) {
   const double b = board.border;
   const std::array<Vec3, 4> front{at(-x, 0, 0), at(x, 0, 0), at(x, y, 0), at(-x, y, 0)};
   const std::array<Vec3, 4> rear{at(x, 0, back), at(-x, 0, back), at(-x, y, back), at(x, y, back)};
-  mesh.use(Surface::Frame, exhibit);
+  mesh.use(board.two_sided ? Surface::Object : Surface::Frame, exhibit);
   mesh.quad(front);
   mesh.quad(rear);
   mesh.quad({front[1], rear[0], rear[3], front[2]});
@@ -215,7 +234,7 @@ Vec2 fitted(double aspect, Vec2 box) {
 }
 
 Board board_on_wall(const Stand& stand) {
-  const Vec2 size = fitted(stand.aspect, {1.5, 1.1});
+  const Vec2 size = fitted(stand.aspect, {1.8, 1.25});
   const Vec2 forward{std::cos(stand.placement.heading), std::sin(stand.placement.heading)};
   constexpr double centre = 1.25;
   constexpr double depth = 0.06;
@@ -235,9 +254,9 @@ Board standing_board(const Stand& stand) {
   if (stand.hole) {
     const Vec2 forward{std::cos(stand.placement.heading), std::sin(stand.placement.heading)};
     bottom = top_of(stand.on, *stand.hole);
-    room.x = std::min(extent(*stand.hole, left_of(forward)) - 0.2, 1.3);
-    room.y = in_glass ? 0.6 : 0.9;
-    if (is_low_pedestal(*stand.hole)) room = {1.5, 1.7};
+    room.x = std::min(extent(*stand.hole, left_of(forward)) - 0.14, 1.4);
+    room.y = in_glass ? 0.76 : 1.05;
+    if (is_low_pedestal(*stand.hole)) room = {1.7, 1.8};
   }
   const Vec2 size = fitted(stand.aspect, room);
   Board board{.foot = stand.placement.position,
@@ -245,7 +264,8 @@ Board standing_board(const Stand& stand) {
               .bottom = bottom + 0.03,
               .width = size.x,
               .height = size.y,
-              .lean = in_glass ? 0.45 : 0.22,
+              .lean = in_glass ? 0.42 : 0.24,
+              .border = 0.02,
               .two_sided = true};
   const double half_depth = (size.y * std::sin(board.lean) + board.thickness) / 2;
   board.foot += half_depth * Vec2{std::cos(board.heading), std::sin(board.heading)};
@@ -290,9 +310,10 @@ std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit>
   return kinds;
 }
 
-void build_hole(HoleKind kind, const Outline& outline, MeshBuilder& mesh,
+void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers) {
   if (kind == HoleKind::Wall) return;
+  const Outline outline = rounded(hole);
   if (kind == HoleKind::Column) {
     constexpr std::array rows{0.0, 0.12, 0.4, 0.9, cut_height};
     mesh.use(Surface::Plaster);

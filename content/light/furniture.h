@@ -29,7 +29,7 @@ struct Blocker {
 
 /// What stands in a room: adds its faces to `mesh` and what they keep light away with to
 /// `blockers`.
-void build_hole(HoleKind kind, const Outline& outline, MeshBuilder& mesh,
+void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers);
 
 /// An exhibit as a picture: hung on its wall, or standing up on its case, pedestal or the floor.

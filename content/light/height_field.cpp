@@ -53,30 +53,4 @@ float HeightField::at(Vec2 point) const noexcept {
   return metres_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
 }
 
-std::vector<float> HeightField::greatest_within(double reach) const {
-  constexpr std::uint32_t block = 8;
-  const std::uint32_t columns = (width_ + block - 1) / block;
-  const std::uint32_t rows = (height_ + block - 1) / block;
-  std::vector<float> greatest(std::size_t{columns} * rows);
-  for (std::uint32_t y = 0; y < height_; ++y)
-    for (std::uint32_t x = 0; x < width_; ++x) {
-      float& of_block = greatest[std::size_t{y / block} * columns + x / block];
-      of_block = std::max(of_block, texel_height(x, y));
-    }
-  const auto span = static_cast<std::uint32_t>(std::ceil(reach / (block * texel_))) + 1;
-  std::vector<float> near(greatest.size());
-  for (std::uint32_t y = 0; y < rows; ++y)
-    for (std::uint32_t x = 0; x < columns; ++x) {
-      float& most = near[std::size_t{y} * columns + x];
-      for (std::uint32_t v = y - std::min(y, span); v < std::min(rows, y + span); ++v)
-        for (std::uint32_t u = x - std::min(x, span); u < std::min(columns, x + span); ++u)
-          most = std::max(most, greatest[std::size_t{v} * columns + u]);
-    }
-  std::vector<float> out(metres_.size());
-  for (std::uint32_t y = 0; y < height_; ++y)
-    for (std::uint32_t x = 0; x < width_; ++x)
-      out[std::size_t{y} * width_ + x] = near[std::size_t{y / block} * columns + x / block];
-  return out;
-}
-
 }  // namespace docent

@@ -30,8 +30,6 @@ class HeightField {
   float texel_height(std::uint32_t x, std::uint32_t y) const noexcept {
     return metres_[std::size_t{y} * width_ + x];
   }
-  /// The greatest height within `reach` of each texel, or somewhat further.
-  std::vector<float> greatest_within(double reach) const;
 
  private:
   Vec2 low_{};

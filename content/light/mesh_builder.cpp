@@ -88,10 +88,22 @@ void MeshBuilder::slope(const Outline& low, double low_height, const Outline& hi
 
 void MeshBuilder::lid(const Outline& outline, double height) {
   const Vec3 up{0, 1, 0};
-  std::vector<std::uint32_t> rim;
-  for (const Vec2 p : outline) rim.push_back(vertex(to_world(p, height), up));
-  for (std::size_t i = 1; i + 1 < rim.size(); ++i)
-    indices_->insert(indices_->end(), {rim[0], rim[i], rim[i + 1]});
+  Vec2 centre{};
+  for (const Vec2 p : outline) centre += p / static_cast<double>(outline.size());
+  const std::size_t n = outline.size();
+  std::vector<std::uint32_t> outer;
+  for (const double share : {1.0, 0.8, 0.5, 0.2}) {  // rings, since light is kept at vertices
+    std::vector<std::uint32_t> ring;
+    for (const Vec2 p : outline)
+      ring.push_back(vertex(to_world(centre + (p - centre) * share, height), up));
+    for (std::size_t i = 0; !outer.empty() && i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      indices_->insert(indices_->end(), {outer[i], outer[j], ring[j], outer[i], ring[j], ring[i]});
+    }
+    outer = std::move(ring);
+  }
+  for (std::size_t i = 1; i + 1 < n; ++i)
+    indices_->insert(indices_->end(), {outer[0], outer[i], outer[i + 1]});
 }
 
 Scenery MeshBuilder::finish() && {

@@ -29,7 +29,7 @@ class MeshBuilder {
   void sides(const Outline& outline, std::span<const double> heights, bool smooth = false);
   /// A slope from one outline to another with as many corners: a bevel, a step.
   void slope(const Outline& low, double low_height, const Outline& high, double high_height);
-  /// A level face that looks up.
+  /// A level face that looks up; the outline is convex.
   void lid(const Outline& outline, double height);
 
   /// Opacity of the glass made from now on, of 255.

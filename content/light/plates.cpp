@@ -15,7 +15,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
   bool seen = false;
   Region region = Region::Outside;
-  std::uint32_t index = 0;
+  std::uint32_t area = 0;
 };
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
@@ -103,20 +103,21 @@ void insert_in_pieces(Triangulation& triangulation, Vec2 a, Vec2 b) {
 struct Outlines {
   std::vector<Polygon> rings;
   std::vector<Polygon> backs;  ///< Of the rings with walls, `thickness` behind them.
+  std::vector<Polygon> paved;  ///< Paved areas, grown to the middle of a doorway.
 };
 
 class Classifier {
  public:
-  Classifier(const Outlines& outlines, const std::vector<bool>& furniture,
-             std::span<const PavedArea> paving)
-      : outlines_(outlines), furniture_(furniture), paving_(paving) {}
+  Classifier(const Outlines& outlines, const std::vector<bool>& furniture)
+      : outlines_(outlines), furniture_(furniture) {}
 
   FaceInfo at(Vec2 p) const {
     int inside = 0;
     for (const Polygon& ring : outlines_.rings) inside += winding(ring, p);
     if (inside > 0) return {true, Region::Floor, area_at(p)};
     for (std::uint32_t r = 0; r < outlines_.rings.size(); ++r)
-      if (furniture_[r] && winding(outlines_.rings[r], p) != 0) return {true, Region::Hole, r};
+      if (furniture_[r] && winding(outlines_.rings[r], p) != 0)
+        return {true, Region::Hole, area_at(p)};
     int solid = 0;
     for (const Polygon& back : outlines_.backs) solid += winding(back, p);
     return {true, solid > 0 ? Region::Wall : Region::Outside, 0};
@@ -124,14 +125,13 @@ class Classifier {
 
  private:
   std::uint32_t area_at(Vec2 p) const {
-    for (std::uint32_t a = 0; a < paving_.size(); ++a)
-      if (winding(paving_[a].outline, p) != 0) return a + 1;
+    for (std::uint32_t a = 0; a < outlines_.paved.size(); ++a)
+      if (winding(outlines_.paved[a], p) > 0) return a + 1;
     return 0;
   }
 
   const Outlines& outlines_;
   const std::vector<bool>& furniture_;
-  std::span<const PavedArea> paving_;
 };
 
 Vec2 corner_of(Face face, int i) {
@@ -144,29 +144,45 @@ double area_of(Face face) {
          2;
 }
 
-/// Gives every face the region of its component: the faces that can be reached without crossing a
-/// constraint lie in the same region, so its largest face is asked for all.
-void classify(Triangulation& triangulation, const Classifier& classifier) {
-  std::vector<Face> component;
+/// The faces that can be reached from `seed` without crossing a constraint. `is_open` tells whether
+/// they reach to infinity.
+std::vector<Face> component_of(const Triangulation& triangulation, Face seed, bool& is_open) {
+  std::vector<Face> component(1, seed);
+  seed->info().seen = true;
+  is_open = false;
+  for (std::size_t i = 0; i < component.size(); ++i) {
+    const Face face = component[i];
+    for (int side = 0; side < 3; ++side) {
+      const Face other = face->neighbor(side);
+      if (face->is_constrained(side)) continue;
+      is_open = is_open || triangulation.is_infinite(other);
+      if (triangulation.is_infinite(other) || other->info().seen) continue;
+      other->info().seen = true;
+      component.push_back(other);
+    }
+  }
+  return component;
+}
+
+/// Gives every face the region of its component, whose largest face is asked for all. A small
+/// pocket between walls is filled: nobody sees a shaft in an architect's model.
+void classify(const Triangulation& triangulation, const Classifier& classifier) {
+  constexpr double largest_pocket = 6;  // square metres
   for (Face seed : triangulation.finite_face_handles()) {
     if (seed->info().seen) continue;
-    component.assign(1, seed);
-    seed->info().seen = true;
+    bool is_open = false;
+    const std::vector<Face> component = component_of(triangulation, seed, is_open);
     Face largest = seed;
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      const Face face = component[i];
+    double area = 0;
+    for (Face face : component) {
+      area += area_of(face);
       if (area_of(face) > area_of(largest)) largest = face;
-      for (int side = 0; side < 3; ++side) {
-        const Face other = face->neighbor(side);
-        if (face->is_constrained(side) || triangulation.is_infinite(other) || other->info().seen)
-          continue;
-        other->info().seen = true;
-        component.push_back(other);
-      }
     }
     const Vec2 middle =
         (corner_of(largest, 0) + corner_of(largest, 1) + corner_of(largest, 2)) / 3.0;
-    const FaceInfo info = classifier.at(middle);
+    FaceInfo info = classifier.at(middle);
+    if (info.region == Region::Outside && !is_open && area < largest_pocket)
+      info.region = Region::Wall;
     for (Face face : component) face->info() = info;
   }
 }
@@ -188,8 +204,11 @@ Plates divide(const FloorPlan& plan, const std::vector<bool>& furniture, double 
     outlines.backs.push_back(moved_right(outlines.rings.back(), thickness));
     insert(outlines.backs.back());
   }
-  for (const PavedArea& area : paving) insert(area.outline);
-  classify(triangulation, Classifier(outlines, furniture, paving));
+  for (const PavedArea& area : paving) {
+    outlines.paved.push_back(moved_right(area.outline, thickness / 2));
+    insert(outlines.paved.back());
+  }
+  classify(triangulation, Classifier(outlines, furniture));
 
   Plates plates;
   const auto region_of = [&](Face face) {
@@ -199,7 +218,7 @@ Plates divide(const FloorPlan& plan, const std::vector<bool>& furniture, double 
     if (region_of(face) == Region::Outside) continue;
     plates.plates.push_back({{corner_of(face, 0), corner_of(face, 1), corner_of(face, 2)},
                              face->info().region,
-                             face->info().index});
+                             face->info().area});
     if (region_of(face) != Region::Wall) continue;
     for (int side = 0; side < 3; ++side) {
       const Region beyond = region_of(face->neighbor(side));

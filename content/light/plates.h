@@ -17,12 +17,12 @@ enum class Region : std::uint8_t {
   Hole,     ///< Something that stands in the room: a case, a column.
 };
 
-/// A triangle of the plane, counter-clockwise in the floor frame. `index` is the ring of a Hole, or
-/// 1 + the paved area of a Floor (0: none).
+/// A triangle of the plane, counter-clockwise in the floor frame. `area` is 1 + the paved area that
+/// a Floor or Hole lies in; 0: none.
 struct Plate {
   std::array<Vec2, 3> corner{};
   Region region = Region::Outside;
-  std::uint32_t index = 0;
+  std::uint32_t area = 0;
 };
 
 /// Where a Wall ends: seen from the open side, the wall is behind the edge and `a` is on the left.

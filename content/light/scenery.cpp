@@ -37,9 +37,10 @@ HeightField make_field(const FloorPlan& plan, double texel) {
   return {b.low - margin, b.high + margin, std::max(texel, std::max(size.x, size.y) / longest)};
 }
 
+/// The floor goes on under what stands on it, which leaves a gap at its foot.
 Surface surface_of(const Plate& plate, std::span<const PavedArea> paving) {
   if (plate.region == Region::Wall) return Surface::CutFace;
-  if (plate.index > 0 && paving[plate.index - 1].paving == Paving::Stone) return Surface::Stone;
+  if (plate.area > 0 && paving[plate.area - 1].paving == Paving::Stone) return Surface::Stone;
   return Surface::Floor;
 }
 
@@ -47,7 +48,6 @@ void build_plates(const Plates& plates, std::span<const PavedArea> paving, MeshB
                   HeightField& field) {
   constexpr Vec3 up{0, 1, 0};
   for (const Plate& plate : plates.plates) {
-    if (plate.region == Region::Hole) continue;
     const double height = plate.region == Region::Wall ? cut_height : 0;
     mesh.use(surface_of(plate, paving));
     mesh.triangle({to_world(plate.corner[0], height), to_world(plate.corner[1], height),

@@ -11,8 +11,9 @@ namespace docent {
 namespace {
 
 constexpr std::size_t most_joints = 64;  // palette in skin.glsl
-constexpr GLsizei tile_side = 256;       // texels of shadow a body
+constexpr GLsizei tile_side = 128;       // texels of shadow a body
 constexpr GLsizei tiles_a_row = 4;
+constexpr GLsizei atlas_levels = 5;  // the softest shadow is blurred over 16 texels
 static_assert(tiles_a_row * tiles_a_row == AvatarPass::most_avatars);
 constexpr float body_height = 1.85F;
 constexpr float body_reach = 0.75F;  // metres from the hips to an outstretched hand or foot
@@ -67,6 +68,29 @@ Vec4 tile_of(std::size_t avatar) noexcept {
   return {-1 + half * (2 * column + 1), -1 + half * (2 * row + 1), half, half};
 }
 
+/// The rows of the picture that a body and its shadow's square can touch.
+SceneBuffer::Rows rows_of(const CameraView& camera, Vec3 hips, const Vec4& window) noexcept {
+  SceneBuffer::Rows rows{1, -1};
+  const Mat4 to_clip = camera.projection * camera.view;
+  const auto include = [&](float x, float y, float z) {
+    const Vec4 clip = to_clip * Vec4(x, y, z, 1);
+    if (clip.w <= 0.01F) {
+      rows = {-1, 1};  // behind the eye: anywhere
+      return;
+    }
+    rows.low = std::min(rows.low, clip.y / clip.w);
+    rows.high = std::max(rows.high, clip.y / clip.w);
+  };
+  for (const float sx : {-1.0F, 1.0F})
+    for (const float sz : {-1.0F, 1.0F}) {
+      for (const float dy : {-1.2F, 1.2F})
+        include(hips.x + sx * body_reach, hips.y + dy, hips.z + sz * body_reach);
+      include(window.x + sx * window.z, hips.y - 1.2F, window.y + sz * window.z);
+      include(window.x + sx * window.z, hips.y - 0.6F, window.y + sz * window.z);
+    }
+  return rows;
+}
+
 }  // namespace
 
 Result<void> AvatarPass::compile() {
@@ -93,9 +117,10 @@ Result<void> AvatarPass::compile() {
                GL_STREAM_DRAW);
   atlas_ = make_texture();
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, tiles_a_row * tile_side, tiles_a_row * tile_side);
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  glTexStorage2D(GL_TEXTURE_2D, atlas_levels, GL_R8, tiles_a_row * tile_side,
+                 tiles_a_row * tile_side);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   atlas_framebuffer_ = make_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, atlas_framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, atlas_.get(), 0);
@@ -125,6 +150,10 @@ std::size_t AvatarPass::count_of(const DrawList& list) const noexcept {
   return index_count_ > 0 ? std::min(list.avatars.size(), most_avatars) : 0;
 }
 
+bool AvatarPass::is_in(std::size_t avatar, SceneBuffer::Rows rows) const noexcept {
+  return reach_[avatar].low <= rows.high && reach_[avatar].high >= rows.low;
+}
+
 void AvatarPass::bind_palette(std::size_t avatar) const noexcept {
   constexpr std::size_t bytes = most_joints * sizeof(Mat4);
   static_assert(bytes % 256 == 0, "a multiple of every driver's uniform buffer alignment");
@@ -147,6 +176,7 @@ void AvatarPass::prepare(const DrawList& list, Vec3 sun) noexcept {
     const float half =
         0.5F * std::max(std::abs(throw_of_head.x), std::abs(throw_of_head.z)) + body_reach;
     window_[a] = {middle.x, middle.z, half, 0};
+    reach_[a] = rows_of(list.camera, list.avatars[a].centre, window_[a]);
   }
   glBindBuffer(GL_UNIFORM_BUFFER, palettes_.get());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(count * most_joints * sizeof(Mat4)),
@@ -168,14 +198,17 @@ void AvatarPass::prepare(const DrawList& list, Vec3 sun) noexcept {
     bind_palette(a);
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
   }
+  bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
+  glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void AvatarPass::draw_bodies(const DrawList& list) const noexcept {
+void AvatarPass::draw_bodies(const DrawList& list, SceneBuffer::Rows rows) const noexcept {
   const std::size_t count = count_of(list);
   if (count == 0) return;
   body_.use();
   glBindVertexArray(array_.get());
   for (std::size_t a = 0; a < count; ++a) {
+    if (!is_in(a, rows)) continue;
     const Outfit& outfit = outfits()[list.avatars[a].look % outfits().size()];
     glUniform4fv(at_.colours, static_cast<GLsizei>(outfit.size()), &outfit[0].x);
     bind_palette(a);
@@ -183,13 +216,13 @@ void AvatarPass::draw_bodies(const DrawList& list) const noexcept {
   }
 }
 
-void AvatarPass::draw_shadows(const DrawList& list) const noexcept {
+void AvatarPass::draw_shadows(const DrawList& list, SceneBuffer::Rows rows) const noexcept {
   const std::size_t count = count_of(list);
   if (count == 0) return;
-  bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
   decal_.use();
   glBindVertexArray(no_attributes_.get());
   for (std::size_t a = 0; a < count; ++a) {
+    if (!is_in(a, rows)) continue;
     const AvatarDraw& avatar = list.avatars[a];
     const Vec4 tile = tile_of(a);
     glUniform4f(at_.tile_uv, 0.5F + 0.5F * tile.x, 0.5F + 0.5F * tile.y, 0.5F * tile.z,

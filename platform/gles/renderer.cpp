@@ -1,7 +1,7 @@
 #include "platform/gles/renderer.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <utility>
 
 #include "platform/gles/avatar_pass.h"
@@ -24,9 +24,9 @@ struct FrameBlock {
 };
 
 /// Late-afternoon light, chosen so that pale plaster in full light comes out just below paper.
-constexpr Vec4 sun_colour{1.36F, 1.20F, 0.96F, 0};
-constexpr Vec4 sky_colour{0.40F, 0.43F, 0.48F, 0};
-constexpr Vec4 bounce_colour{0.34F, 0.29F, 0.235F, 0};
+constexpr Vec4 sun_colour{1.20F, 1.11F, 0.97F, 0};
+constexpr Vec4 sky_colour{0.50F, 0.515F, 0.53F, 0};
+constexpr Vec4 bounce_colour{0.58F, 0.51F, 0.425F, 0};
 
 constexpr float fade_of_far_galleries = 0.62F;
 constexpr float light_of_goal = 0.16F;
@@ -74,7 +74,7 @@ struct Renderer::Parts {
 
   Result<void> compile();
   void draw_model(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
-  void draw_strip(const DrawList& list) noexcept;
+  void draw_strip(const DrawList& list, SceneBuffer::Rows rows) noexcept;
   void draw_interface(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
@@ -105,14 +105,14 @@ Result<void> Renderer::Parts::compile() {
 }
 
 /// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
-void Renderer::Parts::draw_strip(const DrawList& list) noexcept {
+void Renderer::Parts::draw_strip(const DrawList& list, SceneBuffer::Rows rows) noexcept {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  avatars.draw_bodies(list);
+  avatars.draw_bodies(list, rows);
   scenery.draw_solids(list.floor, list.highlighted_exhibit, textures);
   scenery.draw_floors(list.floor);
 
@@ -124,7 +124,7 @@ void Renderer::Parts::draw_strip(const DrawList& list) noexcept {
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   way.draw(list);
   glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  avatars.draw_shadows(list);
+  avatars.draw_shadows(list, rows);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   scenery.draw_glass(list.floor);
@@ -143,7 +143,7 @@ void Renderer::Parts::draw_model(const DrawList& list, GLuint framebuffer,
   buffer.fit(size);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
     buffer.begin(strip);
-    draw_strip(list);
+    draw_strip(list, buffer.rows(strip));
     buffer.resolve(strip, framebuffer);
   }
 }
@@ -209,6 +209,34 @@ void Renderer::draw(const DrawList& list, const RenderTarget& target) noexcept {
   parts_->draw_model(list, framebuffer, target.size);
   parts_->draw_interface(list, framebuffer, target.size);
   if (!direct) parts_->copy_to_panel(target);
+}
+
+/// A driver that compiles shaders for the state they are used in does so here and not in a frame.
+void Renderer::warm_up(const RenderTarget& target) {
+  const Pixels dot{1, 1, std::vector<std::byte>(4, std::byte{255})};
+  const std::array<std::uint8_t, 1> coverage{255};
+  const TextureId image = upload_image(dot);
+  const TextureId text = upload_text(1, 1, coverage);
+  DrawList list;
+  list.camera.eye = {0, 10, 0};
+  list.ribbon_point = {{0, 0}, {1, 0}};
+  list.ribbons.emplace_back();
+  list.ribbons.back().count = 2;
+  list.ribbons.back().length = 1;
+  list.markers.emplace_back();
+  list.palette.assign(64, Mat4(1));
+  list.avatars.emplace_back();
+  for (const QuadFill fill : {QuadFill::Solid, QuadFill::Text, QuadFill::Image}) {
+    Quad quad;
+    quad.rect = {0, 0, 1, 1};
+    quad.fill = fill;
+    quad.texture = fill == QuadFill::Text ? text : image;
+    list.quads.push_back(quad);
+  }
+  draw(list, target);
+  glFinish();
+  release(image);
+  release(text);
 }
 
 Result<Renderer> make_renderer(const RendererOptions& options) {

@@ -47,6 +47,10 @@ class Renderer {
   /// The body that every avatar wears.
   void upload_avatar(const SkinnedMesh& mesh);
 
+  /// Draws one of everything into the target, once all floors and the body are uploaded, so that
+  /// the driver has compiled what frames need. Takes about a third of a second on a CPU.
+  void warm_up(const RenderTarget& target);
+
   /// Draws everything into the target.
   void draw(const DrawList& list, const RenderTarget& target) noexcept;
 

@@ -49,6 +49,13 @@ void SceneBuffer::begin(std::uint32_t strip) const noexcept {
              static_cast<GLsizei>(picture_.height));
 }
 
+SceneBuffer::Rows SceneBuffer::rows(std::uint32_t strip) const noexcept {
+  const auto edge = [&](std::uint32_t i) {
+    return 2 * static_cast<float>(i * strip_height_) / static_cast<float>(picture_.height) - 1;
+  };
+  return {edge(strip), edge(strip + 1)};
+}
+
 void SceneBuffer::resolve(std::uint32_t strip, GLuint framebuffer) const noexcept {
   const auto width = static_cast<GLint>(picture_.width);
   const auto from = static_cast<GLint>(strip * strip_height_);

@@ -20,6 +20,11 @@ class SceneBuffer {
   std::uint32_t strips() const noexcept { return strips_; }
   /// Directs drawing to a strip: the viewport is that of the whole picture, moved.
   void begin(std::uint32_t strip) const noexcept;
+  /// The strip's lower and upper edge in clip space.
+  struct Rows {
+    float low = -1, high = 1;
+  };
+  Rows rows(std::uint32_t strip) const noexcept;
   /// Resolves the strip into `framebuffer`, which encodes sRGB as this one does.
   void resolve(std::uint32_t strip, GLuint framebuffer) const noexcept;
 

@@ -11,8 +11,15 @@ namespace {
 struct Paving {
   float length, width, difference, joint;  // metres; share of the tone; half-width of the joint
 };
-constexpr Paving oak_planks{2.2F, 0.19F, 0.20F, 0.003F};
+constexpr Paving oak_planks{2.4F, 0.19F, 0.13F, 0.003F};
 constexpr Paving stone_slabs{1.2F, 0.8F, 0.07F, 0.004F};
+
+/// Oak floors of museums are soaped: paler than the timber, so that what stands on them is seen.
+constexpr float soap = 0.08F;
+
+Colour mixed(const Colour& a, const Colour& b, float share) noexcept {
+  return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share, 1};
+}
 
 void describe_vertices() noexcept {
   constexpr auto stride = static_cast<GLsizei>(sizeof(SceneryVertex));
@@ -154,7 +161,7 @@ void SceneryPass::draw_solids(std::uint32_t floor, std::int32_t highlighted,
                                               {Surface::CutFace, theme_.cut_face},
                                               {Surface::CaseBody, srgb(0xDCD3C3)},
                                               {Surface::Frame, srgb(0x6B5A49)},
-                                              {Surface::Object, theme_.stone}};
+                                              {Surface::Object, srgb(0xEFE9DD)}};
   for (const auto& [surface, colour] : plain) {
     set(at_.solid_albedo, colour);
     draw_surface(*found, surface);
@@ -181,7 +188,7 @@ void SceneryPass::draw_floors(std::uint32_t floor) const noexcept {
     glUniform4f(at_.floor_grain, paving.length, paving.width, paving.difference, paving.joint);
     draw_surface(*found, surface);
   };
-  pave(Surface::Floor, theme_.oak, oak_planks);
+  pave(Surface::Floor, mixed(theme_.oak, theme_.plaster, soap), oak_planks);
   pave(Surface::Stone, theme_.stone, stone_slabs);
   ground_.use();
   draw_surface(*found, Surface::Ground);

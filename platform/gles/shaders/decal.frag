@@ -10,9 +10,19 @@ uniform vec4 tile_uv;   // xy: middle of the tile; zw: half size, in texture coo
 uniform vec4 foot[2];   // xyz: place; w: height of the sole
 uniform vec4 centre;    // xyz: the hips
 
-float shadow_at(vec2 p) {
-  vec2 edge = 1.0 - smoothstep(0.90, 1.0, abs(p));
-  return texture(shadow_atlas, tile_uv.xy + clamp(p, -1.0, 1.0) * tile_uv.zw).r * edge.x * edge.y;
+/// How much of a disc of `blur` (in half sides of the window) round a place the body covers.
+float shadow_at(vec2 p, float blur) {
+  // Texels of the finest level under the disc; the coarser levels are its average.
+  float texels = blur * tile_uv.z * float(textureSize(shadow_atlas, 0).x);
+  float level = log2(max(texels, 1.0));
+  float sum = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    vec2 to = i == 0 ? vec2(0.0) : blur * 0.75 * vec2(i < 3 ? 1.0 : -1.0, (i & 1) == 0 ? 1.0 : -1.0);
+    vec2 at = tile_uv.xy + clamp(p + to, -0.97, 0.97) * tile_uv.zw;
+    sum += textureLod(shadow_atlas, at, level).r;
+  }
+  vec2 edge = 1.0 - smoothstep(0.86, 0.98, abs(p));
+  return sum / 5.0 * edge.x * edge.y;
 }
 
 float contact(vec4 sole) {
@@ -25,24 +35,15 @@ void main() {
   vec2 away = -normalize(sun.xz);
   vec2 from_feet = world.xz - 0.5 * (foot[0].xz + foot[1].xz);
   float fallen = max(dot(from_feet, away), 0.0);
-  float blur = (0.012 + 0.050 * fallen) / window.z;
-  float covered = 0.0;
-  // Vogel's spiral: even cover with few taps.
-  for (int i = 0; i < 12; ++i) {
-    float r = sqrt((float(i) + 0.5) / 12.0);
-    float a = float(i) * 2.39996;
-    covered += shadow_at(local + blur * 1.6 * r * vec2(cos(a), sin(a)));
-  }
-  covered /= 12.0;
+  float blur = (0.02 + 0.075 * fallen) / window.z;
+  float covered = shadow_at(local, blur);
   vec2 share = texture(light_map, (world.xz - lightmap.xy) * lightmap.zw).rg;
-  float sun_light = dot(sun_colour.rgb, vec3(0.33)) * sun.y * share.g;
-  float sky_light = dot(sky_colour.rgb, vec3(0.33)) * share.r;
-  float dark = covered * sun_light / (sun_light + sky_light);
+  vec3 sun_light = sun_colour.rgb * (sun.y * share.g);
+  vec3 sky_light = sky_colour.rgb * share.r;
+  vec3 dark = covered * sun_light / (sun_light + sky_light);
   vec2 to_body = (world.xz - centre.xz) / 0.42;
   float sky_taken = 0.24 * exp(-dot(to_body, to_body));
   float contact_taken = 1.0 - (1.0 - contact(foot[0])) * (1.0 - contact(foot[1]));
-  float keep = (1.0 - dark * 0.92) * (1.0 - sky_taken) * (1.0 - contact_taken);
-  keep = mix(keep, 1.0, focus.w * distance_from_focus(world));
-  // Shade is a little warm: what fills it has bounced off the floor.
-  colour = vec4(pow(vec3(keep), vec3(0.92, 1.0, 1.06)), 1.0);
+  vec3 keep = (1.0 - dark * 0.95) * (1.0 - sky_taken) * (1.0 - contact_taken);
+  colour = vec4(mix(keep, vec3(1.0), focus.w * distance_from_focus(world)), 1.0);
 }

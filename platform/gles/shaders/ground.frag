@@ -9,7 +9,7 @@ void main() {
   vec3 here = sky_colour.rgb * share.r + sun_colour.rgb * (sun.y * share.g);
   vec3 tone = mix(vec3(1.0), here / full, 0.62);
   // Soft towards the edge, so that the plate's border never shows.
-  vec2 border = min(uv, 1.0 - uv) / (lightmap.zw * 2.5);
+  vec2 border = min(uv, 1.0 - uv) / (abs(lightmap.zw) * 2.5);
   float inside = clamp(min(border.x, border.y), 0.0, 1.0);
   float keep = inside * (1.0 - 0.7 * focus.w * distance_from_focus(world));
   colour = vec4(paper.rgb * mix(vec3(1.0), tone, keep), 1.0);

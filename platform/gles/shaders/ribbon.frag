@@ -32,9 +32,9 @@ void main() {
   float light = 0.78 + 0.22 * share.g * share.r;
   vec3 c = tone.rgb * light;
   // A slow sheen travels along the solid way.
-  float phase = fract((ribbon.x - way.z) / 3.0);
-  float sheen = kind == 0 ? smoothstep(0.0, 0.5, phase) * (1.0 - smoothstep(0.5, 1.0, phase)) : 0.3;
-  c = mix(c, vec3(1.0, 0.86, 0.72), 0.26 * sheen);
+  float phase = fract((ribbon.x - way.z) / 2.4) - 0.5;
+  float sheen = kind == 0 ? exp(-phase * phase * 40.0) : 0.0;
+  c = mix(c, vec3(1.0, 0.62, 0.42), 0.34 * sheen);
   // Its edges catch the light.
   c *= 1.0 + 0.10 * smoothstep(-0.03, -0.004, d) * sign(ribbon.y);
   float opacity = tone.a * mix(1.0, 0.22, behind);
