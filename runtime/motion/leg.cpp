@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace docent {
 namespace {
@@ -105,13 +106,15 @@ void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
   const float reach = std::clamp(glm::length(target - hip), std::abs(thigh - shin) + 1e-3f,
                                  (thigh + shin) * 0.9999f);
 
-  // The hinge points to the body's left, and is given a share of that direction so that a straight
-  // leg, whose plane is undefined, bends forwards too.
-  const Vec3 left = at.rotation[0] * leg.body_left;
-  const Vec3 hinge =
-      glm::normalize(glm::cross(knee - hip, ankle - knee) + left * (0.02f * thigh * shin));
-  const float bend =
-      opposite_angle(thigh, shin, glm::length(ankle - hip)) - opposite_angle(thigh, shin, reach);
+  // The hinge points to the thigh's left. It follows the knee's own plane where the knee is bent
+  // the right way; a straight leg has no plane, and one that a blend has bent backwards the wrong
+  // one.
+  const Vec3 left = at.rotation[leg.hip] * leg.body_left;
+  const Vec3 plane = glm::cross(knee - hip, ankle - knee);
+  const float backwards = std::min(0.0f, glm::dot(plane, left));
+  const Vec3 hinge = glm::normalize(plane - backwards * left + left * (0.02f * thigh * shin));
+  const float bent = std::atan2(glm::dot(plane, hinge), glm::dot(knee - hip, ankle - knee));
+  const float bend = std::numbers::pi_v<float> - opposite_angle(thigh, shin, reach) - bent;
   const Quat flex = glm::angleAxis(bend, hinge);
   const Vec3 flexed_ankle = knee + flex * (ankle - knee);
   const Quat swing = shortest_arc(flexed_ankle - hip, target - hip);

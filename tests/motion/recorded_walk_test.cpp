@@ -30,23 +30,30 @@ std::vector<Vec2> elliptic_arc() {
   return path;
 }
 
+Walk recorded_walk(const std::vector<Vec2>& path, Fidelity fidelity) {
+  WalkRequest request;
+  request.path = path;
+  request.fidelity = fidelity;
+  return *make_walk(recorded_graph(), request);
+}
+
 TEST(RecordedWalk, FollowsThirtyThreeMetresOfAnEllipse) {
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   const std::vector<Vec2> path = elliptic_arc();
 
-  const Walk walk = *make_walk(recorded_graph(), {.path = path});
+  const Walk walk = recorded_walk(path, Fidelity::Exact);
 
   EXPECT_LT(test::largest_deviation(walk, path), 0.03);
   EXPECT_LT(glm::distance(walk.body.back().position, path.back()), 0.02);
   EXPECT_LT(test::largest_drift(recorded_graph().skeleton, walk), 0.005);
-  EXPECT_GE(walk.root.size() / walk.frame_rate / (walk.transitions + 1), 0.4);
+  EXPECT_GE(frame_count(walk) / walk.frame_rate / (walk.transitions + 1), 0.4);
 }
 
 TEST(RecordedWalk, FollowsTheEllipseByTheClipsAlone) {
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   const std::vector<Vec2> path = elliptic_arc();
 
-  const Walk walk = *make_walk(recorded_graph(), {.path = path, .fidelity = Fidelity::Raw});
+  const Walk walk = recorded_walk(path, Fidelity::Raw);
 
   EXPECT_LT(test::largest_deviation(walk, path), 0.12);
 }
@@ -55,7 +62,7 @@ TEST(RecordedWalk, TurnsSharpCornersWithinReach) {
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   const std::vector<Vec2> path{{0, 0}, {3, 0}, {3, 3}, {2.5, 0.5}, {6, 0.5}, {0, 0.5}};
 
-  const Walk walk = *make_walk(recorded_graph(), {.path = path});
+  const Walk walk = recorded_walk(path, Fidelity::Exact);
 
   EXPECT_LT(test::largest_deviation(walk, path), 0.1);
   EXPECT_LT(test::largest_drift(recorded_graph().skeleton, walk), 0.005);

@@ -28,7 +28,11 @@ const std::vector<Vec2>& straight_path() {
 }
 
 const Walk& straight_walk() {
-  static const Walk walk = *make_walk(walk_graph(), {.path = straight_path()});
+  static const Walk walk = [] {
+    WalkRequest request;
+    request.path = straight_path();
+    return *make_walk(walk_graph(), request);
+  }();
   return walk;
 }
 
@@ -76,7 +80,7 @@ TEST_P(Interrupted, GoesOnWithoutAJump) {
 
   EXPECT_LT(splice.root, 1.3 * ordinary.root);
   EXPECT_LT(splice.joint, 1.6 * ordinary.joint);
-  EXPECT_LT(splice.root_change, 1.5 * ordinary.root_change);
+  EXPECT_LT(splice.root_change, 2 * ordinary.root_change);
   EXPECT_LT(splice.joint_change, 2 * ordinary.joint_change);
 }
 
