@@ -31,6 +31,19 @@ double signed_area(const FloorPlan& plan, const Ring& ring) {
   return twice / 2;
 }
 
+/// Metres. What is longer and stands free is drawn as a wall, not as a case.
+constexpr double longest_case = 6;
+
+/// The longer side of a ring's bounding box.
+double extent(const FloorPlan& plan, const Ring& ring) {
+  Vec2 low = plan.vertex[ring.first], high = low;
+  for (std::uint32_t i = 0; i < ring.count; ++i) {
+    low = glm::min(low, plan.vertex[ring.first + i]);
+    high = glm::max(high, plan.vertex[ring.first + i]);
+  }
+  return std::max(high.x - low.x, high.y - low.y);
+}
+
 /// The floor's frame on the page.
 class Page {
  public:
@@ -146,12 +159,17 @@ void PlanPainter::draw_ground() {
 
 /// What stands on the floor, the edge of the walls, and doors.
 void PlanPainter::draw_walls() {
-  PathData outlines, obstacles;
-  for (const Ring& ring : plan_.ring)
-    add_ring(signed_area(plan_, ring) > 0 ? outlines : obstacles, ring);
+  PathData outlines, obstacles, partitions;
+  for (const Ring& ring : plan_.ring) {
+    if (signed_area(plan_, ring) > 0)
+      add_ring(outlines, ring);
+    else
+      add_ring(extent(plan_, ring) > longest_case ? partitions : obstacles, ring);
+  }
   const std::string edge =
       fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"", ink::cut_face);
   svg_.path(obstacles, fmt::format("fill=\"{}\" {}", ink::plaster, edge));
+  svg_.path(partitions, fmt::format("fill=\"{}\" {}", ink::cut_face, edge));
   svg_.path(outlines, "fill=\"none\" " + edge);
   for (const Door& door : plan_.doors)
     svg_.path(PathData().move_to(page_.at(door.a)).line_to(page_.at(door.b)),
@@ -308,6 +326,10 @@ void PlanPainter::draw_line(const DrawnLine& line) {
     svg_.path(path, stroke(mixed(ink::floor, ink::teal, 0.6), 1.4, ""));
     return;
   }
+  if (line.closed) {
+    svg_.path(path, stroke(line.kind == LineKind::Offset ? ink::ochre : ink::vermilion, 3, ""));
+    return;
+  }
   svg_.path(path, stroke(ink::floor, width + 5, ""));  // Sets it off from what lies below.
   switch (line.kind) {
     case LineKind::Skeleton:
@@ -322,7 +344,6 @@ void PlanPainter::draw_line(const DrawnLine& line) {
     default:
       svg_.path(path, stroke(ink::vermilion, width, ""));
   }
-  if (line.closed) return;
   for (const Vec2 end : {line.points.front(), line.points.back()})
     svg_.circle(
         page_.at(end), 1.1 * width,

@@ -8,7 +8,7 @@
 
 namespace docent {
 
-/// A way over the floor, told apart by colour and pattern as on the kiosk.
+/// A line over the floor; ways are told apart by colour and pattern as on the kiosk.
 enum class LineKind : std::uint8_t {
   Shortest,  ///< Vermilion, solid.
   Skeleton,  ///< Teal, long dashes.

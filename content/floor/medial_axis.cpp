@@ -47,13 +47,16 @@ class Axis {
   [[nodiscard]] bool is_kept(std::uint32_t edge) const { return is_kept_[edge]; }
 
  private:
-  /// Takes in an edge, unless it runs into a convex corner of the plan: there the clearance is 0.
+  /// Takes in an edge, unless it runs into a convex corner of the plan, where the clearance is 0:
+  /// that counts as pruned already.
   void add(std::uint32_t e) {
     const VoronoiEdge& edge = diagram_.edge[e];
     if (!edge.on_medial_axis) return;
     const bool from = diagram_.clearance[edge.from] > 0, to = diagram_.clearance[edge.to] > 0;
     if (from) is_node_[edge.from] = true;
     if (to) is_node_[edge.to] = true;
+    if (from && !to) discs_[edge.from].push_back(edge.to);
+    if (to && !from) discs_[edge.to].push_back(edge.from);
     if (!from || !to) return;
     is_kept_[e] = true;
     edges_at_[edge.from].push_back(e);
