@@ -28,6 +28,8 @@ bool has_form(Form form, std::string_view text) {
       return is_identifier(text);
     case Form::Direction:
       return text == "left-to-right" || text == "right-to-left";
+    case Form::Paving:
+      return text == "oak" || text == "stone";
   }
   return false;
 }
@@ -38,6 +40,8 @@ std::string_view manual_of(Form form) {
       return "use letters, digits and hyphens, without spaces";
     case Form::Direction:
       return "write \"left-to-right\" or \"right-to-left\"";
+    case Form::Paving:
+      return "write \"oak\" or \"stone\"";
     case Form::Free:
     case Form::Name:
     case Form::File:

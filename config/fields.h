@@ -26,6 +26,7 @@ enum class Form : std::uint8_t {
   Identifier,  ///< Letters, digits, hyphens, dots and underscores.
   File,        ///< A path relative to the museum's folder.
   Direction,   ///< left-to-right or right-to-left.
+  Paving,      ///< oak or stone.
 };
 
 /// What a number has to lie in, ends included.

@@ -42,6 +42,7 @@ struct RoomSection {
   Located<LocatedTexts> title;
   Located<Vec2> label;
   Located<std::vector<Vec2>> outline;
+  Located<std::string> paving;
 };
 struct DoorSection {
   Place place;

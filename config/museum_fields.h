@@ -90,6 +90,12 @@ inline constexpr std::array room_fields{
                        "Where its name stands on the plan: [east, north] in metres"},
     Field<RoomSection>{"outline", &RoomSection::outline, Presence::Optional,
                        "Its corners: [[east, north], ...] in metres; exhibits inside belong to it"},
+    Field<RoomSection>{"paving",
+                       &RoomSection::paving,
+                       Presence::Optional,
+                       "oak or stone; oak where it is not said",
+                       {},
+                       Form::Paving},
 };
 
 inline constexpr std::array door_fields{

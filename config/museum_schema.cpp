@@ -28,6 +28,7 @@ Json text(Form form) {
   if (form == Form::Name || form == Form::File) schema["minLength"] = 1;
   if (form == Form::Identifier) schema["pattern"] = "^[A-Za-z0-9._-]+$";
   if (form == Form::Direction) schema["enum"] = {"left-to-right", "right-to-left"};
+  if (form == Form::Paving) schema["enum"] = {"oak", "stone"};
   return schema;
 }
 

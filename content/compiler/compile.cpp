@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <functional>
-#include <numbers>
-#include <thread>
+#include <future>
+#include <span>
 
 #include "config/museum_config.h"
+#include "content/compiler/compile_avatar.h"
 #include "content/compiler/compile_exhibits.h"
 #include "content/compiler/compile_floor.h"
+#include "content/compiler/compile_images.h"
+#include "content/compiler/compile_scenery.h"
 #include "content/compiler/shipped_files.h"
 #include "content/content_error.h"
 
@@ -41,16 +44,6 @@ std::vector<double> radius_classes(double body_radius, const std::vector<double>
   return radii;
 }
 
-/// The museum's most open place, where a kiosk stands that nobody placed: the roadmap's widest
-/// node.
-Placement most_open_place(const Floor& floor) {
-  const auto& clearance = floor.roadmap.clearance;
-  const auto widest = std::ranges::max_element(clearance);
-  if (widest == clearance.end()) return {};
-  const auto node = static_cast<std::size_t>(widest - clearance.begin());
-  return {floor.roadmap.position[node], std::numbers::pi / 2};
-}
-
 /// Adds the interface's words in a language, from the museum's own file or else the shipped one.
 void add_language(const std::string& tag, const WordsFile* own, Museum& museum, Report& report) {
   Language language;
@@ -75,93 +68,124 @@ void add_language(const std::string& tag, const WordsFile* own, Museum& museum, 
   museum.languages.push_back(std::move(language));
 }
 
-/// Floors as GeoJSON files alone: a museum without exhibits.
-class PlanCompiler {
+/// The avatar, compiled beside everything else where there are threads for it.
+class AvatarTask {
  public:
-  PlanCompiler(const CompileOptions& options, Report& report, Progress& progress)
-      : options_(options), report_(report), progress_(progress) {}
-
-  void run(Museum& museum) {
-    const std::string name = fs::path(options_.sources.front()).stem().string();
-    plan_floor_stages(progress_, name);
-    report_.set_file_order(options_.sources);
-    museum.title["en"] = name;
-    add_language("en", nullptr, museum, report_);
-    attempt(report_, [&] {
-      CompiledFloor compiled =
-          compile_floor(name, options_.sources, options_.coordinates,
-                        radius_classes(museum.body_radius, options_.radii), report_, progress_);
-      museum.floors.push_back(std::move(compiled.floor));
-      museum.kiosk = most_open_place(museum.floors.front());
-      museum.scenery.emplace_back();
+  AvatarTask(const CompileOptions& options, std::vector<fs::path> folders, Progress& progress) {
+    if (!options.with_motion) return;
+    plan_avatar_stages(progress);
+    const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
+    task_ = std::async(when, [folders = std::move(folders), &options, &progress] {
+      return compile_avatar(folders, options.jobs, progress);
     });
   }
 
+  void finish(Museum& museum, Report& report) {
+    if (!task_.valid()) return;
+    CompiledAvatar compiled = task_.get();
+    report.add(compiled.problems);
+    museum.motion = std::move(compiled.motion);
+    museum.avatar = std::move(compiled.mesh);
+  }
+
  private:
-  const CompileOptions& options_;
-  Report& report_;
-  Progress& progress_;
+  std::future<CompiledAvatar> task_;
 };
+
+/// Where clips come from: the command line, else the museum's own, else those that docent ships.
+std::vector<fs::path> clip_folders(const CompileOptions& options, const MuseumConfig* config) {
+  if (!options.clips.empty()) return {options.clips.begin(), options.clips.end()};
+  if (config != nullptr && config->motion.clips.given)
+    return {config->folder / config->motion.clips.value};
+  return {shipped_clips()};
+}
+
+/// A floor as GeoJSON files alone: a museum without exhibits.
+void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
+                  Progress& progress) {
+  const std::string name = fs::path(options.sources.front()).stem().string();
+  report.set_file_order(options.sources);
+  plan_floor_stages(progress);
+  if (options.with_motion) progress.plan("scenery", 8);
+  AvatarTask avatar(options, clip_folders(options, nullptr), progress);
+  museum.title["en"] = name;
+  add_language("en", nullptr, museum, report);
+  attempt(report, [&] {
+    CompiledFloor compiled =
+        compile_floor(name, options.sources, options.coordinates,
+                      radius_classes(museum.body_radius, options.radii), report, progress);
+    museum.floors.push_back(std::move(compiled.floor));
+    museum.kiosk = most_open_place(museum.floors.front());
+    if (!options.with_motion) return museum.scenery.resize(1);  // the plan alone: nothing to draw
+    const auto stage = progress.start("scenery");
+    compile_scenery(nullptr, museum);
+  });
+  avatar.finish(museum, report);
+}
+
+void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
+  museum.title = plain_texts(config.museum.title.value);
+  museum.welcome = plain_texts(config.museum.welcome.value);
+  if (museum.title.empty())
+    for (const std::string& tag : config.languages)
+      museum.title[tag] = fs::weakly_canonical(config.folder).filename().string();
+  for (const std::string& tag : config.languages) {
+    const auto own = std::ranges::find(config.words, tag, &WordsFile::tag);
+    add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report);
+  }
+}
+
+/// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
+std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const CompileOptions& options,
+                                          Report& report, Progress& progress) {
+  const std::vector<double> radii = radius_classes(config.avatar.radius.value, options.radii);
+  std::vector<CompiledFloor> floors(config.floors.size());
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const FloorSection& section = config.floors[i];
+    const std::string file = (config.folder / section.plan.value).string();
+    if (!section.plan.given || !fs::exists(file)) continue;  // already reported
+    attempt(report, [&] {
+      floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
+                                report, progress);
+    });
+    floors[i].floor.plan.height = section.height.value;
+  }
+  return floors;
+}
 
 /// A museum's folder.
-class FolderCompiler {
- public:
-  FolderCompiler(const CompileOptions& options, Report& report, Progress& progress)
-      : options_(options), report_(report), progress_(progress) {}
+void compile_folder(const CompileOptions& options, Museum& museum, Report& report,
+                    Progress& progress) {
+  Loaded<MuseumConfig> loaded = load_museum_config(options.sources.front());
+  report.add(loaded.diagnostics);
+  if (!loaded.value) return;
+  const MuseumConfig& config = *loaded.value;
+  report.set_file_order(config.files);
+  plan_floor_stages(progress);
+  progress.plan("exhibits", 5);
+  progress.plan("images", 60);
+  progress.plan("scenery", 40);
+  AvatarTask avatar(options, clip_folders(options, &config), progress);
 
-  void run(Museum& museum) {
-    Loaded<MuseumConfig> loaded = load_museum_config(options_.sources.front());
-    report_.add(loaded.diagnostics);
-    if (!loaded.value) return;
-    const MuseumConfig& config = *loaded.value;
-    report_.set_file_order(config.files);
-    for (const FloorSection& floor : config.floors) plan_floor_stages(progress_, floor.name.value);
-    progress_.plan("exhibits", 3);
-    take_texts(config, museum);
-    museum.body_radius = config.avatar.radius.value;
-    museum.ambient_count = static_cast<std::uint32_t>(config.ambient.count.value);
-    const std::vector<CompiledFloor> floors = compile_floors(config, museum);
-    const auto stage = progress_.start("exhibits");
-    compile_exhibits(config, floors, museum, report_);
-    for (std::size_t i = 0; i < museum.floors.size(); ++i) museum.scenery.emplace_back();
+  take_texts(config, museum, report);
+  museum.body_radius = config.avatar.radius.value;
+  museum.ambient_count = static_cast<std::uint32_t>(config.ambient.count.value);
+  {
+    const std::vector<CompiledFloor> floors = compile_floors(config, options, report, progress);
+    for (const CompiledFloor& compiled : floors) museum.floors.push_back(compiled.floor);
+    const auto stage = progress.start("exhibits");
+    compile_exhibits(config, floors, museum, report);
   }
-
- private:
-  void take_texts(const MuseumConfig& config, Museum& museum) {
-    museum.title = plain_texts(config.museum.title.value);
-    museum.welcome = plain_texts(config.museum.welcome.value);
-    if (museum.title.empty())
-      for (const std::string& tag : config.languages)
-        museum.title[tag] = fs::absolute(config.folder).filename().string();
-    for (const std::string& tag : config.languages) {
-      const auto own = std::ranges::find(config.words, tag, &WordsFile::tag);
-      add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report_);
-    }
+  {
+    const auto stage = progress.start("images");
+    compile_images(config, options.jobs, museum, report);
   }
-
-  /// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
-  std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, Museum& museum) {
-    const std::vector<double> radii = radius_classes(museum.body_radius, options_.radii);
-    std::vector<CompiledFloor> floors(config.floors.size());
-    museum.floors.resize(floors.size());
-    for (std::size_t i = 0; i < floors.size(); ++i) {
-      const FloorSection& section = config.floors[i];
-      const std::string file = (config.folder / section.plan.value).string();
-      if (!section.plan.given || !fs::exists(file)) continue;  // already reported
-      attempt(report_, [&] {
-        floors[i] = compile_floor(section.name.value, std::span(&file, 1), options_.coordinates,
-                                  radii, report_, progress_);
-      });
-      floors[i].floor.plan.height = section.height.value;
-      museum.floors[i] = floors[i].floor;
-    }
-    return floors;
+  if (!report.has_errors()) {
+    const auto stage = progress.start("scenery");
+    compile_scenery(&config, museum);
   }
-
-  const CompileOptions& options_;
-  Report& report_;
-  Progress& progress_;
-};
+  avatar.finish(museum, report);
+}
 
 bool is_museum_folder(const CompileOptions& options) {
   return options.sources.size() == 1 && fs::is_directory(options.sources.front());
@@ -171,10 +195,11 @@ bool is_museum_folder(const CompileOptions& options) {
 
 std::optional<Museum> compile(const CompileOptions& options, Report& report, Progress& progress) {
   Museum museum;
+  museum.motion.skeleton.part.fill(JointIndex::None);
   if (is_museum_folder(options))
-    FolderCompiler(options, report, progress).run(museum);
+    compile_folder(options, museum, report, progress);
   else
-    PlanCompiler(options, report, progress).run(museum);
+    compile_plan(options, museum, report, progress);
   if (report.has_errors()) return {};
   return museum;
 }

@@ -19,7 +19,7 @@ struct CompileOptions {
   Coordinates coordinates = Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
   bool with_motion = true;
-  unsigned jobs = 1;  ///< Threads; the result is the same for any number.
+  unsigned jobs = 0;  ///< Threads, the same result for any number; 0: as many as the machine has.
 };
 
 /// Makes a museum of its sources. Everything that is wrong with them goes into the report; the

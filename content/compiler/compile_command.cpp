@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -44,33 +45,36 @@ void add_source_options(CLI::App& command, CompileRequest& request) {
 /// Compiles and reports; empty where the sources have errors.
 std::optional<Museum> compile_and_report(CompileRequest& request, Progress& progress) {
   request.options.with_motion = !request.no_motion;
+  if (request.options.jobs == 0)
+    request.options.jobs = std::max(1U, std::thread::hardware_concurrency());
   Report report;
   std::optional<Museum> museum = compile(request.options, report, progress);
   report.print(request.json ? Report::Form::Json : Report::Form::Text);
   return museum;
 }
 
+/// What `--json` tells at the end: where the time went, and the bytes.
 void print_stages(const Progress& progress, const std::string& output) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-  double seconds = 0;
-  for (const Progress::Stage& stage : progress.stages()) {
-    stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
-    seconds += stage.seconds;
-  }
   const PartSizes sizes = part_sizes(output);
-  nlohmann::ordered_json parts;
-  for (const auto& [part, bytes] : sizes.parts) parts[part] = bytes;
+  nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+  for (const Progress::Stage& stage : progress.stages()) {
+    const auto made =
+        std::ranges::find(sizes.stages, stage.name, [](const auto& entry) { return entry.first; });
+    stages.push_back({{"stage", stage.name},
+                      {"seconds", stage.seconds},
+                      {"bytes", made == sizes.stages.end() ? 0 : made->second}});
+  }
   const nlohmann::ordered_json summary = {
-      {"stages", stages}, {"parts", parts}, {"seconds", seconds}, {"bytes", sizes.file}};
+      {"stages", stages}, {"seconds", progress.seconds()}, {"bytes", sizes.file}};
   fmt::print("{}\n", summary.dump());
 }
 
 int run_compile(CompileRequest& request) {
   Progress progress(progress_output(request.quiet));
-  progress.plan("write", 1);
   const std::optional<Museum> museum = compile_and_report(request, progress);
   if (!museum) return docent::exit_code(Errc::InvalidInput);
   {
+    progress.plan("write", 1);
     const auto stage = progress.start("write");
     write_museum(*museum, request.output);
   }

@@ -4,15 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
 
-#include "content/compiler/load_image.h"
 #include "content/compiler/place_exhibits.h"
-#include "content/content_error.h"
 #include "runtime/path/route.h"
 
 namespace docent {
@@ -114,7 +110,7 @@ class ExhibitCompiler {
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     const FloorMap& map = *maps_[kiosk_floor_];
     if (!kiosk.position.given) {
-      museum_.kiosk.position = most_open_point(floors_[kiosk_floor_].floor);
+      museum_.kiosk = most_open_place(floors_[kiosk_floor_].floor);
     } else if (!is_inside(map, museum_.kiosk.position) ||
                clearance_at(map, museum_.kiosk.position) < museum_.body_radius) {
       const auto free = nearest_free_point(map, museum_.kiosk.position, museum_.body_radius + 0.05);
@@ -140,7 +136,6 @@ class ExhibitCompiler {
         maps_[exhibit.floor])
       place(section, exhibit);
     exhibit.room = room_of(exhibit);
-    exhibit.image = image_of(section);
     museum_.exhibits.push_back(std::move(exhibit));
   }
 
@@ -203,30 +198,6 @@ class ExhibitCompiler {
     return nearest ? *nearest : add_room_of_floor(exhibit.floor);
   }
 
-  /// The image of that file, read once however many exhibits show it.
-  std::uint32_t image_of(const ExhibitSection& section) {
-    const std::string& name = section.image.value;
-    const std::filesystem::path file = config_.folder / name;
-    if (!name.empty() && !std::filesystem::exists(file)) return 0;  // already reported
-    const auto [known, is_new] =
-        image_index_.emplace(name, static_cast<std::uint32_t>(museum_.images.size()));
-    if (!is_new) return known->second;
-    try {
-      museum_.images.push_back(name.empty() ? blank_image() : load_image(file, name));
-    } catch (const ContentError& unusable) {
-      error(section.image.place, unusable.code, unusable.what(), {}, unusable.hint);
-      museum_.images.emplace_back();
-    }
-    return known->second;
-  }
-
-  static Vec2 most_open_point(const Floor& floor) {
-    const auto widest = std::ranges::max_element(floor.roadmap.clearance);
-    if (widest == floor.roadmap.clearance.end()) return floor.plan.vertex.front();
-    return floor.roadmap
-        .position[static_cast<std::size_t>(widest - floor.roadmap.clearance.begin())];
-  }
-
   const MuseumConfig& config_;
   std::span<const CompiledFloor> floors_;
   Museum& museum_;
@@ -234,10 +205,17 @@ class ExhibitCompiler {
   std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< Null for floors without a plan.
   std::size_t kiosk_floor_ = 0;
   std::optional<Vec2> entrance_;
-  std::map<std::string, std::uint32_t> image_index_;
 };
 
 }  // namespace
+
+Placement most_open_place(const Floor& floor) {
+  const auto& clearance = floor.roadmap.clearance;
+  const auto widest = std::ranges::max_element(clearance);
+  if (widest == clearance.end()) return {};
+  const auto node = static_cast<std::size_t>(widest - clearance.begin());
+  return {floor.roadmap.position[node], std::numbers::pi / 2};
+}
 
 LocalText plain_texts(const LocatedTexts& texts) {
   LocalText plain;

@@ -11,16 +11,6 @@ namespace docent {
 
 namespace {
 
-std::string plan_stage(const std::string& floor) {
-  return "plan " + floor;
-}
-std::string voronoi_stage(const std::string& floor) {
-  return "voronoi " + floor;
-}
-std::string paths_stage(const std::string& floor) {
-  return "paths " + floor;
-}
-
 void report_left_out(const ImportedPlan& plan, Report& report) {
   for (const LeftOut& left_out : plan.left_out) {
     Diagnostic diagnostic;
@@ -36,10 +26,10 @@ void report_left_out(const ImportedPlan& plan, Report& report) {
 
 }  // namespace
 
-void plan_floor_stages(Progress& progress, const std::string& floor_name) {
-  progress.plan(plan_stage(floor_name), 1);
-  progress.plan(voronoi_stage(floor_name), 4);
-  progress.plan(paths_stage(floor_name), 2);
+void plan_floor_stages(Progress& progress) {
+  progress.plan("plan", 1);
+  progress.plan("voronoi", 6);
+  progress.plan("paths", 3);
 }
 
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
@@ -48,7 +38,7 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
-    const auto stage = progress.start(plan_stage(name));
+    const auto stage = progress.start("plan");
     compiled.drawn = read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
     std::vector<Diagnostic> mendings;
@@ -57,11 +47,11 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     report.add(mendings);
   }
   {
-    const auto stage = progress.start(voronoi_stage(name));
+    const auto stage = progress.start("voronoi");
     floor.diagram = voronoi_diagram(floor.plan);
     floor.roadmap = medial_axis(floor.plan, floor.diagram);
   }
-  const auto stage = progress.start(paths_stage(name));
+  const auto stage = progress.start("paths");
   for (const double radius : radii)
     floor.tangent_graphs.push_back(make_tangent_graph(floor.plan, radius));
   return compiled;

@@ -17,8 +17,8 @@ struct CompiledFloor {
   Floor floor;
 };
 
-/// Plans the stages of compile_floor.
-void plan_floor_stages(Progress& progress, const std::string& floor_name);
+/// Plans the stages of compile_floor, which all floors share.
+void plan_floor_stages(Progress& progress);
 
 /// Makes a floor of its plan files: walls, Voronoi diagram, medial axis, a tangent graph per
 /// radius. Mendings go into the report. Throws ContentError where the plan cannot be used.

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csetjmp>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -16,20 +14,19 @@
 #include <string_view>
 #include <vector>
 
-#include <jpeglib.h>  // after <cstdio>, which it needs and does not include
-
 #include "content/content_error.h"
 #include "platform/handle.h"
+#include "platform/png/image.h"
 
 namespace docent {
 
 namespace {
 
-constexpr double longest_side = 1024;
-constexpr std::uint32_t largest_side = 4096;
+constexpr std::uint32_t drawn_side = 768;
+constexpr std::uint32_t kept_side = 2048;
 
-using Surface2 = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_destroy>>;
-using Painter = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_destroy>>;
+using CairoContext = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
 using Drawing = std::unique_ptr<RsvgHandle, CloseWith<g_object_unref>>;
 
 ContentError unreadable(const std::filesystem::path& file, const std::string& why) {
@@ -39,92 +36,44 @@ ContentError unreadable(const std::filesystem::path& file, const std::string& wh
 std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::vector<char> chars{std::istreambuf_iterator<char>(in), {}};
-  if (!in && !in.eof()) throw unreadable(file, "the image cannot be opened");
+  if (!in.is_open()) throw unreadable(file, "the image cannot be opened");
   const auto bytes = std::as_bytes(std::span(chars));
   return {bytes.begin(), bytes.end()};
 }
 
-cairo_status_t append(void* to, const unsigned char* data, unsigned int size) {
-  auto& bytes = *static_cast<std::vector<std::byte>*>(to);
-  const auto* first = reinterpret_cast<const std::byte*>(data);
-  bytes.insert(bytes.end(), first, first + size);
-  return CAIRO_STATUS_SUCCESS;
+std::vector<std::byte> png_of(const std::filesystem::path& file, const Pixels& pixels) {
+  auto bytes = encode_png(pixels);
+  if (!bytes) throw unreadable(file, bytes.error().what);
+  return std::move(*bytes);
 }
 
-cairo_status_t take(void* from, unsigned char* data, unsigned int size) {
-  auto& rest = *static_cast<std::span<const std::byte>*>(from);
-  if (rest.size() < size) return CAIRO_STATUS_READ_ERROR;
-  std::memcpy(data, rest.data(), size);
-  rest = rest.subspan(size);
-  return CAIRO_STATUS_SUCCESS;
+/// Cairo's pixels (native words, colours multiplied by opacity) as straight RGBA.
+Pixels to_pixels(cairo_surface_t* surface) {
+  cairo_surface_flush(surface);
+  const auto width = static_cast<std::size_t>(cairo_image_surface_get_width(surface));
+  const auto height = static_cast<std::size_t>(cairo_image_surface_get_height(surface));
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  const unsigned char* data = cairo_image_surface_get_data(surface);
+  Pixels pixels{.width = static_cast<std::uint32_t>(width),
+                .height = static_cast<std::uint32_t>(height),
+                .rgba = std::vector<std::byte>(4 * width * height)};
+  std::byte* out = pixels.rgba.data();
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      std::uint32_t argb = 0;
+      std::memcpy(&argb, data + y * stride + 4 * x, sizeof argb);
+      const std::uint32_t alpha = argb >> 24U;
+      for (const unsigned shift : {16U, 8U, 0U}) {
+        const std::uint32_t colour = argb >> shift & 0xFFU;
+        *out++ = static_cast<std::byte>(
+            alpha == 0 ? 0 : std::min((colour * 255 + alpha / 2) / alpha, 255U));
+      }
+      *out++ = static_cast<std::byte>(alpha);
+    }
+  return pixels;
 }
 
-/// Fills in the size of a PNG by decoding it whole.
-void check_png(const std::filesystem::path& file, EncodedImage& image) {
-  std::span<const std::byte> rest = image.bytes;
-  const Surface2 surface(cairo_image_surface_create_from_png_stream(take, &rest));
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw unreadable(file, "the PNG image is damaged");
-  image.width = static_cast<std::uint32_t>(cairo_image_surface_get_width(surface.get()));
-  image.height = static_cast<std::uint32_t>(cairo_image_surface_get_height(surface.get()));
-}
-
-/// libjpeg's way to fail: it calls back and must not be returned to.
-struct JpegFailure {
-  jpeg_error_mgr manager;
-  std::jmp_buf escape;
-};
-
-[[noreturn]] void escape_from_jpeg(j_common_ptr decoder) {
-  std::longjmp(reinterpret_cast<JpegFailure*>(decoder->err)->escape, 1);
-}
-
-void ignore_message(j_common_ptr /*decoder*/) {}
-
-/// Decodes a JPEG whole, row by row into `row`; false where it is damaged. Between setjmp and
-/// longjmp nothing may need destroying, so the buffer is the caller's.
-bool decode_jpeg(EncodedImage& image, std::vector<JSAMPLE>& row) {
-  jpeg_decompress_struct decoder{};
-  JpegFailure failure{};
-  decoder.err = jpeg_std_error(&failure.manager);
-  failure.manager.error_exit = escape_from_jpeg;
-  failure.manager.output_message = ignore_message;
-  if (setjmp(failure.escape) != 0) {  // NOLINT(cert-err52-cpp): the library offers no other way
-    jpeg_destroy_decompress(&decoder);
-    return false;
-  }
-  jpeg_create_decompress(&decoder);
-  jpeg_mem_src(&decoder, reinterpret_cast<const unsigned char*>(image.bytes.data()),
-               static_cast<unsigned long>(image.bytes.size()));
-  jpeg_read_header(&decoder, TRUE);
-  image.width = decoder.image_width;
-  image.height = decoder.image_height;
-  jpeg_start_decompress(&decoder);
-  row.resize(std::size_t{decoder.output_width} *
-             static_cast<std::size_t>(decoder.output_components));
-  while (decoder.output_scanline < decoder.output_height) {
-    JSAMPROW rows[] = {row.data()};
-    jpeg_read_scanlines(&decoder, rows, 1);
-  }
-  jpeg_finish_decompress(&decoder);
-  const bool whole = failure.manager.num_warnings == 0;  // a file cut short is only a warning
-  jpeg_destroy_decompress(&decoder);
-  return whole;
-}
-
-/// Draws a vector drawing on `painter` at the size of the surface.
-void paint(const std::filesystem::path& file, RsvgHandle* drawing, cairo_t* painter, double width,
-           double height) {
-  const RsvgRectangle viewport{0, 0, width, height};
-  GError* error = nullptr;
-  if (rsvg_handle_render_document(drawing, painter, &viewport, &error) == 0) {
-    const std::string why = error != nullptr ? error->message : "unknown reason";
-    g_clear_error(&error);
-    throw unreadable(file, fmt::format("the SVG drawing cannot be drawn: {}", why));
-  }
-}
-
-/// Width over height of a drawing.
+/// Width over height of a drawing: of its stated size, else of its view box.
 double aspect_of(RsvgHandle* drawing) {
   double width = 0;
   double height = 0;
@@ -141,62 +90,68 @@ double aspect_of(RsvgHandle* drawing) {
   return has_box != 0 && box.width > 0 && box.height > 0 ? box.width / box.height : 1;
 }
 
-void draw_svg(const std::filesystem::path& file, EncodedImage& image) {
-  GError* error = nullptr;
-  const Drawing drawing(
-      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(image.bytes.data()),
-                                static_cast<gsize>(image.bytes.size()), &error));
-  if (!drawing) {
-    const std::string why = error != nullptr ? error->message : "unknown reason";
-    g_clear_error(&error);
-    throw unreadable(file, fmt::format("the image is no PNG, JPEG or SVG: {}", why));
-  }
-  const double aspect = aspect_of(drawing.get());
-  const double width = std::max(1.0, std::round(longest_side * std::min(1.0, aspect)));
-  const double height = std::max(1.0, std::round(longest_side / std::max(1.0, aspect)));
-  image.width = static_cast<std::uint32_t>(width);
-  image.height = static_cast<std::uint32_t>(height);
-  const Surface2 surface(cairo_image_surface_create(
-      CAIRO_FORMAT_ARGB32, static_cast<int>(image.width), static_cast<int>(image.height)));
-  const Painter painter(cairo_create(surface.get()));
-  paint(file, drawing.get(), painter.get(), width, height);
-  image.bytes.clear();
-  cairo_surface_write_to_png_stream(surface.get(), append, &image.bytes);
+/// GLib's sentence about a failure.
+std::string take_message(GError* error) {
+  std::string message = error != nullptr ? error->message : "unknown reason";
+  g_clear_error(&error);
+  return message;
 }
 
-bool begins_with(const std::vector<std::byte>& bytes, std::string_view magic) {
+Pixels draw_svg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  GError* error = nullptr;
+  const Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(bytes.data()),
+                                                  static_cast<gsize>(bytes.size()), &error));
+  if (!drawing)
+    throw unreadable(file, "the image is no PNG, JPEG or SVG file: " + take_message(error));
+  const double aspect = aspect_of(drawing.get());
+  const double width = std::max(1.0, std::round(drawn_side * std::min(1.0, aspect)));
+  const double height = std::max(1.0, std::round(drawn_side / std::max(1.0, aspect)));
+  const CairoSurface surface(cairo_image_surface_create(
+      CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
+  const CairoContext context(cairo_create(surface.get()));
+  const RsvgRectangle viewport{0, 0, width, height};
+  if (rsvg_handle_render_document(drawing.get(), context.get(), &viewport, &error) == 0)
+    throw unreadable(file, "the drawing cannot be drawn: " + take_message(error));
+  return to_pixels(surface.get());
+}
+
+bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
   return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+}
+
+bool is_png_or_jpeg(std::span<const std::byte> bytes) {
+  return begins_with(bytes, "\x89PNG\r\n\x1a\n") || begins_with(bytes, "\xff\xd8\xff");
 }
 
 }  // namespace
 
 EncodedImage load_image(const std::filesystem::path& file, const std::string& name) {
   EncodedImage image{.name = name, .width = 0, .height = 0, .bytes = read_bytes(file)};
-  if (begins_with(image.bytes, "\x89PNG\r\n\x1a\n")) {
-    check_png(file, image);
-  } else if (begins_with(image.bytes, "\xff\xd8\xff")) {
-    std::vector<JSAMPLE> row;
-    if (!decode_jpeg(image, row)) throw unreadable(file, "the JPEG image is damaged");
+  Pixels pixels;
+  bool keep = false;
+  if (is_png_or_jpeg(image.bytes)) {
+    Result<Pixels> decoded = decode_image(image.bytes);
+    if (!decoded) throw unreadable(file, decoded.error().what);
+    pixels = std::move(*decoded);
+    keep = std::max(pixels.width, pixels.height) <= kept_side;
+    if (!keep) pixels = shrink(std::move(pixels), drawn_side);
   } else {
-    draw_svg(file, image);
+    pixels = draw_svg(file, image.bytes);
   }
-  if (std::max(image.width, image.height) > largest_side)
-    throw ContentError(file.string(), 0, 0, "image-too-large",
-                       fmt::format("the image is {} x {} pixels, and {} a side are the most",
-                                   image.width, image.height, largest_side),
-                       "scale it down; 1024 pixels are enough for a kiosk");
+  image.width = pixels.width;
+  image.height = pixels.height;
+  if (!keep) image.bytes = png_of(file, pixels);
   return image;
 }
 
 EncodedImage blank_image() {
-  constexpr int side = 64;
-  const Surface2 surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, side, side));
-  const Painter painter(cairo_create(surface.get()));
-  cairo_set_source_rgb(painter.get(), 0.91, 0.89, 0.84);
-  cairo_paint(painter.get());
-  EncodedImage image{.name = "", .width = side, .height = side, .bytes = {}};
-  cairo_surface_write_to_png_stream(surface.get(), append, &image.bytes);
-  return image;
+  constexpr std::uint32_t side = 16;
+  constexpr std::byte paper[] = {std::byte{0xE9}, std::byte{0xE3}, std::byte{0xD7},
+                                 std::byte{0xFF}};
+  Pixels pixels{.width = side, .height = side, .rgba = {}};
+  for (std::uint32_t i = 0; i < side * side; ++i)
+    pixels.rgba.insert(pixels.rgba.end(), std::begin(paper), std::end(paper));
+  return {.name = "", .width = side, .height = side, .bytes = png_of("", pixels)};
 }
 
 }  // namespace docent

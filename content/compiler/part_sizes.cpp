@@ -11,38 +11,55 @@ namespace docent {
 
 namespace {
 
-/// A table, and what people call the part of the museum that it holds.
+/// A table, what people call the part of the museum that it holds, and the stage that makes it.
 struct TablePart {
-  std::string_view table, part;
+  std::string_view table, part, stage;
 };
 
 constexpr TablePart table_parts[] = {
-    {"floor", "plan"},       {"door", "plan"},           {"voronoi_diagram", "voronoi"},
-    {"roadmap", "skeleton"}, {"tangent_graph", "paths"}, {"scenery", "scenery"},
-    {"museum", "exhibits"},  {"room", "exhibits"},       {"exhibit", "exhibits"},
-    {"language", "texts"},   {"text", "texts"},          {"image", "images"},
-    {"joint", "clips"},      {"motion_clip", "clips"},   {"motion_graph", "motion_graph"},
-    {"avatar", "avatar"},
+    {"floor", "plan", "plan"},
+    {"door", "plan", "plan"},
+    {"voronoi_diagram", "voronoi", "voronoi"},
+    {"roadmap", "skeleton", "voronoi"},
+    {"tangent_graph", "paths", "paths"},
+    {"scenery", "scenery", "scenery"},
+    {"museum", "exhibits", "exhibits"},
+    {"room", "exhibits", "exhibits"},
+    {"exhibit", "exhibits", "exhibits"},
+    {"language", "texts", "exhibits"},
+    {"text", "texts", "exhibits"},
+    {"image", "images", "images"},
+    {"joint", "clips", "motion"},
+    {"motion_clip", "clips", "motion"},
+    {"motion_graph", "transitions", "motion"},
+    {"avatar", "avatar", "avatar"},
 };
+
+void add(std::vector<std::pair<std::string, std::uint64_t>>& sizes, std::string_view name,
+         std::uint64_t bytes) {
+  const auto known = std::ranges::find(sizes, name, [](const auto& entry) { return entry.first; });
+  if (known == sizes.end())
+    sizes.emplace_back(name, bytes);
+  else
+    known->second += bytes;
+}
 
 }  // namespace
 
 PartSizes part_sizes(const std::filesystem::path& file) {
   const Database database = open_or_throw(file);
   const std::map<std::string, std::uint64_t> tables = table_sizes(database);
-  PartSizes sizes{.parts = {}, .file = database.bytes.size()};
+  PartSizes sizes{.parts = {}, .stages = {}, .file = database.bytes.size()};
   std::uint64_t rest = sizes.file;
-  for (const auto& [table, part] : table_parts) {
+  for (const auto& [table, part, stage] : table_parts) {
     const auto found = tables.find(std::string(table));
     const std::uint64_t bytes = found == tables.end() ? 0 : found->second;
     rest -= bytes;
-    const auto known = std::ranges::find(sizes.parts, part, [](const auto& p) { return p.first; });
-    if (known == sizes.parts.end())
-      sizes.parts.emplace_back(part, bytes);
-    else
-      known->second += bytes;
+    add(sizes.parts, part, bytes);
+    add(sizes.stages, stage, bytes);
   }
   sizes.parts.emplace_back("other", rest);
+  sizes.stages.emplace_back("write", sizes.file);
   return sizes;
 }
 

@@ -10,7 +10,8 @@ namespace docent {
 
 /// Where the bytes of a database go.
 struct PartSizes {
-  std::vector<std::pair<std::string, std::uint64_t>> parts;  ///< In the order of the compilation.
+  std::vector<std::pair<std::string, std::uint64_t>> parts;   ///< By what they hold.
+  std::vector<std::pair<std::string, std::uint64_t>> stages;  ///< By the stage that made them.
   std::uint64_t file = 0;
 };
 

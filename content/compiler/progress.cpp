@@ -48,10 +48,13 @@ void Progress::finish(std::size_t stage) {
   const std::lock_guard lock(mutex_);
   Entry& entry = entries_[stage];
   entry.state = Entry::State::Done;
-  entry.end = Clock::now();
-  if (output_ == Output::Lines)
-    fmt::print(stderr, "{:<16} {:6.2f} s\n", entry.name, seconds_between(entry.begin, entry.end));
+  entry.seconds += seconds_between(entry.begin, Clock::now());
+  if (output_ == Output::Lines) fmt::print(stderr, "{:<16} {:6.2f} s\n", entry.name, entry.seconds);
   draw_bar();
+}
+
+double Progress::seconds() const {
+  return seconds_between(begin_, Clock::now());
 }
 
 std::vector<Progress::Stage> Progress::stages() const {
@@ -59,7 +62,7 @@ std::vector<Progress::Stage> Progress::stages() const {
   std::vector<Stage> done;
   for (const Entry& entry : entries_)
     if (entry.state == Entry::State::Done)
-      done.push_back({.name = entry.name, .seconds = seconds_between(entry.begin, entry.end)});
+      done.push_back({.name = entry.name, .seconds = entry.seconds});
   return done;
 }
 

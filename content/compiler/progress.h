@@ -43,8 +43,11 @@ class Progress {
     std::size_t stage_;
   };
 
-  /// Starts a stage that was planned.
+  /// Starts a stage that was planned; a stage may be started again, and its times add up.
   [[nodiscard]] Running start(std::string_view stage);
+
+  /// Seconds since this was made.
+  [[nodiscard]] double seconds() const;
 
   /// The stages that were run, in the order in which they were planned.
   [[nodiscard]] std::vector<Stage> stages() const;
@@ -55,7 +58,8 @@ class Progress {
     std::string name;
     double work = 1;
     enum class State : std::uint8_t { Planned, Running, Done } state = State::Planned;
-    Clock::time_point begin{}, end{};
+    Clock::time_point begin{};
+    double seconds = 0;
   };
 
   void finish(std::size_t stage);

@@ -33,9 +33,12 @@ const Skeleton& commonest_skeleton(const std::vector<FolderMotion>& motions) {
 
 }  // namespace
 
-MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,
-                           std::vector<Diagnostic>& problems) {
-  std::vector<FolderMotion> motions = read_motion_folder(folder, problems);
+MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
+                           const MotionOptions& options, std::vector<Diagnostic>& problems) {
+  std::vector<FolderMotion> motions;
+  for (const std::filesystem::path& folder : folders)
+    for (FolderMotion& motion : read_motion_folder(folder, problems))
+      motions.push_back(std::move(motion));
   const Skeleton skeleton = commonest_skeleton(motions);
   double rate = 0;
   for (const FolderMotion& m : motions)
@@ -59,7 +62,13 @@ MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOpti
     if (m.role) sources.back().clip.role = *m.role;
     if (!m.motion_class.empty()) sources.back().clip.motion_class = m.motion_class;
   }
-  return make_motion_graph(skeleton, std::move(sources), folder.string(), options, problems);
+  return make_motion_graph(skeleton, std::move(sources), folders.front().string(), options,
+                           problems);
+}
+
+MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,
+                           std::vector<Diagnostic>& problems) {
+  return compile_motion(std::span(&folder, 1), options, problems);
 }
 
 }  // namespace docent
