@@ -19,10 +19,11 @@ constexpr double most_airborne = 0.2;
 constexpr double most_astray = 0.2;
 constexpr double crouching = 0.75;  // Hips lower than this share of the leg's length.
 
-double mean(const std::vector<double>& values, std::size_t first, std::size_t last) {
-  double sum = 0;
-  for (std::size_t f = first; f < last; ++f) sum += values[f];
-  return last > first ? sum / static_cast<double>(last - first) : 0;
+/// Metres a second from one frame to another, straight.
+double speed_between(const MotionClip& clip, std::size_t first, std::size_t last) {
+  if (last <= first) return 0;
+  return glm::distance(to_floor(clip.root[first]), to_floor(clip.root[last])) * clip.frame_rate /
+         static_cast<double>(last - first);
 }
 
 /// Does the body move more than 45 degrees away from where it faces?
@@ -41,10 +42,10 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, cons
   const std::vector<double> speed = body_speed(body, clip.frame_rate);
   const double size = size_of(skeleton), leg = leg_length(skeleton);
   const std::size_t frames = speed.size();
-  const std::size_t quarter = std::min<std::size_t>(frames, frames_in(0.25, clip.frame_rate));
+  const std::size_t quarter = std::min<std::size_t>(frames - 1, frames_in(0.25, clip.frame_rate));
 
-  ClipMeasures measures{.first_speed = mean(speed, 0, quarter),
-                        .last_speed = mean(speed, frames - quarter, frames),
+  ClipMeasures measures{.first_speed = speed_between(clip, 0, quarter),
+                        .last_speed = speed_between(clip, frames - 1 - quarter, frames - 1),
                         .turned = body.back().heading - body.front().heading};
   std::vector<double> moving, hips;
   std::size_t airborne = 0, astray = 0;

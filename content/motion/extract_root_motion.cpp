@@ -7,7 +7,8 @@
 namespace docent {
 namespace {
 
-constexpr double gait_cycle = 1.1;  // Seconds: two steps at 109 a minute.
+// Seconds: two steps at 109 a minute. Hann weights over two cycles cancel what repeats every cycle.
+constexpr double gait_cycle = 1.1;
 
 /// The value at `at` of the line that fits `values` best round it.
 template <typename Value>
@@ -51,7 +52,7 @@ std::vector<Placement> extract_root_motion(const Skeleton& skeleton, const Motio
     place.push_back(to_floor(clip.root[f]));
     heading.push_back(hip_heading(skeleton, track, f, f > 0 ? heading[f - 1] : 0));
   }
-  const std::size_t half = frames_in(gait_cycle / 2, clip.frame_rate);
+  const std::size_t half = frames_in(gait_cycle, clip.frame_rate);
   std::vector<Placement> body;
   body.reserve(place.size());
   for (std::size_t f = 0; f < place.size(); ++f)

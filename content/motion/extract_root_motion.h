@@ -9,8 +9,8 @@ namespace docent {
 double hip_heading(const Skeleton& skeleton, const Track& track, std::size_t frame, double before);
 
 /// Where the body stands and faces in each frame of a clip, floor frame: the hips with the sway of
-/// the gait taken out, by a local line fitted over a gait cycle (Hann weights, so that both ends of
-/// a clip are treated without lag). The headings go on without leaps of whole turns.
+/// the gait taken out, by a local line fitted over two gait cycles (Hann weights; a line, so that
+/// both ends of a clip are treated without lag). The headings go on without leaps of whole turns.
 std::vector<Placement> extract_root_motion(const Skeleton& skeleton, const MotionClip& clip,
                                            const Track& track);
 
