@@ -47,7 +47,7 @@ void write_upper_body(const UpperBody& body, std::span<Quat> local) {
 bool planted(std::span<const Footstep> placings, double time) {
   const FootPose foot = foot_at(placings, time);
   for (const Footstep& step : placings)
-    if (time >= step.strike && time <= step.toe_off) return std::abs(foot.pitch) < 0.01;
+    if (time >= step.strike && time <= step.toe_off) return std::abs(foot.pitch) < 0.003;
   return false;
 }
 
