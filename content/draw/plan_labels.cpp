@@ -38,6 +38,7 @@ void place_labels(std::vector<Label>& labels, double letter, Vec2 page) {
                                          Vec2{1, -1}, Vec2{-1, -1}, Vec2{1, 1},  Vec2{-1, 1}};
   const Vec2 around{0.5 * letter, 0.5 * letter};
   std::vector<Box> taken;
+  taken.reserve(2 * labels.size());
   for (const Label& label : labels) taken.push_back({label.mark - around, label.mark + around});
   for (Label& label : labels) {
     Box best;

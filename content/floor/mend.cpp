@@ -199,6 +199,7 @@ std::vector<DrawnRing> collect(const ImportedPlan& imported) {
 
 std::vector<OverlayRing> rings_of(const std::vector<DrawnRing>& drawn) {
   std::vector<OverlayRing> rings;
+  rings.reserve(drawn.size());
   for (const DrawnRing& ring : drawn) rings.push_back(ring.ring);
   return rings;
 }
@@ -311,6 +312,7 @@ std::vector<std::vector<Vec2>> settle(Overlay walls, const ImportedPlan& importe
                          "the rings of this plan cross in too many places to be mended",
                          "draw the outlines so that they do not cross");
     std::vector<DrawnRing> drawn;
+    drawn.reserve(walls.walls.size());
     for (std::vector<Vec2>& ring : walls.walls) drawn.push_back({{std::move(ring)}, {}});
     walls = overlay(rings_of(tidy(std::move(drawn), nullptr)), Fill::LeftOfRings);
   }

@@ -209,8 +209,10 @@ ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates co
 
 ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coordinates) {
   std::vector<std::string> contents;
+  contents.reserve(files.size());
   for (const std::string& file : files) contents.push_back(read_whole_file(file));
   std::vector<GeoJsonText> texts;
+  texts.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({files[i], contents[i]});
   return parse_floor_plan(texts, coordinates);
 }

@@ -24,7 +24,8 @@ class WatchedIterator {
   using pointer = const char*;
   using reference = const char&;
 
-  WatchedIterator(const char* at, std::size_t* bytes_read) : at_(at), bytes_read_(bytes_read) {}
+  WatchedIterator(std::string_view::const_iterator at, std::size_t* bytes_read)
+      : at_(at), bytes_read_(bytes_read) {}
 
   reference operator*() const { return *at_; }
   WatchedIterator& operator++() {
@@ -40,7 +41,7 @@ class WatchedIterator {
   bool operator==(const WatchedIterator& other) const { return at_ == other.at_; }
 
  private:
-  const char* at_;
+  std::string_view::const_iterator at_;
   std::size_t* bytes_read_;
 };
 
@@ -181,8 +182,8 @@ TextPosition LineIndex::at(std::size_t offset) const noexcept {
 JsonValue parse_json(const std::string& file, std::string_view text) {
   std::size_t bytes_read = 0;
   TreeBuilder builder(file, text, &bytes_read);
-  nlohmann::json::sax_parse(WatchedIterator(text.data(), &bytes_read),
-                            WatchedIterator(text.data() + text.size(), &bytes_read), &builder);
+  nlohmann::json::sax_parse(WatchedIterator(text.begin(), &bytes_read),
+                            WatchedIterator(text.end(), &bytes_read), &builder);
   return builder.take_root();
 }
 

@@ -28,6 +28,7 @@ ImportedRing drawn_ring(const Points& points, std::uint32_t line) {
 
 Points points_of(const nlohmann::json& ring) {
   Points points;
+  points.reserve(ring.size());
   for (const auto& p : ring) points.push_back({p[0].get<double>(), p[1].get<double>()});
   return points;
 }
