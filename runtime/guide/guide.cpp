@@ -240,7 +240,6 @@ void Guide::step(Seconds dt) noexcept {
   overlay_.advance(seconds);
   stage_.advance(state(), leader(), seconds);
   count_collisions();
-  fill_draw_list();
 }
 
 void Guide::notice_arrival() noexcept {
@@ -277,7 +276,7 @@ void Guide::count_collisions() noexcept {
       ++counters_.collisions;
 }
 
-void Guide::fill_draw_list() noexcept {
+const DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
   list_.quads.clear();
@@ -289,6 +288,8 @@ void Guide::fill_draw_list() noexcept {
   const bool names = state().screen == Screen::Choosing;
   overlay_.draw(static_cast<float>(whole - leader().along), names && !stage_.is_flying() ? 1 : 0,
                 list_);
+  for (Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
+  return list_;
 }
 
 }  // namespace docent

@@ -57,7 +57,9 @@ class Guide {
 
   void touch(const InputEvent& event) noexcept;
   void step(Seconds dt) noexcept;
-  const DrawList& draw_list() const noexcept { return list_; }
+  /// What to draw of the state after the last step, in the names of texture memory: so the texts
+  /// that step() let go have to be applied before.
+  const DrawList& draw_list() noexcept;
 
   /// The screen has another size: a view is laid out for it.
   void resize(const ScreenShape& shape) noexcept;
@@ -93,7 +95,6 @@ class Guide {
   void notice_arrival() noexcept;
   void notice_absence(float seconds) noexcept;
   void count_collisions() noexcept;
-  void fill_draw_list() noexcept;
 
   Avatar& leader() noexcept { return avatars_.front(); }
   bool is_out() const noexcept;

@@ -3,18 +3,30 @@
 #include <cstdlib>
 #include <new>
 
+// Where the linker put the program's code.
+extern "C" const char __executable_start, etext;
+
 namespace {
 
-thread_local std::uint64_t allocation_count = 0;
+thread_local docent::Allocations counted;
+
+/// Is this address in the program's own code?
+bool is_own(const void* caller) noexcept {
+  const auto* address = static_cast<const char*>(caller);
+  return address >= &__executable_start && address < &etext;
+}
+
+void count(const void* caller) noexcept {
+  ++counted.all;
+  if (is_own(caller)) ++counted.own;
+}
 
 void* allocate(std::size_t size) {
-  ++allocation_count;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
 
 void* allocate(std::size_t size, std::align_val_t alignment) {
-  ++allocation_count;
   const auto step = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) return memory;
   throw std::bad_alloc();
@@ -24,15 +36,19 @@ void* allocate(std::size_t size, std::align_val_t alignment) {
 
 // The forms that the library's own defaults do not lead back to these.
 void* operator new(std::size_t size) {
+  count(__builtin_return_address(0));
   return allocate(size);
 }
 void* operator new[](std::size_t size) {
+  count(__builtin_return_address(0));
   return allocate(size);
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
+  count(__builtin_return_address(0));
   return allocate(size, alignment);
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
+  count(__builtin_return_address(0));
   return allocate(size, alignment);
 }
 void operator delete(void* memory) noexcept {
@@ -62,8 +78,8 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 
 namespace docent {
 
-std::uint64_t allocations_on_this_thread() noexcept {
-  return allocation_count;
+Allocations allocations_on_this_thread() noexcept {
+  return counted;
 }
 
 }  // namespace docent

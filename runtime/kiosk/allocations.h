@@ -4,8 +4,13 @@
 
 namespace docent {
 
-/// Calls of operator new on this thread since it began. The kiosk replaces the global operator new
-/// to count them: a frame must not add any.
-std::uint64_t allocations_on_this_thread() noexcept;
+/// Calls of operator new on one thread since it began.
+struct Allocations {
+  std::uint64_t all = 0;
+  std::uint64_t own = 0;  ///< Those made by this program's own code, not by a library's.
+};
+
+/// The kiosk replaces the global operator new to count its calls: a frame must not add any.
+Allocations allocations_on_this_thread() noexcept;
 
 }  // namespace docent

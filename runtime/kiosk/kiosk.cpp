@@ -113,7 +113,7 @@ class Kiosk {
 
   Seconds since_last_frame() noexcept;
   void take_input() noexcept;
-  void draw() noexcept;
+  void make_frame(Seconds passed) noexcept;
   Result<void> frame();
   Result<void> record();
   void reload();
@@ -207,30 +207,39 @@ Result<void> Kiosk::frame() {
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = monotonic_now();
 
-  const std::uint64_t allocations = allocations_on_this_thread();
-  const auto cpu = thread_cpu_now();
-  take_input();
-  if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
-  guide().step(passed);
-  const auto stepped = thread_cpu_now();
-  draw();
-  statistics_.frame_cpu.add(stepped - cpu);
-  statistics_.gl.add(thread_cpu_now() - stepped);
-
-  const bool entered = std::exchange(view_, guide().counters().views) != view_;
-  if (statistics_.frames > 0 && !entered)
-    statistics_.allocations_in_frames += allocations_on_this_thread() - allocations;
+  make_frame(passed);
   if (statistics_.frames++ == 0) statistics_.start_to_first_frame = monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(monotonic_now() - *touched_);
   return record();
 }
 
-void Kiosk::draw() noexcept {
+/// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
+void Kiosk::make_frame(Seconds passed) noexcept {
   const RenderTarget target = target_of(edges_);
+  const Allocations before = allocations_on_this_thread();
+  const auto begun = thread_cpu_now();
+  take_input();
   guide().resize(shape_of(target.size, config_));
+  if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
+  guide().step(passed);
+  const auto stepped = thread_cpu_now();
   apply_texts(guide(), renderer_);
-  renderer_.draw(guide().draw_list(), target);
+  const auto applied = thread_cpu_now();
+  const DrawList& list = guide().draw_list();
+  const auto listed = thread_cpu_now();
+  const Allocations made = allocations_on_this_thread();
+  renderer_.draw(list, target);
   edges_.display->present();
+
+  statistics_.frame_cpu.add(stepped - begun + (listed - applied));
+  statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
+  // The first frame of a view may take memory. Drivers compile while they draw: there, only our own
+  // calls count.
+  const std::uint64_t views = guide().counters().views;
+  if (views == view_)
+    statistics_.allocations_in_frames +=
+        made.all - before.all + (allocations_on_this_thread().own - made.own);
+  view_ = views;
 }
 
 Result<void> Kiosk::record() {
