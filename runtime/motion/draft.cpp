@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "runtime/motion/placement.h"
+#include "runtime/motion/replant.h"
 #include "runtime/motion/smoothing.h"
 
 namespace docent {
@@ -38,12 +39,6 @@ Value fading(Value value, Value slope, double time, double duration) noexcept {
   return of_value * value + (of_slope * static_cast<float>(duration)) * slope;
 }
 
-float vertical_drop(Vec3 hip, Vec3 ankle, float reach) noexcept {
-  const float across = std::hypot(hip.x - ankle.x, hip.z - ankle.z);
-  if (across >= reach) return hip.y - ankle.y;
-  return std::max(0.0f, hip.y - ankle.y - std::sqrt(reach * reach - across * across));
-}
-
 constexpr double largest_drop = 0.12;   // metres
 constexpr double drop_seconds = 0.12;   // half of the time over which hips sink and rise again
 constexpr float straight_leg = 0.985f;  // of the leg's length: a knee is never quite straight
@@ -60,7 +55,7 @@ std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft) {
       const Vec3 hip = leg_pose(graph.motion->skeleton, leg, pose).position[leg.hip];
       const float reach = std::clamp(draft.reach[index_of(side)][f], straight_leg * leg.length,
                                      straightest_leg * leg.length);
-      const float need = vertical_drop(hip, ankle_of(leg, draft.foot[index_of(side)][f]), reach);
+      const float need = drop_into_reach(hip, ankle_of(leg, draft.foot[index_of(side)][f]), reach);
       drop[f] = std::max(drop[f], std::min<double>(need, largest_drop));
     }
   }

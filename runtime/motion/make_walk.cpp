@@ -61,6 +61,7 @@ class WalkMaker {
       walk_from_standing(path_);
     if (request_.final_heading) turn_to(*request_.final_heading, largest_facing_error);
     if (walk_.root.empty()) stand_still();
+    for (float& along : walk_.along) along = std::max(0.0f, along - static_cast<float>(lead_in_));
     return std::move(walk_);
   }
 
@@ -81,8 +82,8 @@ class WalkMaker {
     if (path_.size() > 1) body.heading = direction_of(path_, 0.25);
     if (request_.start) body = *request_.start;
     momentum_ = momentum_of(graph_, graph_.before_walking, body);
-    if (glm::distance(body.position, path_.front()) > shortest_way)
-      path_.insert(path_.begin(), body.position);
+    lead_in_ = glm::distance(body.position, path_.front());
+    if (lead_in_ > shortest_way) path_.insert(path_.begin(), body.position);
   }
 
   TrackPace pace() const {
@@ -104,10 +105,13 @@ class WalkMaker {
       path.insert(path.end(), path_.begin(), path_.end());
       path = finite_points(path);
     }
-    if (!walk_on(path)) {
-      brake();
-      walk_from_standing(joined(momentum_.body.position, path_));
-    }
+    lead_in_ = polyline_length(path) - polyline_length(path_);
+    if (walk_on(path)) return;
+    brake();
+    const std::vector<Vec2> back = joined(momentum_.body.position, path_);
+    lead_in_ = walk_.along.empty() ? 0.0 : static_cast<double>(walk_.along.back());
+    lead_in_ += polyline_length(back) - polyline_length(path_);
+    walk_from_standing(back);
   }
 
   /// Where the body would have gone on to.
@@ -230,6 +234,7 @@ class WalkMaker {
   Momentum momentum_;
   ClipFrame source_;
   bool is_walking_ = false;
+  double lead_in_ = 0;  ///< Metres walked before the asked path begins.
   Walk walk_;
 };
 

@@ -40,6 +40,8 @@ struct Contact {
                    ///< the foot's rolling.
 };
 
+constexpr float hip_give = 0.09f;  // metres that hips sink at most to let a foot stay
+
 class Replanting {
  public:
   Replanting(const WalkGraph& graph, Side side, std::span<Foot> feet)
@@ -76,6 +78,24 @@ class Replanting {
     begin_ = first;
     const Vec3 own = feet_.size() > 1 ? (feet_[1].toe - feet_[0].toe) * rate_ : Vec3{};
     begin_slope_ = {start.velocity - own, 0};
+  }
+
+  void release_out_of_reach(std::span<const Vec3> hips, std::vector<bool>& contact) {
+    for (Contact& c : contacts_) {
+      const auto in_reach = [&](std::size_t f) {
+        Foot foot{Vec3(c.anchor.x, feet_[f].toe.y + c.rise, c.anchor.z), feet_[f].rotation};
+        foot.rotation = world_rotation(c.heading - heading_[f]) * foot.rotation;
+        return drop_into_reach(hips[f], ankle_of(leg_, foot), 0.998f * leg_.length) < hip_give;
+      };
+      const std::size_t middle = (c.first + c.end) / 2;
+      std::size_t end = middle, first = middle;
+      while (end < c.end && in_reach(end)) ++end;
+      while (first > c.first && in_reach(first - 1)) --first;
+      for (std::size_t f = c.first; f < c.end; ++f) contact[f] = f >= first && f < end;
+      c.first = first;
+      c.end = end;
+    }
+    std::erase_if(contacts_, [](const Contact& c) { return c.first == c.end; });
   }
 
   void apply() {
@@ -172,17 +192,24 @@ class Replanting {
 
 }  // namespace
 
+float drop_into_reach(Vec3 hip, Vec3 ankle, float reach) noexcept {
+  const float across = std::hypot(hip.x - ankle.x, hip.z - ankle.z);
+  if (across >= reach) return hip.y - ankle.y;
+  return std::max(0.0f, hip.y - ankle.y - std::sqrt(reach * reach - across * across));
+}
+
 double foot_heading(const Leg& leg, const Foot& foot) noexcept {
   const Vec2 forwards = to_floor(foot.rotation * leg.ankle_to_toe);
   return std::atan2(forwards.y, forwards.x);
 }
 
-void replant(const WalkGraph& graph, Side side, std::span<Foot> feet,
-             const std::vector<bool>& contact, const FootStart& start, bool starts_planted) {
+void replant(const WalkGraph& graph, Side side, std::span<Foot> feet, std::span<const Vec3> hips,
+             std::vector<bool>& contact, const FootStart& start, bool starts_planted) {
   if (feet.empty()) return;
   Replanting work(graph, side, feet);
   work.find_contacts(contact);
   work.start_from(start, starts_planted);
+  work.release_out_of_reach(hips, contact);
   work.apply();
 }
 

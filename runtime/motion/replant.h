@@ -13,12 +13,17 @@ struct FootStart {
   Vec3 velocity{};
 };
 
-/// Holds a foot still while it touches the ground. `feet` are its places in the motion, `contact`
-/// says when its toe joint rests on the ground; each contact gets one place (its own mean, or
-/// `start` where it goes on from there) at `toe_height`, and one heading. Between contacts the
-/// difference is bridged by a curve without kinks, so that the foot leaves and lands as it did.
-void replant(const WalkGraph& graph, Side side, std::span<Foot> feet,
-             const std::vector<bool>& contact, const FootStart& start, bool starts_planted);
+/// Holds a foot still while it touches the ground. `feet` are its places in the motion, `hips`
+/// those of its hip joint, and `contact` says when its toe joint rests on the ground; each contact
+/// gets one place (its own mean, or `start` where it goes on from there), level ground and one
+/// heading. Between contacts the difference is bridged by a curve without kinks, so that the foot
+/// leaves and lands as it did. A contact out of the leg's reach is cut short: the foot is lifted
+/// earlier.
+void replant(const WalkGraph& graph, Side side, std::span<Foot> feet, std::span<const Vec3> hips,
+             std::vector<bool>& contact, const FootStart& start, bool starts_planted);
+
+/// How far a hip joint must sink for the ankle to be within `reach` of it; metres, 0 where it is.
+float drop_into_reach(Vec3 hip, Vec3 ankle, float reach) noexcept;
 
 /// The heading of a foot from ankle to toe (floor frame, radians).
 double foot_heading(const Leg& leg, const Foot& foot) noexcept;

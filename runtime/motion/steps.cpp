@@ -183,9 +183,10 @@ class Stepping {
     return foot;
   }
 
-  /// Up with the heel first, over, and down flat.
+  /// Up with the heel first, over, and down flat. It moves across only while it is clear of the
+  /// ground.
   static Foot swinging(const TimedStep& step, const Leg& leg, double t) {
-    const auto across = static_cast<float>(smooth_step(1.06 * t - 0.03));
+    const auto across = static_cast<float>(smooth_step((t - 0.15) / 0.7));
     const auto rise = static_cast<float>(std::pow(std::sin(t * 3.14159265358979), 2));
     const auto pitch =
         static_cast<float>(std::pow(std::sin(std::min(1.0, t * 1.4) * 3.14159265358979), 2));

@@ -26,7 +26,7 @@ struct Walk {
   std::vector<FootPlants> plants;
   std::vector<Placement> body;  ///< Where the body's circle stands and faces: the root with the
                                 ///< sway of the gait taken out.
-  std::vector<float> along;     ///< Metres along the path.
+  std::vector<float> along;     ///< Metres along the path that was asked for; 0 on the way to it.
   std::vector<Gait> gait;
   std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
   std::uint32_t transitions = 0;  ///< How many blends it holds.

@@ -58,6 +58,24 @@ void find_feet(const WalkGraph& graph, Draft& draft) {
   }
 }
 
+bool& planted(FootPlants& plants, Side side) {
+  return side == Side::Left ? plants.left : plants.right;
+}
+
+void plant_feet(const WalkGraph& graph, Side side, const Momentum& momentum, Draft& draft) {
+  const std::size_t i = index_of(side), frames = draft.walk.root.size();
+  const Leg& leg = graph.legs[side];
+  std::vector<bool> contact(frames);
+  std::vector<Vec3> hips(frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    contact[f] = planted(draft.walk.plants[f], side);
+    hips[f] = leg_pose(graph.motion->skeleton, leg, pose_of(draft.walk, f)).position[leg.hip];
+  }
+  replant(graph, side, draft.foot[i], hips, contact, {momentum.foot[i], momentum.foot_velocity[i]},
+          momentum.planted[i]);
+  for (std::size_t f = 0; f < frames; ++f) planted(draft.walk.plants[f], side) = contact[f];
+}
+
 /// The difference between how the body moves at first and how the track begins, which fades.
 class Joining {
  public:
@@ -115,14 +133,7 @@ Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track
     at += point.stride;
   }
   find_feet(graph, draft);
-  for (const Side side : both_sides) {
-    const std::size_t i = index_of(side);
-    std::vector<bool> contact(draft.walk.plants.size());
-    for (std::size_t f = 0; f < contact.size(); ++f)
-      contact[f] = side == Side::Left ? draft.walk.plants[f].left : draft.walk.plants[f].right;
-    replant(graph, side, draft.foot[i], contact, {momentum.foot[i], momentum.foot_velocity[i]},
-            momentum.planted[i]);
-  }
+  for (const Side side : both_sides) plant_feet(graph, side, momentum, draft);
   return draft;
 }
 

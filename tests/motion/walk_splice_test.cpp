@@ -92,6 +92,12 @@ TEST_P(Interrupted, ArrivesAtTheNewGoal) {
   EXPECT_LT(glm::distance(walk.body.back().position, path.back()), 0.03);
 }
 
+TEST_P(Interrupted, SaysHowFarItHasComeOnTheNewPath) {
+  for (std::size_t f = 1; f < walk.along.size(); ++f) EXPECT_GE(walk.along[f], walk.along[f - 1]);
+  EXPECT_EQ(walk.along.front(), 0);
+  EXPECT_NEAR(walk.along.back(), polyline_length(path), 0.02);
+}
+
 TEST_P(Interrupted, StaysBetweenTheOldPathAndTheNew) {
   std::vector<Vec2> both = path;
   both.insert(both.begin(), straight_path().back());
