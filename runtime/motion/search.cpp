@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
@@ -12,49 +11,53 @@
 namespace docent {
 namespace {
 
-constexpr double bucket_size = 0.1;        // metres of progress
-constexpr std::size_t beam_width = 40;     // states kept in a bucket
-constexpr double least_seconds = 0.4;      // of plain clip between two blends
-constexpr double look_seconds = 0.05;      // between two looks at the path
-constexpr double blend_cost = 0.012;       // radians squared times metres: a blend costs as much as
-                                           // walking one metre with the heading off by 6 degrees
-constexpr double distance_cost = 4.0;      // per square metre of a transition's pose distance
-constexpr double misfit_cost = 2.0;        // per square of the strides' relative warp and metre
+constexpr double bucket_size = 0.1;    // metres of progress
+constexpr double least_seconds = 0.4;  // of plain clip between two blends
+constexpr double look_seconds = 0.05;  // between two looks at the path
+constexpr double blend_cost = 0.012;   // radians squared times metres: a blend costs as much as
+                                       // walking one metre with the heading off by 6 degrees
+constexpr double distance_cost = 4.0;  // per square metre of a transition's pose distance
+constexpr double misfit_cost = 2.0;    // per square of the strides' relative warp and metre
+constexpr double gap_cost = 8.0;       // per square metre between a raw track's end and the path's
 constexpr double largest_overshoot = 1.5;  // metres of effort beyond the path's end
 
 /// Follows a track that will be warped: `progress` is effort and the heading error fades over the
 /// distance in which a warp takes it up.
 struct WarpedFollower {
-  static constexpr double forgetting = 0.7;  // metres
+  static constexpr std::size_t beam_width = 16;  // 40 finds nothing better on most paths
+  static constexpr double forgetting = 0.7;      // metres
 
   double progress = 0;
   double heading_error = 0;
+  double track_heading = 0;  ///< At `progress`.
   std::size_t hint = 0;
 
-  WarpedFollower(const WalkGraph& graph, const PathTrack& track, const MotionStart& start) {
-    heading_error = wrap_angle(start.body.heading - track.heading.front());
-    (void)graph;
-  }
+  WarpedFollower(const WalkGraph&, const PathTrack& track, const MotionStart& start)
+      : heading_error(wrap_angle(start.body.heading - track.heading.front())),
+        track_heading(track.heading.front()) {}
 
-  void enter(const WalkGraph&, ClipFrame, ClipFrame, const Placement&) noexcept {}
+  void enter(const Placement&) noexcept {}
 
   double advance(const PathTrack& track, const ClipPath& clip, std::size_t from,
                  std::size_t to) noexcept {
     const double step = clip.effort[to] - clip.effort[from];
-    const double before = at_effort(track, progress, hint).placement.heading;
     progress += step;
-    const double after = at_effort(track, progress, hint).placement.heading;
-    heading_error += clip.body[to].heading - clip.body[from].heading - (after - before);
-    heading_error *= std::exp(-step / forgetting);
+    const double heading = at_effort(track, progress, hint).placement.heading;
+    heading_error += clip.body[to].heading - clip.body[from].heading - (heading - track_heading);
+    heading_error *= forgetting / (forgetting + step);
+    track_heading = heading;
     return heading_error * heading_error * step;
   }
 
   static double total(const PathTrack& track) noexcept { return track.effort.back(); }
+  /// What stands at the end is judged by its progress alone.
+  double end_gap(const PathTrack&, const ClipPath&) const noexcept { return 0; }
   std::uint32_t likeness() const noexcept { return 0; }
 };
 
 /// Follows a track with the clips' own motion: `progress` is metres of path.
 struct RawFollower {
+  static constexpr std::size_t beam_width = 40;
   static constexpr double side_weight = 6.0;  // square radians per square metre
 
   double progress = 0;
@@ -68,7 +71,7 @@ struct RawFollower {
     find_nearest(track, start.body);
   }
 
-  void enter(const WalkGraph&, ClipFrame, ClipFrame, const Placement& alignment) noexcept {
+  void enter(const Placement& alignment) noexcept {
     clip_to_floor = compose(clip_to_floor, alignment);
   }
 
@@ -95,6 +98,11 @@ struct RawFollower {
   }
 
   static double total(const PathTrack& track) noexcept { return track.length(); }
+  /// A track that runs past the path's end shows no further progress: what counts is where it ends.
+  double end_gap(const PathTrack& track, const ClipPath& clip) const noexcept {
+    const Placement end = compose(clip_to_floor, clip.body[clip.last]);
+    return glm::distance(end.position, track.position.back());
+  }
   std::uint32_t likeness() const noexcept {
     const auto steps = [](double value, double step) {
       return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(value / step))) &
@@ -165,9 +173,10 @@ class BeamSearch {
     const auto cheaper = [](const auto& a, const auto& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.transition < b.transition;
     };
-    if (states.size() > beam_width) {
-      std::nth_element(states.begin(), states.begin() + beam_width, states.end(), cheaper);
-      states.erase(states.begin() + beam_width, states.end());
+    constexpr auto width = Follower::beam_width;
+    if (states.size() > width) {
+      std::nth_element(states.begin(), states.begin() + width, states.end(), cheaper);
+      states.erase(states.begin() + width, states.end());
     }
     std::sort(states.begin(), states.end(), cheaper);
   }
@@ -223,7 +232,7 @@ class BeamSearch {
     const double left = graph_.clip[way.to.clip].to_stand[way.to.frame];
     if (walker.effort + left > effort_limit()) return;
     State<Follower> next = walker;
-    next.follower.enter(graph_, way.from, way.to, way.alignment);
+    next.follower.enter(way.alignment);
     next.cost += blend_cost + distance_cost * way.distance * way.distance;
     next.transition = t;
     keep(std::move(next));
@@ -233,23 +242,11 @@ class BeamSearch {
 
   void arrive(State<Follower> walker, std::uint32_t frame) {
     const double misfit = goal_ - walker.follower.progress;
-    walker.cost += misfit_cost * misfit * misfit / std::max(goal_, 0.5) + end_error(walker);
+    const double gap = walker.follower.end_gap(track_, graph_.clip[frame_of(walker).clip]);
+    walker.cost += misfit_cost * misfit * misfit / std::max(goal_, 0.5) + gap_cost * gap * gap;
     if (best_ && best_->cost <= walker.cost) return;
     best_ = std::move(walker);
     best_frame_ = frame;
-  }
-
-  /// A raw track that runs past the path's end shows no further progress: it is judged by where it
-  /// stands at last.
-  double end_error(const State<Follower>& walker) const {
-    if constexpr (std::is_same_v<Follower, RawFollower>) {
-      const ClipFrame at = frame_of(walker);
-      const ClipPath& clip = graph_.clip[at.clip];
-      const Placement end = compose(walker.follower.clip_to_floor, clip.body[clip.last]);
-      const double gap = glm::distance(end.position, track_.position.back());
-      return 8 * gap * gap;
-    }
-    return 0;
   }
 
   MotionPlan plan() const {

@@ -13,6 +13,62 @@ void normalise(std::vector<double>& kernel) {
   for (double& weight : kernel) weight /= sum;
 }
 
+/// Values that go on beyond their ends as the end values.
+struct Held {
+  using Value = double;
+  std::span<const double> values;
+
+  double operator[](std::ptrdiff_t i) const {
+    const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+    return values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
+  }
+};
+
+/// Points that go on beyond their ends as their own image through the end point.
+struct Pinned {
+  using Value = Vec2;
+  std::span<const Vec2> values;
+
+  Vec2 operator[](std::ptrdiff_t i) const {
+    const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+    const auto at = [&](std::ptrdiff_t k) {
+      return values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(k, 0, last))];
+    };
+    if (i < 0) return 2.0 * at(0) - at(-i);
+    if (i > last) return 2.0 * at(last) - at(2 * last - i);
+    return at(i);
+  }
+};
+
+template <typename Extended>
+std::vector<typename Extended::Value> convolve(const Extended& source,
+                                               std::span<const double> kernel) {
+  std::vector<typename Extended::Value> out(source.values.size());
+  const auto radius = static_cast<std::ptrdiff_t>(kernel.size() / 2);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    typename Extended::Value sum{};
+    for (std::ptrdiff_t k = -radius; k <= radius; ++k)
+      sum +=
+          kernel[static_cast<std::size_t>(k + radius)] * source[static_cast<std::ptrdiff_t>(i) + k];
+    out[i] = sum;
+  }
+  return out;
+}
+
+template <typename Extended>
+std::vector<typename Extended::Value> average(const Extended& source, std::size_t radius) {
+  using Value = typename Extended::Value;
+  const std::size_t width = 2 * radius + 1;
+  std::vector<Value> sums(source.values.size() + width, Value{});
+  for (std::size_t i = 1; i < sums.size(); ++i)
+    sums[i] = sums[i - 1] +
+              source[static_cast<std::ptrdiff_t>(i - 1) - static_cast<std::ptrdiff_t>(radius)];
+  std::vector<Value> out(source.values.size());
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = (1.0 / static_cast<double>(width)) * (sums[i + width] - sums[i]);
+  return out;
+}
+
 }  // namespace
 
 std::vector<double> gaussian_kernel(double deviation) {
@@ -37,36 +93,19 @@ std::vector<double> hann_kernel(std::size_t radius) {
 }
 
 std::vector<double> smooth_held(std::span<const double> values, std::span<const double> kernel) {
-  std::vector<double> out(values.size());
-  const auto count = static_cast<std::ptrdiff_t>(values.size());
-  const auto radius = static_cast<std::ptrdiff_t>(kernel.size() / 2);
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    double sum = 0;
-    for (std::ptrdiff_t k = -radius; k <= radius; ++k)
-      sum += kernel[static_cast<std::size_t>(k + radius)] *
-             values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i + k, 0, count - 1))];
-    out[static_cast<std::size_t>(i)] = sum;
-  }
-  return out;
+  return convolve(Held{values}, kernel);
 }
 
 std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const double> kernel) {
-  const auto last = static_cast<std::ptrdiff_t>(points.size()) - 1;
-  const auto at = [&](std::ptrdiff_t i) { return points[static_cast<std::size_t>(i)]; };
-  const auto beyond = [&](std::ptrdiff_t i) {
-    if (i < 0) return 2.0 * points.front() - at(std::min(-i, last));
-    if (i > last) return 2.0 * points.back() - at(std::max<std::ptrdiff_t>(2 * last - i, 0));
-    return at(i);
-  };
-  const auto radius = static_cast<std::ptrdiff_t>(kernel.size() / 2);
-  std::vector<Vec2> out(points.size());
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    Vec2 sum{};
-    for (std::ptrdiff_t k = -radius; k <= radius; ++k)
-      sum += kernel[static_cast<std::size_t>(k + radius)] * beyond(i + k);
-    out[static_cast<std::size_t>(i)] = sum;
-  }
-  return out;
+  return convolve(Pinned{points}, kernel);
+}
+
+std::vector<double> box_held(std::span<const double> values, std::size_t count) {
+  return average(Held{values}, count / 2);
+}
+
+std::vector<Vec2> box_pinned(std::span<const Vec2> points, std::size_t count) {
+  return average(Pinned{points}, count / 2);
 }
 
 double wrap_angle(double angle) noexcept {

@@ -21,6 +21,10 @@ std::vector<double> smooth_held(std::span<const double> values, std::span<const 
 /// point, so that both ends stay where they are.
 std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const double> kernel);
 
+/// The same with equal weights over `count` (odd) samples, in a time that does not depend on it.
+std::vector<double> box_held(std::span<const double> values, std::size_t count);
+std::vector<Vec2> box_pinned(std::span<const Vec2> points, std::size_t count);
+
 /// The angle in (-pi, pi] that differs by whole turns.
 double wrap_angle(double angle) noexcept;
 

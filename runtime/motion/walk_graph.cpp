@@ -199,16 +199,13 @@ std::vector<Placement> body_track(std::span<const Vec2> roots, std::span<const d
   // A box as long as a stride silences the stride's frequency and all its multiples. Smoothing cuts
   // corners; adding back what a second pass takes away (Tukey's twicing) undoes that to second
   // order.
-  const auto box = [](double frames) {
-    const auto radius = static_cast<std::size_t>(std::max(frames, 1.0) / 2);
-    return std::vector<double>(2 * radius + 1, 1.0 / static_cast<double>(2 * radius + 1));
-  };
-  const std::vector<double> stride = box(stride_frames), jerk = box(stride_frames / 4);
+  const auto stride = static_cast<std::size_t>(std::max(stride_frames, 1.0)) | 1u;
+  const std::size_t jerk = (stride / 4) | 1u;
   const auto smooth_points = [&](std::span<const Vec2> points) {
-    return smooth_pinned(smooth_pinned(points, stride), jerk);
+    return box_pinned(box_pinned(points, stride), jerk);
   };
   const std::vector<Vec2> once = smooth_points(roots), twice = smooth_points(once);
-  const std::vector<double> heading = smooth_held(smooth_held(headings, stride), jerk);
+  const std::vector<double> heading = box_held(box_held(headings, stride), jerk);
   std::vector<Placement> body(roots.size());
   for (std::size_t f = 0; f < body.size(); ++f) body[f] = {2.0 * once[f] - twice[f], heading[f]};
   return body;
