@@ -17,7 +17,7 @@ constexpr float covered_depth = 0.006F;
 /// Appends the visible part of a layer's surface to the mesh.
 void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& occlusion,
                SkinnedMesh& mesh) {
-  Surface3 surface = polygonise(layer.solid, layer.box, layer.cell);
+  TriangleSurface surface = polygonise(layer.solid, layer.box, layer.cell);
   simplify(surface, {.error = layer.error, .edge = longest_edge * layer.cell});
   std::vector<bool> hidden(surface.position.size(), false);
   if (layer.covered)

@@ -63,7 +63,7 @@ std::uint8_t Occlusion::at(Vec3 p, Vec3 normal) const {
     open += std::min(clear, 1.0F);
   }
   open /= static_cast<float>(rays.size());
-  return static_cast<std::uint8_t>(255 * (darkest + (1 - darkest) * open) + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(255 * (darkest + (1 - darkest) * open)));
 }
 
 }  // namespace docent

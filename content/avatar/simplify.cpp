@@ -52,7 +52,7 @@ struct Collapse {
 
 class Simplifier {
  public:
-  Simplifier(Surface3& surface, const SimplifyLimits& limits)
+  Simplifier(TriangleSurface& surface, const SimplifyLimits& limits)
       : surface_{surface},
         limits_{limits},
         quadric_(surface.position.size()),
@@ -207,7 +207,7 @@ class Simplifier {
     surface_.indices = std::move(indices);
   }
 
-  Surface3& surface_;
+  TriangleSurface& surface_;
   SimplifyLimits limits_;
   std::vector<Quadric> quadric_;
   std::vector<std::vector<std::uint32_t>> touching_;
@@ -218,7 +218,7 @@ class Simplifier {
 
 }  // namespace
 
-void simplify(Surface3& surface, const SimplifyLimits& limits) {
+void simplify(TriangleSurface& surface, const SimplifyLimits& limits) {
   Simplifier(surface, limits).run();
 }
 

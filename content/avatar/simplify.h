@@ -13,6 +13,6 @@ struct SimplifyLimits {
 /// Collapses edges of a closed surface, cheapest first, while the limits allow (Garland and
 /// Heckbert 1997, quadric error metrics). The surface stays closed and of the same topology;
 /// normals are not kept. Deterministic.
-void simplify(Surface3& surface, const SimplifyLimits& limits);
+void simplify(TriangleSurface& surface, const SimplifyLimits& limits);
 
 }  // namespace docent

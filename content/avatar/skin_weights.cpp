@@ -1,6 +1,7 @@
 #include "content/avatar/skin_weights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace docent {
@@ -30,7 +31,8 @@ JointShares rounded(const std::vector<float>& shares) {
   JointShares result;
   int left = 255;
   for (std::size_t k = 4; k-- > 1;) {
-    const int weight = std::min(left, static_cast<int>(shares[order[k]] / total * 255 + 0.5F));
+    const int weight =
+        std::min(left, static_cast<int>(std::lround(shares[order[k]] / total * 255)));
     result.joint[k] = static_cast<std::uint8_t>(weight > 0 ? order[k] : order[0]);
     result.weight[k] = static_cast<std::uint8_t>(weight);
     left -= weight;
@@ -43,7 +45,7 @@ JointShares rounded(const std::vector<float>& shares) {
 }  // namespace
 
 SkinWeights::SkinWeights(const Skeleton& skeleton, const Body& body)
-    : body_{body}, joint_count_{skeleton.joint.size()}, root_{0} {
+    : body_{body}, joint_count_{skeleton.joint.size()} {
   const auto place = [&](std::size_t joint) { return Vec3(body.stance.world[joint][3]); };
   const auto joint_of = [&](BodyPart part) { return index_of(skeleton[part]); };
   head_ = joint_of(BodyPart::Head);

@@ -45,7 +45,7 @@ class SkinWeights {
 
   const Body& body_;
   std::size_t joint_count_;
-  std::size_t root_, chest_, head_;
+  std::size_t chest_, head_;
   std::array<std::size_t, 2> thigh_, clavicle_;
   Chain spine_;  ///< Root to chest.
   Chain neck_;   ///< Chest to the last joint before the head.

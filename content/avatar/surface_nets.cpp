@@ -115,12 +115,12 @@ Vec3 gradient_of(const DistanceField& field, Vec3 p, float step) {
   return size > 1e-12F ? slope / size : Vec3{0, 1, 0};
 }
 
-Surface3 polygonise(const DistanceField& field, const Box& box, float cell) {
+TriangleSurface polygonise(const DistanceField& field, const Box& box, float cell) {
   const Grid grid = grid_over(box, cell);
   const std::size_t count = grid.stride(2) * grid.nodes[2];
   const std::vector<float> value = sampled(field, grid);
 
-  Surface3 surface;
+  TriangleSurface surface;
   std::vector<std::uint32_t> vertex(count, no_vertex);
   for (std::uint32_t z = 0; z + 1 < grid.nodes[2]; ++z)
     for (std::uint32_t y = 0; y + 1 < grid.nodes[1]; ++y)

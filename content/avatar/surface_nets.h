@@ -12,7 +12,7 @@ struct Box {
 };
 
 /// A closed surface of triangles, counter-clockwise seen from outside.
-struct Surface3 {
+struct TriangleSurface {
   std::vector<Vec3> position;
   std::vector<std::uint32_t> indices;
 };
@@ -20,7 +20,7 @@ struct Surface3 {
 /// The zero surface of `field` inside `box`, with one vertex per cell that it crosses (Gibson 1998,
 /// surface nets), each pulled onto the surface along the gradient. The surface must lie inside the
 /// box. `cell` is the edge of a cell in metres and about the edge of a triangle.
-Surface3 polygonise(const DistanceField& field, const Box& box, float cell);
+TriangleSurface polygonise(const DistanceField& field, const Box& box, float cell);
 
 /// Unit gradient of the field by central differences over `step` metres.
 Vec3 gradient_of(const DistanceField& field, Vec3 p, float step);

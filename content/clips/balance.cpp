@@ -106,6 +106,7 @@ Loading loading_of(std::span<const Footstep> steps, const FrameTimes& times) {
 std::vector<GroundPoint> centre_of_pressure(std::span<const Footstep> steps,
                                             const FrameTimes& times) {
   std::vector<GroundPoint> pressure;
+  pressure.reserve(times.count);
   for (std::size_t f = 0; f < times.count; ++f) pressure.push_back(pressure_at(steps, times.at(f)));
   return pressure;
 }

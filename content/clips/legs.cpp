@@ -12,7 +12,6 @@ namespace docent {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
-constexpr double far_away = 500;
 /// Distance from hip to ankle with the knee at its straightest, 3.5 degrees: it never locks.
 const double longest_reach = std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
                                        2 * walker::thigh * walker::shin * std::cos(3.5 * degree));
@@ -134,6 +133,7 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
   smooth(height, times.rate, 0.032);
   keep_below(height, highest, times.rate, 0.028);
   std::vector<glm::dvec3> places;
+  places.reserve(times.count);
   for (std::size_t f = 0; f < times.count; ++f)
     places.emplace_back(ground[f].x, height[f], ground[f].y);
   return places;

@@ -29,6 +29,7 @@ struct Track {
 
 std::vector<double> sampled(const Track& track, const FrameTimes& times, double sigma) {
   std::vector<double> values;
+  values.reserve(times.count);
   for (std::size_t f = 0; f < times.count; ++f) values.push_back(track.at(times.at(f)));
   smooth(values, times.rate, sigma);
   return values;

@@ -13,7 +13,7 @@ namespace docent {
 namespace {
 
 /// Every edge is used once each way: the surface has no hole and no seam.
-bool is_closed(const Surface3& surface) {
+bool is_closed(const TriangleSurface& surface) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t t = 0; t < surface.indices.size(); t += 3)
     for (std::size_t k = 0; k < 3; ++k)
@@ -26,7 +26,7 @@ bool is_closed(const Surface3& surface) {
 }
 
 /// Positive when triangles are counter-clockwise seen from outside.
-double volume(const Surface3& surface) {
+double volume(const TriangleSurface& surface) {
   double sum = 0;
   for (std::size_t t = 0; t < surface.indices.size(); t += 3) {
     const glm::dvec3 a(surface.position[surface.indices[t]]);
@@ -39,12 +39,12 @@ double volume(const Surface3& surface) {
 
 constexpr Box cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};
 
-Surface3 ball(float radius, float cell) {
+TriangleSurface ball(float radius, float cell) {
   return polygonise([radius](Vec3 p) { return sphere(p, {}, radius); }, cube, cell);
 }
 
 TEST(SurfaceNets, GiveABallItsVolume) {
-  const Surface3 surface = ball(0.3F, 0.02F);
+  const TriangleSurface surface = ball(0.3F, 0.02F);
 
   EXPECT_TRUE(is_closed(surface));
   EXPECT_NEAR(volume(surface), 4.0 / 3 * std::numbers::pi * 0.027, 0.001);
@@ -74,7 +74,7 @@ RC_GTEST_PROP(SurfaceNets, CloseRoundAnyUnionOfLimbs, ()) {
     return d;
   };
 
-  const Surface3 surface = polygonise(field, cube, 0.03F);
+  const TriangleSurface surface = polygonise(field, cube, 0.03F);
 
   RC_ASSERT(is_closed(surface));
   RC_ASSERT(volume(surface) > 0);
@@ -82,8 +82,8 @@ RC_GTEST_PROP(SurfaceNets, CloseRoundAnyUnionOfLimbs, ()) {
 }
 
 TEST(Simplify, KeepsABallABallWithFewerTriangles) {
-  const Surface3 fine = ball(0.3F, 0.02F);
-  Surface3 coarse = fine;
+  const TriangleSurface fine = ball(0.3F, 0.02F);
+  TriangleSurface coarse = fine;
   simplify(coarse, {.error = 0.002F, .edge = 0.2F});
 
   EXPECT_LT(coarse.indices.size(), fine.indices.size() / 3);
@@ -93,7 +93,7 @@ TEST(Simplify, KeepsABallABallWithFewerTriangles) {
 }
 
 TEST(Simplify, LeavesNoEdgeLongerThanItsLimit) {
-  Surface3 surface = ball(0.3F, 0.02F);
+  TriangleSurface surface = ball(0.3F, 0.02F);
   simplify(surface, {.error = 0.02F, .edge = 0.06F});
 
   for (std::size_t t = 0; t < surface.indices.size(); t += 3)
@@ -107,7 +107,7 @@ TEST(Simplify, KeepsTheCornersOfABox) {
   const DistanceField box = [](Vec3 p) {
     return rounded_box(p, {}, glm::mat3(1.0F), {0.2F, 0.25F, 0.3F}, 0.01F);
   };
-  Surface3 surface = polygonise(box, cube, 0.02F);
+  TriangleSurface surface = polygonise(box, cube, 0.02F);
   const std::size_t before = surface.indices.size();
   simplify(surface, {.error = 0.001F, .edge = 0.3F});
 
