@@ -34,10 +34,11 @@ std::string sketch_plan(const FloorPlan& plan, const std::vector<SketchLine>& li
     walls += path_data(
         {plan.vertex.begin() + ring.first, plan.vertex.begin() + ring.first + ring.count}, true);
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.4f} {:.4f} {:.4f} {:.4f}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{0:.4f} {1:.4f} {2:.4f} {3:.4f}\" "
       "width=\"1200\">\n"
-      "<path d=\"{}\" fill=\"#f6f1e7\" fill-rule=\"evenodd\" stroke=\"#3b3a36\" "
-      "stroke-width=\"{:.4f}\" stroke-linejoin=\"round\"/>\n",
+      "<rect x=\"{0:.4f}\" y=\"{1:.4f}\" width=\"{2:.4f}\" height=\"{3:.4f}\" fill=\"#fff\"/>\n"
+      "<path d=\"{4}\" fill=\"#f6f1e7\" fill-rule=\"evenodd\" stroke=\"#3b3a36\" "
+      "stroke-width=\"{5:.4f}\" stroke-linejoin=\"round\"/>\n",
       low.x - margin, -high.y - margin, size.x, size.y, walls, stroke);
   for (const SketchLine& line : lines) {
     if (line.points.empty()) continue;

@@ -76,13 +76,17 @@ class Network {
   void add(Link link) {
     if (link.clearance >= radius_ - touching) link_.push_back(link);
   }
-  void add_both_ways(Link link) {
-    add(link);
+  static void turn_round(Link& link) {
     std::swap(link.from, link.to);
     std::swap(link.begin, link.end);
+  }
+  void add_both_ways(Link link) {
+    add(link);
+    turn_round(link);
     add(link);
   }
   /// Along the curve the wall is on the right: with the wall on the left it is walked backwards.
+  /// Whoever wants the shorter hand may walk each wall either way.
   void add_level(std::uint32_t site, std::uint32_t from, double begin, std::uint32_t to,
                  double end) {
     Link link{Link::Kind::Level,
@@ -94,10 +98,8 @@ class Network {
               end,
               curve_.length_between(site, begin, end),
               curve_.distance()};
-    if (hand_ == Hand::Left) {
-      std::swap(link.from, link.to);
-      std::swap(link.begin, link.end);
-    }
+    if (hand_ == Hand::Shorter) return add_both_ways(link);
+    if (hand_ == Hand::Left) turn_round(link);
     add(link);
   }
   void add_axis(std::uint32_t e, std::uint32_t from, double begin, std::uint32_t to, double end) {
@@ -262,9 +264,13 @@ class Network {
   std::vector<std::uint32_t> by_;
 };
 
-Way tour_on(const FloorMap& map, const LevelCurve& curve, double radius, Hand hand,
-            std::span<const Vec2> stops) {
-  const Network network(map, curve, radius, hand);
+}  // namespace
+
+Way offset_tour(const FloorMap& map, const RouteQuery& query, std::span<const Vec2> stops) {
+  constexpr double least_offset = 1e-3;  // metres: nearer than this it is the wall itself
+  const double asked = std::isfinite(query.offset) ? query.offset : RouteQuery{}.offset;
+  const LevelCurve curve(map.medial_axis(), std::max({asked, query.radius, least_offset}));
+  const Network network(map, curve, query.radius, query.hand);
   Way whole;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     const Way leg = Network(network).way(stops[i], stops[i + 1]);
@@ -275,18 +281,6 @@ Way tour_on(const FloorMap& map, const LevelCurve& curve, double radius, Hand ha
       join(whole, leg);
   }
   return whole;
-}
-
-}  // namespace
-
-Way offset_tour(const FloorMap& map, const RouteQuery& query, std::span<const Vec2> stops) {
-  const double distance = std::max({query.offset, query.radius, 1e-3});
-  const LevelCurve curve(map.medial_axis(), std::isfinite(distance) ? distance : 1.0);
-  if (query.hand != Hand::Shorter) return tour_on(map, curve, query.radius, query.hand, stops);
-  Way left = tour_on(map, curve, query.radius, Hand::Left, stops);
-  Way right = tour_on(map, curve, query.radius, Hand::Right, stops);
-  if (right.status != RouteStatus::Ok) return left;
-  return left.status == RouteStatus::Ok && left.length <= right.length ? left : right;
 }
 
 Way offset_way(const FloorMap& map, const RouteQuery& query) {

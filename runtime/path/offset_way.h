@@ -10,10 +10,11 @@ namespace docent {
 /// has checked).
 ///
 /// From the start it goes straight to its nearest wall's curve at the distance, follows the curve
-/// with the wall on the chosen hand, and goes straight to the goal. Where the room is too narrow
-/// for the distance the medial axis takes the curve's place. Where the goal's wall cannot be
-/// reached so (it is an island's, say), it crosses over along the medial axis of wide places as
-/// well; there a metre counts as `crossing_weight` metres, so that it keeps to walls where it can.
+/// with the wall on the chosen hand (or every wall on the hand that is shorter), and goes straight
+/// to the goal. Where the room is too narrow for the distance the medial axis takes the curve's
+/// place. Where the goal's wall cannot be reached so (it is an island's, say), it crosses over
+/// along the medial axis of wide places as well; there a metre counts as `crossing_weight` metres,
+/// so that it keeps to walls where it can.
 Way offset_way(const FloorMap& map, const RouteQuery& query);
 
 /// The same through several stops, all on one hand.

@@ -1,0 +1,57 @@
+#include "tests/acceptance/run.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/support/reference_data.h"
+#include "tests/support/temporary_folder.h"
+
+namespace docent::test {
+namespace {
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+}  // namespace
+
+Outcome run(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out", err = folder.path() / "err";
+  std::string command = quoted(program.string());
+  for (const std::string& argument : arguments) command += " " + quoted(argument);
+  command += " >" + quoted(out.string()) + " 2>" + quoted(err.string());
+  const int status = std::system(command.c_str());  // NOLINT: a test's own command
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(out), read_file(err)};
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+const std::filesystem::path& sample_database() {
+  static const TemporaryFolder folder;
+  static const std::filesystem::path file = [] {
+    const auto database = folder.path() / "museum.db";
+    const Outcome outcome =
+        run(program("docent-content"), {"compile", (source_dir() / "config/museum").string(), "-o",
+                                        database.string(), "--no-motion", "--quiet"});
+    if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
+    return database;
+  }();
+  return file;
+}
+
+}  // namespace docent::test
