@@ -68,10 +68,11 @@ float coat_solid(const Body& body, Vec3 p) {
   const LimbPoints& left = body.limb(Side::Left);
   const float slope =
       tapered_capsule({x, p.y, p.z}, body.neck_base + Vec3{0.030F, -0.012F, -0.012F} * s,
-                      left.shoulder + Vec3{-0.030F, -0.030F, 0} * s, 0.044F * s, 0.048F * s);
+                      left.shoulder + Vec3{-0.034F, -0.028F, 0} * s, 0.044F * s, 0.047F * s);
   // Near the armpit the fill is small, or arm and flank would grow together.
-  const float fill =
-      0.012F * s + 0.045F * s * smoothstep(-0.12F * s, 0.0F, p.y - body.shoulder_height);
+  const float rise = p.y - body.shoulder_height;
+  const float fill = 0.012F * s + 0.035F * s * smoothstep(-0.12F * s, -0.04F * s, rise) +
+                     0.055F * s * smoothstep(-0.05F * s, 0.02F * s, rise);
   return join(join(coat_trunk(body, p, 0), slope, 0.05F * s), sleeves, fill);
 }
 

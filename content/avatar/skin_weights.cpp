@@ -148,7 +148,10 @@ void SkinWeights::add_head(Vec3 p, Shares& shares) const {
   const Vec3 normal = glm::normalize(Vec3{0, 1, 0.55F});
   const float head = smoothstep(-0.035F * s, 0.02F * s, glm::dot(p - throat, normal));
   shares[head_] += head;
-  add_chain(neck_, p, 1 - head, shares);
+  // Inside the collar the neck stays with the chest, wherever the skeleton begins to bend it.
+  const float free = smoothstep(0.01F * s, 0.075F * s, p.y - body_.neck_base.y);
+  shares[chest_] += (1 - head) * (1 - free);
+  add_chain(neck_, p, (1 - head) * free, shares);
 }
 
 JointShares SkinWeights::at(Vec3 p, Region region) const {
