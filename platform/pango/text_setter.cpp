@@ -3,6 +3,7 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -22,6 +23,17 @@ using Cairo = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
 
 /// Far beyond any screen: a text that would need more is set into this much.
 constexpr int most_pixels = 8192;
+
+/// Type is designed for blending in sRGB; blended in linear light, dark letters on paper come out
+/// thin. This gives their edges back what they lose: coverage to the power 0.74, which is half way
+/// between the two (1 / 2.2 would overdo it for light letters on dark buttons).
+const std::array<std::uint8_t, 256> strengthened = [] {
+  std::array<std::uint8_t, 256> curve{};
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    curve[i] =
+        static_cast<std::uint8_t>(std::lround(255 * std::pow(static_cast<double>(i) / 255, 0.74)));
+  return curve;
+}();
 
 /// The house's two families and their companions. Pango takes what is missing from the next.
 const char* families(const TextStyle& style) {
@@ -112,8 +124,10 @@ class TextSetter {
 
     bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height);
     for (std::uint32_t y = 0; y < bitmap.height; ++y)
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y) * stride, bitmap.width,
-                  bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(y) * bitmap.width);
+      std::transform(rows.begin() + static_cast<std::ptrdiff_t>(y) * stride,
+                     rows.begin() + static_cast<std::ptrdiff_t>(y) * stride + bitmap.width,
+                     bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(y) * bitmap.width,
+                     [](std::uint8_t coverage) { return strengthened[coverage]; });
     return bitmap;
   }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/guide/avatar.h"
@@ -44,6 +45,14 @@ struct GuideSettings {
 struct GuideCounters {
   std::uint64_t touches = 0, routes = 0, collisions = 0;
   std::uint64_t views = 0;  ///< Grows in the frame in which another view is entered.
+
+  GuideCounters& operator+=(const GuideCounters& other) noexcept {
+    touches += other.touches;
+    routes += other.routes;
+    collisions += other.collisions;
+    views += other.views;
+    return *this;
+  }
 };
 
 /// The kiosk's whole state, without the edges: touches and time in, a draw list out.
@@ -69,7 +78,10 @@ class Guide {
   /// has the memory's names. TextureId::None: it is gone.
   void bind(TextureId piece, TextureId memory) noexcept;
   TextureId memory_of(TextureId piece) const noexcept;
+  /// All texture memory that pieces are bound to.
+  std::span<const TextureId> memory() const noexcept { return memory_; }
 
+  const Museum& museum() const noexcept { return museum_; }
   const InterfaceState& state() const noexcept { return visitors_.front().state; }
   const ScreenShape& shape() const noexcept { return settings_.shape; }
   /// The view on the screen; empty before the first one. Its spots follow the camera.

@@ -215,14 +215,22 @@ void Overlay::draw_labels(const View& view, float opacity, DrawList& list) const
       disc.colour = with_opacity(selected ? theme.shortest : theme.paper, opacity);
       list.quads.push_back(disc);
     }
+    if (!label.on_disc) {
+      Quad slip;
+      const float pad = 0.8F * view.unit_px;
+      slip.rect = around(x, y, (label.width_px + 2 * pad) / view.pixel_width,
+                         (label.height_px * 0.82F) / view.pixel_height);
+      slip.corner = 0.8F * view.unit_px / shorter;
+      slip.colour = with_opacity(theme.paper, 0.74F * opacity);
+      list.quads.push_back(slip);
+    }
     Quad text;
     text.fill = QuadFill::Text;
     text.texture = label.texture;
     text.rect = label.rect;
     text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
     text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;
-    text.colour = with_opacity(
-        selected ? theme.paper : (label.on_disc ? theme.ink : theme.quiet_ink), opacity);
+    text.colour = with_opacity(selected ? theme.paper : theme.ink, opacity);
     list.quads.push_back(text);
   }
 }

@@ -52,8 +52,9 @@ Stage::Stage(const Museum& museum) : museum_(museum) {
 
 void Stage::enter(const InterfaceState& state, const Rect& free, float aspect,
                   const Avatar& leader) noexcept {
-  const bool flies = !entered_ || screen_ != state.screen || free_.x != free.x ||
-                     free_.y != free.y || free_.width != free.width || aspect_ != aspect;
+  const bool same_free = free_.x == free.x && free_.y == free.y && free_.width == free.width;
+  const bool both_above = seen_from_above(screen_) && seen_from_above(state.screen);
+  const bool flies = (screen_ != state.screen && !both_above) || !same_free || aspect_ != aspect;
   const bool long_way = seen_from_above(screen_) != seen_from_above(state.screen);
   if (state.screen == Screen::Walking && screen_ != Screen::Walking) {
     yaw_ = rig_.yaw;

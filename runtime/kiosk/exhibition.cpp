@@ -62,9 +62,17 @@ void upload(Exhibition& exhibition, Renderer& renderer) {
   renderer.upload_avatar(museum.avatar);
 }
 
+void release(const Exhibition& exhibition, Renderer& renderer) noexcept {
+  for (const TextureId memory : exhibition.guide->memory())
+    if (memory != TextureId::None) renderer.release(memory);
+}
+
 void apply_texts(Guide& guide, Renderer& renderer) noexcept {
   while (const std::unique_ptr<TextChanges> changes = guide.take_texts()) {
-    for (const TextureId piece : changes->retired) renderer.release(guide.memory_of(piece));
+    for (const TextureId piece : changes->retired) {
+      renderer.release(guide.memory_of(piece));
+      guide.bind(piece, TextureId::None);
+    }
     for (const TextUpload& upload : changes->uploads)
       guide.bind(upload.texture, renderer.upload_text(upload.bitmap.width, upload.bitmap.height,
                                                       upload.bitmap.coverage));

@@ -32,6 +32,9 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 /// Carries the building, the body and the pictures into texture memory. Frame thread.
 void upload(Exhibition& exhibition, Renderer& renderer);
 
+/// Gives the memory of its texts and pictures back. Frame thread.
+void release(const Exhibition& exhibition, Renderer& renderer) noexcept;
+
 /// Applies what the worker's text cache changed. Frame thread; does not allocate.
 void apply_texts(Guide& guide, Renderer& renderer) noexcept;
 

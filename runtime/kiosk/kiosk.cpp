@@ -114,9 +114,10 @@ class Kiosk {
   Seconds since_last_frame() noexcept;
   void take_input() noexcept;
   void make_frame(Seconds passed) noexcept;
+  bool is_seen() const noexcept;
   Result<void> frame();
   Result<void> record();
-  void reload();
+  void take_up_content();
   bool is_over() const noexcept;
 
   const Options& options_;
@@ -131,6 +132,7 @@ class Kiosk {
   std::optional<VisitPlayer> visit_;
   std::optional<Recorder> recorder_;
   Statistics statistics_;
+  GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
   FrameClock clock_;
   std::array<InputEvent, 256> events_{};
   Pixels picture_;
@@ -150,7 +152,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
     if (!mistakes.empty())
       return std::unexpected(Error{Errc::InvalidInput, "the visit was not begun"});
     if (!visit->commands.empty()) last_command_ = visit->commands.back().time;
-    visit_.emplace(exhibition_->museum, *visit);
+    visit_.emplace(*visit);
   }
   if (!options_.record.empty()) {
     auto recorder = Recorder::open(options_.record);
@@ -171,7 +173,8 @@ Result<void> Kiosk::run() {
   while (!is_over() && edges_.display->wait_for_page_flip())
     if (const Result<void> made = frame(); !made) return made;
 
-  const GuideCounters& counters = guide().counters();
+  GuideCounters counters = guide().counters();
+  counters += counted_;
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
@@ -197,7 +200,7 @@ void Kiosk::take_input() noexcept {
 }
 
 Result<void> Kiosk::frame() {
-  if (reload_requested != 0) reload();
+  take_up_content();
   const Seconds passed = since_last_frame();
   time_ = simulated_ ? static_cast<double>(statistics_.frames) * frame_seconds
                      : time_ + static_cast<double>(passed.count());
@@ -211,6 +214,14 @@ Result<void> Kiosk::frame() {
   if (statistics_.frames++ == 0) statistics_.start_to_first_frame = monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(monotonic_now() - *touched_);
   return record();
+}
+
+/// A screen shows every frame. In memory only those are drawn that somebody will look at, and two a
+/// second for the statistics: a visit of minutes then takes seconds.
+bool Kiosk::is_seen() const noexcept {
+  constexpr std::uint64_t sampled_every = 30;
+  return edges_.headless == nullptr || (visit_ && visit_->wants_shot()) ||
+         (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
 }
 
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
@@ -228,11 +239,14 @@ void Kiosk::make_frame(Seconds passed) noexcept {
   const DrawList& list = guide().draw_list();
   const auto listed = thread_cpu_now();
   const Allocations made = allocations_on_this_thread();
-  renderer_.draw(list, target);
-  edges_.display->present();
+  const bool seen = is_seen();
+  if (seen) {
+    renderer_.draw(list, target);
+    edges_.display->present();
+  }
 
   statistics_.frame_cpu.add(stepped - begun + (listed - applied));
-  statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
+  if (seen) statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
   // The first frame of a view may take memory. Drivers compile while they draw: there, only our own
   // calls count.
   const std::uint64_t views = guide().counters().views;
@@ -257,23 +271,28 @@ Result<void> Kiosk::record() {
   return {};
 }
 
-/// Takes up a new database: read beside the frames, changed to in one of them. A database that
-/// cannot be read changes nothing.
-void Kiosk::reload() {
-  if (!loading_.valid())
+/// SIGHUP takes up a new database: it is read beside the frames and changed to while nobody is
+/// being guided. A database that cannot be read changes nothing.
+void Kiosk::take_up_content() {
+  if (reload_requested != 0 && !loading_.valid()) {
+    reload_requested = 0;
     loading_ = std::async(std::launch::async, [file = database_, settings = guide_settings()] {
       return load_exhibition(file, settings);
     });
+  }
+  if (!loading_.valid() || guide().state().screen != Screen::Welcome) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return;
-  reload_requested = 0;
   Result<std::unique_ptr<Exhibition>> next = loading_.get();
   if (!next) {
     say(next.error());
     return;
   }
+  release(*exhibition_, renderer_);
+  counted_ += guide().counters();
   exhibition_ = std::move(*next);
   upload(*exhibition_, renderer_);
+  view_ = 0;
 }
 
 }  // namespace

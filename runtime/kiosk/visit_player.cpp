@@ -74,7 +74,7 @@ Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
   if (named_.empty() || !lifts_.empty() || !guide.shows_its_state()) return {};
   const VisitCommand& wanted = named_.front();
   const std::vector<Control> touches =
-      touches_to(museum_, guide.state(), exhibits_per_page(guide.shape()), wanted.name);
+      touches_to(guide.museum(), guide.state(), exhibits_per_page(guide.shape()), wanted.name);
   if (touches.empty())
     return std::unexpected(
         Error{Errc::InvalidInput,

@@ -17,12 +17,13 @@ namespace docent {
 /// for their control as a visitor would: on this screen or up to three touches away.
 class VisitPlayer {
  public:
-  VisitPlayer(const Museum& museum, Visit visit) : museum_(museum), visit_(std::move(visit)) {}
+  explicit VisitPlayer(Visit visit) : visit_(std::move(visit)) {}
 
   /// Does what is due at `time` (seconds since the first frame). Fails when a named control cannot
   /// be reached.
   Result<void> play(double time, Guide& guide);
 
+  bool wants_shot() const noexcept { return !shots_.empty(); }
   /// Pictures asked for since the last call: they show the frame about to be drawn.
   std::vector<std::filesystem::path> take_shots() { return std::exchange(shots_, {}); }
   bool has_quit() const noexcept { return quit_; }
@@ -38,7 +39,6 @@ class VisitPlayer {
   void tap(float x, float y, double time, Guide& guide);
   Result<void> continue_named_tap(double time, Guide& guide);
 
-  const Museum& museum_;
   Visit visit_;
   std::size_t next_ = 0;
   std::deque<VisitCommand> named_;  ///< Named taps under way or waiting; the first is under way.

@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double overview_pitch = 0.94;  ///< 54 degrees: the upper end of what LOOK allows...
 constexpr double walking_pitch = 0.84;   ///< ... and 48, where the model looks most like one.
 constexpr double arrival_pitch = 0.79;
-constexpr double nearest_distance = 8, farthest_distance = 12;
+constexpr double nearest_distance = 9, farthest_distance = 12;
 constexpr double arrival_distance = 8.5;
 
 /// The floor direction of an angle, in the world frame.
@@ -108,6 +108,8 @@ CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, 
                 .centre_x = middle_x(free),
                 .centre_y = middle_y(free)};
   if (outline.empty()) return rig;
+  constexpr float air = 0.05F;  // of the free part, on every side
+  const float room_x = free.width * (1 - 2 * air), room_y = free.height * (1 - 2 * air);
   Vec2 low = outline[0], high = outline[0];
   for (const Vec2 p : outline) {
     low = glm::min(low, p);
@@ -123,8 +125,8 @@ CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, 
     for (const Vec2 p : outline)
       for (const double h : {height, height + 1.4})
         if (const auto at = project(view, to_world(p, h))) bounds.add(*at);
-    const float fill = std::max((bounds.right - bounds.left) / free.width,
-                                (bounds.bottom - bounds.top) / free.height);
+    const float fill =
+        std::max((bounds.right - bounds.left) / room_x, (bounds.bottom - bounds.top) / room_y);
     const auto metres = static_cast<float>(metres_per_screen(rig));
     const float off_x = (bounds.left + bounds.right) / 2 - middle_x(free);
     const float off_y = (bounds.top + bounds.bottom) / 2 - middle_y(free);

@@ -91,21 +91,27 @@ std::vector<Control> touches_back_from(const std::deque<Reached>& reached, std::
   return touches;
 }
 
-/// Breadth first over the control graph, so the answer has the fewest touches. `with_spots` lets
-/// the last touch be on the model.
+/// Which touches a search may use.
+enum class Reach : std::uint8_t {
+  Panel,     ///< The panel's controls, without sending the guide anywhere on the way.
+  Model,     ///< Also exhibits on the model.
+  Anything,  ///< Also setting out, where the wanted control is only there while walking.
+};
+
+/// Breadth first over the control graph, so the answer has the fewest touches.
 std::vector<Control> search(const Museum& museum, const InterfaceState& from,
                             std::uint32_t per_page, std::string_view name, std::size_t most,
-                            bool with_spots) {
+                            Reach reach) {
   std::deque<Reached> reached{{from, 0, {}}};
   std::vector<std::size_t> depth{0};
   for (std::size_t at = 0; at < reached.size(); ++at) {
     if (depth[at] == most) break;
     for (Control& control : controls_of(museum, reached[at].state, per_page)) {
-      if (!control.enabled || (control.role == Role::Spot && !with_spots)) continue;
+      if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
       const bool found = control.name == name;
       const InterfaceState state = after(reached[at].state, control.action);
-      // Setting out is not a step on the way to another control: it would send the guide away.
-      if (!found && control.action.kind == Action::Kind::Choose && name != "stop") continue;
+      const bool sets_out = control.action.kind == Action::Kind::Choose;
+      if (!found && sets_out && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
         continue;
@@ -222,8 +228,10 @@ std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept 
 
 std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
                                 std::uint32_t per_page, std::string_view name, std::size_t most) {
-  std::vector<Control> touches = search(museum, state, per_page, name, most, false);
-  return touches.empty() ? search(museum, state, per_page, name, most, true) : touches;
+  for (const Reach reach : {Reach::Panel, Reach::Model, Reach::Anything})
+    if (auto touches = search(museum, state, per_page, name, most, reach); !touches.empty())
+      return touches;
+  return {};
 }
 
 bool is_control_name(const Museum& museum, std::string_view name) {

@@ -51,7 +51,7 @@ void add_floor_labels(Sheet& sheet) {
     const TextPiece number = sheet.fitted(
         style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), 1e4F);
     view.labels.push_back({.position = exhibit.placement.position,
-                           .height = 1.5F,
+                           .height = 2.3F,
                            .texture = number.texture,
                            .width_px = number.width,
                            .height_px = number.height,
@@ -89,8 +89,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
   const float content_height = panel_box(shape).height - 2 * m.margin;
   ListShape list;
   list.columns = is_landscape(shape) ? 1 : 2;
-  list.row_height =
-      std::round(std::max(m.touch, 10.5F * m.unit * (0.6F + 0.4F * shape.text_scale)));
+  list.row_height = std::round(std::max(m.touch, 9.8F * m.unit * (0.6F + 0.4F * shape.text_scale)));
   list.row_gap = std::round(m.unit);
   list.heading_height = std::round(9.5F * m.unit * shape.text_scale);
   list.foot_height = 3 * (m.touch + m.gap);

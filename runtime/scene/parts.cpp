@@ -41,7 +41,8 @@ void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along)
   const auto kind = static_cast<RouteKind>(it.action.argument);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
 
-  TextStyle style = sheet.style(Letters::Label, along == Along::Row ? 2 : 1);
+  TextStyle style =
+      along == Along::Row ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
   style.weight = it.selected ? 600 : 400;
   style.line_height = style.right_to_left ? 1.25F : 1.1F;
   const Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;

@@ -174,9 +174,9 @@ void lay_out_walking(Sheet& sheet, const Box& content) {
   column.box.height = (landscape ? routes_top - question.height - 3 * m.gap : bottom) - first.y;
   draw_invitation(sheet, column);
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
-    const float height = std::min(column.left(), column.box.width * 0.66F);
-    if (height > 12 * m.unit)
-      sheet.image({column.box.x, column.y, column.box.width, height}, exhibit->image, m.corner);
+    if (column.left() > 12 * m.unit)
+      sheet.whole_image({column.box.x, column.y, column.box.width, column.left()}, exhibit->image,
+                        m.corner);
   }
 }
 
@@ -225,12 +225,12 @@ void lay_out_arrived(Sheet& sheet, const Box& content) {
   float y = second.y;
   if (landscape) {
     const float room = bottom - second.y - title.height - body.height - 2 * m.gap;
-    const float height = std::round(std::clamp(room, 0.0F, content.width * 0.7F));
-    sheet.image({content.x, y, content.width, height}, exhibit->image, m.corner);
-    y += height + m.gap;
+    y += sheet.whole_image({content.x, y, content.width, std::max(room, 0.0F)}, exhibit->image,
+                           m.corner) +
+         m.gap;
   } else {
-    sheet.image({first.x, first.y, first.width, std::round(foot - m.gap - first.y)}, exhibit->image,
-                m.corner);
+    sheet.whole_image({first.x, first.y, first.width, foot - m.gap - first.y}, exhibit->image,
+                      m.corner);
   }
   y = sheet.piece(title, second.x, y, text_width, Align::Start, sheet.theme().ink) + m.unit;
   sheet.piece(body, second.x, y, text_width, Align::Start, sheet.theme().ink);

@@ -147,6 +147,18 @@ void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_
       control);
 }
 
+float Sheet::whole_image(const Box& box, std::uint32_t image, float corner) {
+  if (image >= museum_.images.size() || museum_.images[image].height == 0) return 0;
+  const EncodedImage& picture = museum_.images[image];
+  constexpr float most_crop = 0.1F;
+  const float shape = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+  const float widest = box.height * shape / (1 - most_crop);
+  const float width = std::round(std::min(box.width, widest));
+  const float height = std::round(std::min(box.height, width / shape));
+  this->image({box.x, box.y, width, height}, image, corner);
+  return height;
+}
+
 Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                     Colour colour) const {
   const float spare = width - piece.width;

@@ -52,7 +52,11 @@ class Sheet {
 
   void fill(const Box& box, Colour colour, float corner, std::int32_t control = -1);
   void shadow(const Box& box, float reach, float opacity);
+  /// Fills the box with the middle of the picture.
   void image(const Box& box, std::uint32_t image, float corner, std::int32_t control = -1);
+  /// Shows the whole picture at the box's start, as large as fits; at most a tenth of its height is
+  /// given up for width. Returns its height.
+  float whole_image(const Box& box, std::uint32_t image, float corner);
   /// Draws a piece with its top at `y`; returns its bottom.
   float piece(const TextPiece& piece, float x, float y, float width, Align align, Colour colour,
               std::int32_t control = -1);

@@ -1,0 +1,60 @@
+#include "runtime/kiosk/hid_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "platform/hid/hid_devices.h"
+#include "platform/hid/hid_report.h"
+#include "runtime/input/decode_recording.h"
+#include "runtime/model/result.h"
+
+namespace docent {
+namespace {
+
+constexpr int wrong_usage = 2;
+
+int say(const Error& error) {
+  fmt::print(stderr, "docent: {}\n", error.what);
+  return exit_code(error.code);
+}
+
+int list(bool as_json) {
+  const std::vector<HidDevice> devices = list_hid_devices();
+  fmt::print("{}", as_json ? describe_devices_json(devices) : describe_devices(devices));
+  return 0;
+}
+
+int decode(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return say({Errc::NotFound, file + ": there is no such recording"});
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const Result<HidRecording> recording = parse_hid_recording(text, file);
+  if (!recording) return say(recording.error());
+  const Result<std::string> csv = decode_recording(*recording);
+  if (!csv) return say({csv.error().code, file + ": " + csv.error().what});
+  fmt::print("{}", *csv);
+  return 0;
+}
+
+}  // namespace
+
+int run_hid_command(std::span<const char* const> arguments) {
+  const std::vector<std::string_view> words(arguments.begin(), arguments.end());
+  const bool as_json = std::ranges::find(words, "--json") != words.end();
+  if (!words.empty() && words[0] == "list" && words.size() == (as_json ? 2U : 1U))
+    return list(as_json);
+  if (words.size() == 2 && words[0] == "decode" && !as_json) return decode(std::string(words[1]));
+  fmt::print(stderr,
+             "usage: docent hid list [--json]\n"
+             "       docent hid decode FILE.hid\n");
+  const bool asked = !words.empty() && (words[0] == "--help" || words[0] == "-h");
+  return asked ? 0 : wrong_usage;
+}
+
+}  // namespace docent
