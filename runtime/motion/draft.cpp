@@ -2,30 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 
 #include "runtime/motion/placement.h"
 #include "runtime/motion/replant.h"
+#include "runtime/motion/rotation.h"
 #include "runtime/motion/smoothing.h"
 
 namespace docent {
 namespace {
-
-/// The rotation as an axis times an angle in (-pi, pi].
-Vec3 rotation_vector(Quat q) noexcept {
-  if (q.w < 0) q = -q;
-  const Vec3 axis(q.x, q.y, q.z);
-  const float sine = glm::length(axis);
-  if (sine < 1e-7f) return 2.0f * axis;
-  return axis * (2 * std::atan2(sine, q.w) / sine);
-}
-
-Quat rotation_of(Vec3 vector) noexcept {
-  const float angle = glm::length(vector);
-  if (angle < 1e-7f)
-    return glm::normalize(Quat(1, 0.5f * vector.x, 0.5f * vector.y, 0.5f * vector.z));
-  return glm::angleAxis(angle, vector / angle);
-}
 
 /// A curve that leaves `value` with `slope` and comes to rest at nothing after `duration`: the
 /// quintic whose second derivative also vanishes at both ends.

@@ -24,6 +24,8 @@ constexpr double largest_facing_error = 0.06;  // radians left at the end withou
 constexpr double largest_walking_turn = 1.05;  // radians that a walker turns into without braking
 constexpr double longest_run_out = 0.5;        // metres walked on before turning right round
 constexpr double least_stretch = 0.62;         // of the clips' strides; below, small steps
+constexpr double most_stretch = 1.35;          // of the clips' strides
+constexpr double braking_stretch = 0.1;  // where a wall is near, strides get as short as needed
 constexpr double take_over_seconds = 0.35;
 constexpr double walking_speed = 0.25;  // metres a second: slower bodies about stand
 
@@ -106,12 +108,17 @@ class WalkMaker {
       path = finite_points(path);
     }
     lead_in_ = polyline_length(path) - polyline_length(path_);
-    if (walk_on(path)) return;
+    if (walk_on(path, least_stretch)) return;
     brake();
-    const std::vector<Vec2> back = joined(momentum_.body.position, path_);
+    // A path that leads on the same way is joined where the body has come to; to any other it goes
+    // back along the line that it knows to be clear.
+    const double passed = glm::distance(momentum_.body.position, path_.front());
+    const bool leads_on = std::abs(turn) <= largest_walking_turn;
+    std::vector<Vec2> rest =
+        joined(momentum_.body.position, leads_on ? last_part(path_, passed) : path_);
     lead_in_ = walk_.along.empty() ? 0.0 : static_cast<double>(walk_.along.back());
-    lead_in_ += polyline_length(back) - polyline_length(path_);
-    walk_from_standing(back);
+    lead_in_ += polyline_length(rest) - polyline_length(path_);
+    walk_from_standing(std::move(rest));
   }
 
   /// Where the body would have gone on to.
@@ -135,7 +142,7 @@ class WalkMaker {
     const double natural = graph_.clip[source_.clip].to_stand[source_.frame];
     const double room = polyline_length(line);
     const double distance = std::min(std::isfinite(natural) ? natural : 1.0, room);
-    if (distance < shortest_way || !walk_on(first_part(line, distance)))
+    if (distance < shortest_way || !walk_on(first_part(line, distance), braking_stretch))
       step_to({line.front(), momentum_.body.heading});
   }
 
@@ -150,21 +157,22 @@ class WalkMaker {
     if (path.size() < 2 || polyline_length(path) < shortest_way) return;
     turn_to(direction_of(path, 0.3), largest_curved_start);
     std::vector<MotionStart> starts;
+    starts.reserve(graph_.starts.size());
     for (const std::uint32_t clip : graph_.starts)
       starts.push_back({{clip, graph_.clip[clip].first}, momentum_.body});
-    if (!walk_along(path, starts)) walk_by_small_steps(path);
+    if (!walk_along(path, starts, least_stretch)) walk_by_small_steps(path);
   }
 
-  bool walk_on(const std::vector<Vec2>& path) {
+  bool walk_on(const std::vector<Vec2>& path, double shortest_stride) {
     const double first_share =
         std::min(1.0, glm::length(momentum_.body_velocity.position) / graph_.speed);
-    return walk_along(path, {{source_, momentum_.body}}, first_share);
+    return walk_along(path, {{source_, momentum_.body}}, shortest_stride, first_share);
   }
 
   /// False where the clips cannot do it: no way to a stand from there, or strides would have to be
-  /// too short.
+  /// too short or too long.
   bool walk_along(const std::vector<Vec2>& path, const std::vector<MotionStart>& starts,
-                  double first_share = 0) {
+                  double shortest_stride, double first_share = 0) {
     TrackPace pace = this->pace();
     pace.first_share = first_share;
     const PathTrack track = make_path_track(path, pace);
@@ -181,8 +189,9 @@ class WalkMaker {
     }
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
     if (plan.expanded == 0) return false;
-    const bool standing = first_share == 0;
-    if (standing && track.effort.back() < least_stretch * plan.effort) return false;
+    const double stretch = track.effort.back() / std::max(plan.effort, 1e-6);
+    const bool exact = request_.fidelity == Fidelity::Exact;
+    if (exact && (stretch < shortest_stride || stretch > most_stretch)) return false;
     const ClipPath& first = graph_.clip[plan.start.clip];
     const Take take =
         play(graph_, plan, compose(momentum_.body, inverse(first.body[plan.start.frame])));

@@ -95,6 +95,13 @@ std::vector<Vec2> first_part(std::span<const Vec2> path, double along) {
   return out;
 }
 
+std::vector<Vec2> last_part(std::span<const Vec2> path, double along) {
+  std::vector<Vec2> reversed(path.rbegin(), path.rend());
+  std::vector<Vec2> out = first_part(reversed, std::max(0.0, polyline_length(path) - along));
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
 PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace) {
   const double length = polyline_length(path);
   const auto intervals =

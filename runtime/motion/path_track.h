@@ -54,4 +54,7 @@ Vec2 point_along(std::span<const Vec2> path, double along) noexcept;
 /// The beginning of a polyline, `along` metres of it.
 std::vector<Vec2> first_part(std::span<const Vec2> path, double along);
 
+/// What comes after that.
+std::vector<Vec2> last_part(std::span<const Vec2> path, double along);
+
 }  // namespace docent

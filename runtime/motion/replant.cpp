@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/motion/placement.h"
+#include "runtime/motion/rotation.h"
 #include "runtime/motion/smoothing.h"
 
 namespace docent {
@@ -40,6 +41,9 @@ struct Contact {
                    ///< the foot's rolling.
 };
 
+constexpr float take_over_seconds = 0.3f;
+constexpr float steering_seconds =
+    0.2f;                          // before landing, in which a foot can still be led elsewhere
 constexpr float hip_give = 0.09f;  // metres that hips sink at most to let a foot stay
 
 class Replanting {
@@ -68,16 +72,18 @@ class Replanting {
   }
 
   void start_from(const FootStart& start, bool planted) {
-    const Shift first = shift_to(start.foot.toe, start_heading(start.foot), 0);
+    first_rotation_ = start.foot.rotation;
     if (planted && !contacts_.empty() && contacts_.front().first == 0) {
       contacts_.front().anchor = start.foot.toe;
       contacts_.front().rise = start.foot.toe.y - feet_.front().toe.y;
       contacts_.front().heading = start_heading(start.foot);
       return;
     }
-    begin_ = first;
+    // The heading of a foot that hangs down means nothing, so only its rotation is taken over.
+    begin_ = {start.foot.toe - feet_.front().toe, 0};
     const Vec3 own = feet_.size() > 1 ? (feet_[1].toe - feet_[0].toe) * rate_ : Vec3{};
     begin_slope_ = {start.velocity - own, 0};
+    if (!contacts_.empty()) land_soon(contacts_.front());
   }
 
   void release_out_of_reach(std::span<const Vec3> hips, std::vector<bool>& contact) {
@@ -109,6 +115,7 @@ class Replanting {
       feet_[f].toe += shift_[f].place;
       feet_[f].rotation = world_rotation(shift_[f].heading) * feet_[f].rotation;
     }
+    take_over_rotation();
     keep_above_ground();
   }
 
@@ -120,6 +127,16 @@ class Replanting {
 
   Shift shift_to(Vec3 place, float heading, std::size_t f) const {
     return {place - feet_[f].toe, heading - heading_[f]};
+  }
+
+  /// A foot that is about to land lands where it is about to: there is no time to reach the place
+  /// of its own motion.
+  void land_soon(Contact& contact) const {
+    const float time = static_cast<float>(contact.first) / (rate_ * steering_seconds);
+    const float share = std::max(0.0f, 1 - time);
+    contact.anchor += share * Vec3(begin_.place.x, 0, begin_.place.z);
+    contact.rise = glm::mix(contact.rise, begin_.place.y, share);
+    contact.heading = glm::mix(contact.heading, heading_[contact.first], share);
   }
 
   /// A contact's place: the mean over its middle half, where the foot is flat.
@@ -177,6 +194,17 @@ class Replanting {
     }
   }
 
+  /// What is left between the foot's rotation at the beginning and its own fades within a step.
+  void take_over_rotation() {
+    const Vec3 left = rotation_vector(first_rotation_ * glm::inverse(feet_.front().rotation));
+    const float frames = take_over_seconds * rate_;
+    for (std::size_t f = 0; f < feet_.size() && static_cast<float>(f) < frames; ++f) {
+      const float t = static_cast<float>(f) / frames;
+      const float share = 1 - t * t * t * (10 - t * (15 - 6 * t));
+      feet_[f].rotation = glm::normalize(rotation_of(share * left) * feet_[f].rotation);
+    }
+  }
+
   void keep_above_ground() {
     for (Foot& foot : feet_) foot.toe.y = std::max(foot.toe.y, rest_ - 0.02f);
   }
@@ -188,6 +216,7 @@ class Replanting {
   std::vector<float> heading_;  ///< Of the feet in their own motion, unwrapped.
   std::vector<Contact> contacts_;
   Shift begin_, begin_slope_;
+  Quat first_rotation_{1, 0, 0, 0};
 };
 
 }  // namespace

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent {
+
+/// The rotation as an axis times an angle in (-pi, pi].
+inline Vec3 rotation_vector(Quat q) noexcept {
+  if (q.w < 0) q = -q;
+  const Vec3 axis(q.x, q.y, q.z);
+  const float sine = glm::length(axis);
+  if (sine < 1e-7f) return 2.0f * axis;
+  return axis * (2 * std::atan2(sine, q.w) / sine);
+}
+
+/// The rotation that such a vector means.
+inline Quat rotation_of(Vec3 vector) noexcept {
+  const float angle = glm::length(vector);
+  if (angle < 1e-7f)
+    return glm::normalize(Quat(1, 0.5f * vector.x, 0.5f * vector.y, 0.5f * vector.z));
+  return glm::angleAxis(angle, vector / angle);
+}
+
+}  // namespace docent
