@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -49,7 +50,8 @@ std::string source_excerpt(const Diagnostic& d) {
   if (!line) return {};
   std::string text = fmt::format("{:>6} | {}\n", d.line, *line);
   if (d.column == 0) return text;
-  const std::string carets(std::min<std::size_t>(std::max(d.length, 1U), 120), '^');
+  constexpr std::size_t longest_underline = 60;  // a paragraph is known by its beginning
+  const std::string carets(std::clamp<std::size_t>(d.length, 1, longest_underline), '^');
   text += fmt::format("       | {}{}{}{}\n", indentation(*line, d.column), carets,
                       d.label.empty() ? "" : " ", d.label);
   return text;

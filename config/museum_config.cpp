@@ -217,7 +217,8 @@ class MuseumLoader {
     const auto& [given_tag, given] = *texts.value.begin();
     for (const std::string& tag : config_.languages)
       if (!texts.value.contains(tag))
-        error(given.place, "missing-translation", fmt::format("{} lacks '{}'", what, tag),
+        error(given.place, "missing-translation",
+              fmt::format("{} is not translated into '{}'", what, tag),
               fmt::format("only here in '{}'", given_tag),
               fmt::format("translate: {}", given.value));
     for (const auto& [tag, text] : texts.value)
@@ -235,7 +236,7 @@ class MuseumLoader {
       keys.emplace_back(key);
       if (!words.words.value.contains(key))
         error(words.words.place, "missing-translation",
-              fmt::format("the word '{}' lacks '{}'", key, words.tag), {},
+              fmt::format("the word '{}' is not translated into '{}'", key, words.tag), {},
               fmt::format("translate: {} = \"{}\"", key, word.value));
     }
     for (const auto& [key, word] : words.words.value) {

@@ -12,6 +12,7 @@ namespace docent {
 void add_compile_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
+void add_schema_command(CLI::App& app, int& exit_code);
 void add_route_command(CLI::App& app, int& exit_code);
 void add_at_command(CLI::App& app, int& exit_code);
 void add_see_command(CLI::App& app, int& exit_code);

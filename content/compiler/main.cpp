@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <span>
+#include <string_view>
 
 #include "config/diagnostic_text.h"
 #include "content/compiler/commands.h"
@@ -10,8 +13,17 @@
 
 namespace {
 
-int report(const docent::ContentError& error) {
-  fmt::print(stderr, "{}", docent::to_text(docent::to_diagnostic(error)));
+/// Did the user ask for JSON? Known before the command line is understood, so that every failure is
+/// told as asked.
+bool wants_json(std::span<char*> arguments) {
+  return std::ranges::any_of(
+      arguments, [](const char* argument) { return std::string_view(argument) == "--json"; });
+}
+
+int report(const docent::ContentError& error, bool as_json) {
+  const docent::Diagnostic diagnostic = docent::to_diagnostic(error);
+  fmt::print(stderr, "{}",
+             as_json ? docent::to_json(diagnostic) + "\n" : docent::to_text(diagnostic));
   return docent::exit_code(error.kind);
 }
 
@@ -23,6 +35,7 @@ int run(int argc, char** argv) {
   docent::add_compile_command(app, exit_code);
   docent::add_check_command(app, exit_code);
   docent::add_info_command(app, exit_code);
+  docent::add_schema_command(app, exit_code);
   docent::add_route_command(app, exit_code);
   docent::add_at_command(app, exit_code);
   docent::add_see_command(app, exit_code);
@@ -45,7 +58,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const docent::ContentError& error) {
-    return report(error);
+    return report(error, wants_json(std::span(argv, static_cast<std::size_t>(argc))));
   } catch (const std::exception& error) {
     fmt::print(stderr, "docent-content: {}\n", error.what());
     return docent::exit_code(docent::Errc::Environment);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/path/floor_map.h"
+
 namespace docent {
 
 namespace {
@@ -161,6 +163,30 @@ Vec2 to_centimetres(Vec2 p) {
   return {std::round(p.x * 100) / 100, std::round(p.y * 100) / 100};
 }
 
+Vec2 inward_normal(const FloorPlan& plan, std::uint32_t wall) {
+  return glm::normalize(left_of(wall_end(plan, wall) - wall_start(plan, wall)));
+}
+
+/// Tries the places nearest to `point` that are just clear of a wall, of a wall and the next one,
+/// or of the corner between them.
+void consider_beside_walls(const FloorPlan& plan, Vec2 point, double clearance,
+                           const auto& consider) {
+  for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall) {
+    const Vec2 a = wall_start(plan, wall);
+    const Vec2 corner = wall_end(plan, wall);
+    const Vec2 along = corner - a;
+    const double share = std::clamp(dot(point - a, along) / dot(along, along), 0.0, 1.0);
+    const Vec2 normal = inward_normal(plan, wall);
+    consider(a + share * along + clearance * normal);
+    const Vec2 next_normal = inward_normal(plan, plan.next[wall]);
+    // x with x . normal = x . next_normal = clearance, unless the walls fold back on each other.
+    const double fold = 1 + dot(normal, next_normal);
+    if (fold > 0.01) consider(corner + clearance / fold * (normal + next_normal));
+    if (const double distance = glm::distance(point, corner); distance > 0)
+      consider(corner + clearance / distance * (point - corner));
+  }
+}
+
 }  // namespace
 
 std::string point_text(Vec2 point) {
@@ -168,16 +194,23 @@ std::string point_text(Vec2 point) {
 }
 
 std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance) {
-  // The first free point on circles about it; far from every wall the circles may grow faster.
+  std::optional<Vec2> nearest;
+  const auto consider = [&](Vec2 candidate) {
+    const Vec2 p = to_centimetres(candidate);
+    if (nearest && glm::distance(p, point) >= glm::distance(*nearest, point)) return;
+    if (is_inside(map, p) && clearance_at(map, p) >= clearance) nearest = p;
+  };
+  consider(point);
+  consider_beside_walls(map.plan(), point, clearance, consider);
+  consider_beside_walls(map.plan(), point, clearance + 0.01, consider);  // room for rounding
+  // Narrow places are bounded by walls that do not meet: circles about the point find those.
   constexpr int directions = 72;
   constexpr double farthest = 20;
-  for (double radius = 0; radius <= farthest; radius += 0.02 + radius / 100)
-    for (int i = 0; i < directions; ++i) {
-      const Vec2 p =
-          to_centimetres(point + radius * direction_of(i * 2 * std::numbers::pi / directions));
-      if (is_inside(map, p) && clearance_at(map, p) >= clearance) return p;
-    }
-  return {};
+  for (double radius = 0; radius <= (nearest ? glm::distance(*nearest, point) : farthest);
+       radius += 0.02 + radius / 100)
+    for (int i = 0; i < directions; ++i)
+      consider(point + radius * direction_of(i * 2 * std::numbers::pi / directions));
+  return nearest;
 }
 
 PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted) {

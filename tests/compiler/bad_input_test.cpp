@@ -1,0 +1,241 @@
+// What staff are told when something is wrong, and that nothing that existed is lost.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/support/museum_folder.h"
+
+namespace docent {
+namespace {
+
+using test::MuseumFolder;
+using test::ProgramRun;
+using test::run_program;
+using test::text_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Compiles over an existing output, which has to survive.
+ProgramRun failing_compile(const MuseumFolder& museum, const std::string& options = {}) {
+  std::ofstream(museum.database()) << "what was there before";
+  const ProgramRun run = museum.compile(options);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_EQ(text_of(museum.database()), "what was there before");
+  return run;
+}
+
+TEST(BadInput, AnExhibitOutsideTheBuilding) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "[10.0, 4.0]", "[10.50, 4.00]");
+
+  const ProgramRun run = failing_compile(museum);
+
+  EXPECT_THAT(
+      run.err,
+      AllOf(HasSubstr("hall.toml:13:12: error[exhibit-outside-floor]: exhibit 'portrait' stands "
+                      "outside the building"),
+            HasSubstr("    13 | position = [10.50, 4.00]"),
+            HasSubstr("       |            ^^^^^^^^^^^^^ 0.50 m outside the floor of 'ground'"),
+            HasSubstr("   hint: the nearest free point is [10.00, 4.00]")));
+}
+
+TEST(BadInput, AnExhibitThatNoVisitorCanReach) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "[10.0, 4.0]", "[14.0, 2.0]");  // in the closet
+
+  const ProgramRun run = failing_compile(museum);
+
+  EXPECT_THAT(run.err, AllOf(HasSubstr("hall.toml:13:12: error[exhibit-unreachable]: no visitor "
+                                       "can reach exhibit 'portrait' from the kiosk"),
+                             HasSubstr("hint: every way from the kiosk to")));
+}
+
+TEST(BadInput, AnExhibitThatLooksAtTheWall) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "facing = 180", "facing = 0");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("hall.toml:14:10: error[exhibit-unreachable]: exhibit 'portrait' "
+                              "cannot be looked at from the front"),
+                    HasSubstr("turn 'facing' towards free floor")));
+}
+
+TEST(BadInput, AViewingPointWithoutRoomForAVisitor) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "facing = 180", "facing = 180\nview = [9.9, 4.0]");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("hall.toml:15:8: error[exhibit-unreachable]"),
+                    HasSubstr("0.10 m from a wall"),
+                    HasSubstr("the nearest point with room for a visitor is [9.70, 4.00]")));
+}
+
+TEST(BadInput, AKioskInAWall) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "position = [2.0, 2.0]", "position = [-3.0, 2.0]");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:9:12: error[kiosk-outside-floor]"),
+                    HasSubstr("3.00 m outside the floor")));
+}
+
+TEST(BadInput, TwoExhibitsWithOneId) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "\"portrait\"", "\"jade-disc\"");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("hall.toml:12:6: error[duplicate-id]: there are two exhibits with the id "
+                        "'jade-disc'"));
+}
+
+TEST(BadInput, ATypoInMuseumToml) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "facing", "fcaing");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:10:1: error[unknown-key]: [kiosk] has no 'fcaing'"),
+                    HasSubstr("hint: did you mean 'facing'?")));
+}
+
+TEST(BadInput, AMissingImage) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "images/disc.svg", "images/none.svg");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("hall.toml:5:9: error[missing-file]: there is no file 'images/none.svg'"));
+}
+
+TEST(BadInput, AnImageThatIsNone) {
+  const MuseumFolder museum;
+  museum.write("images/disc.svg", "not a picture");
+
+  EXPECT_THAT(failing_compile(museum).err, HasSubstr("hall.toml:5:9: error[unreadable-image]"));
+}
+
+TEST(BadInput, AMissingTranslation) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "title.ar = \"صورة\"\n", "");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("hall.toml:16:12: error[missing-translation]: the title of exhibit "
+                              "'portrait' is not translated into 'ar'"),
+                    HasSubstr("hint: translate: Portrait")));
+}
+
+TEST(BadInput, ALanguageThatTheInterfaceDoesNotSpeak) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "[\"en\", \"ar\"]", "[\"en\", \"ar\", \"tlh\"]");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("there are no words of the interface in 'tlh'"));
+}
+
+TEST(BadInput, APlanThatIsNoGeoJson) {
+  const MuseumFolder museum;
+  museum.write("ground.geojson", "{\"type\": \"Polygon\",\n \"coordinates\": 5}");
+
+  EXPECT_THAT(failing_compile(museum).err, HasSubstr("ground.geojson:2:"));
+}
+
+TEST(BadInput, APlanThatCrossesItselfIsMendedAndTold) {
+  const MuseumFolder museum;
+  museum.replace("ground.geojson", "[10, 8], [0, 8], [0, 0]]",
+                 "[10, 8], [0, 8], [0, 3], [-1, 1], [0, 1], [-1, 3], [0, 2.5], [0, 0]]");
+
+  const ProgramRun run = museum.compile();
+
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("ground.geojson:3:"));
+  EXPECT_THAT(run.err, HasSubstr("warning["));
+}
+
+TEST(BadInput, AnEmptyClipsFolder) {
+  const MuseumFolder museum;
+  const test::TemporaryFolder empty;
+
+  const ProgramRun run =
+      run_program("docent-content", "compile '" + museum.path().string() + "' -o '" +
+                                        museum.database().string() + "' --quiet --clips '" +
+                                        empty.path().string() + "'");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("error[no-clips]: this folder holds no motion"));
+  EXPECT_FALSE(std::filesystem::exists(museum.database()));
+}
+
+TEST(BadInput, ABvhCutInTheMiddle) {
+  const MuseumFolder museum;
+  const test::TemporaryFolder clips;
+  const std::string whole = text_of(test::source_dir() / "content/clips/walk.bvh");
+  ASSERT_FALSE(whole.empty());
+  std::ofstream(clips.path() / "walk.bvh") << whole.substr(0, whole.size() / 2);
+
+  const ProgramRun run =
+      run_program("docent-content", "compile '" + museum.path().string() + "' -o '" +
+                                        museum.database().string() + "' --quiet --clips '" +
+                                        clips.path().string() + "'");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, testing::ContainsRegex("walk\\.bvh:[0-9]+:[0-9]+: error"));
+  EXPECT_FALSE(std::filesystem::exists(museum.database()));
+}
+
+TEST(BadInput, AllMistakesOfAllFilesInOneRun) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 2000");
+  museum.replace("exhibits/hall.toml", "[10.0, 4.0]", "[10.5, 4.0]");
+  museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"\n", "");
+
+  const ProgramRun run = failing_compile(museum, "--json");
+
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 3) << run.err;
+  EXPECT_THAT(run.err, testing::ContainsRegex("out-of-range.*\n.*missing-translation.*\n.*"
+                                              "exhibit-outside-floor"));
+}
+
+TEST(BadInput, AnOutputFolderThatIsNotThere) {
+  const MuseumFolder museum;
+
+  const ProgramRun run =
+      run_program("docent-content",
+                  "compile '" + museum.path().string() + "' -o /no/such/m.db --no-motion --quiet");
+
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("the folder '/no/such' does not exist"));
+}
+
+TEST(BadInput, ACommandLineThatIsWrong) {
+  EXPECT_EQ(run_program("docent-content", "").exit_code, 2);
+  EXPECT_EQ(run_program("docent-content", "compile").exit_code, 2);
+  EXPECT_EQ(run_program("docent-content", "compile a -o b --radius -1").exit_code, 2);
+  EXPECT_EQ(run_program("docent-content", "compile a -o b --coordinates feet").exit_code, 2);
+  EXPECT_EQ(run_program("docent-content", "info").exit_code, 2);
+  EXPECT_EQ(run_program("docent-content", "--help").exit_code, 0);
+}
+
+TEST(BadInput, ADatabaseThatIsMissingOrDamaged) {
+  const MuseumFolder museum;
+  ASSERT_EQ(museum.compile().exit_code, 0);
+  std::string bytes = text_of(museum.database());
+  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  std::ofstream(museum.path() / "flipped.db", std::ios::binary) << bytes;
+  std::ofstream(museum.path() / "short.db", std::ios::binary) << bytes.substr(0, 9000);
+  const auto info = [&](const char* file) {
+    return run_program("docent-content", "info '" + (museum.path() / file).string() + "'");
+  };
+
+  EXPECT_EQ(info("none.db").exit_code, 3);
+  EXPECT_THAT(info("none.db").err, HasSubstr("there is no such database"));
+  EXPECT_EQ(info("flipped.db").exit_code, 1);
+  EXPECT_THAT(info("flipped.db").err, HasSubstr("is damaged (its checksum does not match)"));
+  EXPECT_EQ(info("short.db").exit_code, 1);
+  EXPECT_THAT(info("short.db").err, HasSubstr("is cut short (9000 of"));
+}
+
+}  // namespace
+}  // namespace docent

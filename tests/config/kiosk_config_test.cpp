@@ -1,0 +1,67 @@
+#include "config/kiosk_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "tests/support/reference_data.h"
+#include "tests/support/temporary_folder.h"
+
+namespace docent {
+namespace {
+
+using test::TemporaryFolder;
+
+Loaded<KioskConfig> loaded_from(const std::string& text) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "kiosk.toml") << text;
+  return load_kiosk_config(folder.path() / "kiosk.toml");
+}
+
+TEST(KioskConfig, IsThatOfANewDeviceWhereThereIsNoFile) {
+  const auto loaded = load_kiosk_config("no/such/kiosk.toml");
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  EXPECT_EQ(loaded.value->idle_reset.count(), 60);
+  EXPECT_EQ(loaded.value->content, "/var/lib/docent/museum.db");
+}
+
+TEST(KioskConfig, TakesWhatAnOperatorWrote) {
+  const auto loaded = loaded_from(
+      "idle_reset = 90\ntext_scale = 1.5\nrotate = 270\nsize = \"1080x1920\"\ndisplay = \"kms\"\n");
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  EXPECT_EQ(loaded.value->idle_reset.count(), 90);
+  EXPECT_EQ(loaded.value->text_scale, 1.5);
+  EXPECT_EQ(loaded.value->rotate, 270);
+  EXPECT_EQ(loaded.value->width, 1080);
+  EXPECT_EQ(loaded.value->height, 1920);
+  EXPECT_EQ(loaded.value->display, "kms");
+}
+
+TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
+  for (const char* line :
+       {"idle_reset = 5", "idle_reset = 601", "idle_reset = 60.5", "text_scale = 3.0",
+        "text_scale = nan", "rotate = 45", "size = \"big\"", "size = \"1920x\"", "size = \"0x0\"",
+        "display = \"wayland\"", "brightness = 1"}) {
+    const auto loaded = loaded_from(line);
+
+    EXPECT_EQ(loaded.diagnostics.size(), 1U) << line;
+    for (const Diagnostic& diagnostic : loaded.diagnostics) EXPECT_EQ(diagnostic.line, 1U) << line;
+  }
+}
+
+TEST(KioskConfig, ReadsTheOneThatShips) {
+  const auto file = test::source_dir() / "config/kiosk.toml";
+  ASSERT_TRUE(std::filesystem::exists(file));
+
+  EXPECT_TRUE(load_kiosk_config(file).diagnostics.empty());
+}
+
+}  // namespace
+}  // namespace docent

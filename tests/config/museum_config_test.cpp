@@ -1,0 +1,243 @@
+#include "config/museum_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "config/diagnostic_text.h"
+#include "tests/support/museum_folder.h"
+
+namespace docent {
+namespace {
+
+using test::MuseumFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> codes(const Loaded<MuseumConfig>& loaded) {
+  std::vector<std::string> codes;
+  for (const Diagnostic& diagnostic : loaded.diagnostics) codes.push_back(diagnostic.code);
+  return codes;
+}
+
+TEST(MuseumConfig, HoldsWhatStaffWrote) {
+  const MuseumFolder museum;
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_THAT(codes(loaded), ElementsAre());
+  EXPECT_THAT(loaded.value->languages, ElementsAre("en", "ar"));
+  EXPECT_EQ(loaded.value->museum.title.value.at("ar").value, "متحف صغير");
+  EXPECT_EQ(loaded.value->kiosk.position.value, Vec2(2, 2));
+  EXPECT_EQ(loaded.value->ambient.count.value, 3);
+  EXPECT_EQ(loaded.value->avatar.radius.value, 0.25);
+  ASSERT_EQ(loaded.value->exhibits.size(), 2U);
+  EXPECT_EQ(loaded.value->exhibits[0].facing.value, 270);
+  EXPECT_EQ(loaded.value->exhibits[1].position.place.range.line, 13U);
+}
+
+TEST(MuseumConfig, FindsTheFieldThatATypoMeant) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "facing", "facign");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("unknown-key"));
+  EXPECT_EQ(loaded.diagnostics[0].line, 10U);
+  EXPECT_EQ(loaded.diagnostics[0].hint, "did you mean 'facing'?");
+}
+
+TEST(MuseumConfig, FindsTheTableThatATypoMeant) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "[ambient]", "[ambiant]");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("unknown-key"));
+  EXPECT_EQ(loaded.diagnostics[0].hint, "did you mean 'ambient'?");
+}
+
+TEST(MuseumConfig, SaysWhichTypeAFieldHas) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = \"three\"");
+  museum.replace("exhibits/hall.toml", "[6.5, 4.5]", "[6.5, 4.5, 1]");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("wrong-type", "wrong-type"));
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'count' should be a whole number"));
+  EXPECT_THAT(loaded.diagnostics[0].label, HasSubstr("this is a text"));
+  EXPECT_THAT(loaded.diagnostics[1].message, HasSubstr("a point: [east, north] in metres"));
+}
+
+TEST(MuseumConfig, SaysWhatRangeANumberHas) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 1001");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("out-of-range"));
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'count' should be from 0 to 1000"));
+}
+
+TEST(MuseumConfig, RefusesNumbersThatAreNone) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "[6.5, 4.5]", "[nan, inf]");
+
+  EXPECT_THAT(codes(load_museum_config(museum.path())), ElementsAre("out-of-range"));
+}
+
+TEST(MuseumConfig, MissesAFieldThatIsNeeded) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "facing = 270\n", "");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("missing-field"));
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("[[exhibit]] lacks 'facing'"));
+}
+
+TEST(MuseumConfig, FindsTwoExhibitsWithOneId) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "\"portrait\"", "\"jade-disc\"");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("duplicate-id"));
+  EXPECT_EQ(loaded.diagnostics[0].line, 12U);
+  EXPECT_THAT(loaded.diagnostics[0].hint, HasSubstr("hall.toml:2"));
+}
+
+TEST(MuseumConfig, FindsAnImageThatIsNotThere) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "images/disc.svg", "images/disk.svg");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("missing-file"));
+  EXPECT_EQ(loaded.diagnostics[0].line, 5U);
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'images/disk.svg'"));
+}
+
+TEST(MuseumConfig, ShowsTheOtherLanguagesTextWhereATranslationIsMissing) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"\n", "");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("missing-translation"));
+  EXPECT_EQ(loaded.diagnostics[0].line, 8U);
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'jade-disc' is not translated into 'ar'"));
+  EXPECT_THAT(loaded.diagnostics[0].hint, HasSubstr("A disc."));
+}
+
+TEST(MuseumConfig, WantsTheSameWordsInEveryLanguage) {
+  const MuseumFolder museum;
+  museum.write("words/en.toml",
+               "name = \"English\"\ndirection = \"left-to-right\"\n[words]\nhome = \"Home\"\n");
+  museum.write("words/ar.toml",
+               "name = \"العربية\"\ndirection = \"right-to-left\"\n[words]\nhoem = \"البداية\"\n");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("missing-translation", "unknown-key"));
+  EXPECT_EQ(loaded.diagnostics[0].hint, "translate: home = \"Home\"");
+  EXPECT_EQ(loaded.diagnostics[1].hint, "did you mean 'home'?");
+}
+
+TEST(MuseumConfig, NamesTheFloorsWhereOneIsUnknown) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "[kiosk]\n", "[kiosk]\nfloor = \"first\"\n");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_THAT(codes(loaded), ElementsAre("unknown-floor"));
+  EXPECT_EQ(loaded.diagnostics[0].hint, "the floors are: ground");
+}
+
+TEST(MuseumConfig, TellsAllMistakesInTheOrderOfTheFiles) {
+  const MuseumFolder museum;
+  museum.write("exhibits/annex.toml", "[[exhibit\n");
+  museum.replace("exhibits/hall.toml", "facing = 270\n", "facing = 1000\n");
+  museum.replace("museum.toml", "count = 3", "cuont = 3");
+
+  EXPECT_THAT(codes(load_museum_config(museum.path())),
+              ElementsAre("unknown-key", "unreadable-toml", "out-of-range"));
+}
+
+TEST(MuseumConfig, SaysThatAFolderIsNoMuseum) {
+  const test::TemporaryFolder empty;
+
+  const auto loaded = load_museum_config(empty.path());
+
+  EXPECT_FALSE(loaded.value.has_value());
+  ASSERT_THAT(codes(loaded), ElementsAre("missing-file"));
+  EXPECT_THAT(loaded.diagnostics[0].file, HasSubstr("museum.toml"));
+}
+
+TEST(MuseumConfig, SpeaksTheLanguagesOfItsTextsWhereNoneAreNamed) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "languages = [\"en\", \"ar\"]\n", "");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_THAT(loaded.value->languages, ElementsAre("en", "ar"));
+}
+
+TEST(MuseumConfig, IsCompleteForTheSampleMuseum) {
+  const auto loaded = load_museum_config(test::source_dir() / "config/museum");
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_THAT(codes(loaded), ElementsAre());
+  EXPECT_EQ(loaded.value->words.size(), loaded.value->languages.size());
+}
+
+TEST(MuseumSchema, IsTheOneThatIsKept) {
+  EXPECT_EQ(test::text_of(test::source_dir() / "config/museum.schema.json"), museum_schema())
+      << "the fields have changed: docent-content schema > config/museum.schema.json";
+}
+
+TEST(DiagnosticText, PointsAtTheCharactersThatAreMeant) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "bronze.toml").string();
+  std::ofstream(file) << "\n名 = [12.40, 3.10]\n";
+
+  Diagnostic diagnostic;
+  diagnostic.file = file;
+  diagnostic.line = 2;
+  diagnostic.column = 5;
+  diagnostic.length = 13;
+  diagnostic.code = "exhibit-outside-floor";
+  diagnostic.message = "exhibit 'tripod-ding' stands outside the building";
+  diagnostic.label = "0.18 m outside the floor of 'ground'";
+  diagnostic.hint = "the nearest free point is [12.40, 3.45]";
+
+  EXPECT_EQ(to_text(diagnostic),
+            file +
+                ":2:5: error[exhibit-outside-floor]: exhibit 'tripod-ding' stands outside the "
+                "building\n"
+                "     2 | 名 = [12.40, 3.10]\n"
+                "       |     ^^^^^^^^^^^^^ 0.18 m outside the floor of 'ground'\n"
+                "   hint: the nearest free point is [12.40, 3.45]\n");
+}
+
+TEST(DiagnosticText, IsOneJsonObjectALine) {
+  Diagnostic diagnostic;
+  diagnostic.file = "a \"b\".toml";
+  diagnostic.line = 3;
+  diagnostic.column = 4;
+  diagnostic.severity = Severity::Warning;
+  diagnostic.code = "left-out";
+  diagnostic.message = "broken \xff byte";
+
+  EXPECT_EQ(to_json(diagnostic),
+            "{\"file\":\"a \\\"b\\\".toml\",\"line\":3,\"column\":4,\"code\":\"left-out\","
+            "\"severity\":\"warning\",\"message\":\"broken \uFFFD byte\",\"hint\":\"\"}");
+}
+
+}  // namespace
+}  // namespace docent

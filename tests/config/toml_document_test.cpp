@@ -1,0 +1,63 @@
+#include "config/toml_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <string>
+
+namespace docent {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(TomlDocument, KnowsWhereEachValueStands) {
+  const TomlFile file = parse_toml("[kiosk]\nposition = [2.5, 3]\n", "museum.toml");
+
+  ASSERT_TRUE(file.root.has_value());
+  const TomlEntry& position = file.root->entries.at(0).value.entries.at(0);
+  EXPECT_EQ(position.key, "position");
+  EXPECT_EQ(position.key_range.line, 2U);
+  EXPECT_EQ(position.key_range.length, 8U);
+  EXPECT_EQ(position.value.range.column, 12U);
+  EXPECT_EQ(position.value.range.length, 8U);
+  EXPECT_EQ(position.value.items.at(0).number, 2.5);
+  EXPECT_EQ(position.value.items.at(1).integer, 3);
+}
+
+TEST(TomlDocument, CountsColumnsInCharacters) {
+  const TomlFile file = parse_toml("a = \"三河\" # x\nb = {c = \"三\", d = 1}\n", "x.toml");
+
+  ASSERT_TRUE(file.root.has_value());
+  EXPECT_EQ(file.root->entries.at(0).value.range.length, 4U);
+  EXPECT_EQ(file.root->entries.at(1).value.entries.at(1).value.range.column, 19U);
+}
+
+TEST(TomlDocument, KeepsTheOrderOfTheFile) {
+  const TomlFile file = parse_toml("zebra = 1\napple = 2\n", "x.toml");
+
+  ASSERT_TRUE(file.root.has_value());
+  EXPECT_EQ(file.root->entries.at(0).key, "zebra");
+}
+
+TEST(TomlDocument, SaysWhereAFileCannotBeRead) {
+  const TomlFile file = parse_toml("a = 1\nb = = 2\n", "museum.toml");
+
+  EXPECT_FALSE(file.root.has_value());
+  ASSERT_EQ(file.diagnostics.size(), 1U);
+  EXPECT_EQ(file.diagnostics[0].code, "unreadable-toml");
+  EXPECT_EQ(file.diagnostics[0].file, "museum.toml");
+  EXPECT_EQ(file.diagnostics[0].line, 2U);
+  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("cannot be read as TOML"));
+}
+
+TEST(TomlDocument, AnswersAnyBytes) {
+  EXPECT_TRUE(rc::check("no bytes crash the reader", [](const std::string& text) {
+    const TomlFile file = parse_toml(text, "x.toml");
+
+    RC_ASSERT(file.root.has_value() == file.diagnostics.empty());
+  }));
+}
+
+}  // namespace
+}  // namespace docent
