@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/smoothing.h"
@@ -115,6 +116,37 @@ INSTANTIATE_TEST_SUITE_P(Walks, Interrupted,
                                   (each.param.degrees < 0 ? "Right" : "Left") +
                                   std::to_string(std::abs(each.param.degrees));
                          });
+
+TEST(RestlessVisitors, NeverMakeTheWalkerJumpOrMissItsGoal) {
+  std::mt19937 random(4);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 10000) / 10000;
+  };
+  const test::Quickest clips = test::quickest(motion());
+  Walk walk = straight_walk();
+  for (int call = 0; call < 60; ++call) {
+    const std::uint32_t frame = static_cast<std::uint32_t>(random()) % frame_count(walk);
+    std::vector<Vec2> path{walk.body[frame].position}, ahead;
+    for (std::size_t f = frame; f < walk.body.size(); f += 12)
+      ahead.push_back(walk.body[f].position);
+    for (int corner = 0; corner < 1 + call % 4; ++corner)
+      path.push_back(path.back() + Vec2(between(-4, 4), between(-4, 4)));
+    WalkRequest request;
+    request.path = path;
+    request.before = &walk;
+    request.before_frame = frame;
+    request.old_path_ahead = ahead;
+
+    const Walk next = *make_walk(walk_graph(), request);
+
+    const Walk whole = test::spliced(walk, frame, next);
+    const test::Quickest moves = test::quickest(whole, frame, whole.root.size());
+    EXPECT_LT(glm::distance(next.body.back().position, path.back()), 0.03) << call;
+    EXPECT_LT(moves.root, 2 * clips.root) << call;
+    EXPECT_LT(moves.joint, 2.5 * clips.joint) << call;
+    walk = next;
+  }
+}
 
 TEST(StoppedWalk, StandsWithinTwoSteps) {
   WalkRequest request;
