@@ -171,6 +171,7 @@ std::vector<std::uint32_t> number_places(const std::vector<Vec2>& points) {
 std::vector<std::vector<std::uint32_t>> split_where_touching(
     const LevelCurve& curve, const std::vector<std::uint32_t>& pieces) {
   std::vector<Vec2> begins;
+  begins.reserve(pieces.size());
   for (const std::uint32_t p : pieces)
     begins.push_back(curve.point_at(curve.pieces()[p].site, curve.pieces()[p].begin));
   const auto place = number_places(begins);
