@@ -48,10 +48,10 @@ std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) 
   const std::size_t count = track.heading.size();
   std::vector<double> share(count, 1.0);
   const double slowest = slowest_stride * slowest_stride;
-  for (std::size_t i = 0; i + 1 < count; ++i) {
-    const double bend = std::abs(track.heading[i + 1] - track.heading[i]) / track.spacing;
+  for (std::size_t next = 1; next < count; ++next) {
+    const double bend = std::abs(track.heading[next] - track.heading[next - 1]) / track.spacing;
     if (bend * pace.speed > pace.turning_rate)
-      share[i] = std::max(slowest, pace.turning_rate / (bend * pace.speed));
+      share[next - 1] = std::max(slowest, pace.turning_rate / (bend * pace.speed));
   }
   const double gain = 2 * braking * track.spacing / (pace.speed * pace.speed);
   const auto limit = [&](std::size_t i, double neighbour) {
