@@ -103,7 +103,8 @@ NumberTable read_numbers(const std::filesystem::path& file,
       row.push_back(*value);
     }
     const std::string_view last = trimmed(parts[columns.size() - 1]);
-    table.written.emplace_back(std::string_view(line).substr(0, static_cast<std::size_t>(last.data() + last.size() - line.data())));
+    table.written.emplace_back(std::string_view(line).substr(
+        0, static_cast<std::size_t>(last.data() + last.size() - line.data())));
     table.rows.push_back(std::move(row));
   }
   return table;

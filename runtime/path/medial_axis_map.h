@@ -24,9 +24,7 @@ class MedialAxisMap {
   const VoronoiDiagram& diagram() const noexcept { return floor_->diagram; }
 
   /// The curve of a Voronoi edge.
-  const EdgeCurve& curve(std::uint32_t voronoi_edge) const noexcept {
-    return curve_[voronoi_edge];
-  }
+  const EdgeCurve& curve(std::uint32_t voronoi_edge) const noexcept { return curve_[voronoi_edge]; }
   /// The curve of a roadmap edge, from its `from` to its `to`.
   const EdgeCurve& curve_of(const RoadmapEdge& edge) const noexcept {
     return curve_[edge.voronoi_edge];
