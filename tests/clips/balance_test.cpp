@@ -16,6 +16,7 @@ RC_GTEST_PROP(BalancedMass, FallsAwayFromThePressureAsAPendulumDoes, ()) {
   const double amplitude = *rc::gen::inRange(1, 30) * 0.01;
   const double beat = *rc::gen::inRange(10, 90) * 0.1;
   std::vector<GroundPoint> pressure;
+  pressure.reserve(600);
   for (std::size_t f = 0; f < 600; ++f)
     pressure.emplace_back(amplitude * std::sin(beat * static_cast<double>(f) / rate), 0.0);
 
