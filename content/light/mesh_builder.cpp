@@ -1,5 +1,6 @@
 #include "content/light/mesh_builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace docent {
@@ -17,6 +18,18 @@ Vec2 unit(Vec2 v) {
 
 Vec3 level(Vec2 direction) {
   return to_world(direction);
+}
+
+/// The outline with its sides cut into pieces of at most `longest` metres.
+Outline with_short_sides(const Outline& outline, double longest) {
+  Outline out;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 side = outline[(i + 1) % outline.size()] - outline[i];
+    const auto pieces = static_cast<int>(std::ceil(std::hypot(side.x, side.y) / longest));
+    for (int k = 0; k < std::max(1, pieces); ++k)
+      out.push_back(outline[i] + side * (static_cast<double>(k) / std::max(1, pieces)));
+  }
+  return out;
 }
 
 }  // namespace
@@ -86,13 +99,21 @@ void MeshBuilder::slope(const Outline& low, double low_height, const Outline& hi
   }
 }
 
-void MeshBuilder::lid(const Outline& outline, double height) {
-  const Vec3 up{0, 1, 0};
-  Vec2 centre{};
-  for (const Vec2 p : outline) centre += p / static_cast<double>(outline.size());
+void MeshBuilder::lid(const Outline& convex, double height) {
+  // Light is kept at vertices, so a lid has one about every hand's breadth.
+  constexpr double spacing = 0.13;
+  const Outline outline = with_short_sides(convex, spacing);
   const std::size_t n = outline.size();
+  Vec2 centre{};
+  for (const Vec2 p : outline) centre += p / static_cast<double>(n);
+  double reach = 0;
+  for (const Vec2 p : outline) reach = std::max(reach, std::hypot(p.x - centre.x, p.y - centre.y));
+  const int rings = std::clamp(static_cast<int>(reach / spacing), 2, 12);
+
+  const Vec3 up{0, 1, 0};
   std::vector<std::uint32_t> outer;
-  for (const double share : {1.0, 0.8, 0.5, 0.2}) {  // rings, since light is kept at vertices
+  for (int r = 0; r < rings; ++r) {
+    const double share = 1 - static_cast<double>(r) / rings;
     std::vector<std::uint32_t> ring;
     for (const Vec2 p : outline)
       ring.push_back(vertex(to_world(centre + (p - centre) * share, height), up));
@@ -102,8 +123,9 @@ void MeshBuilder::lid(const Outline& outline, double height) {
     }
     outer = std::move(ring);
   }
-  for (std::size_t i = 1; i + 1 < n; ++i)
-    indices_->insert(indices_->end(), {outer[0], outer[i], outer[i + 1]});
+  const std::uint32_t middle = vertex(to_world(centre, height), up);
+  for (std::size_t i = 0; i < n; ++i)
+    indices_->insert(indices_->end(), {outer[i], outer[(i + 1) % n], middle});
 }
 
 Scenery MeshBuilder::finish() && {

@@ -30,7 +30,7 @@ class MeshBuilder {
   /// A slope from one outline to another with as many corners: a bevel, a step.
   void slope(const Outline& low, double low_height, const Outline& high, double high_height);
   /// A level face that looks up; the outline is convex.
-  void lid(const Outline& outline, double height);
+  void lid(const Outline& convex, double height);
 
   /// Opacity of the glass made from now on, of 255.
   void glass_opacity(std::uint8_t opacity) { opacity_ = opacity; }

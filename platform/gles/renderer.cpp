@@ -25,8 +25,8 @@ struct FrameBlock {
 
 /// Late-afternoon light, chosen so that pale plaster in full light comes out just below paper.
 constexpr Vec4 sun_colour{1.20F, 1.11F, 0.97F, 0};
-constexpr Vec4 sky_colour{0.50F, 0.515F, 0.53F, 0};
-constexpr Vec4 bounce_colour{0.58F, 0.51F, 0.425F, 0};
+constexpr Vec4 sky_colour{0.51F, 0.52F, 0.53F, 0};
+constexpr Vec4 bounce_colour{0.70F, 0.615F, 0.52F, 0};
 
 constexpr float fade_of_far_galleries = 0.62F;
 constexpr float light_of_goal = 0.16F;

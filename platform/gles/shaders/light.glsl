@@ -15,7 +15,7 @@ vec3 lit(vec3 albedo, vec3 normal, float sky, float sun_share) {
   vec3 ambient = mix(bounce_colour.rgb, sky_colour.rgb, 0.5 + 0.5 * normal.y);
   float facing = max(dot(normal, sun.xyz), 0.0);
   // Light that bounces between close surfaces keeps corners from going dead, and warms them.
-  vec3 occluded = pow(vec3(sky), vec3(0.75, 0.80, 0.86));
+  vec3 occluded = sky * (1.0 + vec3(0.30, 0.24, 0.16) * (1.0 - sky));
   return albedo * (ambient * occluded + sun_colour.rgb * (facing * sun_share));
 }
 
