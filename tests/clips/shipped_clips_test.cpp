@@ -6,12 +6,13 @@
 #include "content/clips/gait_skeleton.h"
 #include "content/import/motion_bvh.h"
 #include "content/motion/compile_motion.h"
+#include "tests/support/reference_data.h"
 
 namespace docent {
 namespace {
 
 std::filesystem::path folder() {
-  return std::filesystem::path(DOCENT_SOURCE_DIR) / "content" / "clips";
+  return test::source_dir() / "content" / "clips";
 }
 
 TEST(ShippedClips, AreWhatTheGeneratorMakes) {

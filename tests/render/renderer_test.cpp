@@ -16,6 +16,7 @@
 #include "runtime/scene/theme.h"
 #include "tests/render/allocations.h"
 #include "tests/support/halls.h"
+#include "tests/support/reference_data.h"
 
 namespace docent {
 namespace {
@@ -430,7 +431,7 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
 /// The picture that people have looked at; DOCENT_UPDATE_GOLDEN=1 writes it anew. Drivers round
 /// differently: a few pixels on edges may differ, the picture may not.
 TEST_F(Rendering, ShowsTheSmallHallAsItWasSeenAndApproved) {
-  const std::string file = std::string(DOCENT_SOURCE_DIR) + "/tests/render/golden/small-hall.png";
+  const std::string file = test::source_dir() / "tests/render/golden/small-hall.png";
   DrawList list = view_of_hall(small);
   add_way(list, RouteKind::Shortest, {{2, 2}, {7, 2}, {7, 6.5}}, 9.5);
   add_guide(list, {4.5, 2});
