@@ -302,8 +302,10 @@ Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double heig
                Vec3 normal) noexcept {
   // An upright face has the floor's own shade close by near its foot.
   const double near_floor = (1 - std::abs(normal.y)) * 0.30 * std::exp(-height / 0.25);
-  return {sky_share(field, point, height, normal) * static_cast<float>(1 - near_floor),
-          sun_share(field, sun, point, height)};
+  const double sky = sky_share(field, point, height, normal) * (1 - near_floor);
+  // The field knows no overhangs: what a leaning board covers would be buried.
+  constexpr double least = 0.4;
+  return {static_cast<float>(std::max(sky, least)), sun_share(field, sun, point, height)};
 }
 
 void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
