@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
+#include <string_view>
 
 #include "config/fields.h"
 
@@ -40,16 +40,23 @@ constexpr std::array kiosk_file_fields{
     Field<KioskFile>{"size", &KioskFile::size, Presence::Optional, "Pixels: \"1920x1080\""},
 };
 
+/// A whole number of pixels, 64 to 16384; 0 where the text is none.
+int parse_pixels(std::string_view text) {
+  int pixels = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9' || text.size() > 5) return 0;
+    pixels = pixels * 10 + (c - '0');
+  }
+  return pixels >= 64 && pixels <= 16384 ? pixels : 0;
+}
+
 /// Reads "1920x1080"; false, and nothing changed, where it is not of that form.
 bool parse_size(std::string_view text, KioskConfig& config) {
-  int width = 0;
-  int height = 0;
-  const char* end = text.data() + text.size();
-  const auto [cross, bad_width] = std::from_chars(text.data(), end, width);
-  if (bad_width != std::errc() || cross == end || *cross != 'x') return false;
-  const auto [rest, bad_height] = std::from_chars(cross + 1, end, height);
-  if (bad_height != std::errc() || rest != end) return false;
-  if (width < 64 || height < 64 || width > 16384 || height > 16384) return false;
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return false;
+  const int width = parse_pixels(text.substr(0, cross));
+  const int height = parse_pixels(text.substr(cross + 1));
+  if (width == 0 || height == 0) return false;
   config.width = width;
   config.height = height;
   return true;

@@ -181,6 +181,7 @@ class MuseumLoader {
   void check_floor(const Located<std::string>& floor) {
     if (floor.value.empty()) return;
     std::vector<std::string_view> names;
+    names.reserve(config_.floors.size());
     for (const FloorSection& section : config_.floors) names.emplace_back(section.name.value);
     if (std::ranges::find(names, floor.value) == names.end())
       error(floor.place, "unknown-floor", fmt::format("there is no floor '{}'", floor.value), {},
