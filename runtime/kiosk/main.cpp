@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <span>
 #include <string_view>
 
@@ -10,6 +12,10 @@ int main(int argc, char** argv) {
   const auto started = docent::monotonic_now();
   if (argc > 1 && std::string_view(argv[1]) == "hid")
     return docent::run_hid_command(std::span<const char* const>(argv, argv + argc).subspan(2));
+  // Pictures and the database pass through memory once while starting. Kept in mappings of their
+  // own they go back to the system; left to itself glibc would raise this limit and keep them in
+  // its heap for months.
+  mallopt(M_MMAP_THRESHOLD, 256 * 1024);
   const docent::CommandLine line = docent::parse_command_line(argc, argv);
   if (line.exit) return *line.exit;
   return docent::run_kiosk(line.options, started);
