@@ -70,7 +70,7 @@ double distance_under(const PoseCloud& a, std::size_t frame_a, const PoseCloud& 
 constexpr std::size_t frames = 12;
 
 TEST(PoseDistance, IsReachedByItsAlignmentAndBeatenByNoOther) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const auto fa = *rc::gen::inRange<std::size_t>(0, frames);
     const auto fb = *rc::gen::inRange<std::size_t>(0, frames);
@@ -93,11 +93,11 @@ TEST(PoseDistance, IsReachedByItsAlignmentAndBeatenByNoOther) {
       }
       RC_ASSERT(distance_under(a, fa, b, fb, 3, other) > match.distance - 1e-6);
     }
-  });
+  }));
 }
 
 TEST(PoseDistance, DoesNotChangeWhenEitherClipIsMovedOnTheFloor) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const double turn = *rc::gen::inRange(-314, 314) / 100.0;
     const Vec2 by{*rc::gen::inRange(-9, 9) * 1.0, *rc::gen::inRange(-9, 9) * 1.0};
@@ -107,14 +107,14 @@ TEST(PoseDistance, DoesNotChangeWhenEitherClipIsMovedOnTheFloor) {
 
     RC_ASSERT(std::abs(compare_poses(moved(a, turn, by), fa, b, 5, 3).distance - here) < 1e-5);
     RC_ASSERT(std::abs(compare_poses(a, fa, moved(b, turn, by), 5, 3).distance - here) < 1e-5);
-  });
+  }));
 }
 
 TEST(PoseDistance, FindsTheMoveThatTwoCopiesAreApart) {
   const ShippedClips& shipped = shipped_clips();
   const PoseCloud walk =
       make_pose_cloud(shipped.skeleton, make_track(shipped.skeleton, shipped.named("walk")));
-  rc::check([&] {
+  EXPECT_TRUE(rc::check([&] {
     const double turn = *rc::gen::inRange(-300, 300) / 100.0;
     const Vec2 by{*rc::gen::inRange(-9, 9) * 1.0, *rc::gen::inRange(-9, 9) * 1.0};
     const auto frame = *rc::gen::inRange<std::size_t>(0, walk.frames);
@@ -125,11 +125,11 @@ TEST(PoseDistance, FindsTheMoveThatTwoCopiesAreApart) {
     RC_ASSERT(std::abs(std::remainder(match.alignment.heading - turn, 2 * std::numbers::pi)) <
               1e-4);
     RC_ASSERT(glm::distance(match.alignment.position, by) < 1e-3);
-  });
+  }));
 }
 
 TEST(PoseDistance, IsTheSameBothWaysRound) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const auto fa = *rc::gen::inRange<std::size_t>(0, frames);
     const auto fb = *rc::gen::inRange<std::size_t>(0, frames);
@@ -137,11 +137,11 @@ TEST(PoseDistance, IsTheSameBothWaysRound) {
     const double there = compare_poses(a, fa, b, fb, 3).distance;
 
     RC_ASSERT(std::abs(compare_poses(b, fb, a, fa, 3).distance - there) < 1e-9);
-  });
+  }));
 }
 
 TEST(PoseDistance, OfAllPairsAtOnceIsThatOfEachPair) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 30);
     const auto columns = *rc::gen::inRange<std::size_t>(1, 30);
     const auto half = *rc::gen::inRange<std::size_t>(1, 6);
@@ -153,7 +153,7 @@ TEST(PoseDistance, OfAllPairsAtOnceIsThatOfEachPair) {
       for (std::size_t j = 0; j < columns; ++j)
         RC_ASSERT(std::abs(static_cast<double>(matrix.at(i, j)) -
                            compare_poses(a, i, b, j, half).distance) < 2e-3);
-  });
+  }));
 }
 
 TEST(PoseDistance, SeesTheNextStrideAsTheSamePose) {

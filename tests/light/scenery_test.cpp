@@ -93,7 +93,7 @@ TEST(Scenery, LaysStoneWhereAnAreaAsksForIt) {
 }
 
 TEST(Scenery, PutsWallsOutsideOfTheWalkableFloorOnly) {
-  rc::check("no wall stands where one can walk", [] {
+  EXPECT_TRUE(rc::check("no wall stands where one can walk", [] {
     const double width = *rc::gen::inRange(2, 30);
     const double depth = *rc::gen::inRange(2, 30);
     const double notch = *rc::gen::inRange(1, static_cast<int>(width));
@@ -112,7 +112,7 @@ TEST(Scenery, PutsWallsOutsideOfTheWalkableFloorOnly) {
         const Vec2 outward = 1e-4 * to_floor(t.normal);  // a face of the wall lies on its edge
         RC_ASSERT(!contains(room, middle - outward));
       }
-  });
+  }));
 }
 
 TEST(Scenery, HasEveryFaceCounterClockwiseSeenFromItsNormal) {

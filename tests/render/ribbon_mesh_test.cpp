@@ -82,7 +82,7 @@ TEST(Ribbon, RoundsACornerWithinTheCornersOwnTriangle) {
 }
 
 TEST(Ribbon, CountsMetresAlongFromZeroToTheWaysLength) {
-  rc::check("along grows from the start to the length that was given", [] {
+  EXPECT_TRUE(rc::check("along grows from the start to the length that was given", [] {
     const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
         rc::gen::pair(rc::gen::inRange(-20, 20), rc::gen::inRange(-20, 20)));
     std::vector<Vec2> way{{0, 0}};
@@ -98,11 +98,11 @@ TEST(Ribbon, CountsMetresAlongFromZeroToTheWaysLength) {
     RC_ASSERT(std::abs(strip.vertices.back().ribbon[0] - length - cap) < 1e-3 + 1e-4 * length);
     for (std::size_t i = 2; i < strip.vertices.size(); i += 2)
       RC_ASSERT(strip.vertices[i].ribbon[0] >= strip.vertices[i - 2].ribbon[0] - 1e-4F);
-  });
+  }));
 }
 
 TEST(Ribbon, NeverReachesFurtherFromTheWayThanItsMitreAllows) {
-  rc::check("every vertex lies near the rounded way", [] {
+  EXPECT_TRUE(rc::check("every vertex lies near the rounded way", [] {
     const auto steps = *rc::gen::container<std::vector<std::pair<int, int>>>(
         rc::gen::pair(rc::gen::inRange(-9, 9), rc::gen::inRange(-9, 9)));
     std::vector<Vec2> way{{0, 0}};
@@ -115,7 +115,7 @@ TEST(Ribbon, NeverReachesFurtherFromTheWayThanItsMitreAllows) {
         nearest = std::min(nearest, std::hypot(place_of(v).x - p.x, place_of(v).y - p.y));
       RC_ASSERT(nearest < half * 1.65);
     }
-  });
+  }));
 }
 
 }  // namespace
