@@ -321,6 +321,7 @@ void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
   // Every row is computed from the field alone, so how rows are shared out does not matter.
   const std::uint32_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
   std::vector<std::jthread> threads;
+  threads.reserve(workers);
   for (std::uint32_t w = 0; w < workers; ++w)
     threads.emplace_back([&, w] {
       for (std::uint32_t y = w; y < field.height(); y += workers)

@@ -64,7 +64,8 @@ void describe_vertices() noexcept {
 Vec4 tile_of(std::size_t avatar) noexcept {
   constexpr float half = 1.0F / tiles_a_row;
   const auto column = static_cast<float>(avatar % tiles_a_row);
-  const auto row = static_cast<float>(avatar / tiles_a_row);
+  const std::size_t whole_rows = avatar / tiles_a_row;
+  const auto row = static_cast<float>(whole_rows);
   return {-1 + half * (2 * column + 1), -1 + half * (2 * row + 1), half, half};
 }
 

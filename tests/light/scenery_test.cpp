@@ -22,9 +22,9 @@ Exhibit exhibit_at(Vec2 position, double heading, ExhibitPlace place) {
 }
 
 Scenery scenery_of(const FloorPlan& plan, std::span<const Exhibit> exhibits = {},
-                   std::span<const PavedArea> paving = {}) {
+                   std::span<const PavedArea> paving = {}, double texel = 0.1) {
   const std::vector<float> aspects(exhibits.size(), 1.0F);
-  return make_scenery(plan, exhibits, aspects, paving, {.texel = 0.1});
+  return make_scenery(plan, exhibits, aspects, paving, {.texel = texel});
 }
 
 struct Triangle {
@@ -106,8 +106,9 @@ TEST(Scenery, PutsWallsOutsideOfTheWalkableFloorOnly) {
     const Outline room(std::begin(points), std::end(points));
     const HallMaker hall = HallMaker().ring(points);
 
+    const Scenery scenery = scenery_of(hall.plan, {}, {}, 0.5);
     for (const Surface surface : {Surface::Plaster, Surface::CutFace})
-      for (const Triangle& t : triangles_of(scenery_of(hall.plan), surface)) {
+      for (const Triangle& t : triangles_of(scenery, surface)) {
         const Vec2 middle = (to_floor(t.a) + to_floor(t.b) + to_floor(t.c)) / 3.0;
         const Vec2 outward = 1e-4 * to_floor(t.normal);  // a face of the wall lies on its edge
         RC_ASSERT(!contains(room, middle - outward));

@@ -58,6 +58,7 @@ TEST(Ribbon, OfLessThanTwoDifferentPointsIsNothing) {
 
 TEST(Ribbon, StopsWhereItsRoomEnds) {
   std::vector<Vec2> way;
+  way.reserve(100);
   for (int i = 0; i < 100; ++i) way.push_back({i * 1.0, i % 2 * 1.0});
   std::vector<Vec2> rounded;
   rounded.reserve(2000);
