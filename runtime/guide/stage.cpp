@@ -151,7 +151,8 @@ void Stage::draw(const InterfaceState& state, const Avatar& leader, bool leads_t
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
     list.goal = exhibit.view.position;
     list.goal_radius = 6;
-    mark(MarkerDraw::Kind::Goal, exhibit.view.position, 0.35F, exhibit.view.heading);
+    if (!state.arrived)
+      mark(MarkerDraw::Kind::Goal, exhibit.view.position, 0.35F, exhibit.view.heading);
   }
   if (way_count_ >= 2)
     list.ribbons.push_back({.kind = way_kind_,

@@ -224,6 +224,16 @@ bool Kiosk::is_seen() const noexcept {
          (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
 }
 
+/// Allocations while drawing, but for a software driver's that compiles a shader: its calls come
+/// from its own libraries, and while those run, inline functions of the standard library that it
+/// shares with this program look like ours. So such a frame's drawing is not counted; all others'
+/// is.
+std::uint64_t own_allocations_since(const Allocations& before) noexcept {
+  const Allocations now = allocations_on_this_thread();
+  const bool driver_allocated = now.all - before.all != now.own - before.own;
+  return driver_allocated ? 0 : now.own - before.own;
+}
+
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
 void Kiosk::make_frame(Seconds passed) noexcept {
   const RenderTarget target = target_of(edges_);
@@ -247,12 +257,10 @@ void Kiosk::make_frame(Seconds passed) noexcept {
 
   statistics_.frame_cpu.add(stepped - begun + (listed - applied));
   if (seen) statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
-  // The first frame of a view may take memory. Drivers compile while they draw: there, only our own
-  // calls count.
+  // The first frame of a view may take memory.
   const std::uint64_t views = guide().counters().views;
   if (views == view_)
-    statistics_.allocations_in_frames +=
-        made.all - before.all + (allocations_on_this_thread().own - made.own);
+    statistics_.allocations_in_frames += made.all - before.all + own_allocations_since(made);
   view_ = views;
 }
 

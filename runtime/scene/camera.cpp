@@ -41,10 +41,15 @@ float middle_y(const Rect& r) noexcept {
 
 /// Metres of floor that one screen height shows at the target's distance.
 double metres_per_screen(const CameraRig& rig) noexcept {
-  return 2 * rig.distance * std::tan(vertical_field_of_view / 2);
+  return 2 * rig.distance * std::tan(rig.vertical_fov / 2);
 }
 
 }  // namespace
+
+float field_of_view(const Rect& free) noexcept {
+  constexpr float long_lens = 0.5236F;
+  return 2 * std::atan(std::tan(long_lens / 2) / std::max(free.height, 0.1F));
+}
 
 double wrapped(double angle) noexcept {
   angle = std::fmod(angle, 2 * pi);
@@ -70,7 +75,7 @@ CameraView view_of(const CameraRig& rig, float aspect) noexcept {
   CameraView view;
   view.target = rig.target;
   view.eye = rig.target - ahead * flat + Vec3(0, rise, 0);
-  view.vertical_fov = vertical_field_of_view;
+  view.vertical_fov = rig.vertical_fov;
   view.view = glm::lookAt(view.eye, view.target, Vec3(0, 1, 0));
   const auto distance = static_cast<float>(rig.distance);
   view.projection = glm::perspective(view.vertical_fov, aspect, distance * 0.1F, distance * 3 + 20);
@@ -91,6 +96,7 @@ CameraRig blend(const CameraRig& from, const CameraRig& to, double share) noexce
   rig.distance = std::exp(mix(std::log(from.distance), std::log(to.distance)));
   rig.centre_x = mixf(from.centre_x, to.centre_x);
   rig.centre_y = mixf(from.centre_y, to.centre_y);
+  rig.vertical_fov = mixf(from.vertical_fov, to.vertical_fov);
   return rig;
 }
 
@@ -106,7 +112,8 @@ CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, 
                 .pitch = overview_pitch,
                 .distance = 60,
                 .centre_x = middle_x(free),
-                .centre_y = middle_y(free)};
+                .centre_y = middle_y(free),
+                .vertical_fov = field_of_view(free)};
   if (outline.empty()) return rig;
   constexpr float air = 0.05F;  // of the free part, on every side
   const float room_x = free.width * (1 - 2 * air), room_y = free.height * (1 - 2 * air);
@@ -151,7 +158,8 @@ CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspec
                 .pitch = walking_pitch,
                 .distance = nearest_distance,
                 .centre_x = middle_x(free),
-                .centre_y = free.y + free.height * 0.68F};
+                .centre_y = free.y + free.height * 0.7F,
+                .vertical_fov = field_of_view(free)};
   // Back off until the way ahead is in the free part of the picture.
   const float edge_x = free.width * 0.06F, edge_y = free.height * 0.06F;
   for (; rig.distance < farthest_distance; rig.distance += 0.25) {
@@ -175,7 +183,8 @@ CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect
                 .pitch = arrival_pitch,
                 .distance = arrival_distance,
                 .centre_x = middle_x(free),
-                .centre_y = free.y + free.height * 0.5F};
+                .centre_y = free.y + free.height * 0.5F,
+                .vertical_fov = field_of_view(free)};
   // Raise or lower the picture until the exhibit is in the upper third.
   const float wanted = free.y + free.height * 0.3F;
   const Vec3 object = to_world(exhibit, height) + Vec3(0, 1.2F, 0);

@@ -16,9 +16,13 @@ struct CameraRig {
   double pitch = 0.87;   ///< Radians below the horizon.
   double distance = 10;  ///< Metres from the target.
   float centre_x = 0.5F, centre_y = 0.5F;  ///< Screen frame: where the target appears.
+  float vertical_fov = 0.5236F;            ///< Radians, of the whole screen's height.
 };
 
-inline constexpr float vertical_field_of_view = 0.5236F;  ///< 30 degrees: a long lens.
+/// The long lens: the part of the screen that is left to the model sees 30 degrees of height, and
+/// the whole screen accordingly more.
+float field_of_view(const Rect& free) noexcept;
+
 /// Nothing that the camera looks over is higher than this, metres: walls are cut at shoulder
 /// height, and an eye above it can be in no wall.
 inline constexpr double tallest_thing = 2.4;

@@ -56,6 +56,50 @@ void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along)
               control);
 }
 
+/// A language's own name, in its own letters.
+TextPiece language_name(Sheet& sheet, const Control& control, float width) {
+  const Language& language = sheet.museum().languages[control.action.argument];
+  TextStyle style = sheet.style(Letters::Label);
+  style.weight = control.selected ? 600 : 400;
+  style.language = language.tag;
+  style.right_to_left = language.right_to_left;
+  style.line_height = 1.5F;
+  return sheet.fitted(style, sheet.local(control.label), width);
+}
+
+/// Languages side by side, each as wide as its name; in equal shares where that is too much.
+void draw_languages(Sheet& sheet, const Box& box) {
+  const Measures& m = sheet.measures();
+  std::vector<std::int32_t> controls;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].action.kind == Action::Kind::Speak)
+      controls.push_back(static_cast<std::int32_t>(i));
+  if (controls.empty()) return;
+
+  const auto of = [&](std::int32_t i) -> const Control& {
+    return sheet.view().controls[static_cast<std::size_t>(i)];
+  };
+  const float pad = m.unit;
+  std::vector<float> widths;
+  float whole = 0;
+  for (const std::int32_t i : controls) {
+    widths.push_back(std::max(m.touch, language_name(sheet, of(i), box.width).width + 2 * pad));
+    whole += widths.back() + m.unit;
+  }
+  const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
+  float x = box.x;
+  for (std::size_t n = 0; n < controls.size(); ++n) {
+    const Control& it = of(controls[n]);
+    const Box cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
+    x = cell.right() + m.unit;
+    sheet.place(controls[n], cell);
+    if (it.selected) sheet.fill(cell, sheet.theme().plaster, m.corner, controls[n]);
+    const TextPiece name = language_name(sheet, it, cell.width - pad);
+    sheet.piece(name, cell.x, cell.y + (cell.height - name.height) / 2, cell.width, Align::Centre,
+                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, controls[n]);
+  }
+}
+
 }  // namespace
 
 void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
@@ -115,33 +159,8 @@ float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name) 
     sheet.button(end_button, {content.right() - button_width, top, button_width, m.touch},
                  Sheet::Emphasis::Soft);
 
-  std::vector<std::int32_t> languages;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
-    if (sheet.view().controls[i].action.kind == Action::Kind::Speak)
-      languages.push_back(static_cast<std::int32_t>(i));
-  if (languages.empty()) return top;
-
-  const float room = content.width - button_width - (end_button < 0 ? 0 : m.gap);
-  const auto count = static_cast<float>(languages.size());
-  const float cell = std::floor(std::min(room / count, 18 * m.unit));
-  for (std::size_t i = 0; i < languages.size(); ++i) {
-    const Control& it = sheet.view().controls[static_cast<std::size_t>(languages[i])];
-    const Box box{content.x + cell * static_cast<float>(i), top, cell, m.touch};
-    sheet.place(languages[i], box);
-    TextStyle style = sheet.style(Letters::Label);
-    style.weight = it.selected ? 600 : 400;
-    style.language = sheet.museum().languages[it.action.argument].tag;
-    style.right_to_left = sheet.museum().languages[it.action.argument].right_to_left;
-    style.line_height = 1.5F;
-    const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell - m.unit);
-    const float y = top + (m.touch - name.height) / 2;
-    sheet.piece(name, box.x, y, cell - m.unit, Align::Start,
-                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, languages[i]);
-    if (it.selected)
-      sheet.fill({box.x, top + m.touch - std::round(0.9F * m.unit), name.width,
-                  std::max(2.0F, std::round(0.35F * m.unit))},
-                 sheet.theme().ink, 0, languages[i]);
-  }
+  draw_languages(sheet, {content.x, top,
+                         content.width - button_width - (end_button < 0 ? 0 : m.gap), m.touch});
   return top;
 }
 

@@ -198,6 +198,7 @@ void lay_out_arrived(Sheet& sheet, const Box& content) {
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
     if (sheet.view().controls[i].role == Role::ListItem)
       cards.push_back(static_cast<std::int32_t>(i));
+  if (!cards.empty()) bottom -= m.unit;
   for (std::size_t i = cards.size(); i-- > 0;) {
     bottom -= row + std::round(m.unit);
     draw_card(sheet, cards[i], {second.x, bottom, second.width, row});

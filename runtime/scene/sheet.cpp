@@ -29,13 +29,11 @@ float capitals_mm(Letters letters) noexcept {
   return 5;
 }
 
-/// Arabic letters are small in their em square and Han characters fill it: this makes them look as
-/// large as Latin ones of the same size.
+/// Arabic letters are small in their em square: this makes them look as large as others of the same
+/// size.
 float optical_scale(std::string_view language) noexcept {
   if (language.starts_with("ar") || language.starts_with("fa") || language.starts_with("ur"))
     return 1.12F;
-  if (language.starts_with("zh") || language.starts_with("ja") || language.starts_with("ko"))
-    return 0.95F;
   return 1;
 }
 
@@ -193,10 +191,15 @@ void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
     fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
   Colour colour = strong ? theme_.paper : theme_.ink;
   if (!it.enabled) colour = with_opacity(theme_.quiet_ink, 0.35F);
-  TextStyle look = style(Letters::Label, 2);
-  look.line_height = right_to_left_ ? 1.3F : 1.15F;
+  TextStyle look = style(Letters::Label);
   const float pad = measures_.unit * 1.5F;
-  const TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
+  TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
+  if (label.cut) {
+    look.max_lines = 2;
+    look.size = std::round(look.size * 0.8F);
+    look.line_height = 1.1F;
+    label = fitted(look, local(it.label), box.width - 2 * pad);
+  }
   piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
         Align::Centre, colour, control);
 }

@@ -1,0 +1,186 @@
+#include "runtime/scene/layout.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "tests/support/sample_museum.h"
+
+namespace docent {
+namespace {
+
+/// Letters as boxes of six tenths of their size: layout without fonts, quick enough for properties.
+TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  std::size_t letters = 0;
+  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  const float line = std::round(style.size * style.line_height);
+  const float whole = static_cast<float>(letters) * style.size * 0.6F;
+  const float wide = width == 0 ? whole : static_cast<float>(width);
+  const auto lines = static_cast<std::uint32_t>(std::max(1.0F, std::ceil(whole / wide)));
+  TextBitmap bitmap;
+  bitmap.cut = lines > style.max_lines;
+  bitmap.lines = std::min<std::uint32_t>(lines, style.max_lines);
+  bitmap.width = static_cast<std::uint32_t>(std::max(1.0F, std::min(whole, wide)));
+  bitmap.height = bitmap.lines * static_cast<std::uint32_t>(line);
+  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
+  return bitmap;
+}
+
+const Museum& museum() {
+  static const Museum it = test::sample_museum_without_walls();
+  return it;
+}
+
+std::unique_ptr<View> laid_out(const ViewRequest& request) {
+  TextCache cache(boxes, first_text_texture, 1 << 20);
+  return make_view(museum(), request, cache);
+}
+
+/// Any state on any screen a museum might hang up: 4:3 to 21:9, either way up, 720 lines and more,
+/// 19 inches and more.
+ViewRequest any_request() {
+  ViewRequest request;
+  const auto shorter = *rc::gen::inRange(720U, 2161U);
+  const double ratio = *rc::gen::element(4.0 / 3, 1.6, 16.0 / 9, 21.0 / 9);
+  const auto longer = static_cast<std::uint32_t>(std::lround(shorter * ratio));
+  const bool landscape = *rc::gen::arbitrary<bool>();
+  request.shape.width = landscape ? longer : shorter;
+  request.shape.height = landscape ? shorter : longer;
+  request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(24, 66));
+  request.state.screen =
+      *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
+  request.state.language = *rc::gen::inRange(0U, 3U);
+  request.state.exhibit = *rc::gen::inRange(0, static_cast<int>(museum().exhibits.size()));
+  request.state.page = *rc::gen::inRange(0U, 2U);
+  request.state.kind =
+      *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
+  if (*rc::gen::arbitrary<bool>()) request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+  return request;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  constexpr float slack = 1e-5F;
+  return a.x + slack < b.x + b.width && b.x + slack < a.x + a.width &&
+         a.y + slack < b.y + b.height && b.y + slack < a.y + a.height;
+}
+
+TEST(Layout, PutsEveryControlOnTheScreenAndApartFromAllOthers) {
+  EXPECT_TRUE(rc::check("inside and apart", [] {
+    const auto view = laid_out(any_request());
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      const Control& control = view->controls[i];
+      if (control.role == Role::Spot) continue;
+      const Rect& r = control.rect;
+      RC_ASSERT(r.width > 0 && r.height > 0);
+      RC_ASSERT(r.x >= 0 && r.y >= 0 && r.x + r.width <= 1.00001F && r.y + r.height <= 1.00001F);
+      for (std::size_t j = 0; j < i; ++j)
+        if (view->controls[j].role != Role::Spot) RC_ASSERT(!overlap(r, view->controls[j].rect));
+    }
+  }));
+}
+
+TEST(Layout, MakesEveryTargetAtLeastFifteenMillimetres) {
+  EXPECT_TRUE(rc::check("a fingertip fits", [] {
+    const ViewRequest request = any_request();
+    const auto view = laid_out(request);
+    const float pixels = std::hypot(view->pixel_width, view->pixel_height);
+    const float mm = pixels / (request.shape.diagonal_inches * 25.4F);
+    for (const Control& control : view->controls) {
+      if (control.role == Role::Spot) continue;
+      RC_ASSERT(control.rect.height * view->pixel_height >= 15 * mm - 1);
+      RC_ASSERT(control.rect.width * view->pixel_width >= 15 * mm - 1);
+    }
+    RC_ASSERT(view->spot_px >= 15 * mm - 1);
+  }));
+}
+
+TEST(Layout, LeavesTheModelMostOfTheScreen) {
+  EXPECT_TRUE(rc::check("at least 55 %", [] {
+    const auto view = laid_out(any_request());
+    RC_ASSERT(view->free.width * view->free.height >= 0.55F);
+    RC_ASSERT(!overlap(view->free, view->panel));
+  }));
+}
+
+TEST(Layout, IsMirroredInArabic) {
+  EXPECT_TRUE(rc::check("the panel changes sides, and nothing is lost", [] {
+    ViewRequest request = any_request();
+    request.state.language = 0;
+    const auto english = laid_out(request);
+    request.state.language = 2;
+    const auto arabic = laid_out(request);
+    RC_ASSERT(english->controls.size() == arabic->controls.size());
+    RC_ASSERT(std::abs(arabic->panel.x - (1 - english->panel.x - english->panel.width)) < 1e-5F);
+    for (std::size_t i = 0; i < english->controls.size(); ++i) {
+      const Control &e = english->controls[i], &a = arabic->controls[i];
+      RC_ASSERT(e.name == a.name);
+      if (e.role == Role::Spot || e.action.kind == Action::Kind::Speak) continue;
+      RC_ASSERT(std::abs(a.rect.x - (1 - e.rect.x - e.rect.width)) < 1e-5F);
+      RC_ASSERT(std::abs(a.rect.y - e.rect.y) < 1e-5F);
+    }
+  }));
+}
+
+TEST(Layout, SetsTextOnWholePixels) {
+  EXPECT_TRUE(rc::check("texel for pixel", [] {
+    const auto view = laid_out(any_request());
+    for (const Element& element : view->elements) {
+      if (element.quad.fill != QuadFill::Text) continue;
+      const float x = element.quad.rect.x * view->pixel_width;
+      const float y = element.quad.rect.y * view->pixel_height;
+      RC_ASSERT(std::abs(x - std::round(x)) < 0.02F);
+      RC_ASSERT(std::abs(y - std::round(y)) < 0.02F);
+    }
+  }));
+}
+
+TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
+  ViewRequest request;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 2;
+  request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+
+  const auto view = laid_out(request);
+
+  ASSERT_GT(view->remaining.size(), 10U);
+  EXPECT_TRUE(std::ranges::is_sorted(view->remaining, {}, &CountedText::metres));
+  EXPECT_GT(view->remaining.back().metres, 1e6F);
+}
+
+TEST(TextCache, SetsATextOnce) {
+  int set = 0;
+  TextCache cache(
+      [&](const TextStyle& style, std::string_view text, std::uint32_t width) {
+        ++set;
+        return boxes(style, text, width);
+      },
+      100, 1 << 20);
+
+  const TextPiece first = cache.piece({}, "bronze", 300);
+  const TextPiece again = cache.piece({}, "bronze", 300);
+  cache.piece({}, "jade", 300);
+
+  EXPECT_EQ(first.texture, again.texture);
+  EXPECT_EQ(set, 2);
+  EXPECT_EQ(cache.end_view()->uploads.size(), 2U);
+  EXPECT_EQ(cache.end_view(), nullptr);
+}
+
+TEST(TextCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
+  TextCache cache(boxes, 100, 1000);  // room for next to nothing
+  cache.piece({}, "once", 300);
+  const TextureId kept = cache.piece({}, "always", 300).texture;
+  std::vector<TextureId> retired;
+  for (int view = 0; view < 8; ++view) {
+    cache.piece({}, "always", 300);
+    if (const auto changes = cache.end_view())
+      retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
+  }
+
+  EXPECT_EQ(retired.size(), 1U);
+  EXPECT_NE(retired.front(), kept);
+}
+
+}  // namespace
+}  // namespace docent

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "config/museum_config.h"
+#include "runtime/model/museum.h"
+#include "tests/support/reference_data.h"
+
+namespace docent::test {
+
+/// The sample museum's texts, words, rooms and exhibits as staff wrote them, round a plain floor of
+/// the same size: enough for views, without compiling anything. Viewing points are a metre in front
+/// of the exhibits.
+inline Museum sample_museum_without_walls() {
+  const Loaded<MuseumConfig> loaded = load_museum_config(source_dir() / "config/museum");
+  const MuseumConfig& config = loaded.value.value();
+  const auto texts = [](const Located<LocatedTexts>& located) {
+    LocalText text;
+    for (const auto& [tag, value] : located.value) text[tag] = value.value;
+    return text;
+  };
+
+  Museum museum;
+  museum.title = texts(config.museum.title);
+  museum.welcome = texts(config.museum.welcome);
+  for (const WordsFile& file : config.words) {
+    Language language;
+    language.tag = file.tag;
+    language.name = file.name.value;
+    language.right_to_left = file.direction.value == "right-to-left";
+    for (const auto& [key, value] : file.words.value) language.words[key] = value.value;
+    museum.languages.push_back(std::move(language));
+  }
+  Floor floor;
+  floor.plan.name = "ground";
+  floor.plan.vertex = {{-0.8, 0}, {40, 0}, {40, 32}, {-0.8, 32}};
+  floor.plan.ring = {{0, 4}};
+  floor.plan.next = {1, 2, 3, 0};
+  museum.floors.push_back(std::move(floor));
+  for (const RoomSection& section : config.rooms)
+    museum.rooms.push_back({.id = section.id.value,
+                            .title = texts(section.title),
+                            .label = section.label.value,
+                            .outline = {}});
+  for (const ExhibitSection& section : config.exhibits) {
+    Exhibit exhibit;
+    exhibit.id = section.id.value;
+    exhibit.placement = {section.position.value, glm::radians(section.facing.value)};
+    const double facing = exhibit.placement.heading;
+    exhibit.view = {exhibit.placement.position + Vec2{std::cos(facing), std::sin(facing)},
+                    facing + glm::pi<double>()};
+    exhibit.title = texts(section.title);
+    exhibit.text = texts(section.text);
+    exhibit.image = static_cast<std::uint32_t>(museum.images.size());
+    museum.exhibits.push_back(std::move(exhibit));
+    museum.images.push_back(
+        {.name = section.image.value, .width = 960, .height = 960, .bytes = {}});
+  }
+  museum.kiosk = {{20, 2.6}, glm::radians(90.0)};
+  return museum;
+}
+
+}  // namespace docent::test
