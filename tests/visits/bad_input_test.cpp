@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/kiosk_run.h"
+
+namespace docent::test {
+namespace {
+
+using testing::HasSubstr;
+
+class ADatabase : public testing::Test {
+ protected:
+  /// Runs the kiosk on the sample museum's bytes after a change to them.
+  template <typename Change>
+  ProgramRun run_changed(Change change) {
+    std::string bytes = text_of(sample_database());
+    change(bytes);
+    const std::filesystem::path file = folder_.path() / "changed.db";
+    std::ofstream(file, std::ios::binary) << bytes;
+    return run_program(
+        "docent", "--display headless --size 64x64 --seconds 1 --content '" + file.string() + "'");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ADatabase, WithAFlippedByteIsRefusedWithOneSentence) {
+  const ProgramRun run = run_changed([](std::string& bytes) { bytes[bytes.size() / 3] ^= 0x10; });
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("changed.db"));
+}
+
+TEST_F(ADatabase, OfAnotherVersionAsksForRecompiledContent) {
+  constexpr std::size_t user_version =
+      63;  // SQLite's file format, section 1.3: bytes 60 to 63, big-endian
+  const ProgramRun run = run_changed([](std::string& bytes) { bytes[user_version] = 99; });
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("ompile"));
+}
+
+TEST(ADisplay, ThatCannotBeOpenedIsAnEnvironmentFault) {
+  const std::string content = "--content '" + sample_database().string() + "' --seconds 1 ";
+  const ProgramRun window = run_program("docent", content + "--display window </dev/null");
+  const bool has_desktop = std::getenv("DISPLAY") != nullptr;
+  if (!has_desktop) {
+    EXPECT_EQ(window.exit_code, 3);
+    EXPECT_THAT(window.err, HasSubstr("X server"));
+  }
+  if (!std::filesystem::exists("/dev/dri")) {
+    const ProgramRun kms = run_program("docent", content + "--display kms");
+    EXPECT_EQ(kms.exit_code, 3);
+    EXPECT_THAT(kms.err, HasSubstr("/dev/dri"));
+  }
+  if (has_desktop && std::filesystem::exists("/dev/dri"))
+    GTEST_SKIP() << "this machine can open every display";
+}
+
+TEST(HidCommands, SayWhatIsWrongWithARecording) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "empty.hid") << "nothing\n";
+
+  const ProgramRun decoded =
+      run_program("docent", "hid decode '" + (folder.path() / "empty.hid").string() + "'");
+  EXPECT_EQ(decoded.exit_code, 1);
+  EXPECT_THAT(decoded.err, HasSubstr("empty.hid"));
+  EXPECT_EQ(run_program("docent", "hid decode /nonexistent.hid").exit_code, 3);
+  EXPECT_EQ(run_program("docent", "hid dance").exit_code, 2);
+  EXPECT_EQ(run_program("docent", "hid list").exit_code, 0);
+}
+
+TEST(HidCommands, AgreeWithTheKernelOnRecordedScreens) {
+  NEEDS_REFERENCE_DATA("acceptance/hid_check.py");
+  const std::string check = (reference_data() / "acceptance/hid_check.py").string();
+  const std::string screens = (reference_data() / "hid/mt").string();
+
+  const std::string command =
+      "python3 '" + check + "' '" + program("docent").string() + "' '" + screens + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);  // NOLINT(bugprone-command-processor)
+}
+
+}  // namespace
+}  // namespace docent::test
