@@ -160,6 +160,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
     recorder_ = std::move(*recorder);
   }
   upload(*exhibition_, renderer_);
+  renderer_.warm_up(target_of(edges_));
   return {};
 }
 
