@@ -84,6 +84,10 @@ class TextSetter {
     if (width > 0)
       pango_layout_set_width(layout.get(),
                              std::min(static_cast<int>(width), most_pixels) * PANGO_SCALE);
+    // Lines begin at the side where the language begins; Pango turns this round by itself only for
+    // paragraphs that run against the base direction.
+    pango_layout_set_alignment(layout.get(),
+                               style.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
     pango_layout_set_height(layout.get(), -std::max<int>(style.max_lines, 1));

@@ -75,7 +75,7 @@ TEST(TextSetter, PutsTheShortLineOfAnArabicParagraphAtTheRight) {
   last.height = line;
   last.coverage.assign(bitmap.coverage.end() - static_cast<std::ptrdiff_t>(line) * bitmap.width,
                        bitmap.coverage.end());
-  EXPECT_EQ(ink(last, 0, bitmap.width / 3), 0U);
+  EXPECT_EQ(ink(last, 0, bitmap.width / 8), 0U);
   EXPECT_GT(ink(last, bitmap.width * 4 / 5, bitmap.width), 0U);
 }
 

@@ -1,0 +1,231 @@
+#include "runtime/guide/guide.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "platform/sqlite/content_reader.h"
+#include "tests/support/sample_database.h"
+
+namespace docent {
+namespace {
+
+constexpr Seconds frame{1.0F / 60};
+
+/// Letters as boxes: views without fonts.
+TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  TextBitmap bitmap;
+  bitmap.lines = 1;
+  bitmap.width = std::min<std::uint32_t>(static_cast<std::uint32_t>(8 * text.size() + 1),
+                                         width == 0 ? 4000 : width);
+  bitmap.height = static_cast<std::uint32_t>(style.size);
+  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
+  return bitmap;
+}
+
+const Museum& museum() {
+  static const Museum it = load_museum(test::sample_database()).value();
+  return it;
+}
+
+/// A guide in simulated time: the worker's answers are there in the next step.
+class Session {
+ public:
+  Session() : planner_(museum(), boxes), guide_(museum(), planner_, settings()) { run(0.1); }
+
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 60 + 0.5); ++i) {
+      planner_.wait();
+      guide_.step(frame);
+      while (const auto texts = guide_.take_texts())
+        for (const TextUpload& upload : texts->uploads) guide_.bind(upload.texture, upload.texture);
+      guide_.draw_list();
+    }
+  }
+  void tap(std::string_view name, Role role = Role::ListItem) {
+    const auto& controls = guide_.view()->controls;
+    const auto found = std::ranges::find_if(controls, [&](const Control& c) {
+      return c.name == name && (c.role != Role::Spot) == (role != Role::Spot);
+    });
+    ASSERT_NE(found, controls.end()) << name;
+    const float x = found->rect.x + found->rect.width / 2;
+    const float y = found->rect.y + found->rect.height / 2;
+    touch(InputEvent::Kind::Down, 1, x, y);
+    run(0.05);
+    touch(InputEvent::Kind::Up, 1, x, y);
+    run(0.05);
+  }
+  void touch(InputEvent::Kind kind, std::uint32_t id, float x, float y) {
+    guide_.touch({.kind = kind, .contact = {id, x, y}});
+  }
+  void key(Key key) {
+    guide_.touch({.kind = InputEvent::Kind::KeyDown, .contact = {}, .key = key});
+  }
+  Guide& guide() { return guide_; }
+
+ private:
+  static GuideSettings settings() {
+    return {.shape = {.width = 1920, .height = 1080}, .idle_reset = Seconds{20}};
+  }
+  Planner planner_;
+  Guide guide_;
+};
+
+std::string first_exhibit() {
+  return "exhibit:" + museum().exhibits.front().id;
+}
+
+std::size_t rings(Session& session) {
+  return static_cast<std::size_t>(
+      std::ranges::count(session.guide().draw_list().quads, QuadFill::Ring, &Quad::fill));
+}
+
+TEST(Guide, WelcomesFirst) {
+  Session session;
+
+  EXPECT_EQ(session.guide().state(), InterfaceState{});
+  ASSERT_NE(session.guide().view(), nullptr);
+  EXPECT_FALSE(session.guide().draw_list().quads.empty());
+  EXPECT_EQ(session.guide().draw_list().avatars.size(), 1U);
+}
+
+TEST(Guide, BeginsWhereverTheWelcomeIsTouched) {
+  Session session;
+  session.touch(InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+  session.touch(InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+  session.run(0.1);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+TEST(Guide, AnswersATouchByARingInTheNextFrame) {
+  Session session;
+  EXPECT_EQ(rings(session), 0U);
+
+  session.touch(InputEvent::Kind::Down, 1, 0.5F, 0.5F);
+  session.touch(InputEvent::Kind::Down, 2, 0.7F, 0.5F);
+  session.run(1.0 / 60);
+
+  EXPECT_EQ(rings(session), 2U);
+}
+
+TEST(Guide, SetsOutInTheFrameAfterAnExhibitIsChosen) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+  EXPECT_EQ(session.guide().draw_list().ribbons.size(), 1U);
+  EXPECT_NE(session.guide().state_of(session.guide().avatars()[0]), AvatarState::Idle);
+}
+
+TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  session.tap("exhibit:" + museum().exhibits.back().id, Role::Spot);
+
+  EXPECT_EQ(session.guide().state().exhibit,
+            static_cast<std::int32_t>(museum().exhibits.size()) - 1);
+}
+
+TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(16);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Arrived);
+  EXPECT_TRUE(session.guide().state().arrived);
+  const Vec2 off = session.guide().avatars()[0].body.position - museum().exhibits[0].view.position;
+  EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
+  Session session;
+  session.tap("begin");
+  session.tap("language:ar");
+  session.tap(first_exhibit());
+  session.run(80);
+
+  EXPECT_EQ(session.guide().state(), InterfaceState{});
+  const Vec2 off = session.guide().avatars()[0].body.position - museum().kiosk.position;
+  EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
+  Session session;
+  session.tap("begin");
+  session.tap("page:next");
+  session.tap("page:next");
+  session.tap("exhibit:" + museum().exhibits[18].id);
+  session.run(22);  // longer than the idle time, shorter than the way
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+}
+
+TEST(Guide, StopsWhereItIs) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(2.5);
+  session.tap("stop");
+  session.run(6);
+
+  const Vec2 at = session.guide().avatars()[0].body.position;
+  session.run(2);
+  EXPECT_EQ(session.guide().avatars()[0].body.position, at);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+TEST(Guide, CanBeUsedByKeysAlone) {
+  Session session;
+  session.key(Key::Enter);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+  session.key(Key::Down);
+  session.key(Key::Down);
+  session.key(Key::Enter);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().exhibit, 1);
+
+  session.key(Key::Back);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
+  Session session;
+  session.tap("begin");
+  session.touch(InputEvent::Kind::Down, 1, 0.3F, 0.4F);
+  session.touch(InputEvent::Kind::Move, 1, 0.1F, 0.4F);
+  session.run(0.1);
+  session.touch(InputEvent::Kind::Up, 1, 0.1F, 0.4F);
+  session.run(0.1);
+
+  EXPECT_EQ(session.guide().state().page, 1U);
+}
+
+TEST(Guide, DoesTheSameTwice) {
+  const auto visit = [](Session& session) {
+    session.tap("begin");
+    session.tap(first_exhibit());
+    session.run(3);
+    session.tap("route:skeleton");
+    session.run(4);
+  };
+  Session one, two;
+  visit(one);
+  visit(two);
+
+  const DrawList &a = one.guide().draw_list(), &b = two.guide().draw_list();
+  ASSERT_EQ(a.palette.size(), b.palette.size());
+  EXPECT_EQ(std::memcmp(a.palette.data(), b.palette.data(), a.palette.size() * sizeof(Mat4)), 0);
+  EXPECT_EQ(a.camera.view, b.camera.view);
+  EXPECT_EQ(a.quads.size(), b.quads.size());
+}
+
+}  // namespace
+}  // namespace docent
