@@ -105,14 +105,19 @@ class TextSetter {
   static TextBitmap draw(PangoLayout* layout) {
     PangoRectangle ink, logical;
     pango_layout_get_pixel_extents(layout, &ink, &logical);
-    // Some letters reach out of their advance width; nothing of them is cut off.
+    // Some letters reach out of their advance width or, where lines are close, out of their line;
+    // nothing of them is cut off. Above and below the same room is added, so that a line stays in
+    // the middle of its place.
     const int left = std::min(ink.x, logical.x);
     const int right = std::max(ink.x + ink.width, logical.x + logical.width);
+    const int overhang =
+        std::max({logical.y - ink.y, ink.y + ink.height - (logical.y + logical.height), 0});
     TextBitmap bitmap;
     bitmap.lines = static_cast<std::uint32_t>(pango_layout_get_line_count(layout));
     bitmap.cut = pango_layout_is_ellipsized(layout) != FALSE;
     bitmap.width = static_cast<std::uint32_t>(std::clamp(right - left, 0, most_pixels));
-    bitmap.height = static_cast<std::uint32_t>(std::clamp(logical.height, 0, most_pixels));
+    bitmap.height =
+        static_cast<std::uint32_t>(std::clamp(logical.height + 2 * overhang, 0, most_pixels));
     if (bitmap.width == 0 || bitmap.height == 0) return bitmap;
 
     const int stride =
@@ -122,7 +127,7 @@ class TextSetter {
         rows.data(), CAIRO_FORMAT_A8, static_cast<int>(bitmap.width),
         static_cast<int>(bitmap.height), stride));
     const Cairo cairo(cairo_create(surface.get()));
-    cairo_translate(cairo.get(), -left, -logical.y);
+    cairo_translate(cairo.get(), -left, overhang - logical.y);
     pango_cairo_show_layout(cairo.get(), layout);
     cairo_surface_flush(surface.get());
 
