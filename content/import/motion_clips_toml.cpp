@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <toml++/toml.h>
+#include <array>
 #include <utility>
 
 #include "content/content_error.h"

@@ -132,8 +132,8 @@ bool keeps(const Scenery& scenery, std::size_t exhibits) {
   return std::ranges::all_of(scenery.vertices, sound_vertex) &&
          are_triangles(scenery.indices, scenery.vertices.size()) &&
          std::ranges::all_of(scenery.parts, sound_part) && texels <= scenery.lightmap.size() &&
-         scenery.lightmap.size() == Scenery::lightmap_channels * texels && finite(scenery.lightmap_min) &&
-         finite(scenery.lightmap_max) && finite(scenery.sun);
+         scenery.lightmap.size() == Scenery::lightmap_channels * texels &&
+         finite(scenery.lightmap_min) && finite(scenery.lightmap_max) && finite(scenery.sun);
 }
 
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
