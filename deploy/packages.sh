@@ -13,6 +13,6 @@ packages_kiosk=(
   libegl-mesa0 libegl1 libgl1-mesa-dri libgles2 libhidapi-hidraw0
 )
 packages_test=(
-  libbenchmark-dev libgmock-dev libgtest-dev librapidcheck-dev python3 x11-utils xdotool xvfb
+  libgmock-dev libgtest-dev librapidcheck-dev python3 x11-utils xdotool xvfb
 )
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)
