@@ -34,6 +34,7 @@ void run_offset(const OffsetOptions& options) {
   const OffsetCurve curve = offset_curve(MedialAxisMap(floor), options.distance);
   if (!options.svg.empty()) {
     std::vector<SketchLine> lines;
+    lines.reserve(curve.rings.size());
     for (const OffsetRing& ring : curve.rings) lines.push_back({ring.points, true});
     write_text(options.svg, sketch_plan(floor.plan, lines));
   }
