@@ -14,7 +14,7 @@ namespace {
 struct KioskFile {
   Located<std::string> content, display, size;
   Located<std::int64_t> idle_reset, rotate;
-  Located<double> text_scale;
+  Located<double> text_scale, screen_inches;
 };
 
 constexpr std::array kiosk_file_fields{
@@ -30,6 +30,11 @@ constexpr std::array kiosk_file_fields{
                      Presence::Optional,
                      "How much larger letters are",
                      {1, 2}},
+    Field<KioskFile>{"screen_inches",
+                     &KioskFile::screen_inches,
+                     Presence::Optional,
+                     "The screen's diagonal in inches",
+                     {5, 120}},
     Field<KioskFile>{"rotate",
                      &KioskFile::rotate,
                      Presence::Optional,
@@ -78,6 +83,7 @@ class KioskSettings {
     if (written.idle_reset.given)
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;
+    if (written.screen_inches.given) config.screen_inches = written.screen_inches.value;
     if (written.rotate.value % 90 != 0)
       bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270");
     config.rotate = static_cast<int>(written.rotate.value);

@@ -3,7 +3,8 @@
 #include <cstdlib>
 #include <new>
 
-// Where the linker put the program's code.
+// Where the linker put the program's code: the names are its.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" const char __executable_start, etext;
 
 namespace {

@@ -54,6 +54,7 @@ void upload(Exhibition& exhibition, Renderer& renderer) {
 
   const Museum& museum = exhibition.museum;
   std::vector<TextureId> picture_of;
+  picture_of.reserve(museum.exhibits.size());
   for (const Exhibit& exhibit : museum.exhibits)
     picture_of.push_back(exhibit.image < image_memory.size() ? image_memory[exhibit.image]
                                                              : TextureId::None);

@@ -14,6 +14,7 @@
 #include "config/diagnostic_text.h"
 #include "config/kiosk_config.h"
 #include "platform/clock/monotonic_clock.h"
+#include "platform/gles/gpu_timer.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
@@ -63,12 +64,6 @@ bool has_error(const std::vector<Diagnostic>& mistakes) {
                              [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
-DisplayKind display_named(std::string_view name) noexcept {
-  if (name == "kms") return DisplayKind::Kms;
-  if (name == "window") return DisplayKind::Window;
-  return name == "headless" ? DisplayKind::Headless : DisplayKind::Auto;
-}
-
 /// The command line over kiosk.toml.
 EdgeSettings edge_settings(const Options& options, const KioskConfig& config) {
   EdgeSettings settings;
@@ -84,6 +79,7 @@ ScreenShape shape_of(PixelSize size, const KioskConfig& config) {
   ScreenShape shape;
   shape.width = size.width;
   shape.height = size.height;
+  shape.diagonal_inches = static_cast<float>(config.screen_inches);
   shape.text_scale = static_cast<float>(config.text_scale);
   return shape;
 }
@@ -124,6 +120,7 @@ class Kiosk {
   const KioskConfig& config_;
   Edges edges_;
   Renderer renderer_;
+  GpuTimer gpu_timer_;
   bool simulated_;
   std::chrono::nanoseconds started_;
   std::filesystem::path database_;
@@ -221,7 +218,7 @@ Result<void> Kiosk::frame() {
 /// second for the statistics: a visit of minutes then takes seconds.
 bool Kiosk::is_seen() const noexcept {
   constexpr std::uint64_t sampled_every = 30;
-  return edges_.headless == nullptr || (visit_ && visit_->wants_shot()) ||
+  return edges_.headless == nullptr || touched_ || (visit_ && visit_->wants_shot()) ||
          (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
 }
 
@@ -252,9 +249,12 @@ void Kiosk::make_frame(Seconds passed) noexcept {
   const Allocations made = allocations_on_this_thread();
   const bool seen = is_seen();
   if (seen) {
+    gpu_timer_.begin();
     renderer_.draw(list, target);
+    gpu_timer_.end();
     edges_.display->present();
   }
+  while (const auto gpu = gpu_timer_.take()) statistics_.gpu.add(*gpu);
 
   statistics_.frame_cpu.add(stepped - begun + (listed - applied));
   if (seen) statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
@@ -313,6 +313,8 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
     say(visit->mistakes);
     if (!visit->mistakes.empty()) return 1;
   }
+  if (options.config_given && !std::filesystem::exists(options.config))
+    return say({Errc::NotFound, options.config.string() + ": there is no such settings file"});
   const Loaded<KioskConfig> config = load_kiosk_config(options.config);
   say(config.diagnostics);
   if (has_error(config.diagnostics) || !config.value) return 1;

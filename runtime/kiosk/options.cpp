@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <map>
+#include <string_view>
 
 namespace docent {
 namespace {
@@ -22,12 +22,18 @@ std::optional<PixelSize> parse_size(const std::string& text) {
 
 }  // namespace
 
+DisplayKind display_named(std::string_view name) noexcept {
+  if (name == "kms") return DisplayKind::Kms;
+  if (name == "window") return DisplayKind::Window;
+  return name == "headless" ? DisplayKind::Headless : DisplayKind::Auto;
+}
+
 CommandLine parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
   Options& options = line.options;
   std::filesystem::path content;
   std::string size;
-  DisplayKind display = DisplayKind::Auto;
+  std::string display;
   int rotate = 0;
   double seconds = 0;
 
@@ -37,11 +43,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   auto* content_option = app.add_option("--content", content, "The compiled museum (museum.db)");
   auto* config_option = app.add_option("--config", options.config, "This device's settings");
   auto* display_option = app.add_option("--display", display, "Where to draw")
-                             ->transform(CLI::CheckedTransformer(std::map<std::string, DisplayKind>{
-                                 {"auto", DisplayKind::Auto},
-                                 {"kms", DisplayKind::Kms},
-                                 {"window", DisplayKind::Window},
-                                 {"headless", DisplayKind::Headless}}))
+                             ->check(CLI::IsMember({"auto", "kms", "window", "headless"}))
                              ->option_text("auto|kms|window|headless");
   auto* size_option =
       app.add_option("--size", size, "Pixels, such as 1920x1080")
@@ -74,7 +76,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   options.config_given = config_option->count() > 0;
   if (content_option->count() > 0) options.content = content;
-  if (display_option->count() > 0) options.display = display;
+  if (display_option->count() > 0) options.display = display_named(display);
   if (size_option->count() > 0) options.size = parse_size(size);
   if (rotate_option->count() > 0) options.rotation = static_cast<Rotation>(rotate / 90);
   if (seconds_option->count() > 0) options.seconds = seconds;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "platform/egl/display.h"
@@ -31,6 +32,9 @@ struct CommandLine {
   Options options;
   std::optional<int> exit;
 };
+/// The display of that name; Auto for any other.
+DisplayKind display_named(std::string_view name) noexcept;
+
 CommandLine parse_command_line(int argc, const char* const* argv);
 
 }  // namespace docent

@@ -116,7 +116,8 @@ void lay_out_choosing(Sheet& sheet, const Box& content) {
   std::uint32_t shown = 0;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
     if (sheet.view().controls[i].role != Role::ListItem) continue;
-    const auto column = static_cast<float>(shown / list.rows);
+    const std::uint32_t in_column = shown / list.rows;
+    const auto column = static_cast<float>(in_column);
     const auto row = static_cast<float>(shown % list.rows);
     draw_card(sheet, static_cast<std::int32_t>(i),
               {content.x + column * (width + column_gap),

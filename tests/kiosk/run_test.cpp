@@ -43,6 +43,7 @@ class PlayedVisit {
  public:
   explicit PlayedVisit(const std::string& visit, const std::string& options = {}) {
     std::ofstream(path("v.visit")) << visit;
+    std::ofstream(path("kiosk.toml")) << "# a new device\n";
     ended_ = test::run_program("docent", "--display headless --size 128x72 --config '" +
                                              path("kiosk.toml") + "' --content '" +
                                              test::sample_database().string() + "' --visit '" +
@@ -185,6 +186,13 @@ TEST(Docent, SaysWhichDisplayCannotBeOpened) {
 
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_FALSE(run.err.empty());
+}
+
+TEST(Docent, SaysWhichSettingsFileIsNotThere) {
+  const auto run = test::run_program("docent", "--display headless --config /nowhere/kiosk.toml");
+
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("/nowhere/kiosk.toml"));
 }
 
 TEST(Docent, LeavesWithTwoWhereTheCommandLineIsWrong) {
