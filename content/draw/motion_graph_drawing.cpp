@@ -138,6 +138,7 @@ class GraphDrawing {
   /// The dearest lie below, so that the best passages are seen.
   void draw_transitions() {
     std::vector<const Transition*> dearest_first;
+    dearest_first.reserve(graph_.transitions.size());
     for (const Transition& t : graph_.transitions) dearest_first.push_back(&t);
     std::ranges::sort(dearest_first, [](const Transition* a, const Transition* b) {
       return std::pair(-a->distance, a) < std::pair(-b->distance, b);
