@@ -1,5 +1,7 @@
 #include "runtime/kiosk/exhibition.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -61,6 +63,12 @@ void upload(Exhibition& exhibition, Renderer& renderer) {
   for (std::uint32_t i = 0; i < museum.scenery.size(); ++i)
     renderer.upload_scenery(i, museum.scenery[i], picture_of);
   renderer.upload_avatar(museum.avatar);
+  // The renderer has its own copy of what is only drawn.
+  exhibition.museum.scenery = {};
+  exhibition.museum.avatar.vertices = {};
+  exhibition.museum.avatar.indices = {};
+  malloc_trim(
+      0);  // reading and decoding left their buffers with the allocator, which would keep them
 }
 
 void release(const Exhibition& exhibition, Renderer& renderer) noexcept {
