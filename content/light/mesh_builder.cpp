@@ -49,7 +49,7 @@ void MeshBuilder::quad(const std::array<Vec3, 4>& corners,
   const Vec3 normal = unit(glm::cross(corners[2] - corners[0], corners[3] - corners[1]));
   std::array<std::uint32_t, 4> index{};
   for (std::size_t i = 0; i < 4; ++i) index[i] = vertex(corners[i], normal, uv[i]);
-  for (const std::size_t i : {0, 1, 2, 0, 2, 3}) indices_->push_back(index[i]);
+  for (const std::size_t i : {0UL, 1UL, 2UL, 0UL, 2UL, 3UL}) indices_->push_back(index[i]);
 }
 
 void MeshBuilder::triangle(const std::array<Vec3, 3>& corners, Vec3 normal) {
