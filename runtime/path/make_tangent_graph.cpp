@@ -82,7 +82,7 @@ std::vector<Interval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
 /// Finds the tangents between the arcs of one floor.
 class Builder {
  public:
-  Builder(const FloorPlan& plan, double radius) : plan_(plan), walls_(plan, radius) {
+  Builder(const FloorPlan& plan, double radius) : walls_(plan, radius) {
     graph_.radius = radius;
     std::vector<std::uint32_t> previous(plan.vertex.size());
     for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
@@ -192,7 +192,6 @@ class Builder {
     }
   }
 
-  const FloorPlan& plan_;
   WallGrid walls_;
   TangentGraph graph_;
   std::vector<Corner> corner_;

@@ -11,7 +11,6 @@
 namespace docent {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t none = TangentGraph::no_tangent;
 
 double length_of(Vec2 v) noexcept {
