@@ -35,7 +35,7 @@ class Session {
   Session() : planner_(museum(), boxes), guide_(museum(), planner_, settings()) { run(0.1); }
 
   void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 60 + 0.5); ++i) {
+    for (long i = 0; i < std::lround(seconds * 60); ++i) {
       planner_.wait();
       guide_.step(frame);
       while (const auto texts = guide_.take_texts())

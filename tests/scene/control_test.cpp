@@ -14,6 +14,7 @@ using testing::ElementsAre;
 
 std::vector<std::string> names(const std::vector<Control>& controls) {
   std::vector<std::string> out;
+  out.reserve(controls.size());
   for (const Control& control : controls) out.push_back(control.name);
   return out;
 }
