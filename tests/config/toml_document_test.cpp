@@ -51,6 +51,33 @@ TEST(TomlDocument, SaysWhereAFileCannotBeRead) {
   EXPECT_THAT(file.diagnostics[0].message, HasSubstr("cannot be read as TOML"));
 }
 
+TEST(TomlDocument, SaysWhatIsWrongWhereAKeyShouldBegin) {
+  for (const char* text : {"[#", "[[[a]]]", "[=", "\u01aa'T", "\u00e9t\u00e9 = 1"}) {
+    const TomlFile file = parse_toml(text, "x.toml");
+
+    EXPECT_FALSE(file.root.has_value()) << text;
+    ASSERT_EQ(file.diagnostics.size(), 1U) << text;
+    EXPECT_EQ(file.diagnostics[0].line, 1U) << text;
+  }
+}
+
+TEST(TomlDocument, TakesAccentsInTextsAndComments) {
+  const TomlFile file = parse_toml("a = \"\u00e9t\u00e9\"  # \u00e9t\u00e9\n", "x.toml");
+
+  ASSERT_TRUE(file.root.has_value());
+  EXPECT_EQ(file.root->entries[0].value.text, "\u00e9t\u00e9");
+}
+
+TEST(TomlDocument, RefusesKeysOfMorePartsThanTheStackHolds) {
+  std::string key = "\na";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  const TomlFile file = parse_toml(key + " = 1", "x.toml");
+
+  ASSERT_EQ(file.diagnostics.size(), 1U);
+  EXPECT_EQ(file.diagnostics[0].line, 2U);
+  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("200 full stops"));
+}
+
 TEST(TomlDocument, AnswersAnyBytes) {
   EXPECT_TRUE(rc::check("no bytes crash the reader", [](const std::string& text) {
     const TomlFile file = parse_toml(text, "x.toml");
