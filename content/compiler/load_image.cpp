@@ -41,8 +41,10 @@ std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::vector<std::byte> png_of(const std::filesystem::path& file, const Pixels& pixels) {
-  auto bytes = encode_png(pixels);
+/// A kiosk keeps the bytes of all pictures in memory, so they are few: JPEG, but for what is partly
+/// clear, which only PNG can say.
+std::vector<std::byte> encoded(const std::filesystem::path& file, const Pixels& pixels) {
+  auto bytes = is_opaque(pixels) ? encode_jpeg(pixels) : encode_png(pixels);
   if (!bytes) throw unreadable(file, bytes.error().what);
   return std::move(*bytes);
 }
@@ -140,7 +142,7 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
   }
   image.width = pixels.width;
   image.height = pixels.height;
-  if (!keep) image.bytes = png_of(file, pixels);
+  if (!keep) image.bytes = encoded(file, pixels);
   return image;
 }
 
@@ -151,7 +153,7 @@ EncodedImage blank_image() {
   Pixels pixels{.width = side, .height = side, .rgba = {}};
   for (std::uint32_t i = 0; i < side * side; ++i)
     pixels.rgba.insert(pixels.rgba.end(), std::begin(paper), std::end(paper));
-  return {.name = "", .width = side, .height = side, .bytes = png_of("", pixels)};
+  return {.name = "", .width = side, .height = side, .bytes = encoded("", pixels)};
 }
 
 }  // namespace docent

@@ -59,6 +59,9 @@ Result<Program> link_program(std::string_view name, std::initializer_list<std::s
         Error{Errc::Environment,
               fmt::format("the graphics driver cannot link '{}': {}", name, log.data())});
   }
+  // Attached, a deleted shader would keep its source and its compiled form for the program's life.
+  glDetachShader(raw, vertex_shader->get());
+  glDetachShader(raw, fragment_shader->get());
   bind_block(raw, "Frame", Block::Frame);
   bind_block(raw, "Palette", Block::Palette);
   Program program(std::move(linked));

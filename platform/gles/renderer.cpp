@@ -99,6 +99,7 @@ Result<void> Renderer::Parts::compile() {
   if (!copier) return std::unexpected(copier.error());
   copy = std::move(*copier);
   quarter_turns = copy["quarter_turns"];
+  glReleaseShaderCompiler();  // nothing is compiled from source any more
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
   return {};
@@ -185,7 +186,11 @@ TextureId Renderer::upload_text(std::uint32_t width, std::uint32_t height,
 }
 
 TextureId Renderer::upload_image(const Pixels& picture) noexcept {
-  return parts_->textures.add_image(picture);
+  return parts_->textures.add_image(picture, Levels::One);
+}
+
+TextureId Renderer::upload_scenery_image(const Pixels& picture) noexcept {
+  return parts_->textures.add_image(picture, Levels::All);
 }
 
 void Renderer::release(TextureId texture) noexcept {

@@ -18,7 +18,7 @@ struct RendererOptions {
   std::uint32_t samples = 4;  ///< A pixel of the model; 0 or 1: jagged edges, half the time.
   /// The model is drawn in horizontal strips so that its multisampled buffers take no more than
   /// this. A GPU is quicker with all of the screen in one strip.
-  std::size_t buffer_bytes = std::size_t{18} << 20;
+  std::size_t buffer_bytes = std::size_t{5} << 20;
 };
 
 /// Draws draw lists with OpenGL ES 3. Made, used and destroyed on the thread on which a context is
@@ -36,8 +36,10 @@ class Renderer {
   /// top. None where there is no more room (4096 textures) or no pixel.
   TextureId upload_text(std::uint32_t width, std::uint32_t height,
                         std::span<const std::uint8_t> coverage) noexcept;
-  /// Keeps a picture, with smaller versions of itself for the distance.
+  /// Keeps a picture that is drawn texel for pixel.
   TextureId upload_image(const Pixels& picture) noexcept;
+  /// Keeps a picture of the building, with smaller versions of itself for the distance.
+  TextureId upload_scenery_image(const Pixels& picture) noexcept;
   /// Gives a texture's memory back; its id may be handed out again.
   void release(TextureId texture) noexcept;
 

@@ -48,20 +48,21 @@ TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
   return keep(std::move(texture), width, height);
 }
 
-TextureId Textures::add_image(const Pixels& picture) noexcept {
+TextureId Textures::add_image(const Pixels& picture, Levels levels) noexcept {
   if (picture.rgba.empty()) return TextureId::None;
-  GLsizei levels = 1;
-  for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++levels;
+  GLsizei count = 1;
+  if (levels == Levels::All)
+    for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++count;
   GlTexture texture = make_texture();
   bind_texture(0, texture.get());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexStorage2D(GL_TEXTURE_2D, levels, GL_SRGB8_ALPHA8, static_cast<GLsizei>(picture.width),
+  glTexStorage2D(GL_TEXTURE_2D, count, GL_SRGB8_ALPHA8, static_cast<GLsizei>(picture.width),
                  static_cast<GLsizei>(picture.height));
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(picture.width),
                   static_cast<GLsizei>(picture.height), GL_RGBA, GL_UNSIGNED_BYTE,
                   picture.rgba.data());
-  glGenerateMipmap(GL_TEXTURE_2D);
-  sample_with(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  if (levels == Levels::All) glGenerateMipmap(GL_TEXTURE_2D);
+  sample_with(levels == Levels::All ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
   return keep(std::move(texture), picture.width, picture.height);
 }
 

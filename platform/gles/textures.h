@@ -10,6 +10,10 @@
 
 namespace docent {
 
+/// Which sizes of a picture are kept: its own alone, drawn texel for pixel, or also all smaller
+/// ones for the distance, which take a third more.
+enum class Levels : std::uint8_t { One, All };
+
 /// The textures that draw lists name by TextureId: texts and pictures. Its room is fixed, so that
 /// an upload between frames does not allocate.
 class Textures {
@@ -18,7 +22,7 @@ class Textures {
 
   TextureId add_text(std::uint32_t width, std::uint32_t height,
                      std::span<const std::uint8_t> coverage) noexcept;
-  TextureId add_image(const Pixels& picture) noexcept;
+  TextureId add_image(const Pixels& picture, Levels levels) noexcept;
   void release(TextureId id) noexcept;
 
   struct Entry {

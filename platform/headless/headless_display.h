@@ -13,7 +13,7 @@ namespace docent {
 /// A display in memory: nothing is shown, frames can be read back. It never waits.
 class HeadlessDisplay : public Display {
  public:
-  /// The last frame drawn, rows from the top. `picture` keeps its memory between calls.
+  /// The last frame drawn, rows from the top.
   virtual void read_back(Pixels& picture) const = 0;
 };
 

@@ -24,12 +24,6 @@ struct FreeMemory {
   void operator()(void* memory) const noexcept { std::free(memory); }
 };
 
-bool is_opaque(const Pixels& picture) {
-  for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
-    if (picture.rgba[i] != std::byte{255}) return false;
-  return true;
-}
-
 std::vector<std::byte> without_alpha(const Pixels& picture) {
   std::vector<std::byte> rgb;
   rgb.reserve(picture.rgba.size() / 4 * 3);
@@ -44,6 +38,12 @@ Error write_failed(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool is_opaque(const Pixels& picture) {
+  for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+    if (picture.rgba[i] != std::byte{255}) return false;
+  return true;
+}
 
 Result<std::vector<std::byte>> encode_png(const Pixels& picture) {
   const std::unique_ptr<spng_ctx, FreeContext> writer(spng_ctx_new(SPNG_CTX_ENCODER));

@@ -4,6 +4,7 @@
 
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 
 #include <jpeglib.h>
 
@@ -65,7 +66,59 @@ bool scan_lines(Decoder& decoder, std::byte* rgba) {
   return true;
 }
 
+struct Encoder {
+  jpeg_compress_struct info{};
+  ErrorExit error;
+  unsigned char* bytes = nullptr;  ///< libjpeg's, from malloc.
+  unsigned long size = 0;
+
+  explicit Encoder() {
+    info.err = jpeg_std_error(&error.manager);
+    error.manager.error_exit = leave;
+  }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+  ~Encoder() {
+    jpeg_destroy_compress(&info);
+    std::free(bytes);
+  }
+};
+
+bool compress(Encoder& encoder, const Pixels& picture) {
+  if (setjmp(encoder.error.jump) != 0) return false;  // NOLINT(cert-err52-cpp)
+  jpeg_create_compress(&encoder.info);
+  jpeg_mem_dest(&encoder.info, &encoder.bytes, &encoder.size);
+  encoder.info.image_width = picture.width;
+  encoder.info.image_height = picture.height;
+  encoder.info.input_components = 4;
+  encoder.info.in_color_space = JCS_EXT_RGBX;
+  jpeg_set_defaults(&encoder.info);
+  constexpr int quality = 92;
+  jpeg_set_quality(&encoder.info, quality, TRUE);
+  encoder.info.comp_info[0].h_samp_factor = encoder.info.comp_info[0].v_samp_factor = 1;
+  encoder.info.optimize_coding = TRUE;
+  jpeg_start_compress(&encoder.info, TRUE);
+  const std::size_t stride = std::size_t{4} * picture.width;
+  while (encoder.info.next_scanline < picture.height) {
+    const std::byte* row = picture.rgba.data() + stride * encoder.info.next_scanline;
+    // libjpeg's rows are not const by heritage; it only reads them.
+    auto* samples = const_cast<unsigned char*>(reinterpret_cast<const unsigned char*>(row));
+    jpeg_write_scanlines(&encoder.info, &samples, 1);
+  }
+  jpeg_finish_compress(&encoder.info);
+  return true;
+}
+
 }  // namespace
+
+Result<std::vector<std::byte>> encode_jpeg(const Pixels& picture) {
+  Encoder encoder;
+  if (!compress(encoder, picture))
+    return std::unexpected(
+        Error{Errc::Environment, fmt::format("a JPEG cannot be made: {}", encoder.error.message)});
+  const auto* first = reinterpret_cast<const std::byte*>(encoder.bytes);
+  return std::vector<std::byte>(first, first + encoder.size);
+}
 
 Result<Pixels> decode_jpeg(std::span<const std::byte> file, const ImageLimits& limits,
                            JpegPart part) {

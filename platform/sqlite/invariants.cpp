@@ -118,6 +118,71 @@ bool keeps(const std::vector<TangentGraph>& graphs, std::size_t vertices) {
          std::ranges::all_of(graphs, [=](const TangentGraph& g) { return keeps(g, vertices); });
 }
 
+/// Is `first` where each of `lists` lists begins among `values`, and one more?
+bool are_lists(const std::vector<std::uint32_t>& first, std::size_t lists, std::size_t values) {
+  return first.size() == lists + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
+         first.back() == values;
+}
+
+bool keeps(const SightMap& sight, std::size_t vertices) {
+  const std::size_t corners = sight.corner.size();
+  return all_below(sight.corner, vertices) && std::ranges::is_sorted(sight.corner) &&
+         are_lists(sight.pair_first, corners, sight.pair_other.size()) &&
+         all_below(sight.pair_other, corners) && finite(sight.origin) && finite(sight.cell_size) &&
+         sight.cell_size > 0 &&
+         are_lists(sight.cell_first, std::size_t{sight.columns} * sight.rows,
+                   sight.cell_corner.size()) &&
+         all_below(sight.cell_corner, corners);
+}
+
+/// Every entry leads to its station in as many steps as the station has entries.
+bool lead_home(const LabelTable& table) {
+  for (std::size_t s = 0; s + 1 < table.first.size(); ++s) {
+    const std::uint32_t begin = table.first[s], end = table.first[s + 1];
+    for (std::uint32_t e = begin; e < end; ++e) {
+      std::uint32_t at = e, steps = begin;
+      for (; at != LabelTable::no_parent && steps <= end; ++steps) {
+        if (at < begin || at >= end) return false;
+        at = table.parent[at];
+      }
+      if (at != LabelTable::no_parent) return false;
+    }
+  }
+  return true;
+}
+
+bool keeps(const HubLabels& labels, const TangentGraph& graph) {
+  const std::size_t tangents = graph.tangent.size();
+  const auto& parts = labels.link_part;
+  const auto is_link = [&](std::uint32_t link, std::size_t shortcuts) {
+    return link == HubLabels::roll || link < tangents + shortcuts;
+  };
+  const auto sound_table = [&](const LabelTable& table) {
+    constexpr std::uint32_t most_cost = 1U << 30U;
+    const std::size_t entries = table.hub.size();
+    const auto sound_hub = [=](const HubCost& h) { return h.hub < tangents && h.cost < most_cost; };
+    return are_lists(table.first, 2 * graph.arc.size(), entries) &&
+           std::ranges::all_of(table.hub, sound_hub) && table.link.size() == entries &&
+           table.parent.size() == entries &&
+           std::ranges::all_of(table.link,
+                               [&](std::uint32_t l) { return is_link(l, parts.size() / 2); }) &&
+           lead_home(table);
+  };
+  if (!labels.has_labels()) return labels.leaving.hub.empty() && labels.arriving.hub.empty();
+  // A shortcut is made of earlier ones, so taking it apart ends.
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!is_link(parts[i], i / 2)) return false;
+  return parts.size() % 2 == 0 && finite(labels.unit) && labels.unit > 0 &&
+         sound_table(labels.leaving) && sound_table(labels.arriving);
+}
+
+bool keeps(const std::vector<HubLabels>& labels, const std::vector<TangentGraph>& graphs) {
+  if (labels.size() != graphs.size()) return false;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (!keeps(labels[i], graphs[i])) return false;
+  return true;
+}
+
 bool keeps(const Scenery& scenery, std::size_t exhibits) {
   const std::size_t indices = scenery.indices.size();
   const auto sound_part = [=](const SceneryPart& p) {
@@ -203,7 +268,9 @@ std::string broken_floor(const Floor& floor) {
   if (!keeps(floor.plan)) return "its walls";
   if (!keeps(floor.diagram, floor.plan.vertex.size())) return "its Voronoi diagram";
   if (!keeps(floor.roadmap, floor.diagram)) return "its roadmap";
+  if (!keeps(floor.sight, floor.plan.vertex.size())) return "its sight map";
   if (!keeps(floor.tangent_graphs, floor.plan.vertex.size())) return "its tangent graphs";
+  if (!keeps(floor.hub_labels, floor.tangent_graphs)) return "its hub labels";
   return {};
 }
 

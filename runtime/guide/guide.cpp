@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
 constexpr std::size_t most_joints = 64;
-constexpr std::size_t most_pieces = first_text_texture + 4096;
+constexpr std::size_t most_pieces = 4096;
 constexpr double longest_lead = 2;  ///< Seconds: a plan is never asked for from later than that.
 constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
 constexpr double touching = 0.01;   ///< Metres of the body that may be in a wall unremarked.

@@ -66,14 +66,14 @@ class Guide {
 
   void touch(const InputEvent& event) noexcept;
   void step(Seconds dt) noexcept;
-  /// What to draw of the state after the last step, in the names of texture memory: so the texts
+  /// What to draw of the state after the last step, in the names of texture memory: so the pieces
   /// that step() let go have to be applied before.
   const DrawList& draw_list() noexcept;
 
   /// The screen has another size: a view is laid out for it.
   void resize(const ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
-  std::unique_ptr<TextChanges> take_texts() noexcept { return planner_.take_texts(); }
+  std::unique_ptr<PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
   /// Views name their texts and pictures; this says which texture memory holds one. The draw list
   /// has the memory's names. TextureId::None: it is gone.
   void bind(TextureId piece, TextureId memory) noexcept;

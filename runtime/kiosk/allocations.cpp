@@ -1,5 +1,7 @@
 #include "runtime/kiosk/allocations.h"
 
+#include <malloc.h>
+
 #include <cstdlib>
 #include <new>
 
@@ -93,6 +95,21 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
 }
 
 namespace docent {
+
+/// Blocks above the threshold are mappings of their own, which go back to the system when freed and
+/// of which only what was written is in memory. Left to itself glibc would raise the threshold with
+/// the first picture and keep all of them in its heap for months.
+///
+/// While starting, that is good for the database, for pictures, and for Mesa, which keeps each
+/// shader in several 32 KB slabs and writes to a part of them. A software driver takes and frees
+/// blocks of 64 KB in every frame, and mapping those each time costs the frame thread half as much
+/// again.
+void prepare_allocator_for(Phase phase) noexcept {
+  constexpr int mesa_slab = 32 * 1024, picture = 256 * 1024;
+  mallopt(M_MMAP_THRESHOLD, phase == Phase::Start ? mesa_slab : picture);
+  mallopt(M_ARENA_MAX, 2);  // the frame's and the worker's; the driver's threads hardly allocate
+  if (phase == Phase::Frames) malloc_trim(0);
+}
 
 Allocations allocations_on_this_thread() noexcept {
   return counted;

@@ -13,4 +13,9 @@ struct Allocations {
 /// The kiosk replaces the global operator new to count its calls: a frame must not add any.
 Allocations allocations_on_this_thread() noexcept;
 
+enum class Phase : std::uint8_t { Start, Frames };
+
+/// Tells glibc's allocator what is to come, so that it keeps little of what starting takes.
+void prepare_allocator_for(Phase phase) noexcept;
+
 }  // namespace docent

@@ -1,8 +1,6 @@
 #include "runtime/kiosk/exhibition.h"
 
-#include <malloc.h>
-
-#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "platform/pango/text_setter.h"
@@ -12,13 +10,22 @@
 namespace docent {
 namespace {
 
-/// A little more than a card shows at 1080 lines; 25 pictures then take 33 MB of texture memory.
-constexpr std::uint32_t longest_picture_side = 512;
+/// A picture on a wall of the model is seldom larger on the screen, and never what one looks at.
+constexpr std::uint32_t scenery_picture_side = 144;
 
 /// A picture that cannot be decoded is left out: its exhibit is shown without one.
-Pixels decode(const EncodedImage& image) {
-  Result<Pixels> picture = decode_image(image.bytes);
-  return picture ? shrink(std::move(*picture), longest_picture_side) : Pixels{};
+Pixels decode(const Museum& museum, std::uint32_t image) {
+  if (image >= museum.images.size()) return {};
+  return decode_image(museum.images[image].bytes).value_or(Pixels{});
+}
+
+/// The guide walks with one radius; labels of the others would lie in memory for the rare way that
+/// asks for less room, which can be searched for.
+void keep_walking_labels(Museum& museum) {
+  const double walking = museum.body_radius + Museum::walking_room;
+  for (Floor& floor : museum.floors)
+    for (std::size_t i = 0; i < floor.tangent_graphs.size(); ++i)
+      if (floor.tangent_graphs[i].radius != walking) floor.hub_labels[i] = {};
 }
 
 }  // namespace
@@ -32,34 +39,33 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
+  keep_walking_labels(exhibition->museum);
   if (exhibition->museum.floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
-  for (EncodedImage& image : exhibition->museum.images) {
-    exhibition->pictures.push_back(decode(image));
-    image.bytes = {};  // only its pixels are needed from here on
-  }
-  exhibition->planner = std::make_unique<Planner>(exhibition->museum, std::move(*set_text));
+  const Museum& kept = exhibition->museum;
+  for (std::uint32_t image = 0; image < kept.images.size(); ++image)
+    exhibition->scenery_pictures.push_back(shrink(decode(kept, image), scenery_picture_side));
+  SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width, std::uint32_t height) {
+    return fill(decode(kept, image), width, height);
+  };
+  exhibition->planner =
+      std::make_unique<Planner>(kept, PieceMakers{std::move(*set_text), std::move(set_picture)});
   exhibition->guide = std::make_unique<Guide>(exhibition->museum, *exhibition->planner, settings);
   return exhibition;
 }
 
 void upload(Exhibition& exhibition, Renderer& renderer) {
-  std::vector<TextureId> image_memory;
-  for (const Pixels& picture : exhibition.pictures) {
-    const TextureId memory =
-        picture.rgba.empty() ? TextureId::None : renderer.upload_image(picture);
-    exhibition.guide->bind(image_texture(static_cast<std::uint32_t>(image_memory.size())), memory);
-    image_memory.push_back(memory);
-  }
-  exhibition.pictures = {};
+  std::vector<TextureId>& memory = exhibition.scenery_memory;
+  for (const Pixels& picture : exhibition.scenery_pictures)
+    memory.push_back(renderer.upload_scenery_image(picture));
+  exhibition.scenery_pictures = {};
 
   const Museum& museum = exhibition.museum;
   std::vector<TextureId> picture_of;
   picture_of.reserve(museum.exhibits.size());
   for (const Exhibit& exhibit : museum.exhibits)
-    picture_of.push_back(exhibit.image < image_memory.size() ? image_memory[exhibit.image]
-                                                             : TextureId::None);
+    picture_of.push_back(exhibit.image < memory.size() ? memory[exhibit.image] : TextureId::None);
   for (std::uint32_t i = 0; i < museum.scenery.size(); ++i)
     renderer.upload_scenery(i, museum.scenery[i], picture_of);
   renderer.upload_avatar(museum.avatar);
@@ -67,24 +73,25 @@ void upload(Exhibition& exhibition, Renderer& renderer) {
   exhibition.museum.scenery = {};
   exhibition.museum.avatar.vertices = {};
   exhibition.museum.avatar.indices = {};
-  malloc_trim(
-      0);  // reading and decoding left their buffers with the allocator, which would keep them
 }
 
 void release(const Exhibition& exhibition, Renderer& renderer) noexcept {
-  for (const TextureId memory : exhibition.guide->memory())
-    if (memory != TextureId::None) renderer.release(memory);
+  for (const std::span<const TextureId> all :
+       {exhibition.guide->memory(), std::span<const TextureId>(exhibition.scenery_memory)})
+    for (const TextureId memory : all)
+      if (memory != TextureId::None) renderer.release(memory);
 }
 
-void apply_texts(Guide& guide, Renderer& renderer) noexcept {
-  while (const std::unique_ptr<TextChanges> changes = guide.take_texts()) {
+void apply_pieces(Guide& guide, Renderer& renderer) noexcept {
+  while (const std::unique_ptr<PieceChanges> changes = guide.take_pieces()) {
     for (const TextureId piece : changes->retired) {
       renderer.release(guide.memory_of(piece));
       guide.bind(piece, TextureId::None);
     }
-    for (const TextUpload& upload : changes->uploads)
-      guide.bind(upload.texture, renderer.upload_text(upload.bitmap.width, upload.bitmap.height,
-                                                      upload.bitmap.coverage));
+    for (const auto& [piece, text, picture] : changes->uploads)
+      guide.bind(piece, picture.rgba.empty()
+                            ? renderer.upload_text(text.width, text.height, text.coverage)
+                            : renderer.upload_image(picture));
   }
 }
 

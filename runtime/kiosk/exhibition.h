@@ -18,7 +18,8 @@ struct Exhibition {
   Museum museum;
   std::unique_ptr<Planner> planner;
   std::unique_ptr<Guide> guide;
-  std::vector<Pixels> pictures;  ///< Decoded images, until they are in texture memory.
+  std::vector<Pixels> scenery_pictures;   ///< By image, until they are in texture memory.
+  std::vector<TextureId> scenery_memory;  ///< By image: where they are from then on.
 
   Exhibition() = default;
   Exhibition(const Exhibition&) = delete;
@@ -29,13 +30,13 @@ struct Exhibition {
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const GuideSettings& settings);
 
-/// Carries the building, the body and the pictures into texture memory. Frame thread.
+/// Carries the building with its pictures and the body into texture memory. Frame thread.
 void upload(Exhibition& exhibition, Renderer& renderer);
 
 /// Gives the memory of its texts and pictures back. Frame thread.
 void release(const Exhibition& exhibition, Renderer& renderer) noexcept;
 
-/// Applies what the worker's text cache changed. Frame thread; does not allocate.
-void apply_texts(Guide& guide, Renderer& renderer) noexcept;
+/// Applies what the worker's cache of pieces changed. Frame thread; does not allocate.
+void apply_pieces(Guide& guide, Renderer& renderer) noexcept;
 
 }  // namespace docent

@@ -132,7 +132,6 @@ class Kiosk {
   GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
   FrameClock clock_;
   std::array<InputEvent, 256> events_{};
-  Pixels picture_;
   double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
   double last_command_ = 0;
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
@@ -158,6 +157,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   }
   upload(*exhibition_, renderer_);
   renderer_.warm_up(target_of(edges_));
+  prepare_allocator_for(Phase::Frames);
   return {};
 }
 
@@ -242,7 +242,7 @@ void Kiosk::make_frame(Seconds passed) noexcept {
   if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
   guide().step(passed);
   const auto stepped = thread_cpu_now();
-  apply_texts(guide(), renderer_);
+  apply_pieces(guide(), renderer_);
   const auto applied = thread_cpu_now();
   const DrawList& list = guide().draw_list();
   const auto listed = thread_cpu_now();
@@ -272,11 +272,12 @@ Result<void> Kiosk::record() {
       visit_ ? visit_->take_shots() : std::vector<std::filesystem::path>{};
   const bool frame_due = recorder_ && recorder_->wants_frame(time_);
   if (shots.empty() && !frame_due) return {};
-  edges_.headless->read_back(picture_);
+  Pixels picture;  // not kept: it is as large as the screen
+  edges_.headless->read_back(picture);
   if (frame_due)
-    if (const Result<void> written = recorder_->add_frame(picture_); !written) return written;
+    if (const Result<void> written = recorder_->add_frame(picture); !written) return written;
   for (const std::filesystem::path& shot : shots)
-    if (const Result<void> written = write_png(shot, picture_); !written) return written;
+    if (const Result<void> written = write_png(shot, picture); !written) return written;
   return {};
 }
 
@@ -301,6 +302,7 @@ void Kiosk::take_up_content() {
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
   upload(*exhibition_, renderer_);
+  prepare_allocator_for(Phase::Frames);
   view_ = 0;
 }
 

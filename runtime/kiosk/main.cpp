@@ -1,9 +1,8 @@
-#include <malloc.h>
-
 #include <span>
 #include <string_view>
 
 #include "platform/clock/monotonic_clock.h"
+#include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/kiosk.h"
 #include "runtime/kiosk/options.h"
@@ -12,10 +11,7 @@ int main(int argc, char** argv) {
   const auto started = docent::monotonic_now();
   if (argc > 1 && std::string_view(argv[1]) == "hid")
     return docent::run_hid_command(std::span<const char* const>(argv, argv + argc).subspan(2));
-  // Pictures and the database pass through memory once while starting. Kept in mappings of their
-  // own they go back to the system; left to itself glibc would raise this limit and keep them in
-  // its heap for months.
-  mallopt(M_MMAP_THRESHOLD, 256 * 1024);
+  docent::prepare_allocator_for(docent::Phase::Start);
   const docent::CommandLine line = docent::parse_command_line(argc, argv);
   if (line.exit) return *line.exit;
   return docent::run_kiosk(line.options, started);

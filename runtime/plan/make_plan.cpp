@@ -69,13 +69,12 @@ std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
   return ahead;
 }
 
-/// The way from where the guide is. A walking body rounds corners a little inside its way, so it is
-/// asked for with two centimetres to spare. Where that is too much, or a body in mid-step stands
-/// nearer to a wall than its circle may, a thinner one goes.
+/// The way from where the guide is, with room for walking. Where that is too much, or a body in
+/// mid-step stands nearer to a wall than its circle may, a thinner one goes.
 Way find_way(const Museum& museum, const FloorMap& map, const WalkOrder& order, Vec2 from) {
-  RouteQuery query{.kind = order.kind, .from = from, .to = order.goal->position};
+  RouteQuery query{.kind = order.kind, .from = from, .to = order.goal->position, .smooth = true};
   Way way;
-  constexpr double spare = 0.02;
+  constexpr double spare = Museum::walking_room;
   for (const double more : {spare, 0.0, -spare / 2, -2 * spare, -5 * spare}) {
     query.radius = std::max(0.0, museum.body_radius + more);
     way = route(map, query);

@@ -5,8 +5,9 @@
 namespace docent {
 namespace {
 
-/// All texts of a visit in one language; a fourth of it is on the screen.
-constexpr std::size_t text_budget = 6 << 20;
+/// At 1080 lines: all texts of a visit in one language, and the pictures of the views last seen.
+constexpr std::size_t piece_budget = 2 << 20;
+constexpr std::uint32_t first_piece = 1;  // 0 is TextureId::None
 
 /// Puts a parcel on the belt; while the belt is full, the frame thread is behind and gets time.
 template <typename T, std::size_t n>
@@ -16,8 +17,8 @@ void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& 
 
 }  // namespace
 
-Planner::Planner(const Museum& museum, SetText set_text)
-    : museum_(museum), cache_(std::move(set_text), first_text_texture, text_budget) {
+Planner::Planner(const Museum& museum, PieceMakers makers)
+    : museum_(museum), cache_(std::move(makers), first_piece, piece_budget) {
   for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
 }
@@ -69,7 +70,7 @@ void Planner::answer(const WalkOrder& order) {
 
 void Planner::answer(const ViewRequest& request) {
   std::unique_ptr<View> view = make_view(museum_, request, cache_);
-  if (auto changes = cache_.end_view()) send(texts_, std::move(changes), stop_);
+  if (auto changes = cache_.end_view()) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
 }
 

@@ -9,7 +9,7 @@
 #include "runtime/plan/mailbox.h"
 #include "runtime/plan/plan.h"
 #include "runtime/scene/layout.h"
-#include "runtime/scene/text_cache.h"
+#include "runtime/scene/piece_cache.h"
 
 namespace docent {
 
@@ -21,8 +21,8 @@ namespace docent {
 /// visitor no longer wants is not worked out. Answers come in the order they were made.
 class Planner {
  public:
-  /// Borrows the museum. Type is set with `set_text`, on the worker only.
-  Planner(const Museum& museum, SetText set_text);
+  /// Borrows the museum. The makers are called on the worker only.
+  Planner(const Museum& museum, PieceMakers makers);
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
@@ -33,7 +33,7 @@ class Planner {
   std::unique_ptr<Plan> take_plan() noexcept { return plans_.take(); }
   std::unique_ptr<View> take_view() noexcept { return views_.take(); }
   /// Changes of texture memory, to be applied in this order before the views that need them.
-  std::unique_ptr<TextChanges> take_texts() noexcept { return texts_.take(); }
+  std::unique_ptr<PieceChanges> take_pieces() noexcept { return pieces_.take(); }
 
   /// Waits until everything asked so far is answered: for runs that must repeat exactly.
   void wait() const noexcept;
@@ -50,12 +50,12 @@ class Planner {
 
   const Museum& museum_;
   std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< One per floor.
-  TextCache cache_;                                    ///< The worker's.
+  PieceCache cache_;                                   ///< The worker's.
   LatestMail<WalkOrder> orders_;
   LatestMail<ViewRequest> requests_;
   Belt<Plan, belt_length> plans_;
   Belt<View, belt_length> views_;
-  Belt<TextChanges, belt_length> texts_;
+  Belt<PieceChanges, belt_length> pieces_;
   std::counting_semaphore<> letters_{0};
   std::atomic<std::uint64_t> asked_{0}, answered_{0};
   std::atomic<bool> stop_{false};

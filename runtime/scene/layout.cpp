@@ -100,7 +100,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
 }
 
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                TextCache& texts) {
+                                PieceCache& pieces) {
   auto view = std::make_unique<View>();
   view->request = request.id;
   view->state = request.state;
@@ -112,7 +112,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
 
-  Sheet sheet(museum, request, texts, *view);
+  Sheet sheet(museum, request, pieces, *view);
   const Box panel = panel_box(request.shape);
   sheet.draw_panel(panel);
   const Box content = panel.inset(sheet.measures().margin);

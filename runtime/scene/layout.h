@@ -6,7 +6,7 @@
 #include "runtime/model/museum.h"
 #include "runtime/path/way.h"
 #include "runtime/scene/measures.h"
-#include "runtime/scene/text_cache.h"
+#include "runtime/scene/piece_cache.h"
 #include "runtime/scene/view.h"
 
 namespace docent {
@@ -28,17 +28,11 @@ struct ViewRequest {
   std::optional<Trip> trip;  ///< Absent while the way is still being planned.
 };
 
-/// The texture that holds an image of the museum.
-constexpr TextureId image_texture(std::uint32_t image) noexcept {
-  return static_cast<TextureId>(1 + image);
-}
-/// Set texts have the textures from here upwards.
-inline constexpr std::uint32_t first_text_texture = 4096;
-
 /// Lays out one view: where everything stands on the glass, in which words. One panel, at the side
 /// where text begins in landscape (so Arabic is the mirror image), along the lower edge in
-/// portrait. Pure but for the texts it adds to the cache; runs on the worker.
-std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request, TextCache& texts);
+/// portrait. Pure but for the pieces it adds to the cache; runs on the worker.
+std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
+                                PieceCache& pieces);
 
 /// How many exhibits a page of the list shows on such a screen.
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;

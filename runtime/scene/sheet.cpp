@@ -48,10 +48,10 @@ void mirror(Rect& rect) noexcept {
 
 }  // namespace
 
-Sheet::Sheet(const Museum& museum, const ViewRequest& request, TextCache& texts, View& view)
+Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view)
     : museum_(museum),
       request_(request),
-      texts_(texts),
+      pieces_(pieces),
       view_(view),
       measures_(measures_of(request.shape)),
       width_(static_cast<float>(request.shape.width)),
@@ -96,7 +96,7 @@ TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
   TextPiece piece;
   for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
     style.size = std::round(whole * scale);
-    piece = texts_.piece(style, text, most);
+    piece = pieces_.text(style, text, most);
     if (!piece.cut) break;
   }
   return piece;
@@ -125,22 +125,15 @@ void Sheet::shadow(const Box& box, float reach, float opacity) {
 
 void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_t control) {
   if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
-  const EncodedImage& picture = museum_.images[image];
-  const float have = static_cast<float>(picture.width) / static_cast<float>(picture.height);
-  const float want = box.width / box.height;
-  Rect uv{0, 0, 1, 1};  // the largest middle part of the picture that has the box's shape
-  if (have > want) {
-    uv.width = want / have;
-    uv.x = (1 - uv.width) / 2;
-  } else {
-    uv.height = have / want;
-    uv.y = (1 - uv.height) / 2;
-  }
-  add({.rect = share_of(box),
+  const float x = std::round(box.x), y = std::round(box.y);
+  const Box whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
+  const TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
+                                            static_cast<std::uint32_t>(whole.height));
+  if (texture == TextureId::None) return;
+  add({.rect = share_of(whole),
        .fill = QuadFill::Image,
        .colour = {1, 1, 1, 1},
-       .texture = image_texture(image),
-       .uv = uv,
+       .texture = texture,
        .corner = corner / shorter_},
       control);
 }

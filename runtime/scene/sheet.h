@@ -33,7 +33,7 @@ struct Box {
 /// finish() turns it over for those that do not.
 class Sheet {
  public:
-  Sheet(const Museum& museum, const ViewRequest& request, TextCache& texts, View& view);
+  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
 
   const Measures& measures() const noexcept { return measures_; }
   const Theme& theme() const noexcept { return theme_; }
@@ -52,7 +52,7 @@ class Sheet {
 
   void fill(const Box& box, Colour colour, float corner, std::int32_t control = -1);
   void shadow(const Box& box, float reach, float opacity);
-  /// Fills the box with the middle of the picture.
+  /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
   void image(const Box& box, std::uint32_t image, float corner, std::int32_t control = -1);
   /// Shows the whole picture at the box's start, as large as fits; at most a tenth of its height is
   /// given up for width. Returns its height.
@@ -83,7 +83,7 @@ class Sheet {
 
   const Museum& museum_;
   const ViewRequest& request_;
-  TextCache& texts_;
+  PieceCache& pieces_;
   View& view_;
   Measures measures_;
   Theme theme_;

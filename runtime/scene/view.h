@@ -4,22 +4,24 @@
 #include <memory>
 #include <vector>
 
+#include "runtime/model/pixels.h"
 #include "runtime/scene/control.h"
 #include "runtime/scene/draw_list.h"
 #include "runtime/scene/text.h"
 
 namespace docent {
 
-/// A text that goes into texture memory under `texture` before the next frame is drawn.
-struct TextUpload {
+/// A piece of a view that goes into texture memory under `texture` before the next frame is drawn.
+struct PieceUpload {
   TextureId texture = TextureId::None;
-  TextBitmap bitmap;
+  TextBitmap text;  ///< One of the two is empty.
+  Pixels picture;
 };
 
-/// What the worker's text cache changed; to be applied in order, retired ones first.
-struct TextChanges {
+/// What the worker's cache of pieces changed; to be applied in order, retired ones first.
+struct PieceChanges {
   std::vector<TextureId> retired;
-  std::vector<TextUpload> uploads;
+  std::vector<PieceUpload> uploads;
 };
 
 /// A rectangle of a view, in the order to be drawn.

@@ -41,6 +41,20 @@ TEST(LoadImage, DrawsAnSvgWithItsOwnShape) {
   EXPECT_EQ(rgba_at(700, 100)[3], std::byte{0}) << "what is not drawn is clear";
 }
 
+TEST(LoadImage, MakesAJpegOfWhatIsNowhereClear) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "full.svg")
+      << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'>"
+         "<rect width='20' height='10' fill='#ff0000'/></svg>";
+
+  const EncodedImage image = load_image(folder.path() / "full.svg", "full.svg");
+
+  ASSERT_GT(image.bytes.size(), 2U);
+  EXPECT_EQ(image.bytes[0], std::byte{0xff});
+  EXPECT_EQ(image.bytes[1], std::byte{0xd8});
+  EXPECT_EQ(decode_image(image.bytes).value().width, 768U);
+}
+
 TEST(LoadImage, KeepsASmallPngByteForByte) {
   const TemporaryFolder folder;
   ASSERT_TRUE(write_png(folder.path() / "a.png", plain(30, 20)).has_value());

@@ -32,14 +32,15 @@ const Museum& museum() {
 /// A guide in simulated time: the worker's answers are there in the next step.
 class Session {
  public:
-  Session() : planner_(museum(), boxes), guide_(museum(), planner_, settings()) { run(0.1); }
+  Session() : planner_(museum(), {boxes, {}}), guide_(museum(), planner_, settings()) { run(0.1); }
 
   void run(double seconds) {
     for (long i = 0; i < std::lround(seconds * 60); ++i) {
       planner_.wait();
       guide_.step(frame);
-      while (const auto texts = guide_.take_texts())
-        for (const TextUpload& upload : texts->uploads) guide_.bind(upload.texture, upload.texture);
+      while (const auto pieces = guide_.take_pieces())
+        for (const PieceUpload& upload : pieces->uploads)
+          guide_.bind(upload.texture, upload.texture);
       guide_.draw_list();
     }
   }

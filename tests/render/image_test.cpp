@@ -153,6 +153,27 @@ TEST(Images, TellTheirSizeFromTheirHeaderAlone) {
   EXPECT_EQ(of_jpeg.height, 30U);
 }
 
+TEST(EncodingAJpeg, GivesThePictureBackAlmostAsItWas) {
+  Pixels picture{64, 48, {}};
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const int byte : {4 * x, 5 * y, 2 * x + 2 * y, 255})
+        picture.rgba.push_back(static_cast<std::byte>(byte));
+
+  const auto bytes = encode_jpeg(picture).value();
+  const Pixels decoded = decode_image(bytes).value();
+
+  EXPECT_LT(bytes.size(), picture.rgba.size() / 4);
+  EXPECT_EQ(bytes, encode_jpeg(picture).value());
+  ASSERT_EQ(decoded.rgba.size(), picture.rgba.size());
+  for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+    EXPECT_NEAR(std::to_integer<int>(decoded.rgba[i]), std::to_integer<int>(picture.rgba[i]), 8);
+}
+
+TEST(EncodingAJpeg, OfNoPixelsIsRefused) {
+  EXPECT_FALSE(encode_jpeg({}).has_value());
+}
+
 TEST(Shrinking, KeepsTheShapeAndTheLight) {
   Pixels picture{4, 2, {}};
   for (const int grey : {0, 255, 255, 0, 0, 255, 255, 0})
@@ -171,6 +192,57 @@ TEST(Shrinking, LeavesASmallPictureAlone) {
   const Pixels picture = chequered(8, 6);
 
   EXPECT_EQ(shrink(picture, 8).rgba, picture.rgba);
+}
+
+TEST(Shrinking, GivesAPixelOnABorderToBothSides) {
+  Pixels picture{3, 1, {}};
+  for (const int grey : {255, 255, 0})
+    for (const int byte : {grey, grey, grey, 255})
+      picture.rgba.push_back(static_cast<std::byte>(byte));
+
+  const Pixels small = shrink(picture, 2);
+
+  // The right half has a third of its light from the middle pixel: 1/3 is 156 in sRGB.
+  EXPECT_EQ(std::to_integer<int>(small.rgba[0]), 255);
+  EXPECT_EQ(std::to_integer<int>(small.rgba[4]), 156);
+}
+
+TEST(Filling, TakesTheMiddleInTheShapeAskedFor) {
+  Pixels picture{4, 2, {}};
+  for (const int grey : {10, 20, 30, 40, 50, 60, 70, 80})
+    for (const int byte : {grey, grey, grey, 255})
+      picture.rgba.push_back(static_cast<std::byte>(byte));
+
+  const Pixels square = fill(picture, 2, 2);
+
+  ASSERT_EQ(square.width, 2U);
+  ASSERT_EQ(square.height, 2U);
+  const int greys[] = {20, 30, 60, 70};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(std::to_integer<int>(square.rgba[4 * i]), greys[i]);
+}
+
+TEST(Filling, NeverMakesAPictureLarger) {
+  const Pixels square = fill(chequered(8, 6), 600, 600);
+
+  EXPECT_EQ(square.width, 6U);
+  EXPECT_EQ(square.height, 6U);
+  EXPECT_TRUE(fill({}, 600, 600).rgba.empty());
+}
+
+TEST(Filling, HasTheSizeAskedForWhereThePictureHasRoomAndNeverMore) {
+  EXPECT_TRUE(rc::check([] {
+    const Pixels picture = chequered(*rc::gen::inRange(1U, 70U), *rc::gen::inRange(1U, 70U));
+    const auto width = *rc::gen::inRange(1U, 90U);
+    const auto height = *rc::gen::inRange(1U, 90U);
+
+    const Pixels filled = fill(picture, width, height);
+
+    RC_ASSERT(filled.rgba.size() == std::size_t{4} * filled.width * filled.height);
+    const bool has_room = picture.width >= width && picture.height >= height;
+    if (has_room) RC_ASSERT(filled.width == width && filled.height == height);
+    RC_ASSERT(filled.width <= std::min(picture.width, width));
+    RC_ASSERT(filled.height <= std::min(picture.height, height));
+  }));
 }
 
 TEST(WritingAPng, ReplacesTheFileWholeAndLeavesNothingBeside) {

@@ -145,7 +145,7 @@ class Rendering : public ::testing::Test {
     vase.place = ExhibitPlace::InCase;
     const float square = 1;
     Pixels red{1, 1, {std::byte{200}, std::byte{30}, std::byte{30}, std::byte{255}}};
-    const TextureId image = renderer_->upload_image(red);
+    const TextureId image = renderer_->upload_scenery_image(red);
     renderer_->upload_scenery(0, make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {}),
                               {&image, 1});
     renderer_->upload_avatar(box_body());

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tests/support/sample_museum.h"
 
@@ -27,13 +29,17 @@ TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t wi
   return bitmap;
 }
 
+Pixels plain(std::uint32_t /*image*/, std::uint32_t width, std::uint32_t height) {
+  return {width, height, std::vector<std::byte>(std::size_t{4} * width * height, std::byte{255})};
+}
+
 const Museum& museum() {
   static const Museum it = test::sample_museum_without_walls();
   return it;
 }
 
 std::unique_ptr<View> laid_out(const ViewRequest& request) {
-  TextCache cache(boxes, first_text_texture, 1 << 20);
+  PieceCache cache({boxes, plain}, 1, 1 << 20);
   return make_view(museum(), request, cache);
 }
 
@@ -148,18 +154,18 @@ TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
   EXPECT_GT(view->remaining.back().metres, 1e6F);
 }
 
-TEST(TextCache, SetsATextOnce) {
+TEST(PieceCache, SetsATextOnce) {
   int set = 0;
-  TextCache cache(
-      [&](const TextStyle& style, std::string_view text, std::uint32_t width) {
-        ++set;
-        return boxes(style, text, width);
-      },
-      100, 1 << 20);
+  PieceCache cache({[&](const TextStyle& style, std::string_view text, std::uint32_t width) {
+                      ++set;
+                      return boxes(style, text, width);
+                    },
+                    plain},
+                   100, 1 << 20);
 
-  const TextPiece first = cache.piece({}, "bronze", 300);
-  const TextPiece again = cache.piece({}, "bronze", 300);
-  cache.piece({}, "jade", 300);
+  const TextPiece first = cache.text({}, "bronze", 300);
+  const TextPiece again = cache.text({}, "bronze", 300);
+  cache.text({}, "jade", 300);
 
   EXPECT_EQ(first.texture, again.texture);
   EXPECT_EQ(set, 2);
@@ -167,19 +173,83 @@ TEST(TextCache, SetsATextOnce) {
   EXPECT_EQ(cache.end_view(), nullptr);
 }
 
-TEST(TextCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
-  TextCache cache(boxes, 100, 1000);  // room for next to nothing
-  cache.piece({}, "once", 300);
-  const TextureId kept = cache.piece({}, "always", 300).texture;
+TEST(PieceCache, MakesAPictureOnceForEachSizeInWhichItIsDrawn) {
+  PieceCache cache({boxes, plain}, 100, 1 << 20);
+
+  const TextureId card = cache.picture(7, 40, 30);
+  const TextureId again = cache.picture(7, 40, 30);
+  const TextureId large = cache.picture(7, 80, 60);
+  const TextureId other = cache.picture(8, 40, 30);
+
+  EXPECT_EQ(card, again);
+  EXPECT_EQ((std::set{card, large, other}.size()), 3U);
+  const auto changes = cache.end_view();
+  ASSERT_EQ(changes->uploads.size(), 3U);
+  EXPECT_EQ(changes->uploads[1].texture, large);
+  EXPECT_EQ(changes->uploads[1].picture.width, 80U);
+}
+
+TEST(PieceCache, LeavesOutAPictureThatCannotBeMade) {
+  PieceCache cache({boxes, [](std::uint32_t, std::uint32_t, std::uint32_t) { return Pixels{}; }},
+                   100, 1 << 20);
+
+  EXPECT_EQ(cache.picture(0, 40, 30), TextureId::None);
+  EXPECT_EQ(cache.end_view(), nullptr);
+}
+
+TEST(PieceCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
+  PieceCache cache({boxes, plain}, 100, 1000);  // room for next to nothing
+  const TextureId text = cache.text({}, "once", 300).texture;
+  const TextureId picture = cache.picture(1, 40, 30);
   std::vector<TextureId> retired;
   for (int view = 0; view < 8; ++view) {
-    cache.piece({}, "always", 300);
+    cache.text({}, "always", 300);
+    cache.picture(2, 40, 30);
     if (const auto changes = cache.end_view())
       retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
   }
 
-  EXPECT_EQ(retired.size(), 1U);
-  EXPECT_NE(retired.front(), kept);
+  std::ranges::sort(retired);
+  EXPECT_EQ(retired, (std::vector{text, picture}));
+}
+
+TEST(PieceCache, StaysWithinItsBudgetAndTheLastViewsHoweverManyExhibitsAreSeen) {
+  constexpr std::size_t budget = 20'000, bytes = std::size_t{4} * 40 * 30;
+  PieceCache cache({boxes, plain}, 1, budget);
+  std::size_t held = 0, most = 0;
+  for (std::uint32_t exhibit = 0; exhibit < 500; ++exhibit) {
+    cache.picture(exhibit, 40, 30);
+    const auto changes = cache.end_view();
+    held += changes->uploads.size() * bytes;
+    held -= changes->retired.size() * bytes;
+    most = std::max(most, held);
+  }
+
+  EXPECT_LE(most, budget + 4 * bytes);
+}
+
+TEST(View, DrawsItsPicturesTexelForPixel) {
+  ViewRequest request;
+  request.state.screen = Screen::Choosing;
+  request.shape.width = 1366;
+  request.shape.height = 768;
+  PieceCache cache({boxes, plain}, 1, 1 << 20);
+
+  const auto view = make_view(museum(), request, cache);
+  const auto changes = cache.end_view();
+
+  std::size_t pictures = 0;
+  for (const auto& [quad, control, is_panel, stays] : view->elements) {
+    if (quad.fill != QuadFill::Image) continue;
+    ++pictures;
+    const auto upload = std::ranges::find(changes->uploads, quad.texture, &PieceUpload::texture);
+    ASSERT_NE(upload, changes->uploads.end());
+    EXPECT_NEAR(quad.rect.width * 1366, upload->picture.width, 0.01);
+    EXPECT_NEAR(quad.rect.height * 768, upload->picture.height, 0.01);
+    EXPECT_NEAR(quad.rect.x * 1366, std::round(quad.rect.x * 1366), 0.01);
+    EXPECT_NEAR(quad.rect.y * 768, std::round(quad.rect.y * 768), 0.01);
+  }
+  EXPECT_GE(pictures, 4U);
 }
 
 }  // namespace
