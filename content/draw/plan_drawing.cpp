@@ -6,9 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "content/draw/plan_labels.h"
+#include "content/draw/plan_legend.h"
+#include "content/draw/plan_style.h"
 #include "content/draw/svg.h"
 #include "runtime/model/geometry/bisector.h"
 
@@ -18,6 +22,7 @@ namespace {
 constexpr double longer_side = 1800;  // Pixels.
 constexpr double margin = 70;
 constexpr double caption = 70;  // Below the plan, for the scale bar.
+constexpr double narrowest = 700;
 constexpr double letter = 17;
 constexpr const char* sans = "font-family=\"Inter, Noto Sans, sans-serif\"";
 
@@ -47,7 +52,7 @@ double extent(const FloorPlan& plan, const Ring& ring) {
 /// The floor's frame on the page.
 class Page {
  public:
-  explicit Page(const FloorPlan& plan) {
+  Page(const FloorPlan& plan, const PlanLegend& legend) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
     for (const Vec2 vertex : plan.vertex) {
@@ -59,32 +64,36 @@ class Page {
     scale_ = (longer_side - 2 * margin) / std::max(size.x, size.y);
     north_west_ = {low.x, high.y};
     // The caption needs a certain width, however narrow the plan is.
-    width_ = std::max(scale_ * size.x + 2 * margin, 500.0);
-    height_ = scale_ * size.y + 2 * margin + caption;
+    width_ = std::max(scale_ * size.x + 2 * margin, narrowest);
+    west_ = (width_ - scale_ * size.x) / 2;
+    plan_height_ = scale_ * size.y + 2 * margin;
+    height_ = plan_height_ + caption + legend.height(width_ - 2 * margin);
   }
 
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double plan_height() const { return plan_height_; }  ///< Without the caption.
   [[nodiscard]] double pixels(double metres) const { return scale_ * metres; }
   [[nodiscard]] Vec2 at(Vec2 p) const {
-    return {margin + scale_ * (p.x - north_west_.x), margin + scale_ * (north_west_.y - p.y)};
+    return {west_ + scale_ * (p.x - north_west_.x), margin + scale_ * (north_west_.y - p.y)};
   }
 
  private:
-  double scale_ = 1, width_ = 0, height_ = 0;
+  double scale_ = 1, width_ = 0, height_ = 0, plan_height_ = 0, west_ = 0;
   Vec2 north_west_{};
 };
 
 /// Draws one floor, layer by layer.
 class PlanPainter {
  public:
-  PlanPainter(const Museum& museum, std::uint32_t floor)
+  PlanPainter(const Museum& museum, std::uint32_t floor, PlanLegend legend)
       : museum_(museum),
         floor_index_(floor),
         floor_(museum.floors[floor]),
         plan_(floor_.plan),
         diagram_(floor_.diagram),
-        page_(plan_),
+        legend_(std::move(legend)),
+        page_(plan_, legend_),
         svg_(page_.width(), page_.height()) {}
 
   void draw_paper() {
@@ -96,6 +105,7 @@ class PlanPainter {
   void draw_sites();
   void draw_skeleton();
   void draw_exhibits();
+  void draw_levels(const std::vector<DrawnLine>& lines);
   void draw_line(const DrawnLine& line);
   void draw_caption();
 
@@ -103,6 +113,7 @@ class PlanPainter {
 
  private:
   void add_ring(PathData& path, const Ring& ring) const;
+  void add_line(PathData& path, const DrawnLine& line) const;
   void add_edge(PathData& path, const VoronoiEdge& edge, bool forwards) const;
   [[nodiscard]] PathData region_outline(std::uint32_t site) const;
   [[nodiscard]] std::vector<std::uint32_t> neighbours_before(std::uint32_t site) const;
@@ -113,6 +124,7 @@ class PlanPainter {
   const Floor& floor_;
   const FloorPlan& plan_;
   const VoronoiDiagram& diagram_;
+  PlanLegend legend_;
   Page page_;
   Svg svg_;
 };
@@ -204,33 +216,29 @@ std::vector<std::uint32_t> PlanPainter::neighbours_before(std::uint32_t site) co
 void PlanPainter::draw_regions() {
   // One soft tint per region, unlike those of the neighbours that have theirs already. The search
   // begins at another tint each time, so that all are used.
-  constexpr std::array<std::pair<std::string_view, double>, 8> tints = {{{ink::teal, 0.20},
-                                                                         {ink::ochre, 0.24},
-                                                                         {ink::stone, 0.42},
-                                                                         {ink::vermilion, 0.15},
-                                                                         {ink::oak, 0.34},
-                                                                         {ink::teal, 0.34},
-                                                                         {ink::ochre, 0.12},
-                                                                         {ink::vermilion, 0.25}}};
   std::vector<std::size_t> tint(diagram_.site.size(), 0);
   for (std::uint32_t site = 0; site < diagram_.site.size(); ++site) {
-    std::array<bool, tints.size()> taken{};
+    std::array<bool, region_tints> taken{};
     for (const std::uint32_t other : neighbours_before(site)) taken[tint[other]] = true;
-    tint[site] = site * 5 % tints.size();
-    for (std::size_t i = 0; i < tints.size() && taken[tint[site]]; ++i)
-      tint[site] = (tint[site] + 1) % tints.size();
-    const auto [colour, part] = tints[tint[site]];
-    const std::string fill = mixed(ink::floor, colour, part);
+    tint[site] = site * 5 % region_tints;
+    for (std::size_t i = 0; i < region_tints && taken[tint[site]]; ++i)
+      tint[site] = (tint[site] + 1) % region_tints;
+    const std::string fill = region_colour(tint[site]);
     svg_.path(region_outline(site),
               fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.5\"", fill));
   }
-  PathData borders;
+  PathData borders, wall_and_own_corner;
   for (const VoronoiEdge& edge : diagram_.edge) {
-    borders.move_to(page_.at(diagram_.vertex[edge.from]));
-    add_edge(borders, edge, true);
+    PathData& path = edge.on_medial_axis ? borders : wall_and_own_corner;
+    path.move_to(page_.at(diagram_.vertex[edge.from]));
+    add_edge(path, edge, true);
   }
-  svg_.path(borders, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"",
-                                 mixed(ink::floor, ink::quiet, 0.45)));
+  const auto draw = [this](const PathData& path, double darkness, double width) {
+    svg_.path(path, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"",
+                                mixed(ink::floor, ink::quiet, darkness), width));
+  };
+  draw(wall_and_own_corner, 0.3, 0.7);
+  draw(borders, 0.65, 1.1);
 }
 
 void PlanPainter::draw_sites() {
@@ -256,9 +264,7 @@ void PlanPainter::draw_skeleton() {
     path.move_to(page_.at(diagram_.vertex[shape.from]));
     add_edge(path, shape, true);
     const double wide = std::sqrt(edge.clearance / widest);
-    svg_.path(path, fmt::format("stroke=\"{}\" stroke-width=\"{:.2f}\"",
-                                mixed(ink::ochre, ink::teal, std::min(1.0, 1.6 * wide)),
-                                std::lerp(1.2, 7.0, wide)));
+    svg_.path(path, axis_stroke(wide));
   }
   svg_.end_group();
 }
@@ -281,7 +287,7 @@ void PlanPainter::draw_exhibits() {
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", ink::vermilion, ink::floor));
     labels.push_back({exhibit.id, object, {}});
   }
-  place_labels(labels, letter, {page_.width(), page_.height() - caption});
+  place_labels(labels, letter, {page_.width(), page_.plan_height()});
   for (const Label& label : labels)
     svg_.text(label.baseline, label.words,
               fmt::format("{} font-size=\"{:.0f}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"4\" "
@@ -305,9 +311,7 @@ void PlanPainter::draw_kiosk() {
   svg_.circle(page_.at(at), 4.5, fmt::format("fill=\"{}\"", ink::paper));
 }
 
-void PlanPainter::draw_line(const DrawnLine& line) {
-  if (line.points.empty()) return;
-  PathData path;
+void PlanPainter::add_line(PathData& path, const DrawnLine& line) const {
   for (std::size_t i = 0; i < line.points.size(); ++i) {
     if (i == 0)
       path.move_to(page_.at(line.points[i]));
@@ -315,47 +319,43 @@ void PlanPainter::draw_line(const DrawnLine& line) {
       path.line_to(page_.at(line.points[i]));
   }
   if (line.closed) path.close();
-  const double width = std::clamp(page_.pixels(0.25), 4.0, 11.0);
-  const auto stroke = [&](std::string_view colour, double size, const std::string& dashes) {
-    return fmt::format(
-        "fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" "
-        "stroke-linejoin=\"round\" stroke-linecap=\"round\"{}",
-        colour, size, dashes);
-  };
-  if (line.kind == LineKind::Level) {
-    svg_.path(path, stroke(mixed(ink::floor, ink::teal, 0.6), 1.4, ""));
-    return;
-  }
+}
+
+void PlanPainter::draw_levels(const std::vector<DrawnLine>& lines) {
+  std::map<double, PathData> levels;
+  for (const DrawnLine& line : lines)
+    if (line.kind == LineKind::Level) add_line(levels[line.clearance], line);
+  for (const auto& [clearance, path] : levels) svg_.path(path, level_style(levels.size()));
+}
+
+void PlanPainter::draw_line(const DrawnLine& line) {
+  if (line.points.empty()) return;
+  PathData path;
+  add_line(path, line);
   if (line.closed) {
-    svg_.path(path, stroke(line.kind == LineKind::Offset ? ink::ochre : ink::vermilion, 3, ""));
+    const std::string_view colour = line.kind == LineKind::Offset ? ink::ochre : ink::vermilion;
+    svg_.path(path, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"3\" "
+                                "stroke-linejoin=\"round\"",
+                                colour));
     return;
   }
-  svg_.path(path, stroke(ink::floor, width + 5, ""));  // Sets it off from what lies below.
-  switch (line.kind) {
-    case LineKind::Skeleton:
-      svg_.path(path,
-                stroke(ink::teal, width,
-                       fmt::format(" stroke-dasharray=\"{:.1f} {:.1f}\"", 3 * width, 1.8 * width)));
-      break;
-    case LineKind::Offset:
-      svg_.path(path, stroke(ink::ochre, width,
-                             fmt::format(" stroke-dasharray=\"0 {:.1f}\"", 1.7 * width)));
-      break;
-    default:
-      svg_.path(path, stroke(ink::vermilion, width, ""));
-  }
+  const double width = std::clamp(page_.pixels(0.25), 4.0, 11.0);
+  svg_.path(path, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" "
+                              "stroke-linejoin=\"round\" stroke-linecap=\"round\"",
+                              ink::floor, width + 5));  // Sets it off from what lies below.
+  svg_.path(path, way_stroke(line.kind, width));
   for (const Vec2 end : {line.points.front(), line.points.back()})
     svg_.circle(
         page_.at(end), 1.1 * width,
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"3\"", ink::black, ink::floor));
 }
 
-/// Name, scale bar and north arrow.
+/// Name, scale bar, north arrow and legend.
 void PlanPainter::draw_caption() {
   double bar = 1;  // Metres: 1, 2 or 5 times a power of ten, about a fifth of the page.
   for (const double next : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 1e4, 1e5})
     if (page_.pixels(next) < 0.22 * page_.width()) bar = next;
-  const double y = page_.height() - 0.62 * caption;
+  const double y = page_.plan_height() + 0.2 * caption;
   const double length = page_.pixels(bar);
   const Vec2 left{margin, y};
   for (int i = 0; i < 4; ++i)
@@ -378,18 +378,18 @@ void PlanPainter::draw_caption() {
             fmt::format("font-family=\"Noto Serif, serif\" font-size=\"26\" fill=\"{}\" "
                         "text-anchor=\"middle\"",
                         ink::black));
+  legend_.draw(svg_, {margin, page_.plan_height() + 0.75 * caption}, page_.width() - 2 * margin);
 }
 
 }  // namespace
 
 std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayers& layers,
                       const std::vector<DrawnLine>& lines) {
-  PlanPainter painter(museum, floor);
+  PlanPainter painter(museum, floor, PlanLegend(layers, lines));
   painter.draw_paper();
   if (layers.walls) painter.draw_ground();
   if (layers.regions) painter.draw_regions();
-  for (const DrawnLine& line : lines)
-    if (line.kind == LineKind::Level) painter.draw_line(line);
+  painter.draw_levels(lines);
   if (layers.walls) painter.draw_walls();
   if (layers.skeleton) painter.draw_skeleton();
   for (const DrawnLine& line : lines)

@@ -13,7 +13,7 @@ enum class LineKind : std::uint8_t {
   Shortest,  ///< Vermilion, solid.
   Skeleton,  ///< Teal, long dashes.
   Offset,    ///< Ochre, round dots.
-  Level,     ///< A thin line of equal clearance.
+  Level,     ///< A thin line of equal clearance; what it encloses is shaded.
 };
 
 /// A line over the plan. Frame: floor.
@@ -21,6 +21,7 @@ struct DrawnLine {
   LineKind kind = LineKind::Shortest;
   std::vector<Vec2> points;
   bool closed = false;
+  double clearance = 0;  ///< Metres: of a level or of an offset curve.
 };
 
 /// What of a floor is drawn.
@@ -32,9 +33,9 @@ struct PlanLayers {
   bool exhibits = false;  ///< Objects, viewing points and ids; the kiosk.
 };
 
-/// Draws one floor of a museum as an SVG document, the longer side 1,800 pixels, with a scale bar.
-/// `lines` lie on top, in their order. The curves of the diagram are exact: an arc of a parabola is
-/// a quadratic Bezier curve.
+/// Draws one floor of a museum as an SVG document, the longer side 1,800 pixels, with a scale bar
+/// and a legend. `lines` lie on top, in their order; levels come with the least clearance first.
+/// The curves of the diagram are exact: an arc of a parabola is a quadratic Bezier curve.
 std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayers& layers,
                       const std::vector<DrawnLine>& lines);
 

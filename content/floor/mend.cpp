@@ -319,8 +319,8 @@ std::vector<std::vector<Vec2>> settle(Overlay walls, const ImportedPlan& importe
   return std::move(walls.walls);
 }
 
-/// Drops the pieces of floor that are too small to stand on, with the holes in them.
-void drop_specks(std::vector<std::vector<Vec2>>& rings, const Reporter& reporter) {
+std::vector<std::vector<Vec2>> find_specks(const std::vector<std::vector<Vec2>>& rings,
+                                           const Reporter& reporter) {
   std::vector<std::vector<Vec2>> specks;
   for (const auto& ring : rings)
     if (const double area = signed_area(ring); area > 0 && area < smallest_floor) {
@@ -329,11 +329,25 @@ void drop_specks(std::vector<std::vector<Vec2>>& rings, const Reporter& reporter
                                 written(ring.front())));
       specks.push_back(ring);
     }
-  std::erase_if(rings, [&](const std::vector<Vec2>& ring) {
-    return std::ranges::any_of(specks, [&](const std::vector<Vec2>& speck) {
-      return ring == speck || (signed_area(ring) < 0 && is_inside(ring.front(), speck));
+  return specks;
+}
+
+/// Drops the pieces of floor that are too small to stand on, with the holes in them.
+std::vector<std::vector<Vec2>> drop_specks(std::vector<std::vector<Vec2>> rings,
+                                           const Reporter& reporter) {
+  const std::vector<std::vector<Vec2>> specks = find_specks(rings, reporter);
+  if (specks.empty()) return rings;
+  std::vector<DrawnRing> kept;
+  for (std::vector<Vec2>& ring : rings) {
+    // Rings touch in corners only, so a point in the middle of a wall is on one side or the other.
+    const Vec2 middle = (ring[0] + ring[1]) / 2.0;
+    const bool belongs_to_speck = std::ranges::any_of(specks, [&](const std::vector<Vec2>& speck) {
+      return ring == speck || (signed_area(ring) < 0 && is_inside(middle, speck));
     });
-  });
+    if (!belongs_to_speck) kept.push_back({{std::move(ring)}, {}});
+  }
+  // A speck may have touched a wall, which then has a corner there that it needs no more.
+  return overlay(rings_of(kept), Fill::LeftOfRings).walls;
 }
 
 FloorPlan to_floor_plan(const std::vector<std::vector<Vec2>>& rings) {
@@ -357,8 +371,8 @@ FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings) 
   const std::vector<DrawnRing> drawn = tidy(collect(imported), &reporter);
   Overlay walls = overlay(rings_of(drawn), Fill::Polygons);
   report(walls, drawn, reporter);
-  std::vector<std::vector<Vec2>> rings = settle(std::move(walls), imported);
-  drop_specks(rings, reporter);
+  const std::vector<std::vector<Vec2>> rings =
+      drop_specks(settle(std::move(walls), imported), reporter);
   if (rings.empty())
     throw ContentError(imported.files.empty() ? "" : imported.files.front(), 0, 0, "no-floor",
                        "nothing of this plan is walkable: its holes cover its areas",

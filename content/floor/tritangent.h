@@ -16,7 +16,8 @@ struct TangentSite {
 struct TritangentDisc {
   Vec2 centre{};
   /// Metres. Negative when the disc touches its walls from behind instead: then the centre is a
-  /// Voronoi vertex outside the floor. Zero at a corner between two of the sites.
+  /// Voronoi vertex outside the floor. Zero at a corner between two of the sites. Anything, even
+  /// infinite or not a number, where the sites are three walls on one line, or all but.
   double radius = 0;
 };
 

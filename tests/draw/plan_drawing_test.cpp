@@ -71,11 +71,32 @@ TEST(PlanDrawing, EscapesNames) {
 TEST(PlanDrawing, TellsTheThreeKindsOfWaysApart) {
   const Museum museum = small_museum();
   const auto way = [&](LineKind kind) {
-    return draw_plan(museum, 0, {}, {{kind, {{1, 1}, {5, 1}}, false}});
+    return draw_plan(museum, 0, {}, {{kind, {{1, 1}, {5, 1}}, false, 0}});
   };
   EXPECT_THAT(way(LineKind::Shortest), HasSubstr(std::string(ink::vermilion)));
   EXPECT_THAT(way(LineKind::Skeleton), HasSubstr(std::string(ink::teal)));
   EXPECT_THAT(way(LineKind::Offset), HasSubstr(std::string(ink::ochre)));
+}
+
+TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
+  const Museum museum = small_museum();
+  EXPECT_THAT(draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("Voronoi regions")));
+  const std::string svg = draw_plan(museum, 0, {.regions = true, .skeleton = true},
+                                    {{LineKind::Level, {{1, 1}, {5, 1}, {1, 5}}, true, 0.5},
+                                     {LineKind::Shortest, {{1, 1}, {5, 1}}, false, 0}});
+  for (const char* words :
+       {"Voronoi regions", "medial axis", "clearance, every 0.5 m", "shortest path"})
+    EXPECT_THAT(svg, HasSubstr(words));
+  EXPECT_THAT(svg, Not(HasSubstr("reflex corner")));
+}
+
+TEST(PlanDrawing, ShadesEachLevelOnceWithItsHolesLeftOut) {
+  const Museum museum = small_museum();
+  const auto ring = [](double size, double clearance) {
+    return DrawnLine{LineKind::Level, {{1, 1}, {1 + size, 1}, {1, 1 + size}}, true, clearance};
+  };
+  const std::string svg = draw_plan(museum, 0, {}, {ring(4, 0.5), ring(1, 0.5), ring(3, 1)});
+  EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 2U + 3U);  // Three more in the legend.
 }
 
 TEST(PlanDrawing, IsTheSameEveryTime) {

@@ -185,6 +185,23 @@ TEST(Mend, RefusesDegreesThatPoseAsMetres) {
   }
 }
 
+TEST(Mend, LeavesNoTraceOfASpeckThatTouchesAWall) {
+  // A wedge of 15 square centimetres, whose tip lies on the hall's wall.
+  ImportedPlan plan = drawn(hall);
+  plan.polygons.push_back(drawn({{20, 5}, {23, 5}, {23, 5.001}}).polygons[0]);
+  const auto [mended_plan, mendings] = mend_all(plan);
+  EXPECT_THAT(codes_of(mendings), ElementsAre("speck-of-floor"));
+  EXPECT_EQ(mended_plan.vertex, hall);
+}
+
+TEST(Mend, KeepsACaseThatASpeckOfFloorTouchesFromWithin) {
+  ImportedPlan plan = drawn(hall, {{{5, 5}, {6, 6}, {7, 5}, {6, 4}}});
+  plan.polygons.push_back(drawn({{5, 5}, {5.06, 4.97}, {5.06, 5.03}}).polygons[0]);
+  const auto [mended_plan, mendings] = mend_all(plan);
+  EXPECT_THAT(codes_of(mendings), Contains("speck-of-floor"));
+  EXPECT_DOUBLE_EQ(floor_area(mended_plan), 238);
+}
+
 TEST(Mend, SettlesWhenRoundedCrossingsCrossAgain) {
   // Fifty thin needles through one point: every rounded crossing lies beside other needles.
   std::vector<Points> needles;

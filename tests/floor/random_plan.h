@@ -18,10 +18,14 @@ inline Points corners_of(const Obstacle& obstacle) {
   return regular_polygon({x / 100.0, y / 100.0}, radius / 100.0, corners, turned);
 }
 
+inline rc::Gen<Obstacle> any_obstacle() {
+  return rc::gen::tuple(rc::gen::inRange(-100, 1300), rc::gen::inRange(-100, 900),
+                        rc::gen::inRange(5, 200), rc::gen::inRange(3, 9),
+                        rc::gen::map(rc::gen::inRange(0, 12), [](int i) { return 15 * i; }));
+}
+
 inline rc::Gen<std::vector<Obstacle>> any_obstacles() {
-  return rc::gen::container<std::vector<Obstacle>>(rc::gen::tuple(
-      rc::gen::inRange(-100, 1300), rc::gen::inRange(-100, 900), rc::gen::inRange(5, 200),
-      rc::gen::inRange(3, 9), rc::gen::map(rc::gen::inRange(0, 12), [](int i) { return 15 * i; })));
+  return rc::gen::container<std::vector<Obstacle>>(any_obstacle());
 }
 
 /// A hall of 12 by 8 m with obstacles that may overlap, touch and stick out through its walls.

