@@ -44,15 +44,34 @@ std::string indentation(std::string_view line, std::uint32_t column) {
   return spaces;
 }
 
+/// What is shown of a line: all of it, or where it is as long as generated files have them the part
+/// about a column.
+struct Shown {
+  std::string text;
+  std::uint32_t column = 0;  ///< Where that column is in the text.
+};
+Shown part_about(const std::string& line, std::uint32_t column) {
+  constexpr std::size_t longest = 200, before = 60;  // Characters.
+  if (bytes_of(line, longest) == line.size()) return {line, column};
+  const std::size_t first = column > before ? column - before : 0;
+  const std::string_view rest = std::string_view(line).substr(bytes_of(line, first));
+  const std::string_view part = rest.substr(0, bytes_of(rest, longest));
+  const std::string_view left = first > 0 ? "..." : "";
+  const std::string_view right = part.size() < rest.size() ? "..." : "";
+  const auto moved = static_cast<std::uint32_t>(left.size()) - static_cast<std::uint32_t>(first);
+  return {fmt::format("{}{}{}", left, part, right), column + moved};
+}
+
 std::string source_excerpt(const Diagnostic& d) {
   if (d.line == 0) return {};
   const auto line = line_of(d.file, d.line);
   if (!line) return {};
-  std::string text = fmt::format("{:>6} | {}\n", d.line, *line);
+  const auto [shown, column] = part_about(*line, d.column);
+  std::string text = fmt::format("{:>6} | {}\n", d.line, shown);
   if (d.column == 0) return text;
   constexpr std::size_t longest_underline = 60;  // a paragraph is known by its beginning
   const std::string carets(std::clamp<std::size_t>(d.length, 1, longest_underline), '^');
-  text += fmt::format("       | {}{}{}{}\n", indentation(*line, d.column), carets,
+  text += fmt::format("       | {}{}{}{}\n", indentation(shown, column), carets,
                       d.label.empty() ? "" : " ", d.label);
   return text;
 }

@@ -15,4 +15,6 @@ packages_kiosk=(
 packages_test=(
   libgmock-dev libgtest-dev librapidcheck-dev python3 x11-utils xdotool xvfb
 )
+# For the preset bench only: what the paths are compared with.
+packages_bench=(librecast-dev)
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)

@@ -16,6 +16,7 @@ void add_schema_command(CLI::App& app, int& exit_code);
 void add_route_command(CLI::App& app, int& exit_code);
 void add_at_command(CLI::App& app, int& exit_code);
 void add_see_command(CLI::App& app, int& exit_code);
+void add_near_command(CLI::App& app, int& exit_code);
 void add_offset_command(CLI::App& app, int& exit_code);
 void add_show_command(CLI::App& app, int& exit_code);
 void add_graph_command(CLI::App& app, int& exit_code);

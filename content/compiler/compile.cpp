@@ -111,9 +111,9 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
   museum.title["en"] = name;
   add_language("en", nullptr, museum, report);
   attempt(report, [&] {
-    CompiledFloor compiled =
-        compile_floor(name, options.sources, options.coordinates,
-                      radius_classes(museum.body_radius, options.radii), report, progress);
+    CompiledFloor compiled = compile_floor(name, options.sources, options.coordinates,
+                                           radius_classes(museum.body_radius, options.radii),
+                                           report, progress, options.jobs);
     museum.floors.push_back(std::move(compiled.floor));
     museum.kiosk = most_open_place(museum.floors.front());
     if (!options.with_motion) return museum.scenery.resize(1);  // the plan alone: nothing to draw
@@ -138,7 +138,9 @@ void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
 /// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
 std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const CompileOptions& options,
                                           Report& report, Progress& progress) {
-  const std::vector<double> radii = radius_classes(config.avatar.radius.value, options.radii);
+  std::vector<double> asked = options.radii;
+  asked.push_back(config.avatar.radius.value + Museum::walking_room);
+  const std::vector<double> radii = radius_classes(config.avatar.radius.value, asked);
   std::vector<CompiledFloor> floors(config.floors.size());
   for (std::size_t i = 0; i < floors.size(); ++i) {
     const FloorSection& section = config.floors[i];
@@ -146,7 +148,7 @@ std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const Comp
     if (!section.plan.given || !fs::exists(file)) continue;  // already reported
     attempt(report, [&] {
       floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
-                                report, progress);
+                                report, progress, options.jobs);
     });
     floors[i].floor.plan.height = section.height.value;
   }

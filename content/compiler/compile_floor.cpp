@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include "content/compiler/parallel.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
+#include "content/floor/sight.h"
 #include "content/floor/voronoi.h"
+#include "runtime/path/make_hub_labels.h"
 #include "runtime/path/make_tangent_graph.h"
 
 namespace docent {
@@ -34,7 +37,7 @@ void plan_floor_stages(Progress& progress) {
 
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             Coordinates coordinates, std::span<const double> radii, Report& report,
-                            Progress& progress) {
+                            Progress& progress, unsigned jobs) {
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
@@ -52,8 +55,13 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     floor.roadmap = medial_axis(floor.plan, floor.diagram);
   }
   const auto stage = progress.start("paths");
-  for (const double radius : radii)
-    floor.tangent_graphs.push_back(make_tangent_graph(floor.plan, radius));
+  floor.sight = make_sight_map(floor.plan);
+  floor.tangent_graphs.resize(radii.size());
+  floor.hub_labels.resize(radii.size());
+  for_each_index(radii.size(), jobs, [&](std::size_t i) {
+    floor.tangent_graphs[i] = make_tangent_graph(floor.plan, floor.sight, radii[i]);
+    floor.hub_labels[i] = make_hub_labels(floor.plan, floor.tangent_graphs[i]);
+  });
   return compiled;
 }
 

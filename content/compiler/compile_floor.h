@@ -20,10 +20,11 @@ struct CompiledFloor {
 /// Plans the stages of compile_floor, which all floors share.
 void plan_floor_stages(Progress& progress);
 
-/// Makes a floor of its plan files: walls, Voronoi diagram, medial axis, a tangent graph per
-/// radius. Mendings go into the report. Throws ContentError where the plan cannot be used.
+/// Makes a floor of its plan files: walls, Voronoi diagram, medial axis, what corners see, and
+/// per radius a tangent graph with its labels, on up to `jobs` threads. Mendings go into the
+/// report. Throws ContentError where the plan cannot be used.
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             Coordinates coordinates, std::span<const double> radii, Report& report,
-                            Progress& progress);
+                            Progress& progress, unsigned jobs = 1);
 
 }  // namespace docent

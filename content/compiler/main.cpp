@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   docent::add_route_command(app, exit_code);
   docent::add_at_command(app, exit_code);
   docent::add_see_command(app, exit_code);
+  docent::add_near_command(app, exit_code);
   docent::add_offset_command(app, exit_code);
   docent::add_show_command(app, exit_code);
   docent::add_graph_command(app, exit_code);

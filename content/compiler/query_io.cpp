@@ -69,6 +69,15 @@ std::uint32_t floor_named(const Museum& museum, std::string_view name) {
                      fmt::format("the floors are: {}", fmt::join(names, ", ")));
 }
 
+const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option) {
+  const auto found = std::ranges::find(museum.exhibits, id, &Exhibit::id);
+  if (found == museum.exhibits.end())
+    throw ContentError(Errc::WrongUsage, std::string(option), "unknown-exhibit",
+                       fmt::format("there is no exhibit '{}'", id),
+                       "`docent-content info DB --json` lists them");
+  return *found;
+}
+
 Vec2 parse_point(std::string_view text, std::string_view option) {
   const auto parts = split(text, ',');
   if (parts.size() == 2) {

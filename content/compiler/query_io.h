@@ -15,6 +15,9 @@ namespace docent {
 /// The index of the floor of that name; the kiosk's floor where the name is empty.
 std::uint32_t floor_named(const Museum& museum, std::string_view name);
 
+/// The exhibit of that id.
+const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option);
+
 /// Reads "X,Y" from the command line.
 Vec2 parse_point(std::string_view text, std::string_view option);
 

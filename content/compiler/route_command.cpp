@@ -25,7 +25,7 @@ struct RouteOptions {
   std::optional<double> radius;
   double offset = 1;
   Hand hand = Hand::Shorter;
-  bool widest = false;
+  bool widest = false, smooth = false;
   std::string from, to, floor;
   std::vector<std::string> exhibits;
   bool json = false;
@@ -52,7 +52,8 @@ RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
           .radius = options.radius.value_or(museum.body_radius),
           .offset = options.offset,
           .hand = options.hand,
-          .widest = options.widest};
+          .widest = options.widest,
+          .smooth = options.smooth};
 }
 
 std::string to_json(const Way& way) {
@@ -73,18 +74,14 @@ std::vector<Vec2> stops_at_exhibits(const Museum& museum, const RouteOptions& op
                                     std::uint32_t& floor) {
   std::vector<Vec2> stops;
   for (const std::string& id : options.exhibits) {
-    const auto found = std::ranges::find(museum.exhibits, id, &Exhibit::id);
-    if (found == museum.exhibits.end())
-      throw ContentError(Errc::WrongUsage, "--exhibits", "unknown-exhibit",
-                         fmt::format("there is no exhibit '{}'", id),
-                         "`docent-content info DB --json` lists them");
-    if (stops.empty() && options.floor.empty()) floor = found->floor;
-    if (found->floor != floor)
+    const Exhibit& exhibit = exhibit_named(museum, id, "--exhibits");
+    if (stops.empty() && options.floor.empty()) floor = exhibit.floor;
+    if (exhibit.floor != floor)
       throw ContentError(Errc::WrongUsage, "--exhibits", "other-floor",
                          fmt::format("exhibit '{}' is on another floor, '{}'", id,
-                                     museum.floors[found->floor].plan.name),
+                                     museum.floors[exhibit.floor].plan.name),
                          "a route stays on one floor");
-    stops.push_back(found->view.position);
+    stops.push_back(exhibit.view.position);
   }
   return stops;
 }
@@ -207,6 +204,8 @@ void add_route_command(CLI::App& app, int& exit_code) {
           std::vector<std::pair<std::string, Hand>>{{"left", Hand::Left}, {"right", Hand::Right}}));
   command->add_flag("--widest", options->widest,
                     "skeleton: the way whose narrowest place is the widest possible");
+  command->add_flag("--smooth", options->smooth,
+                    "skeleton, offset: with rounded corners, as the guide walks it");
   command->add_option("--from", options->from, "X,Y in metres");
   command->add_option("--to", options->to, "X,Y in metres");
   command->add_option("--exhibits", options->exhibits, "Ids, to be passed in order")

@@ -65,7 +65,7 @@ class LayerReader {
  private:
   void add_curve(double distance, LineKind kind) {
     for (OffsetRing& ring : offset_curve(*map_, distance).rings)
-      lines.push_back({kind, std::move(ring.points), true});
+      lines.push_back({kind, std::move(ring.points), true, distance});
   }
 
   /// Lines of equal clearance, at most twenty of them.
@@ -118,7 +118,7 @@ class LayerReader {
       throw ContentError(
           "--layers", 0, 0, "no-route",
           fmt::format("there is no {} way from '{}' to '{}'", words[2], words[0], words[1]));
-    lines.push_back({kind, std::move(way.points), false});
+    lines.push_back({kind, std::move(way.points), false, 0});
   }
 
   const Museum& museum_;

@@ -151,16 +151,17 @@ bool lead_home(const LabelTable& table) {
   return true;
 }
 
-bool keeps(const HubLabels& labels, const TangentGraph& graph) {
+bool keeps(const HubLabels& labels, const TangentGraph& graph, double diagonal) {
   const std::size_t tangents = graph.tangent.size();
   const auto& parts = labels.link_part;
   const auto is_link = [&](std::uint32_t link, std::size_t shortcuts) {
     return link == HubLabels::roll || link < tangents + shortcuts;
   };
   const auto sound_table = [&](const LabelTable& table) {
-    constexpr std::uint32_t most_cost = 1U << 30U;
     const std::size_t entries = table.hub.size();
-    const auto sound_hub = [=](const HubCost& h) { return h.hub < tangents && h.cost < most_cost; };
+    const auto sound_hub = [=](const HubCost& h) {
+      return h.hub < tangents && h.cost <= HubLabels::most_cost;
+    };
     return are_lists(table.first, 2 * graph.arc.size(), entries) &&
            std::ranges::all_of(table.hub, sound_hub) && table.link.size() == entries &&
            table.parent.size() == entries &&
@@ -173,13 +174,15 @@ bool keeps(const HubLabels& labels, const TangentGraph& graph) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (!is_link(parts[i], i / 2)) return false;
   return parts.size() % 2 == 0 && finite(labels.unit) && labels.unit > 0 &&
+         labels.unit * HubLabels::most_cost >= diagonal * (1 - 1e-9) &&
          sound_table(labels.leaving) && sound_table(labels.arriving);
 }
 
-bool keeps(const std::vector<HubLabels>& labels, const std::vector<TangentGraph>& graphs) {
+bool keeps(const std::vector<HubLabels>& labels, const std::vector<TangentGraph>& graphs,
+           double diagonal) {
   if (labels.size() != graphs.size()) return false;
   for (std::size_t i = 0; i < labels.size(); ++i)
-    if (!keeps(labels[i], graphs[i])) return false;
+    if (!keeps(labels[i], graphs[i], diagonal)) return false;
   return true;
 }
 
@@ -270,7 +273,7 @@ std::string broken_floor(const Floor& floor) {
   if (!keeps(floor.roadmap, floor.diagram)) return "its roadmap";
   if (!keeps(floor.sight, floor.plan.vertex.size())) return "its sight map";
   if (!keeps(floor.tangent_graphs, floor.plan.vertex.size())) return "its tangent graphs";
-  if (!keeps(floor.hub_labels, floor.tangent_graphs)) return "its hub labels";
+  if (!keeps(floor.hub_labels, floor.tangent_graphs, diagonal(floor.plan))) return "its hub labels";
   return {};
 }
 

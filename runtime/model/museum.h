@@ -40,8 +40,11 @@ struct Museum {
   std::vector<Exhibit> exhibits;
   std::vector<EncodedImage> images;
   std::uint32_t kiosk_floor = 0;
-  Placement kiosk;                  ///< "You are here"; the heading is where the visitor looks.
-  double body_radius = 0.25;        ///< Metres.
+  Placement kiosk;            ///< "You are here"; the heading is where the visitor looks.
+  double body_radius = 0.25;  ///< Metres.
+  /// A walking body rounds corners a little inside its way, so ways are asked for with this much
+  /// room to spare. Metres.
+  static constexpr double walking_room = 0.02;
   std::uint32_t ambient_count = 0;  ///< Strolling visitors.
   MotionGraph motion;  ///< Without clips where the museum was compiled with --no-motion.
   SkinnedMesh avatar;

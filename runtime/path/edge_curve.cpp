@@ -146,14 +146,17 @@ double EdgeCurve::place_of_clearance(double level, double a, double b) const noe
   return std::clamp((level - begin_clearance_) / slope_, std::min(a, b), std::max(a, b));
 }
 
+void EdgeCurve::append_inner_points(double a, double b, std::vector<Vec2>& points) const {
+  if (kind_ != Kind::Parabola) return;
+  // A chord over du is at most du^2 / (8 p) from the parabola.
+  const double step = std::sqrt(8 * parabola_.p * flatness);
+  const int pieces = static_cast<int>(std::min(1e5, std::ceil(std::abs(b - a) / step)));
+  for (int i = 1; i < pieces; ++i) append_point(point_at(a + (b - a) * i / pieces), points);
+}
+
 void EdgeCurve::append_points(double a, double b, std::vector<Vec2>& points) const {
   append_point(point_at(a), points);
-  if (kind_ == Kind::Parabola) {
-    // A chord over du is at most du^2 / (8 p) from the parabola.
-    const double step = std::sqrt(8 * parabola_.p * flatness);
-    const int pieces = static_cast<int>(std::min(1e5, std::ceil(std::abs(b - a) / step)));
-    for (int i = 1; i < pieces; ++i) append_point(point_at(a + (b - a) * i / pieces), points);
-  }
+  append_inner_points(a, b, points);
   append_point(point_at(b), points);
 }
 

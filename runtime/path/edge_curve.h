@@ -36,6 +36,8 @@ class EdgeCurve {
   double place_of_clearance(double level, double a, double b) const noexcept;
   /// Appends points from place a to place b, both included, within `flatness` of the curve.
   void append_points(double a, double b, std::vector<Vec2>& points) const;
+  /// The same without the ends.
+  void append_inner_points(double a, double b, std::vector<Vec2>& points) const;
 
   Vec2 low() const noexcept { return low_; }    ///< Corner of its bounding box.
   Vec2 high() const noexcept { return high_; }  ///< Corner of its bounding box.

@@ -2,19 +2,18 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
 #include "runtime/path/medial_axis_map.h"
+#include "runtime/path/radius_maps.h"
 #include "runtime/path/route.h"
-#include "runtime/path/shortest_way.h"
 #include "runtime/path/wall_grid.h"
 
 namespace docent {
 
-/// Everything that `route.h` asks of a floor. Immutable as seen from outside; inside, tangent
-/// graphs of radii that the compiler did not precompute are made when first asked for and kept.
+/// Everything that `route.h` asks of a floor. Immutable as seen from outside; inside, what makes
+/// radii fast that the compiler did not precompute is made in the background and kept.
 class FloorMap {
  public:
   explicit FloorMap(const Floor& floor);
@@ -26,7 +25,7 @@ class FloorMap {
   const MedialAxisMap& medial_axis() const noexcept { return axis_; }
 
   /// The side of the nearest wall decides; a point on a wall is inside.
-  bool is_inside(Vec2 point) const noexcept;
+  bool is_inside(Vec2 point) const noexcept { return walls_.is_inside(point); }
   double clearance_at(Vec2 point) const noexcept { return walls_.nearest_wall(point).distance; }
   /// The site whose region holds the point, or is nearest to it.
   std::uint32_t site_at(Vec2 point) const noexcept;
@@ -35,28 +34,19 @@ class FloorMap {
   /// May the centre of a disc be here: inside, and no nearer to a wall than the radius?
   bool has_room(Vec2 point, double radius) const noexcept;
 
-  /// The map for a radius. Thread-safe; the first call for a radius that is not precomputed takes
-  /// as long as making its tangent graph.
-  std::shared_ptr<const ShortestWayMap> shortest_ways(double radius) const;
+  /// The maps of shortest ways by radius, and how to do without one.
+  const RadiusMaps& shortest_ways() const noexcept { return shortest_ways_; }
+  const TangentSearchMap& search() const noexcept { return search_; }
 
  private:
-  static constexpr std::size_t kept_radii = 8;
-  struct OwnedMap {
-    explicit OwnedMap(const FloorPlan& plan, double radius);
-    TangentGraph graph;
-    ShortestWayMap map;
-  };
-
   const Floor& floor_;
   WallGrid walls_;
+  TangentSearchMap search_;
   MedialAxisMap axis_;
-  std::vector<std::uint32_t> previous_;     ///< Per vertex: the one before it in its ring.
   std::vector<std::uint32_t> wall_site_;    ///< Per wall: its site.
   std::vector<std::uint32_t> corner_site_;  ///< Per vertex: its site where it is reflex, else of
                                             ///< the wall that begins there.
-  std::vector<std::shared_ptr<const ShortestWayMap>> precomputed_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::shared_ptr<const ShortestWayMap>> made_;  ///< Oldest first.
+  RadiusMaps shortest_ways_;
 };
 
 }  // namespace docent

@@ -3,103 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
+#include "runtime/path/free_arcs.h"
 #include "runtime/path/predicates.h"
 
 namespace docent {
 namespace {
 
-struct Interval {
-  double begin = 0, end = 0;
-};
-
-/// Directions, as angles in (-pi, pi], in which the circle of `radius` about `centre` may come to
-/// or leave the places nearer than `reach` to the wall a b: where it meets the two circles about
-/// the wall's ends and the two lines beside it.
-void add_crossings(Vec2 centre, double radius, Vec2 a, Vec2 b, double reach,
-                   std::vector<Vec2>& directions) {
-  for (const Vec2 end : {a, b}) {
-    const Vec2 to = end - centre;
-    const double distance = std::sqrt(dot(to, to));
-    if (distance == 0 || distance > radius + reach || distance < std::abs(radius - reach)) continue;
-    const double along =
-        (radius * radius - reach * reach + distance * distance) / (2 * distance * radius);
-    const double across = std::sqrt(std::max(0.0, 1 - along * along));
-    const Vec2 unit = to / distance;
-    for (const double side : {-1.0, 1.0})
-      directions.push_back(along * unit + side * across * left_of(unit));
-  }
-  const Vec2 wall = b - a;
-  const double length = std::sqrt(dot(wall, wall));
-  if (length == 0) return;
-  const Vec2 unit = wall / length;
-  const double height = cross(unit, centre - a);  // of the circle's centre above the wall
-  for (const double line : {-reach, reach}) {
-    const double sine = (line - height) / radius;
-    if (std::abs(sine) > 1) continue;
-    const double cosine = std::sqrt(1 - sine * sine);
-    for (const double side : {-1.0, 1.0})
-      directions.push_back(side * cosine * unit + sine * left_of(unit));
-  }
-}
-
-/// The parts of the corner's circle that keep the radius from every wall, in ascending order.
-std::vector<Interval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
-                                const ReflexCorner& corner, std::uint32_t before) {
-  const double radius = walls.radius();
-  if (radius == 0) return {{0, corner.extent}};
-  const double reach = radius - touching;
-  std::vector<double> cuts{0, corner.extent};
-  std::vector<std::uint32_t> near = walls.walls_about(corner.position, radius);
-  std::erase(near, corner.vertex);
-  std::erase(near, before);
-  std::vector<Vec2> directions;
-  for (const std::uint32_t wall : near)
-    add_crossings(corner.position, radius, wall_start(plan, wall), wall_end(plan, wall), reach,
-                  directions);
-  for (const Vec2 direction : directions) {
-    const double angle = corner.angle_of(direction);
-    if (angle > 0 && angle < corner.extent) cuts.push_back(angle);
-  }
-  std::ranges::sort(cuts);
-
-  std::vector<Interval> free;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Vec2 middle = corner.point_at((cuts[i] + cuts[i + 1]) / 2, radius);
-    const bool blocked = std::ranges::any_of(near, [&](std::uint32_t wall) {
-      return nearest_on_segment(middle, wall_start(plan, wall), wall_end(plan, wall))
-                 .distance_squared < reach * reach;
-    });
-    if (blocked) continue;
-    if (!free.empty() && free.back().end == cuts[i])
-      free.back().end = cuts[i + 1];
-    else
-      free.push_back({cuts[i], cuts[i + 1]});
-  }
-  return free;
-}
-
 /// Finds the tangents between the arcs of one floor.
 class Builder {
  public:
-  Builder(const FloorPlan& plan, double radius) : walls_(plan, radius) {
+  Builder(const FloorPlan& plan, const SightMap& sight, double radius)
+      : sight_(sight), walls_(plan, radius) {
     graph_.radius = radius;
     std::vector<std::uint32_t> previous(plan.vertex.size());
     for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
-    for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) {
-      const auto corner = reflex_corner(plan, previous[i], i);
-      if (!corner) continue;
+    for (const std::uint32_t i : sight.corner) {
       const auto first = static_cast<std::uint32_t>(graph_.arc.size());
-      for (const Interval& free : free_arcs(plan, walls_, *corner, previous[i]))
-        graph_.arc.push_back({i, free.begin, free.end});
+      const auto found = reflex_corner(plan, previous[i], i);
+      const ReflexCorner corner = found.value_or(ReflexCorner{.vertex = i});
+      if (found)
+        for (const ArcInterval& free : free_arcs(plan, walls_, corner, previous[i], radius))
+          graph_.arc.push_back({i, free.begin, free.end});
       const auto end = static_cast<std::uint32_t>(graph_.arc.size());
-      if (end > first) corner_.push_back({*corner, end_direction(*corner), first, end});
+      corner_.push_back({corner, end_direction(corner), first, end});
     }
   }
 
   TangentGraph build() {
     for (std::size_t i = 0; i < corner_.size(); ++i)
-      for (std::size_t j = i + 1; j < corner_.size(); ++j)
+      for (const std::uint32_t j : seen_from(i))
         for (const Sense leaving : {Sense::CounterClockwise, Sense::Clockwise})
           for (const Sense arriving : {Sense::CounterClockwise, Sense::Clockwise})
             connect(corner_[i], leaving, corner_[j], arriving);
@@ -118,6 +52,14 @@ class Builder {
     Tangent tangent;
   };
 
+  /// The corners after i that it sees, if there is anything to touch at it.
+  std::span<const std::uint32_t> seen_from(std::size_t i) const noexcept {
+    const auto seen =
+        std::span(sight_.pair_other)
+            .subspan(sight_.pair_first[i], sight_.pair_first[i + 1] - sight_.pair_first[i]);
+    if (corner_[i].first_arc == corner_[i].end_arc) return {};
+    return seen.subspan(static_cast<std::size_t>(std::ranges::upper_bound(seen, i) - seen.begin()));
+  }
   static Vec2 end_direction(const ReflexCorner& corner) {
     return std::cos(corner.extent) * corner.begin + std::sin(corner.extent) * left_of(corner.begin);
   }
@@ -192,9 +134,10 @@ class Builder {
     }
   }
 
+  const SightMap& sight_;
   WallGrid walls_;
   TangentGraph graph_;
-  std::vector<Corner> corner_;
+  std::vector<Corner> corner_;  ///< One per corner of the sight map.
   std::vector<Found> found_;
 };
 
@@ -210,9 +153,9 @@ std::optional<ReflexCorner> reflex_corner(const FloorPlan& plan, std::uint32_t b
   return ReflexCorner{vertex, v, left_of(out), std::max(extent, 0.0)};
 }
 
-TangentGraph make_tangent_graph(const FloorPlan& plan, double radius) {
+TangentGraph make_tangent_graph(const FloorPlan& plan, const SightMap& sight, double radius) {
   if (!(radius >= 0) || !std::isfinite(radius)) return {.side_first = {0}};
-  return Builder(plan, radius < smallest_radius ? 0 : radius).build();
+  return Builder(plan, sight, radius < smallest_radius ? 0 : radius).build();
 }
 
 std::vector<ReflexCorner> corners_of_arcs(const FloorPlan& plan, const TangentGraph& graph) {

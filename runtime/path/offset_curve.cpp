@@ -7,102 +7,119 @@
 
 #include "runtime/path/flatten.h"
 #include "runtime/path/floor_map.h"
+#include "runtime/path/stamped_array.h"
 
 namespace docent {
 
-LevelCurve::LevelCurve(const MedialAxisMap& map, double distance) : map_(map), distance_(distance) {
-  const VoronoiDiagram& voronoi = map.diagram();
-  const FloorPlan& plan = map.floor().plan;
-  std::vector<std::uint32_t> previous(plan.vertex.size());
-  for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
-  corner_.resize(voronoi.site.size());
-  for (std::size_t s = 0; s < voronoi.site.size(); ++s) {
-    const Site& site = voronoi.site[s];
-    if (site.kind == Site::Kind::Corner)
-      corner_[s] = reflex_corner(plan, previous[site.index], site.index)
-                       .value_or(ReflexCorner{.vertex = site.index});
-  }
-  find_crossings();
-  find_pieces();
-}
-
 bool LevelCurve::is_wall(std::uint32_t site) const noexcept {
-  return map_.diagram().site[site].kind == Site::Kind::Wall;
+  return map_->diagram().site[site].kind == Site::Kind::Wall;
 }
 
-void LevelCurve::find_crossings() {
-  const VoronoiDiagram& voronoi = map_.diagram();
-  edge_first_.reserve(voronoi.edge.size() + 1);
-  for (std::uint32_t e = 0; e < voronoi.edge.size(); ++e) {
-    edge_first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
-    const EdgeCurve& curve = map_.curve(e);
-    // Vertices are judged by their own stored clearance, so that all their edges agree. A passage
-    // of exactly twice the distance is not passed: what would connect there has no area.
-    const double above_distance = distance_ + touching;
-    const auto cross_between = [&](double a, double b, bool a_above, bool b_above) {
-      if (a_above != b_above)
-        crossing_.push_back({e, curve.place_of_clearance(distance_, a, b), b_above});
-    };
-    const bool from_above = voronoi.clearance[voronoi.edge[e].from] > above_distance;
-    const bool to_above = voronoi.clearance[voronoi.edge[e].to] > above_distance;
-    const double lowest = curve.lowest_place();
-    if (lowest == curve.begin() || lowest == curve.end()) {
-      cross_between(curve.begin(), curve.end(), from_above, to_above);
-    } else {
-      // Never above an end that is not: rounding must not make a third crossing.
-      const bool above = curve.clearance_at(lowest) > above_distance && from_above && to_above;
-      cross_between(curve.begin(), lowest, from_above, above);
-      cross_between(lowest, curve.end(), above, to_above);
-    }
+LevelCurve::Crossings LevelCurve::crossings_of(std::uint32_t voronoi_edge) const noexcept {
+  // A passage of exactly twice the distance is not passed: what would connect there has no area.
+  const double above_distance = distance_ + touching;
+  if (!map_->clearances(voronoi_edge).contains(above_distance)) return {};
+  const VoronoiDiagram& voronoi = map_->diagram();
+  const VoronoiEdge& edge = voronoi.edge[voronoi_edge];
+  const EdgeCurve& curve = map_->curve(voronoi_edge);
+  // Vertices are judged by their own stored clearance, so that all their edges agree.
+  const bool from_above = voronoi.clearance[edge.from] > above_distance;
+  const bool to_above = voronoi.clearance[edge.to] > above_distance;
+  Crossings crossings{.first_rises = !from_above};
+  const double lowest = curve.lowest_place();
+  if (from_above && to_above) {
+    crossings.at = {curve.place_of_clearance(distance_, curve.begin(), lowest),
+                    curve.place_of_clearance(distance_, lowest, curve.end())};
+    crossings.count = 2;
+  } else {
+    crossings.at[0] = from_above ? curve.place_of_clearance(distance_, curve.begin(), lowest)
+                                 : curve.place_of_clearance(distance_, lowest, curve.end());
+    crossings.count = 1;
   }
-  edge_first_.push_back(static_cast<std::uint32_t>(crossing_.size()));
+  return crossings;
+}
+
+Vec2 LevelCurve::point_at(LevelCrossing crossing) const noexcept {
+  const std::uint32_t e = crossing / 2;
+  return map_->curve(e).point_at(crossings_of(e).at[crossing % 2]);
+}
+
+/// The crossing after one as the boundary of a site's region is followed in a sense. There is
+/// another one: whatever rises past the distance falls again.
+LevelCurve::Found LevelCurve::next_crossing(LevelCrossing crossing, const Crossings& here,
+                                            std::uint32_t site,
+                                            bool counter_clockwise) const noexcept {
+  const VoronoiDiagram& voronoi = map_->diagram();
+  const std::uint32_t first = voronoi.region_first[site], end = voronoi.region_first[site + 1];
+  std::uint32_t e = crossing / 2;
+  // A loop passes the edges that have its site to their left in their own direction.
+  const auto ascends = [&] { return (voronoi.edge[e].left == site) == counter_clockwise; };
+  if (here.count == 2 && crossing % 2 == (ascends() ? 0U : 1U))
+    return {crossing ^ 1U, here.at[1 - crossing % 2]};
+  std::uint32_t k = map_->place_in_loop(e, site);
+  for (std::uint32_t passed = first; passed < end; ++passed) {
+    if (counter_clockwise)
+      k = k + 1 == end ? first : k + 1;
+    else
+      k = k == first ? end - 1 : k - 1;
+    e = voronoi.region_edge[k];
+    const Crossings crossings = crossings_of(e);
+    if (crossings.count == 0) continue;
+    const std::uint32_t which = ascends() ? 0 : crossings.count - 1;
+    return {2 * e + which, crossings.at[which]};
+  }
+  return {crossing, here.at[crossing % 2]};
+}
+
+LevelPiece LevelCurve::piece(std::uint32_t site, const Found& from,
+                             const Found& to) const noexcept {
+  const Vec2 first = point_at(from), last = point_at(to);
+  return {site,  from.crossing, to.crossing, place_of(site, first), place_of(site, last),
+          first, last};
 }
 
 /// Round a region, counter-clockwise, the boundary rises past the distance and falls below it in
 /// turn; between a rise and the fall after it the region reaches beyond the distance, and there the
 /// curve runs from the fall's place back to the rise's, the wall on its right.
-void LevelCurve::find_pieces() {
-  struct Passed {
-    std::uint32_t crossing;
-    bool rises;
-  };
-  const VoronoiDiagram& voronoi = map_.diagram();
-  piece_from_.assign(crossing_.size(), MedialAxisMap::none);
-  std::vector<Passed> passed;
-  for (std::uint32_t site = 0; site + 1 < voronoi.region_first.size(); ++site) {
-    passed.clear();
-    for (std::uint32_t k = voronoi.region_first[site]; k < voronoi.region_first[site + 1]; ++k) {
-      const std::uint32_t e = voronoi.region_edge[k];
-      const std::uint32_t first = edge_first_[e], end = edge_first_[e + 1];
-      if (voronoi.edge[e].left == site)
-        for (std::uint32_t c = first; c < end; ++c) passed.push_back({c, crossing_[c].rises});
-      else
-        for (std::uint32_t c = end; c-- > first;) passed.push_back({c, !crossing_[c].rises});
-    }
-    for (std::size_t i = 0; i < passed.size(); ++i) {
-      const Passed& fall = passed[(i + 1) % passed.size()];
-      if (!passed[i].rises || fall.rises) continue;
-      const std::uint32_t from = fall.crossing, to = passed[i].crossing;
-      const auto place = [&](std::uint32_t c) {
-        return place_of(site, map_.curve(crossing_[c].voronoi_edge).point_at(crossing_[c].at));
-      };
-      piece_from_[from] = static_cast<std::uint32_t>(piece_.size());
-      piece_.push_back({site, from, to, place(from), place(to)});
-    }
-  }
+LevelPiece LevelCurve::piece_from(LevelCrossing fall) const noexcept {
+  const VoronoiEdge& edge = map_->diagram().edge[fall / 2];
+  const Crossings here = crossings_of(fall / 2);
+  const std::uint32_t site = rises(here, fall % 2) ? edge.right : edge.left;
+  return piece(site, {fall, here.at[fall % 2]}, next_crossing(fall, here, site, false));
 }
 
-double LevelCurve::place_of(std::uint32_t site, Vec2 point) const {
-  if (!is_wall(site)) return corner_[site].angle_of(point - corner_[site].position);
-  const std::uint32_t wall = map_.diagram().site[site].index;
-  const Vec2 a = wall_start(map_.floor().plan, wall), b = wall_end(map_.floor().plan, wall);
+LevelPiece LevelCurve::piece_to(LevelCrossing rise) const noexcept {
+  const VoronoiEdge& edge = map_->diagram().edge[rise / 2];
+  const Crossings here = crossings_of(rise / 2);
+  const std::uint32_t site = rises(here, rise % 2) ? edge.left : edge.right;
+  return piece(site, next_crossing(rise, here, site, true), {rise, here.at[rise % 2]});
+}
+
+std::vector<LevelPiece> LevelCurve::pieces_in(std::uint32_t site) const {
+  const VoronoiDiagram& voronoi = map_->diagram();
+  std::vector<LevelPiece> pieces;
+  if (site + 1 >= voronoi.region_first.size()) return pieces;
+  for (std::uint32_t k = voronoi.region_first[site]; k < voronoi.region_first[site + 1]; ++k) {
+    const std::uint32_t e = voronoi.region_edge[k];
+    const Crossings crossings = crossings_of(e);
+    for (std::uint32_t which = 0; which < crossings.count; ++which)
+      if (rises(crossings, which) != (voronoi.edge[e].left == site))
+        pieces.push_back(piece_from(2 * e + which));
+  }
+  return pieces;
+}
+
+double LevelCurve::place_of(std::uint32_t site, Vec2 point) const noexcept {
+  if (!is_wall(site)) return map_->corner(site).angle_of(point - map_->corner(site).position);
+  const std::uint32_t wall = map_->diagram().site[site].index;
+  const Vec2 a = wall_start(map_->floor().plan, wall), b = wall_end(map_->floor().plan, wall);
   return dot(point - a, glm::normalize(b - a));
 }
 
-Vec2 LevelCurve::point_at(std::uint32_t site, double place) const {
-  if (!is_wall(site)) return corner_[site].point_at(place, distance_);
-  const std::uint32_t wall = map_.diagram().site[site].index;
-  const Vec2 a = wall_start(map_.floor().plan, wall), b = wall_end(map_.floor().plan, wall);
+Vec2 LevelCurve::point_at(std::uint32_t site, double place) const noexcept {
+  if (!is_wall(site)) return map_->corner(site).point_at(place, distance_);
+  const std::uint32_t wall = map_->diagram().site[site].index;
+  const Vec2 a = wall_start(map_->floor().plan, wall), b = wall_end(map_->floor().plan, wall);
   const Vec2 along = glm::normalize(b - a);
   return a + place * along + distance_ * left_of(along);
 }
@@ -113,15 +130,16 @@ double LevelCurve::length_between(std::uint32_t site, double a, double b) const 
 
 void LevelCurve::append_points(std::uint32_t site, double a, double b,
                                std::vector<Vec2>& points) const {
-  if (!is_wall(site)) return append_arc(corner_[site], distance_, a, b, points);
+  if (!is_wall(site)) return append_arc(map_->corner(site), distance_, a, b, points);
   append_point(point_at(site, a), points);
   append_point(point_at(site, b), points);
 }
 
-double LevelCurve::area_between(std::uint32_t site, double a, double b, Vec2 origin) const {
+double LevelCurve::area_between(std::uint32_t site, double a, double b,
+                                Vec2 origin) const noexcept {
   const Vec2 p = point_at(site, a) - origin, q = point_at(site, b) - origin;
   if (is_wall(site)) return cross(p, q) / 2;
-  return (cross(corner_[site].position - origin, q - p) + distance_ * distance_ * (b - a)) / 2;
+  return (cross(map_->corner(site).position - origin, q - p) + distance_ * distance_ * (b - a)) / 2;
 }
 
 namespace {
@@ -137,14 +155,13 @@ OffsetRing wall_ring(const FloorPlan& plan, const Ring& ring) {
   return made;
 }
 
-/// Follows the curve from one piece until it closes; gives its pieces.
-std::vector<std::uint32_t> follow(const LevelCurve& curve, std::uint32_t first,
-                                  std::vector<bool>& followed) {
-  std::vector<std::uint32_t> pieces;
-  for (std::uint32_t p = first; p != MedialAxisMap::none && !followed[p];
-       p = curve.piece_from(curve.pieces()[p].to)) {
-    followed[p] = true;
-    pieces.push_back(p);
+/// Follows the curve from one crossing until it closes; gives its pieces.
+std::vector<LevelPiece> follow(const LevelCurve& curve, LevelCrossing first,
+                               StampedArray<char>& followed) {
+  std::vector<LevelPiece> pieces;
+  for (LevelCrossing at = first; !followed.has(at); at = pieces.back().to) {
+    followed[at] = 1;
+    pieces.push_back(curve.piece_from(at));
   }
   return pieces;
 }
@@ -168,20 +185,19 @@ std::vector<std::uint32_t> number_places(const std::vector<Vec2>& points) {
 
 /// Splits a closed row of pieces where it touches itself, so that no ring passes a point twice: two
 /// holes that touch stay two.
-std::vector<std::vector<std::uint32_t>> split_where_touching(
-    const LevelCurve& curve, const std::vector<std::uint32_t>& pieces) {
+std::vector<std::vector<LevelPiece>> split_where_touching(const LevelCurve& curve,
+                                                          const std::vector<LevelPiece>& pieces) {
   std::vector<Vec2> begins;
   begins.reserve(pieces.size());
-  for (const std::uint32_t p : pieces)
-    begins.push_back(curve.point_at(curve.pieces()[p].site, curve.pieces()[p].begin));
+  for (const LevelPiece& piece : pieces) begins.push_back(curve.point_at(piece.from));
   const auto place = number_places(begins);
-  std::vector<std::vector<std::uint32_t>> rings;
+  std::vector<std::vector<LevelPiece>> rings;
   std::vector<std::size_t> open;                    // pieces not yet in a ring, in order
   std::vector<bool> visited(pieces.size(), false);  // per place: does an open piece begin there?
   for (std::size_t i = 0; i <= pieces.size(); ++i) {
     const std::uint32_t here = place[i % pieces.size()];
     if (visited[here]) {
-      std::vector<std::uint32_t> ring;
+      std::vector<LevelPiece> ring;
       while (visited[here]) {
         ring.push_back(pieces[open.back()]);
         visited[place[open.back()]] = false;
@@ -196,12 +212,10 @@ std::vector<std::vector<std::uint32_t>> split_where_touching(
   return rings;
 }
 
-OffsetRing make_ring(const LevelCurve& curve, const std::vector<std::uint32_t>& pieces) {
+OffsetRing make_ring(const LevelCurve& curve, const std::vector<LevelPiece>& pieces) {
   OffsetRing ring;
-  const LevelPiece& first = curve.pieces()[pieces.front()];
-  const Vec2 origin = curve.point_at(first.site, first.begin);
-  for (const std::uint32_t p : pieces) {
-    const LevelPiece& piece = curve.pieces()[p];
+  const Vec2 origin = curve.point_at(pieces.front().from);
+  for (const LevelPiece& piece : pieces) {
     ring.length += curve.length_between(piece.site, piece.begin, piece.end);
     ring.area += curve.area_between(piece.site, piece.begin, piece.end, origin);
     curve.append_points(piece.site, piece.begin, piece.end, ring.points);
@@ -220,11 +234,14 @@ OffsetCurve offset_curve(const MedialAxisMap& map, double distance) {
       made.rings.push_back(wall_ring(map.floor().plan, ring));
   } else {
     const LevelCurve curve(map, distance);
-    std::vector<bool> followed(curve.pieces().size(), false);
-    for (std::uint32_t p = 0; p < curve.pieces().size(); ++p)
-      if (!followed[p])
-        for (const auto& pieces : split_where_touching(curve, follow(curve, p, followed)))
-          made.rings.push_back(make_ring(curve, pieces));
+    thread_local StampedArray<char> followed;  // kept, so that no curve has to clear them
+    followed.forget(2 * map.diagram().edge.size());
+    map.visit_edges_across(distance + touching, [&](std::uint32_t e) {
+      for (LevelCrossing at = 2 * e; at < 2 * e + curve.crossings_of(e).count; ++at)
+        if (!followed.has(at))
+          for (const auto& pieces : split_where_touching(curve, follow(curve, at, followed)))
+            made.rings.push_back(make_ring(curve, pieces));
+    });
   }
   for (const OffsetRing& ring : made.rings) {
     ++(ring.area > 0 ? made.components : made.holes);

@@ -1,72 +1,86 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "runtime/path/medial_axis_map.h"
-#include "runtime/path/reflex_corner.h"
 
 namespace docent {
 
 class FloorMap;
 
-/// Where the curve at one distance from the walls meets a Voronoi edge.
-struct LevelCrossing {
-  std::uint32_t voronoi_edge = 0;
-  double at = 0;       ///< The place on it, as EdgeCurve counts.
-  bool rises = false;  ///< The clearance grows past the distance when going from `from` to `to`.
-};
+/// A place where the curve at one distance from the walls meets a Voronoi edge: twice the edge's
+/// number, plus one for the second place on it.
+using LevelCrossing = std::uint32_t;
 
 /// A piece of that curve inside the region of one site: parallel to a wall, or an arc about a
 /// corner. The wall is to the right of it.
 struct LevelPiece {
   std::uint32_t site = 0;
-  std::uint32_t from = 0, to = 0;  ///< Crossings.
+  LevelCrossing from = 0, to = 0;
   double begin = 0, end = 0;  ///< Metres along the wall, growing, or radians on the corner's arc
                               ///< (see ReflexCorner), falling.
+  Vec2 first{}, last{};       ///< The points of its crossings.
 };
 
-/// The curve of all points at one distance from the nearest wall, from clipping each Voronoi region
-/// at that distance; linear in the size of the diagram.
+/// The curve of all points at one distance from the nearest wall, from clipping Voronoi regions at
+/// that distance. Nothing is made before it is asked for.
+///
+/// Following the curve round a region passes the region's edges above the distance. In all these
+/// are no more than three times the pieces: cut off at the distance, the diagram is a plane graph
+/// with one piece to a face. So the whole curve costs time linear in its own size.
 class LevelCurve {
  public:
   /// `distance` is positive. Borrows the map.
-  LevelCurve(const MedialAxisMap& map, double distance);
+  LevelCurve(const MedialAxisMap& map, double distance) noexcept
+      : map_(&map), distance_(distance) {}
 
   double distance() const noexcept { return distance_; }
-  std::span<const LevelCrossing> crossings() const noexcept { return crossing_; }
-  std::span<const LevelPiece> pieces() const noexcept { return piece_; }
-  /// The crossings of a Voronoi edge, none to two, in its direction.
-  std::uint32_t first_crossing(std::uint32_t voronoi_edge) const noexcept {
-    return edge_first_[voronoi_edge];
-  }
-  std::uint32_t end_crossing(std::uint32_t voronoi_edge) const noexcept {
-    return edge_first_[voronoi_edge + 1];
-  }
-  /// The piece that begins at a crossing.
-  std::uint32_t piece_from(std::uint32_t crossing) const noexcept { return piece_from_[crossing]; }
+
+  /// The crossings of a Voronoi edge, in its direction.
+  struct Crossings {
+    std::array<double, 2> at{};  ///< Places on it, as EdgeCurve counts.
+    std::uint32_t count = 0;
+    bool first_rises = false;  ///< Does the clearance grow past the distance at the first? (At the
+                               ///< second the other way.)
+  };
+  Crossings crossings_of(std::uint32_t voronoi_edge) const noexcept;
+  Vec2 point_at(LevelCrossing crossing) const noexcept;
+
+  /// The piece that begins at a crossing, and the one that ends there.
+  LevelPiece piece_from(LevelCrossing crossing) const noexcept;
+  LevelPiece piece_to(LevelCrossing crossing) const noexcept;
+  /// The pieces in the region of a site.
+  std::vector<LevelPiece> pieces_in(std::uint32_t site) const;
 
   /// How a piece of a site's region counts places: where `point` is seen from the site.
-  double place_of(std::uint32_t site, Vec2 point) const;
-  Vec2 point_at(std::uint32_t site, double place) const;
+  double place_of(std::uint32_t site, Vec2 point) const noexcept;
+  Vec2 point_at(std::uint32_t site, double place) const noexcept;
   double length_between(std::uint32_t site, double a, double b) const noexcept;
   void append_points(std::uint32_t site, double a, double b, std::vector<Vec2>& points) const;
   /// Half the integral of r x dr along it, r from `origin`.
-  double area_between(std::uint32_t site, double a, double b, Vec2 origin) const;
+  double area_between(std::uint32_t site, double a, double b, Vec2 origin) const noexcept;
 
  private:
-  void find_crossings();
-  void find_pieces();
   bool is_wall(std::uint32_t site) const noexcept;
+  static bool rises(const Crossings& crossings, std::uint32_t which) noexcept {
+    return crossings.first_rises != (which == 1);
+  }
+  /// A crossing with where it is.
+  struct Found {
+    LevelCrossing crossing = 0;
+    double at = 0;
+  };
+  Found next_crossing(LevelCrossing crossing, const Crossings& here, std::uint32_t site,
+                      bool counter_clockwise) const noexcept;
+  Vec2 point_at(const Found& found) const noexcept {
+    return map_->curve(found.crossing / 2).point_at(found.at);
+  }
+  LevelPiece piece(std::uint32_t site, const Found& from, const Found& to) const noexcept;
 
-  const MedialAxisMap& map_;
+  const MedialAxisMap* map_;
   double distance_;
-  std::vector<ReflexCorner> corner_;  ///< Per site; unused for walls.
-  std::vector<LevelCrossing> crossing_;
-  std::vector<std::uint32_t> edge_first_;
-  std::vector<LevelPiece> piece_;
-  std::vector<std::uint32_t> piece_from_;
 };
 
 /// One closed curve; counter-clockwise round a part of the floor, clockwise round a hole in one.
@@ -85,7 +99,8 @@ struct OffsetCurve {
   double perimeter = 0;  ///< Metres.
 };
 
-/// Makes it; at distance 0 it is the walls. Empty where the distance is negative or not finite.
+/// Makes it, in time linear in its size; at distance 0 it is the walls. Empty where the distance is
+/// negative or not finite.
 OffsetCurve offset_curve(const MedialAxisMap& map, double distance);
 OffsetCurve offset_curve(const FloorMap& map, double distance);
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "runtime/path/floor_map.h"
 
 namespace docent {
@@ -15,10 +13,10 @@ namespace docent {
 /// place. Where the goal's wall cannot be reached so (it is an island's, say), it crosses over
 /// along the medial axis of wide places as well; there a metre counts as `crossing_weight` metres,
 /// so that it keeps to walls where it can.
+///
+/// Nothing is made beforehand and nothing but what the search comes to: any distance costs the
+/// same.
 Way offset_way(const FloorMap& map, const RouteQuery& query);
-
-/// The same through several stops, all on one hand.
-Way offset_tour(const FloorMap& map, const RouteQuery& query, std::span<const Vec2> stops);
 
 inline constexpr double crossing_weight = 3;
 

@@ -55,6 +55,8 @@ int orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   // Shewchuk's bound for this evaluation, (3 + 16 u) u with u = 2^-53.
   constexpr double bound = 3.3306690738754716e-16;
   const double error = bound * (std::abs(left) + std::abs(right));
+  if (error == 0)
+    return 0;  // Of each product a factor is 0, and differences round to 0 only if they are.
   if (determinant > error) return 1;
   if (-determinant > error) return -1;
   return exact_orientation(a, b, c);

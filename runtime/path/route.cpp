@@ -8,12 +8,20 @@
 #include "runtime/path/make_tangent_graph.h"
 #include "runtime/path/medial_axis_way.h"
 #include "runtime/path/offset_way.h"
+#include "runtime/path/round_corners.h"
 
 namespace docent {
 namespace {
 
 Way shortest(const FloorMap& map, const RouteQuery& query) {
-  Way way = shortest_way(*map.shortest_ways(query.radius), query.from, query.to);
+  const auto ways = map.shortest_ways().find(query.radius);
+  const auto has_room = [&](Vec2 point) {
+    return (ways && ways->surely_has_room(point)) || map.has_room(point, query.radius);
+  };
+  if (!has_room(query.from)) return {.status = RouteStatus::StartBlocked};
+  if (!has_room(query.to)) return {.status = RouteStatus::GoalBlocked};
+  Way way = ways ? shortest_way(*ways, query.from, query.to)
+                 : search_tangents(map.search(), query.radius, query.from, query.to);
   if (way.status == RouteStatus::Ok && way.points.size() == 2)
     way.clearance_min = map.walls().segment_clearance(
         query.from, query.to, std::min(map.clearance_at(query.from), map.clearance_at(query.to)));
@@ -29,17 +37,14 @@ std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
 Way route(const FloorMap& map, const RouteQuery& asked) {
   RouteQuery query = asked;
   if (!(query.radius >= smallest_radius)) query.radius = 0;
+  if (query.kind == RouteKind::Shortest) return shortest(map, query);
   if (!map.has_room(query.from, query.radius)) return {.status = RouteStatus::StartBlocked};
   if (!map.has_room(query.to, query.radius)) return {.status = RouteStatus::GoalBlocked};
-  switch (query.kind) {
-    case RouteKind::Shortest:
-      return shortest(map, query);
-    case RouteKind::Skeleton:
-      return medial_axis_way(map, query);
-    case RouteKind::Offset:
-      return offset_way(map, query);
-  }
-  return {};
+  Way way =
+      query.kind == RouteKind::Skeleton ? medial_axis_way(map, query) : offset_way(map, query);
+  if (query.smooth) round_corners(map, query.radius, way);
+  if (way.points.size() == 1) way.points.push_back(query.to);
+  return way;
 }
 
 Way tour(const FloorMap& map, const RouteQuery& asked, std::span<const Vec2> stops) {
@@ -49,7 +54,6 @@ Way tour(const FloorMap& map, const RouteQuery& asked, std::span<const Vec2> sto
   for (std::size_t i = 0; i < stops.size(); ++i)
     if (!map.has_room(stops[i], query.radius))
       return {.status = i == 0 ? RouteStatus::StartBlocked : RouteStatus::GoalBlocked};
-  if (query.kind == RouteKind::Offset && stops.size() > 1) return offset_tour(map, query, stops);
   Way whole{RouteStatus::Ok, 0, map.clearance_at(stops[0]), {stops[0]}};
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     query.from = stops[i];

@@ -19,7 +19,12 @@ std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor);
 /// Answers one query. Never throws for any finite or non-finite input.
 Way route(const FloorMap& map, const RouteQuery& query);
 
-/// A tour that passes the given points in order; only the offset kind does more than join the ways.
+/// A tour that passes the given points in the order given: the ways between them, one after
+/// another.
+///
+/// Costs one query for each stop after the first. The order is not improved: the tour is as long as
+/// its legs, and on the offset kind every leg keeps the wall on the same hand, so a stop that lies
+/// behind may cost a round of the room.
 Way tour(const FloorMap& map, const RouteQuery& query, std::span<const Vec2> stops);
 
 /// Distance to the nearest wall (inside or out), metres.

@@ -1,274 +1,435 @@
 #include "runtime/path/shortest_way.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "runtime/path/flatten.h"
 #include "runtime/path/make_tangent_graph.h"
+#include "runtime/path/stamped_array.h"
+#include "runtime/path/tangent_search.h"
 
 namespace docent {
 namespace {
 
-constexpr std::uint32_t none = TangentGraph::no_tangent;
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 double length_of(Vec2 v) noexcept {
   return std::sqrt(dot(v, v));
 }
 
-/// A straight way between a query's end point and a side of the graph.
-struct EndTangent {
-  std::uint32_t side = 0;
-  double angle = 0;  ///< On the side's arc.
-  double length = 0;
-  Vec2 touch{};
+/// An end tangent of the query. Costs are in the labels' unit.
+struct Candidate {
+  EndTangent tangent;
+  std::int64_t bound = 0;  ///< No way by this tangent is shorter.
+  std::int64_t cost = 0;   ///< As far as the end of the side's arc that labels count from: rolling
+                           ///< there is taken off again. Known where `is_priced`.
+  bool is_priced = false;
+  bool is_clear = false;  ///< Known to be clear of walls.
+  double angle = 0;       ///< Of the touch on the side's arc. Known where `is_priced`.
 };
 
-/// One search. The places it can be in are "about to leave by tangent k" (each k once, so the graph
-/// is the tangents themselves: from k the way either takes it or rolls on to k + 1), "about to
-/// arrive along the start tangent k" and "about to take the goal tangent of a side". End tangents
-/// enter the queue by the lower bound that they would give if they were clear, and are tested
-/// against the walls only when their turn comes: most never do.
-class Search {
- public:
-  Search(const ShortestWayMap& map, Vec2 from, Vec2 to)
-      : map_(map), graph_(map.graph), from_(from), to_(to), work_(workspace()) {
-    work_.begin(graph_.tangent.size(), graph_.side_first.size());
+/// What is added to costs, so that rolls may be taken off: no arc is longer.
+constexpr std::int64_t bias = 2 * std::int64_t{HubLabels::most_cost};
+/// So many bits hold the sum of the bias and four costs, and one more.
+constexpr unsigned cost_bits = 36;
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+constexpr std::int64_t unreached = std::int64_t{1} << (cost_bits - 1);
+
+/// How two candidates meet.
+struct Meeting {
+  std::int64_t cost = unreached;
+  std::uint32_t from = none, to = none;           ///< Candidates.
+  std::uint32_t leaving = none, arriving = none;  ///< Entries; none where both touch one side.
+};
+
+/// Per thread, so that a query pays for what it visits only.
+struct Workspace {
+  /// Per hub, what it costs to get there: the cost with the bias in the lower bits, the round in
+  /// the upper ones, which counts down, so that a smaller number is cheaper or newer and telling
+  /// takes no branch.
+  std::vector<std::uint64_t> hub;
+  std::uint64_t round = 0;
+  std::vector<Candidate> from, to;
+  StampedArray<std::uint32_t> on_side;  ///< Which candidate touches a side first.
+  std::vector<std::uint32_t> tangents;  ///< Of the way, in order.
+  std::vector<std::uint32_t> links;     ///< Yet to be taken apart.
+
+  void next_round(std::size_t hubs) {
+    if (hub.size() < hubs) hub.resize(hubs, never);
+    if (round == 0) {
+      std::ranges::fill(hub, never);
+      round = never >> cost_bits;
+    }
+    --round;
   }
+};
+Workspace& workspace() {
+  thread_local Workspace work;
+  return work;
+}
+
+class Query {
+ public:
+  Query(const ShortestWayMap& map, Vec2 from, Vec2 to)
+      : map_(map),
+        labels_(map.labels()),
+        per_metre_(1 / map.labels().unit),
+        from_(from),
+        to_(to),
+        work_(workspace()) {}
 
   Way run() {
-    if (map_.walls.segment_clear(from_, to_))
+    if (map_.walls().segment_clear(from_, to_))
       return {RouteStatus::Ok, length_of(to_ - from_), 0, {from_, to_}};
-    push_starts();
-    while (!work_.queue.empty()) {
-      const Entry entry = pop();
-      switch (entry.kind) {
-        case Kind::Start:
-          if (start_is_clear(entry.index)) {
-            const EndTangent& start = work_.start[entry.index];
-            arrive(start.side, start.angle, start.length,
-                   static_cast<std::uint32_t>(graph_.tangent.size()) + entry.index);
-          }
-          break;
-        case Kind::Leave:
-          if (entry.cost == work_.cost[entry.index]) leave(entry.index, entry.cost);
-          break;
-        case Kind::Goal:
-          if (goal_is_clear(entry.index)) return trace(entry.index, entry.arrival, entry.cost);
-          break;
-      }
+    list_candidates();
+    bound(work_.from, work_.to);
+    bound(work_.to, work_.from);
+    for (;;) {
+      const Meeting best = meet();
+      if (best.from == none) return {};
+      // Both are tested before the labels meet again: each may be seen through a wall.
+      const bool from_clear = drop_unless_clear(work_.from, best.from, from_);
+      const bool to_clear = drop_unless_clear(work_.to, best.to, to_);
+      if (!from_clear || !to_clear) continue;
+      unpack(best);
+      const Candidate& first = work_.from[best.from];
+      const Candidate& last = work_.to[best.to];
+      if (!turns_forward(first, last))
+        return search_tangents(map_.search(), map_.graph().radius, from_, to_);
+      return trace(first, last);
     }
-    return {};
   }
 
  private:
-  enum class Kind : std::uint8_t { Start, Leave, Goal };
-  struct Entry {
-    double bound;           ///< No way through here is shorter.
-    double cost;            ///< Way so far; for Goal the whole way.
-    std::uint32_t index;    ///< Of the start tangent, the tangent, or the goal's side.
-    std::uint32_t arrival;  ///< Goal only: how the way came to the side.
-    Kind kind;
-    bool operator<(const Entry& other) const noexcept {  // std heaps keep the largest first
-      if (bound != other.bound) return bound > other.bound;
-      if (kind != other.kind) return kind < other.kind;
-      return index > other.index;
-    }
-  };
-  enum class GoalState : std::uint8_t { Unknown, None, Untested, Clear, Blocked };
+  std::int64_t in_units(double metres) const noexcept {
+    return static_cast<std::int64_t>(metres * per_metre_);
+  }
 
-  /// What a search needs to remember per tangent and side, kept per thread between queries so that
-  /// a query pays for what it visits and not for the size of the floor.
-  struct Workspace {
-    std::uint32_t round = 0;
-    std::vector<std::uint32_t> tangent_round, side_round;
-    std::vector<double> cost;
-    std::vector<std::uint32_t> arrival;  ///< Per tangent: how the way came to its side.
-    std::vector<GoalState> goal_state;
-    std::vector<EndTangent> goal;
-    std::vector<EndTangent> start;
-    std::vector<Entry> queue;
-
-    void begin(std::size_t tangents, std::size_t sides) {
-      if (tangent_round.size() < tangents || side_round.size() < sides || round == none) {
-        tangent_round.assign(std::max(tangents, tangent_round.size()), 0);
-        side_round.assign(std::max(sides, side_round.size()), 0);
-        cost.resize(tangent_round.size());
-        arrival.resize(tangent_round.size());
-        goal_state.resize(side_round.size());
-        goal.resize(side_round.size());
-        round = 0;
+  void list_candidates() {
+    work_.from.clear();
+    for (const std::uint32_t side : map_.sides_about(from_))
+      if (const auto tangent = map_.tangent_to(side, from_)) work_.from.push_back({*tangent});
+    work_.to.clear();
+    // Turning along the other side begins where this side ends.
+    for (const std::uint32_t back : map_.sides_about(to_))
+      if (const auto tangent = map_.tangent_to(back, to_)) {
+        work_.to.push_back({*tangent});
+        work_.to.back().tangent.side = back ^ 1U;
       }
-      ++round;
-      start.clear();
-      queue.clear();
+  }
+  void price(Candidate& candidate, std::uint32_t entered) const {
+    if (candidate.is_priced) return;
+    candidate.is_priced = true;
+    const double radius = map_.graph().radius;
+    candidate.angle = map_.angle_at(candidate.tangent);
+    candidate.cost =
+        in_units(candidate.tangent.length - radius * map_.turn_along(entered, candidate.angle));
+  }
+  void price_from(Candidate& candidate) const { price(candidate, candidate.tangent.side); }
+  void price_to(Candidate& candidate) const { price(candidate, candidate.tangent.side ^ 1U); }
+
+  /// The bounds of some candidates, by what lies between them and any of the others.
+  void bound(std::vector<Candidate>& some, const std::vector<Candidate>& others) const {
+    LandmarkBound between(map_.search().landmarks(), map_.graph().radius);
+    for (const Candidate& other : others)
+      between.add(map_.sight_corner(other.tangent.side), other.tangent.length);
+    for (Candidate& candidate : some)
+      candidate.bound = in_units(candidate.tangent.length +
+                                 between.from(map_.sight_corner(candidate.tangent.side)));
+  }
+
+  bool drop_unless_clear(std::vector<Candidate>& candidates, std::uint32_t index, Vec2 end) const {
+    Candidate& candidate = candidates[index];
+    if (!candidate.is_clear)
+      candidate.is_clear = map_.walls().segment_clear(end, candidate.tangent.touch);
+    if (candidate.is_clear) return true;
+    candidate = candidates.back();
+    candidates.pop_back();
+    return false;
+  }
+
+  /// The cheapest pair of candidates, counting as if every roll could also be a little negative:
+  /// no true way is cheaper.
+  Meeting meet() {
+    // The two that lead the straightest give a cost that most others cannot reach.
+    if (!bring_forward(work_.from, from_) || !bring_forward(work_.to, to_)) return {};
+    Meeting best = meet_on_one_side();
+    work_.next_round(map_.hubs());
+    leave(0);
+    arrive(0, best);
+    for (std::uint32_t i = 1; i < work_.from.size(); ++i)
+      if (work_.from[i].bound < best.cost) leave(i);
+    for (std::uint32_t i = 0; i < work_.to.size(); ++i)
+      if (work_.to[i].bound < best.cost) arrive(i, best);
+    if (best.arriving != none) find_leaving(best);
+    return best;
+  }
+  /// Moves the candidate of the smallest bound to the front, of those that are clear of walls.
+  bool bring_forward(std::vector<Candidate>& candidates, Vec2 end) const {
+    while (!candidates.empty()) {
+      std::swap(candidates.front(), *std::ranges::min_element(candidates, {}, &Candidate::bound));
+      if (drop_unless_clear(candidates, 0, end)) return true;
     }
-  };
-  static Workspace& workspace() {
-    thread_local Workspace work;
-    return work;
+    return false;
   }
-
-  static Sense sense_of(std::uint32_t side) noexcept {
-    return side % 2 == 0 ? Sense::CounterClockwise : Sense::Clockwise;
+  void leave(std::uint32_t index) {
+    Candidate& candidate = work_.from[index];
+    price_from(candidate);
+    const std::uint64_t so_far =
+        (work_.round << cost_bits) + static_cast<std::uint64_t>(bias + candidate.cost);
+    for (const auto& [name, further] : map_.leaving(candidate.tangent.side))
+      work_.hub[name] = std::min(work_.hub[name], so_far + further);
   }
-  /// How far the way has to turn round a side's corner from one angle to another; negative where
-  /// the other lies behind.
-  static double turn(std::uint32_t side, double from, double to) noexcept {
-    return side % 2 == 0 ? to - from : from - to;
-  }
-  bool on_arc(std::uint32_t arc, double angle) const noexcept {
-    return angle >= graph_.arc[arc].begin - same_angle && angle <= graph_.arc[arc].end + same_angle;
-  }
-
-  void push(Entry entry) {
-    work_.queue.push_back(entry);
-    std::push_heap(work_.queue.begin(), work_.queue.end());
-  }
-  Entry pop() {
-    std::pop_heap(work_.queue.begin(), work_.queue.end());
-    const Entry entry = work_.queue.back();
-    work_.queue.pop_back();
-    return entry;
-  }
-
-  /// The tangent between a point and a side: as the way goes from the point (`outwards`) or to it.
-  std::optional<EndTangent> end_tangent(Vec2 point, std::uint32_t side, bool outwards) const {
-    const ReflexCorner& corner = map_.corner[side / 2];
-    const double left = graph_.radius * sign_of(sense_of(side));
-    if (graph_.radius == 0 && point == corner.position) {
-      // Standing on the corner: any direction may follow.
-      const TangentArc& arc = graph_.arc[side / 2];
-      const bool at_begin = outwards == (side % 2 == 0);
-      return EndTangent{side, at_begin ? arc.begin : arc.end, 0, point};
-    }
-    const auto line = outwards ? tangent_line(point, 0, corner.position, left, touching)
-                               : tangent_line(corner.position, left, point, 0, touching);
-    if (!line) return {};
-    const Vec2 direction = -sign_of(sense_of(side)) * line->left;
-    if (cross(corner.begin, direction) < -same_angle) return {};
-    const double angle = corner.angle_of(direction);
-    if (!on_arc(side / 2, angle)) return {};
-    const Vec2 touch = corner.position + graph_.radius * direction;
-    return EndTangent{side, angle, length_of(touch - point), touch};
-  }
-
-  void push_starts() {
-    for (std::uint32_t side = 0; side < 2 * graph_.arc.size(); ++side) {
-      const auto start = end_tangent(from_, side, true);
-      if (!start) continue;
-      const double bound = start->length + length_of(to_ - start->touch);
-      push({bound, start->length, static_cast<std::uint32_t>(work_.start.size()), 0, Kind::Start});
-      work_.start.push_back(*start);
+  void arrive(std::uint32_t index, Meeting& best) {
+    Candidate& candidate = work_.to[index];
+    price_to(candidate);
+    // What an earlier round left is so much larger that it loses without being asked for.
+    const std::uint64_t so_far =
+        static_cast<std::uint64_t>(candidate.cost - bias) - (work_.round << cost_bits);
+    std::uint32_t entry = labels_.arriving.first[candidate.tangent.side];
+    for (const auto& [name, further] : map_.arriving(candidate.tangent.side)) {
+      const std::uint64_t cost = work_.hub[name] + so_far + further;
+      if (cost < static_cast<std::uint64_t>(best.cost))
+        best = {static_cast<std::int64_t>(cost), none, index, none, entry};
+      ++entry;
     }
   }
-  bool start_is_clear(std::uint32_t index) const {
-    return map_.walls.segment_clear(from_, work_.start[index].touch);
+
+  /// Which candidate's label brought the cost of the hub where a meeting takes place?
+  void find_leaving(Meeting& best) const {
+    const std::uint32_t hub = labels_.arriving.hub[best.arriving].hub;
+    const auto cost = static_cast<std::int64_t>(work_.hub[hub] - (work_.round << cost_bits));
+    for (std::uint32_t i = 0; i < work_.from.size(); ++i) {
+      if (!work_.from[i].is_priced) continue;
+      const auto label = map_.leaving(work_.from[i].tangent.side);
+      const auto entry = std::ranges::lower_bound(label, hub, {}, &HubCost::hub);
+      if (entry == label.end() || entry->hub != hub) continue;
+      if (bias + work_.from[i].cost + entry->cost != cost) continue;
+      best.from = i;
+      best.leaving = labels_.leaving.first[work_.from[i].tangent.side] +
+                     static_cast<std::uint32_t>(entry - label.begin());
+      return;
+    }
   }
 
-  /// The way reaches `side` at `angle`; from here it may roll on to any tangent that leaves later.
-  void arrive(std::uint32_t side, double angle, double cost, std::uint32_t arrival) {
-    relax(first_leaving(side, angle, arrival), side, angle, cost, arrival);
-    const EndTangent* goal = goal_tangent(side);
-    if (goal == nullptr) return;
-    const double roll = turn(side, angle, goal->angle);
-    if (roll < -same_angle) return;
-    const double whole = cost + graph_.radius * std::max(0.0, roll) + goal->length;
-    push({whole, whole, side, arrival, Kind::Goal});
+  /// The shortest way with one bend.
+  Meeting meet_on_one_side() {
+    const double radius = map_.graph().radius;
+    Meeting best;
+    work_.on_side.forget(2 * map_.graph().arc.size());
+    for (std::uint32_t i = 0; i < work_.from.size(); ++i)
+      work_.on_side[work_.from[i].tangent.side] = i;
+    for (std::uint32_t k = 0; k < work_.to.size(); ++k) {
+      Candidate& last = work_.to[k];
+      const std::uint32_t side = last.tangent.side;
+      if (!work_.on_side.has(side)) continue;
+      const std::uint32_t i = work_.on_side[side];
+      Candidate& first = work_.from[i];
+      price_from(first);
+      price_to(last);
+      const double turn = map_.turn_along(side, last.angle) - map_.turn_along(side, first.angle);
+      if (turn < -same_angle) continue;
+      const std::int64_t cost =
+          in_units(first.tangent.length + radius * std::max(0.0, turn) + last.tangent.length);
+      if (cost < best.cost) best = {cost, i, k, none, none};
+    }
+    return best;
   }
-  std::uint32_t first_leaving(std::uint32_t side, double angle, std::uint32_t arrival) const {
-    if (arrival < graph_.tangent.size()) return graph_.tangent[arrival].onward;
-    std::uint32_t first = graph_.side_first[side], count = graph_.side_first[side + 1] - first;
-    while (count > 0) {
-      const std::uint32_t half = count / 2;
-      if (turn(side, angle, graph_.tangent[first + half].leave_angle) < -same_angle) {
-        first += half + 1;
-        count -= half + 1;
-      } else {
-        count = half;
+
+  /// Writes the tangents of a meeting's way, in order, into the workspace.
+  void unpack(const Meeting& best) {
+    work_.tangents.clear();
+    if (best.leaving == none) return;
+    // A leaving label leads from its hub back to the side, so its links come last first.
+    work_.links.clear();
+    const LabelTable& leaving = labels_.leaving;
+    for (std::uint32_t e = best.leaving; leaving.parent[e] != LabelTable::no_parent;
+         e = leaving.parent[e])
+      work_.links.push_back(leaving.link[e]);
+    take_apart();
+    const LabelTable& arriving = labels_.arriving;
+    for (std::uint32_t e = best.arriving; e != LabelTable::no_parent; e = arriving.parent[e]) {
+      work_.links.assign(1, arriving.link[e]);
+      take_apart();
+    }
+  }
+  void take_apart() {
+    const auto tangents = static_cast<std::uint32_t>(map_.graph().tangent.size());
+    while (!work_.links.empty()) {
+      const std::uint32_t link = work_.links.back();
+      work_.links.pop_back();
+      if (link == HubLabels::roll) continue;
+      if (link < tangents) {
+        work_.tangents.push_back(link);
+        continue;
       }
+      const std::size_t part = 2 * std::size_t{link - tangents};
+      work_.links.push_back(labels_.link_part[part + 1]);
+      work_.links.push_back(labels_.link_part[part]);
     }
-    return first < graph_.side_first[side + 1] ? first : none;
-  }
-  void relax(std::uint32_t tangent, std::uint32_t side, double angle, double cost,
-             std::uint32_t arrival) {
-    if (tangent == none) return;
-    const Tangent& next = graph_.tangent[tangent];
-    cost += graph_.radius * std::max(0.0, turn(side, angle, next.leave_angle));
-    if (work_.tangent_round[tangent] == work_.round && work_.cost[tangent] <= cost) return;
-    work_.tangent_round[tangent] = work_.round;
-    work_.cost[tangent] = cost;
-    work_.arrival[tangent] = arrival;
-    push({cost + length_of(to_ - next.leave), cost, tangent, 0, Kind::Leave});
-  }
-  void leave(std::uint32_t index, double cost) {
-    const Tangent& tangent = graph_.tangent[index];
-    arrive(tangent.arrive_side, tangent.arrive_angle, cost + tangent.length, index);
-    const std::uint32_t side = side_left_by(index);
-    if (index + 1 < graph_.side_first[side + 1])
-      relax(index + 1, side, tangent.leave_angle, cost, work_.arrival[index]);
-  }
-  /// The side that a tangent leaves is the one that its way arrived at.
-  std::uint32_t side_left_by(std::uint32_t tangent) const {
-    return side_of_arrival(work_.arrival[tangent]);
-  }
-  std::uint32_t side_of_arrival(std::uint32_t arrival) const {
-    return arrival < graph_.tangent.size() ? graph_.tangent[arrival].arrive_side
-                                           : work_.start[arrival - graph_.tangent.size()].side;
   }
 
-  const EndTangent* goal_tangent(std::uint32_t side) {
-    if (work_.side_round[side] != work_.round) {
-      work_.side_round[side] = work_.round;
-      const auto goal = end_tangent(to_, side, false);
-      work_.goal_state[side] = goal ? GoalState::Untested : GoalState::None;
-      if (goal) work_.goal[side] = *goal;
-    }
-    const GoalState state = work_.goal_state[side];
-    return state == GoalState::None || state == GoalState::Blocked ? nullptr : &work_.goal[side];
-  }
-  bool goal_is_clear(std::uint32_t side) {
-    if (work_.goal_state[side] == GoalState::Untested)
-      work_.goal_state[side] = map_.walls.segment_clear(work_.goal[side].touch, to_)
-                                   ? GoalState::Clear
-                                   : GoalState::Blocked;
-    return work_.goal_state[side] == GoalState::Clear;
+  /// Does the way leave the arcs at its ends where it has arrived, or later? (Inside, the graph
+  /// sees to it.) Points need not ask: a way that turns the wrong way there is not the shortest.
+  bool turns_forward(const Candidate& first, const Candidate& last) const {
+    if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
+    const Tangent& leave = map_.graph().tangent[work_.tangents.front()];
+    const Tangent& arrive = map_.graph().tangent[work_.tangents.back()];
+    const std::uint32_t from = first.tangent.side, to = last.tangent.side;
+    return map_.turn_along(from, leave.leave_angle) >=
+               map_.turn_along(from, first.angle) - same_angle &&
+           map_.turn_along(to, arrive.arrive_angle) <= map_.turn_along(to, last.angle) + same_angle;
   }
 
-  /// Writes the way down from its last arrival back to the start, and turns it round.
-  Way trace(std::uint32_t side, std::uint32_t arrival, double cost) const {
-    Way way{RouteStatus::Ok, cost, graph_.radius, {to_}};
-    double leave_angle = work_.goal[side].angle;
-    for (;;) {
-      const bool from_start = arrival >= graph_.tangent.size();
-      const double arrive_angle = from_start ? work_.start[arrival - graph_.tangent.size()].angle
-                                             : graph_.tangent[arrival].arrive_angle;
-      append_arc(map_.corner[side / 2], graph_.radius, leave_angle, arrive_angle, way.points);
-      if (from_start) break;
-      leave_angle = graph_.tangent[arrival].leave_angle;
-      side = side_left_by(arrival);
-      arrival = work_.arrival[arrival];
+  Way trace(const Candidate& first, const Candidate& last) const {
+    const double radius = map_.graph().radius;
+    Way way{RouteStatus::Ok, first.tangent.length + last.tangent.length, radius, {}};
+    way.points.reserve(work_.tangents.size() + 4);
+    way.points.push_back(from_);
+    std::uint32_t side = first.tangent.side;
+    double angle = first.angle;
+    const auto roll = [&](double until) {
+      way.length +=
+          radius * std::max(0.0, map_.turn_along(side, until) - map_.turn_along(side, angle));
+      append_arc(map_.corner(side), radius, angle, until, way.points);
+    };
+    for (const std::uint32_t k : work_.tangents) {
+      const Tangent& tangent = map_.graph().tangent[k];
+      roll(tangent.leave_angle);
+      way.length += tangent.length;
+      side = tangent.arrive_side;
+      angle = tangent.arrive_angle;
     }
-    append_point(from_, way.points);
-    if (way.points.size() == 1) way.points.push_back(from_);
-    std::ranges::reverse(way.points);
+    roll(last.angle);
+    append_point(to_, way.points);
+    if (way.points.size() == 1) way.points.push_back(to_);
     return way;
   }
 
   const ShortestWayMap& map_;
-  const TangentGraph& graph_;
+  const HubLabels& labels_;
+  double per_metre_;
   Vec2 from_, to_;
   Workspace& work_;
 };
 
 }  // namespace
 
-ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const TangentGraph& tangents)
-    : graph(tangents), walls(plan, tangents.radius), corner(corners_of_arcs(plan, tangents)) {}
+ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
+                               const TangentGraph& tangents, const HubLabels& labels,
+                               const TangentSearchMap& search)
+    : graph_(tangents),
+      labels_(labels),
+      sight_(sight),
+      search_(search),
+      walls_(plan, tangents.radius),
+      corner_(corners_of_arcs(plan, tangents)) {
+  for (std::size_t cell = 0; cell < walls_.cells(); ++cell)
+    is_room_.push_back(walls_.is_clear(cell) && walls_.is_inside(walls_.centre_of(cell)));
+  for (std::size_t a = 0; a < corner_.size(); ++a) {
+    const ReflexCorner& corner = corner_[a];
+    const auto direction = [&](double angle) {
+      return std::cos(angle) * corner.begin + std::sin(angle) * left_of(corner.begin);
+    };
+    arc_.push_back({corner.position, direction(graph_.arc[a].begin), direction(graph_.arc[a].end),
+                    graph_.arc[a].begin});
+  }
+  for (const auto* table : {&labels.leaving, &labels.arriving})
+    for (const HubCost& hub : table->hub) hubs_ = std::max(hubs_, std::size_t{hub.hub} + 1);
+
+  // The arcs of each corner lie together, in the order of the vertices.
+  std::vector<std::uint32_t> first_arc;
+  std::uint32_t arc = 0;
+  sight_corner_.assign(graph_.arc.size(), 0);
+  for (std::uint32_t c = 0; c < sight.corner.size(); ++c) {
+    while (arc < graph_.arc.size() && graph_.arc[arc].vertex < sight.corner[c]) ++arc;
+    first_arc.push_back(arc);
+    for (std::uint32_t a = arc; a < graph_.arc.size() && graph_.arc[a].vertex == sight.corner[c];
+         ++a)
+      sight_corner_[a] = c;
+  }
+  const double reach = sight.cell_size * std::numbers::sqrt2 / 2;
+  cell_first_.reserve(sight.cell_first.size());
+  cell_first_.push_back(0);
+  for (std::size_t cell = 0; cell + 1 < sight.cell_first.size(); ++cell) {
+    const std::size_t row = cell / sight.columns, column = cell % sight.columns;
+    const Vec2 centre = sight.origin + sight.cell_size * Vec2{static_cast<double>(column) + 0.5,
+                                                              static_cast<double>(row) + 0.5};
+    for (std::uint32_t i = sight.cell_first[cell]; i < sight.cell_first[cell + 1]; ++i) {
+      const std::uint32_t seen = sight.cell_corner[i];
+      for (std::uint32_t a = first_arc[seen];
+           a < graph_.arc.size() && graph_.arc[a].vertex == sight.corner[seen]; ++a)
+        for (const std::uint32_t side : {2 * a, 2 * a + 1})
+          if (may_touch(side, centre, reach)) cell_side_.push_back(side);
+    }
+    cell_first_.push_back(static_cast<std::uint32_t>(cell_side_.size()));
+  }
+  cell_side_.shrink_to_fit();
+}
+
+bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept {
+  const double distance = length_of(centre - corner_[side / 2].position);
+  const double nearest = distance - reach;
+  if (nearest <= graph_.radius) return true;
+  const double tangent = std::sqrt(nearest * nearest - graph_.radius * graph_.radius);
+  // The tangent's direction turns by one over its length for every metre that its end moves.
+  const double slack = reach / tangent + same_angle;
+  if (slack > 1) return true;
+  const double left = graph_.radius * (side % 2 == 0 ? 1 : -1);
+  const auto line = tangent_line(centre, 0, corner_[side / 2].position, left, touching);
+  if (!line) return true;
+  const Vec2 direction = (side % 2 == 0 ? -1.0 : 1.0) * line->left;
+  const double sine = std::sin(slack);
+  const ArcOfEnds& arc = arc_[side / 2];
+  const auto after = [&](Vec2 a, Vec2 b) {
+    return cross(a, b) >= -sine && (dot(a, b) >= 0 || cross(a, b) >= 0);
+  };
+  return after(arc.begin, direction) && after(direction, arc.end);
+}
+
+std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noexcept {
+  const auto cell = sight_.cell_at(point);
+  if (!cell) return {};
+  return std::span(cell_side_)
+      .subspan(cell_first_[*cell], cell_first_[*cell + 1] - cell_first_[*cell]);
+}
+
+std::optional<EndTangent> ShortestWayMap::tangent_to(std::uint32_t side,
+                                                     Vec2 point) const noexcept {
+  const ArcOfEnds& arc = arc_[side / 2];
+  const double sign = side % 2 == 0 ? 1 : -1;
+  const Vec2 between = arc.centre - point;
+  const double squared = dot(between, between);
+  if (graph_.radius == 0) {
+    // The direction from the corner to where it is touched, not yet of unit length.
+    const Vec2 out = -sign * left_of(between);
+    const double slack = same_angle * (std::abs(between.x) + std::abs(between.y));
+    if (cross(arc.begin, out) < -slack || cross(out, arc.end) < -slack) return {};
+    return EndTangent{side, std::sqrt(squared), arc.centre};
+  }
+  const double distance = std::sqrt(squared);
+  if (graph_.radius > distance + touching) return {};
+  const double length = std::sqrt(std::max(0.0, squared - graph_.radius * graph_.radius));
+  // The unit vector to the centre, turned away from the circle's side.
+  const Vec2 direction = (length * between - sign * graph_.radius * left_of(between)) / squared;
+  const Vec2 out = -sign * left_of(direction);
+  if (cross(arc.begin, out) < -same_angle || cross(out, arc.end) < -same_angle) return {};
+  return EndTangent{side, length, arc.centre + graph_.radius * out};
+}
+
+double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {
+  const ArcOfEnds& arc = arc_[tangent.side / 2];
+  const Vec2 out = tangent.touch - arc.centre;
+  if (graph_.radius == 0) return arc.begin_angle;
+  return arc.begin_angle + std::atan2(cross(arc.begin, out), dot(arc.begin, out));
+}
 
 Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {
-  return Search(map, from, to).run();
+  return Query(map, from, to).run();
 }
 
 }  // namespace docent

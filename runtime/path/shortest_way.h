@@ -1,23 +1,90 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "runtime/model/geometry/floor_plan.h"
-#include "runtime/model/geometry/tangent_graph.h"
+#include "runtime/model/geometry/floor.h"
 #include "runtime/path/reflex_corner.h"
+#include "runtime/path/tangent_search.h"
 #include "runtime/path/wall_grid.h"
 #include "runtime/path/way.h"
 
 namespace docent {
 
-/// A tangent graph made ready for queries. Immutable, so any thread may ask. Borrows the graph.
-struct ShortestWayMap {
-  ShortestWayMap(const FloorPlan& plan, const TangentGraph& tangents);
+/// The straight way between a query's end point and a side of the tangent graph that it touches.
+struct EndTangent {
+  std::uint32_t side = 0;
+  double length = 0;  ///< Metres.
+  Vec2 touch{};
+};
 
-  const TangentGraph& graph;
-  WallGrid walls;                    ///< For the graph's radius.
-  std::vector<ReflexCorner> corner;  ///< One per arc of the graph.
+/// A tangent graph with its labels made ready for queries. Immutable, so any thread may ask.
+/// Borrows what it is made from.
+class ShortestWayMap {
+ public:
+  ShortestWayMap(const FloorPlan& plan, const SightMap& sight, const TangentGraph& tangents,
+                 const HubLabels& labels, const TangentSearchMap& search);
+
+  const TangentGraph& graph() const noexcept { return graph_; }
+  const HubLabels& labels() const noexcept { return labels_; }
+  const WallGrid& walls() const noexcept { return walls_; }  ///< For the graph's radius.
+  const TangentSearchMap& search() const noexcept { return search_; }
+  const ReflexCorner& corner(std::uint32_t side) const noexcept { return corner_[side / 2]; }
+
+  std::size_t hubs() const noexcept { return hubs_; }
+  /// The corner of a side in the sight map.
+  std::uint32_t sight_corner(std::uint32_t side) const noexcept { return sight_corner_[side / 2]; }
+
+  std::span<const HubCost> leaving(std::uint32_t side) const noexcept {
+    return labels_.leaving.of(side);
+  }
+  std::span<const HubCost> arriving(std::uint32_t side) const noexcept {
+    return labels_.arriving.of(side);
+  }
+
+  /// Does the disc certainly have room here? Quick, and never wrongly yes.
+  bool surely_has_room(Vec2 point) const noexcept {
+    const auto cell = walls_.cell_at(point);
+    return cell && is_room_[*cell];
+  }
+
+  /// The sides that a way from this point may touch first, and perhaps some more.
+  std::span<const std::uint32_t> sides_about(Vec2 point) const noexcept;
+
+  /// The tangent from a point to a side, if it touches the side's arc; not tested against walls.
+  /// Walked backwards it is the tangent from the arc's other side to the point.
+  std::optional<EndTangent> tangent_to(std::uint32_t side, Vec2 point) const noexcept;
+  /// Where on its side's arc a tangent touches: an angle; with radius 0, where arcs are points,
+  /// any.
+  double angle_at(const EndTangent& tangent) const noexcept;
+
+  /// How far along a side's arc an angle is, from where the side is entered. Radians.
+  double turn_along(std::uint32_t side, double angle) const noexcept {
+    const TangentArc& arc = graph_.arc[side / 2];
+    return side % 2 == 0 ? angle - arc.begin : arc.end - angle;
+  }
+
+ private:
+  /// An arc as a query's tangents see it: one line of the cache.
+  struct alignas(64) ArcOfEnds {
+    Vec2 centre, begin, end;  ///< `begin` and `end` are unit directions from the centre.
+    double begin_angle;
+  };
+  bool may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept;
+
+  const TangentGraph& graph_;
+  const HubLabels& labels_;
+  const SightMap& sight_;
+  const TangentSearchMap& search_;
+  WallGrid walls_;
+  std::vector<bool> is_room_;                ///< One per cell of the walls.
+  std::vector<ReflexCorner> corner_;         ///< One per arc of the graph.
+  std::vector<ArcOfEnds> arc_;               ///< One per arc.
+  std::vector<std::uint32_t> sight_corner_;  ///< One per arc: its corner in the sight map.
+  std::vector<std::uint32_t> cell_first_, cell_side_;
+  std::size_t hubs_ = 0;
 };
 
 /// The shortest way of a disc of the map's radius between two points that keep that radius from all

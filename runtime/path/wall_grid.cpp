@@ -138,6 +138,15 @@ bool WallGrid::crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept {
   return p_side != q_side;
 }
 
+/// Is the wall nearer to the segment p q than `least`? `beside` is that times the segment's length.
+bool WallGrid::comes_near(Vec2 p, Vec2 q, Vec2 direction, double beside, double least,
+                          std::uint32_t wall) const noexcept {
+  const auto [a, b] = wall_[wall];
+  const double a_side = cross(direction, a - p), b_side = cross(direction, b - p);
+  if ((a_side > beside && b_side > beside) || (a_side < -beside && b_side < -beside)) return false;
+  return segment_distance_squared(p, q, a, b) < least * least;
+}
+
 bool WallGrid::segment_clear(Vec2 p, Vec2 q) const noexcept {
   if (p == q) return true;
   if (radius_ == 0) return passes(p, q, [&](std::uint32_t wall) { return crosses(p, q, wall); });
@@ -145,13 +154,43 @@ bool WallGrid::segment_clear(Vec2 p, Vec2 q) const noexcept {
   const Vec2 direction = q - p;
   const double length = std::sqrt(dot(direction, direction));
   const double least = radius_ - touching;
-  const double reach = least * length;
   return passes(p, q, [&](std::uint32_t wall) {
-    const auto [a, b] = wall_[wall];
-    const double a_side = cross(direction, a - p), b_side = cross(direction, b - p);
-    if ((a_side > reach && b_side > reach) || (a_side < -reach && b_side < -reach)) return false;
-    return segment_distance_squared(p, q, a, b) < least * least;
+    return comes_near(p, q, direction, least * length, least, wall);
   });
+}
+
+bool WallGrid::capsule_clear(Vec2 p, Vec2 q, double radius) const noexcept {
+  const double least = radius - touching;
+  const double reach = radius - radius_ + margin;
+  const auto cell_at = [&](double metres, int count) {
+    return static_cast<int>(std::clamp(metres * cells_per_metre_, 0.0, count - 1.0));
+  };
+  const Vec2 direction = q - p;
+  const double beside = least * std::sqrt(dot(direction, direction));
+  const auto is_free = [&](std::size_t cell) {
+    return std::ranges::none_of(walls_in(cell), [&](std::uint32_t wall) {
+      return comes_near(p, q, direction, beside, least, wall);
+    });
+  };
+  const Vec2 from = p - origin_, to = q - origin_;
+  const Vec2 run = to - from;
+  for (int y = cell_at(std::min(from.y, to.y) - reach, rows_),
+           last = cell_at(std::max(from.y, to.y) + reach, rows_);
+       y <= last; ++y) {
+    // The part of the segment within reach of this row of cells.
+    double enter = 0, leave = 1;
+    if (run.y != 0) {
+      const double low = (y * cell_size_ - reach - from.y) / run.y;
+      const double high = ((y + 1) * cell_size_ + reach - from.y) / run.y;
+      enter = std::clamp(std::min(low, high), 0.0, 1.0);
+      leave = std::clamp(std::max(low, high), 0.0, 1.0);
+    }
+    const auto [left, right] = std::minmax({from.x + enter * run.x, from.x + leave * run.x});
+    for (int x = cell_at(left - reach, columns_), end = cell_at(right + reach, columns_); x <= end;
+         ++x)
+      if (!is_free(cell_of(x, y))) return false;
+  }
+  return true;
 }
 
 std::vector<std::uint32_t> WallGrid::walls_about(Vec2 centre, double reach) const {
@@ -206,6 +245,29 @@ WallGrid::Nearest WallGrid::nearest_wall(Vec2 p) const noexcept {
   }
   best.distance = std::sqrt(best_squared);
   return best;
+}
+
+bool WallGrid::is_inside(Vec2 p, const Nearest& nearest) const noexcept {
+  if (!std::isfinite(nearest.distance)) return false;
+  if (nearest.distance == 0) return true;
+  const auto [a, b] = wall_[nearest.wall];
+  if (nearest.t > 0 && nearest.t < 1) return orientation(a, b, p) >= 0;
+  // Nearest to a corner: a reflex one is seen from inside, a convex one from outside.
+  const std::uint32_t corner = nearest.t > 0 ? next_[nearest.wall] : nearest.wall;
+  return orientation(wall_[previous_[corner]].a, wall_[corner].a, wall_[corner].b) <= 0;
+}
+
+std::optional<std::size_t> WallGrid::cell_at(Vec2 p) const noexcept {
+  const Vec2 at = (p - origin_) * cells_per_metre_;
+  if (!(at.x >= 0 && at.y >= 0 && at.x < columns_ && at.y < rows_)) return {};
+  return cell_of(static_cast<int>(at.x), static_cast<int>(at.y));
+}
+
+Vec2 WallGrid::centre_of(std::size_t cell) const noexcept {
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t row = cell / columns, column = cell % columns;
+  return origin_ +
+         cell_size_ * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 double WallGrid::segment_clearance(Vec2 p, Vec2 q, double at_most) const noexcept {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +29,9 @@ class WallGrid {
   /// Walls that end at p or q do not block what leaves them into the interior.
   bool segment_clear(Vec2 p, Vec2 q) const noexcept;
 
+  /// The same for a disc of any radius above the grid's: looks at all walls about the segment.
+  bool capsule_clear(Vec2 p, Vec2 q, double radius) const noexcept;
+
   /// Every wall that a disc of the grid's radius may touch while its centre is within `reach` of
   /// `centre`, and perhaps some more; ascending.
   std::vector<std::uint32_t> walls_about(Vec2 centre, double reach) const;
@@ -39,6 +44,17 @@ class WallGrid {
         0;  ///< Metres. Infinite for a plan without walls or a point that is not finite.
   };
   Nearest nearest_wall(Vec2 p) const noexcept;
+
+  /// The side of the nearest wall decides; a point on a wall is inside.
+  bool is_inside(Vec2 p) const noexcept { return is_inside(p, nearest_wall(p)); }
+  bool is_inside(Vec2 p, const Nearest& nearest) const noexcept;
+
+  /// The cells, and which of them holds a point: none off the grid.
+  std::size_t cells() const noexcept { return cell_first_.size() - 1; }
+  std::optional<std::size_t> cell_at(Vec2 p) const noexcept;
+  Vec2 centre_of(std::size_t cell) const noexcept;
+  /// Does every point of the cell keep the grid's radius from every wall?
+  bool is_clear(std::size_t cell) const noexcept { return walls_in(cell).empty(); }
 
   /// The smallest distance from any point of the segment to a wall, given that its ends keep
   /// `at_most`; that is also the most it answers.
@@ -63,6 +79,8 @@ class WallGrid {
   template <class Blocked>
   bool passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept;
   bool crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept;
+  bool comes_near(Vec2 p, Vec2 q, Vec2 direction, double beside, double least,
+                  std::uint32_t wall) const noexcept;
 
   double radius_ = 0;
   double cell_size_ = 1, cells_per_metre_ = 1;

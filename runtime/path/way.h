@@ -28,6 +28,7 @@ struct RouteQuery {
   Hand hand = Hand::Shorter;  ///< Offset only.
   bool widest =
       false;  ///< Skeleton only: maximise the smallest clearance, then minimise the length.
+  bool smooth = false;  ///< Skeleton and offset only: round the corners (see round_corners.h).
 };
 
 /// What is answered. `points` holds both ends; arcs are flattened to 1 mm, inside the walkable

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/acceptance/run.h"
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
@@ -113,6 +115,69 @@ TEST_F(QueryCommands, OffsetCountsPartsAndHoles) {
   EXPECT_THAT(outcome.out, StartsWith("{\"components\": 1, \"holes\": 1, \"area\": 44.858"));
   EXPECT_THAT(read_file(path("offset.svg")), StartsWith("<svg"));
   EXPECT_EQ(ask({"offset", path("hall.db"), "--distance", "-1"}).exit_code, 2);
+}
+
+TEST_F(QueryCommands, RouteRoundsCornersWhenAskedTo) {
+  const auto length = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"route", path("hall.db"), "--kind", "skeleton", "--from",
+                                       "1,1",   "--to",          "11,1.5", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = ask(arguments);
+    EXPECT_THAT(outcome.out, StartsWith("{\"status\": \"ok\", \"length\": ")) << outcome.err;
+    return std::stod(outcome.out.substr(outcome.out.find("length") + 9));
+  };
+
+  EXPECT_LT(length({"--smooth"}), length({}));
+}
+
+TEST_F(QueryCommands, NearSaysThatNothingIsInReachOrWhatIsWrong) {
+  const auto near = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"near", path("hall.db")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return ask(arguments);
+  };
+
+  EXPECT_EQ(near({"--from", "1,1"}).out, "no exhibit in reach\n");
+  EXPECT_EQ(near({"--from", "1,1", "--json"}).out, "{\"status\": \"ok\", \"exhibits\": []}\n");
+  EXPECT_EQ(near({"--from", "6,4"}).out, "start_blocked\n");
+  EXPECT_EQ(near({}).exit_code, 2);
+  EXPECT_EQ(near({"--from", "1,1", "--exhibit", "a"}).exit_code, 2);
+  EXPECT_EQ(near({"--exhibit", "no-such"}).exit_code, 2);
+  EXPECT_EQ(near({"--from", "1;1"}).exit_code, 2);
+  EXPECT_EQ(near({"--from", "1,1", "--within", "-1"}).exit_code, 2);
+  EXPECT_EQ(near({"--from", "1,1", "--speed", "0"}).exit_code, 2);
+  EXPECT_EQ(near({"--from", "1,1", "--floor", "attic"}).exit_code, 2);
+  EXPECT_EQ(ask({"near", path("none.db"), "--from", "1,1"}).exit_code, 3);
+}
+
+TEST(SampleMuseumNear, ListsExhibitsAsFarAsTheShortestWaysAre) {
+  const std::string database = sample_database().string();
+  const auto ask = [](const std::vector<std::string>& arguments) {
+    const Outcome outcome = run(program("docent-content"), arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+
+  const auto all = ask({"near", database, "--exhibit", "tripod-ding", "--speed", "0.5", "--json"});
+
+  ASSERT_GT(all["exhibits"].size(), 5U);
+  double last = 0;
+  for (const auto& row : all["exhibits"]) {
+    EXPECT_NE(row["id"], "tripod-ding");
+    const double length = row["length"];
+    EXPECT_GE(length, last);
+    EXPECT_NEAR(row["seconds"], length / 0.5, 1e-9);
+    last = length;
+  }
+  const auto& second = all["exhibits"][1];
+  const auto way = ask({"route", database, "--kind", "shortest", "--exhibits",
+                        "tripod-ding," + second["id"].get<std::string>(), "--json"});
+  EXPECT_NEAR(way["length"], second["length"].get<double>(), 1e-9);
+
+  const double seconds = second["seconds"];
+  const auto some = ask({"near", database, "--exhibit", "tripod-ding", "--speed", "0.5", "--within",
+                         std::to_string(seconds + 0.01), "--json"});
+  EXPECT_EQ(some["exhibits"].size(), 2U);
 }
 
 TEST(SampleMuseumRoute, PassesExhibitsInOrder) {

@@ -58,15 +58,14 @@ RC_GTEST_PROP(SurfaceNets, CloseRoundAnyUnionOfLimbs, ()) {
   };
   const auto coordinate = [] { return 0.01F * static_cast<float>(*rc::gen::inRange(-35, 35)); };
   const auto radius = [] { return 0.01F * static_cast<float>(*rc::gen::inRange(4, 12)); };
-  std::vector<Limb> limbs;
-  const int count = *rc::gen::inRange(1, 5);
+  std::vector<Limb> limbs{{{-0.2F, 0, 0}, {0.2F, 0, 0}, 0.08F, 0.06F}};
+  const int count = *rc::gen::inRange(0, 4);
   for (int k = 0; k < count; ++k) {
     const Vec3 a{coordinate(), coordinate(), coordinate()};
     const Vec3 b{coordinate(), coordinate(), coordinate()};
     // A limb that is shorter than its balls differ is one ball.
     if (glm::length(b - a) > 0.1F) limbs.push_back({a, b, radius(), radius()});
   }
-  RC_PRE(!limbs.empty());
   const DistanceField field = [&](Vec3 p) {
     float d = 1;
     for (const Limb& limb : limbs)

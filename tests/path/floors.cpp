@@ -2,7 +2,9 @@
 
 #include "content/content_error.h"
 #include "content/floor/medial_axis.h"
+#include "content/floor/sight.h"
 #include "content/floor/voronoi.h"
+#include "runtime/path/make_hub_labels.h"
 #include "runtime/path/make_tangent_graph.h"
 
 namespace docent::test {
@@ -18,10 +20,15 @@ bool has_shared_points(const FloorPlan& plan) {
 }  // namespace
 
 Floor floor_of(const FloorPlan& plan, std::initializer_list<double> radii) {
-  Floor floor{.plan = plan, .diagram = voronoi_diagram(plan), .roadmap = {}, .tangent_graphs = {}};
+  Floor floor;
+  floor.plan = plan;
+  floor.diagram = voronoi_diagram(plan);
+  floor.sight = make_sight_map(plan);
   floor.roadmap = medial_axis(plan, floor.diagram);
-  for (const double radius : radii)
-    floor.tangent_graphs.push_back(make_tangent_graph(plan, radius));
+  for (const double radius : radii) {
+    floor.tangent_graphs.push_back(make_tangent_graph(plan, floor.sight, radius));
+    floor.hub_labels.push_back(make_hub_labels(plan, floor.tangent_graphs.back()));
+  }
   return floor;
 }
 

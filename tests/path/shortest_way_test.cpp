@@ -51,6 +51,21 @@ TEST(ShortestWay, FitsThroughADoorOfTwiceItsRadiusAndNotThroughANarrowerOne) {
   EXPECT_EQ(shortest(*map, {1, 2}, {7, 2.5}, 0.4 + 1e-6).status, RouteStatus::NoRoute);
 }
 
+TEST(ShortestWay, GoesRoundOneColumnFarFromAllElse) {
+  // All that lies between corners is a metre: what lies between them and the ends is much more.
+  const Floor floor =
+      floor_of(drawn(rectangle({0, 0}, {80, 40}), {rectangle({40, 20}, {41, 21})}), {0, 0.25});
+  const auto map = make_floor_map(floor);
+
+  const Way point = shortest(*map, {1, 20.75}, {79, 20.75}, 0);
+  const Way disc = shortest(*map, {1, 20.75}, {79, 20.75}, 0.25);
+
+  EXPECT_NEAR(point.length, std::hypot(39, 0.25) + 1 + std::hypot(38, 0.25), exact);
+  EXPECT_EQ(disc.status, RouteStatus::Ok);
+  EXPECT_GT(disc.length, point.length);
+  EXPECT_LT(disc.length, point.length + 0.02);
+}
+
 TEST(ShortestWay, SaysWhichEndIsBlocked) {
   const Floor floor = floor_of(hall_with_a_box());
   const auto map = make_floor_map(floor);

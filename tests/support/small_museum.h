@@ -41,6 +41,26 @@ inline Museum small_museum() {
                                         .length = 3,
                                         .arrive_side = 1,
                                         .onward = TangentGraph::no_tangent}}}};
+  floor.sight = {.corner = {2},
+                 .pair_first = {0, 0},
+                 .pair_other = {},
+                 .origin = {0, 0},
+                 .cell_size = 5,
+                 .columns = 2,
+                 .rows = 2,
+                 .cell_first = {0, 1, 1, 1, 1},
+                 .cell_corner = {0}};
+  floor.hub_labels = {{},
+                      {.unit = 0.5,
+                       .leaving = {.first = {0, 1, 1},
+                                   .hub = {{.hub = 0, .cost = 1}},
+                                   .link = {HubLabels::roll},
+                                   .parent = {LabelTable::no_parent}},
+                       .arriving = {.first = {0, 0, 1},
+                                    .hub = {{.hub = 0, .cost = 7}},
+                                    .link = {1},
+                                    .parent = {LabelTable::no_parent}},
+                       .link_part = {0, HubLabels::roll}}};
   museum.floors.push_back(floor);
 
   museum.scenery.push_back(

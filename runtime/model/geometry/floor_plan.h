@@ -47,4 +47,15 @@ inline Vec2 wall_end(const FloorPlan& plan, std::uint32_t wall) noexcept {
   return plan.vertex[plan.next[wall]];
 }
 
+/// Of the box about all walls. No straight line on the floor is longer. Metres.
+inline double diagonal(const FloorPlan& plan) noexcept {
+  if (plan.vertex.empty()) return 0;
+  Vec2 low = plan.vertex.front(), high = low;
+  for (const Vec2 v : plan.vertex) {
+    low = glm::min(low, v);
+    high = glm::max(high, v);
+  }
+  return glm::distance(low, high);
+}
+
 }  // namespace docent

@@ -65,6 +65,32 @@ void columns(auto& row, MaybeConst<TangentGraph> auto& graph) {
   row("tangent", graph.tangent);
 }
 
+void columns(auto& row, MaybeConst<SightMap> auto& sight) {
+  row("corner", sight.corner);
+  row("pair_first", sight.pair_first);
+  row("pair_other", sight.pair_other);
+  row("origin_x", sight.origin.x);
+  row("origin_y", sight.origin.y);
+  row("cell_size", sight.cell_size);
+  row("cell_columns", sight.columns);
+  row("cell_rows", sight.rows);
+  row("cell_first", sight.cell_first);
+  row("cell_corner", sight.cell_corner);
+}
+
+void columns(auto& row, MaybeConst<HubLabels> auto& labels) {
+  row("unit", labels.unit);
+  row("leaving_first", labels.leaving.first);
+  row("leaving_hub", labels.leaving.hub);
+  row("leaving_link", labels.leaving.link);
+  row("leaving_parent", labels.leaving.parent);
+  row("arriving_first", labels.arriving.first);
+  row("arriving_hub", labels.arriving.hub);
+  row("arriving_link", labels.arriving.link);
+  row("arriving_parent", labels.arriving.parent);
+  row("link_part", labels.link_part);
+}
+
 void columns(auto& row, MaybeConst<Scenery> auto& scenery) {
   row("vertex", scenery.vertices);
   row("triangle", scenery.indices);
@@ -160,7 +186,9 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.rows_of("door", "floor", i, floor.plan.doors);
     store.row("voronoi_diagram", i, floor.diagram);
     store.row("roadmap", i, floor.roadmap);
+    store.row("sight_map", i, floor.sight);
     store.rows_of("tangent_graph", "floor", i, floor.tangent_graphs);
+    store.rows_of("hub_labels", "floor", i, floor.hub_labels);
   }
   store.rows("scenery", museum.scenery);
 

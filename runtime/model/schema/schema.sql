@@ -74,6 +74,20 @@ CREATE TABLE roadmap (
   edge BLOB NOT NULL            -- RoadmapEdge
 );
 
+CREATE TABLE sight_map (
+  id INTEGER PRIMARY KEY,
+  corner BLOB NOT NULL,         -- u32, vertices
+  pair_first BLOB NOT NULL,     -- u32, one a corner and one more
+  pair_other BLOB NOT NULL,     -- u32, corners
+  origin_x REAL NOT NULL,
+  origin_y REAL NOT NULL,
+  cell_size REAL NOT NULL,
+  cell_columns INTEGER NOT NULL,
+  cell_rows INTEGER NOT NULL,
+  cell_first BLOB NOT NULL,     -- u32, one a cell and one more
+  cell_corner BLOB NOT NULL     -- u32, corners
+);
+
 CREATE TABLE tangent_graph (    -- one a radius class, ascending
   floor INTEGER NOT NULL,
   id INTEGER NOT NULL,
@@ -81,6 +95,22 @@ CREATE TABLE tangent_graph (    -- one a radius class, ascending
   arc BLOB NOT NULL,            -- TangentArc
   side_first BLOB NOT NULL,     -- u32, two an arc and one more
   tangent BLOB NOT NULL,        -- Tangent
+  PRIMARY KEY (floor, id)
+);
+
+CREATE TABLE hub_labels (       -- one a tangent graph
+  floor INTEGER NOT NULL,
+  id INTEGER NOT NULL,
+  unit REAL NOT NULL,
+  leaving_first BLOB NOT NULL,  -- u32, one a station and one more
+  leaving_hub BLOB NOT NULL,    -- HubCost, one an entry as the next two
+  leaving_link BLOB NOT NULL,   -- u32
+  leaving_parent BLOB NOT NULL,
+  arriving_first BLOB NOT NULL,
+  arriving_hub BLOB NOT NULL,
+  arriving_link BLOB NOT NULL,
+  arriving_parent BLOB NOT NULL,
+  link_part BLOB NOT NULL,      -- u32, two a shortcut
   PRIMARY KEY (floor, id)
 );
 

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "runtime/model/geometry/floor_plan.h"
+#include "runtime/model/geometry/sight_map.h"
+
+namespace docent {
+
+/// The distances of every corner to a few corners that lie far from each other: between two corners
+/// no way is shorter than their distances to any landmark differ. (Goldberg and Harrelson 2005.)
+///
+/// They are those of a point. A disc that goes from where it touches one corner to where it touches
+/// another saves no more than twice its radius against a point from corner to corner.
+class Landmarks {
+ public:
+  static constexpr std::size_t count = 16;
+  /// Numbers that the processor works on at once.
+  static constexpr std::size_t lanes = 8;
+  using Lanes = std::int16_t __attribute__((vector_size(2 * lanes)));
+  /// In steps. Half of what 16 bits hold, so that a distance and a length can be added.
+  using Distances = std::array<Lanes, count / lanes>;
+  static constexpr std::int16_t most = 16'000;
+
+  Landmarks(const FloorPlan& plan, const SightMap& sight);
+
+  /// What a distance of 1 stands for. Rounding adds or takes up to half of it.
+  double metres_per_step() const noexcept { return metres_per_step_; }
+  /// Of a corner of the sight map. Where no way leads to a landmark, 0 as for all corners about.
+  const Distances& of(std::uint32_t corner) const noexcept { return distance_[corner]; }
+
+ private:
+  double metres_per_step_ = 1;
+  std::vector<Distances> distance_;
+};
+
+/// How far it is at least from a corner to a place that is reached over one of some other corners.
+class LandmarkBound {
+ public:
+  LandmarkBound(const Landmarks& landmarks, double radius) noexcept
+      : landmarks_(landmarks), radius_(radius) {
+    low_.fill(Landmarks::Lanes{} + std::numeric_limits<std::int16_t>::max());
+    high_.fill(Landmarks::Lanes{} + std::numeric_limits<std::int16_t>::min());
+  }
+
+  /// A corner over which the place may be reached, and how long the rest of the way is from there.
+  void add(std::uint32_t corner, double rest) noexcept {
+    const auto length = static_cast<std::int16_t>(
+        std::min<double>(rest / landmarks_.metres_per_step(), Landmarks::most));
+    const Landmarks::Distances& distance = landmarks_.of(corner);
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+      const Landmarks::Lanes farther = distance[i] + length, nearer = distance[i] - length;
+      low_[i] = farther < low_[i] ? farther : low_[i];
+      high_[i] = nearer > high_[i] ? nearer : high_[i];
+    }
+  }
+
+  /// Metres; may be a little below 0.
+  double from(std::uint32_t corner) const noexcept {
+    const Landmarks::Distances& distance = landmarks_.of(corner);
+    Landmarks::Lanes most{};
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+      const Landmarks::Lanes below = low_[i] - distance[i], above = distance[i] - high_[i];
+      most = below > most ? below : most;
+      most = above > most ? above : most;
+    }
+    std::int16_t steps = 0;
+    for (std::size_t i = 0; i < Landmarks::lanes; ++i) steps = std::max(steps, most[i]);
+    // Two distances and a length are rounded, the latter down where it is far.
+    return (steps - 2) * landmarks_.metres_per_step() - 2 * radius_;
+  }
+
+ private:
+  const Landmarks& landmarks_;
+  double radius_;
+  /// Per landmark, the least that the place may be away from it, and the most.
+  Landmarks::Distances low_, high_;
+};
+
+}  // namespace docent
