@@ -32,7 +32,7 @@ class Contraction {
     for (std::uint32_t node = 0; node < out_.size(); ++node) queue.emplace(importance(node), node);
     std::uint32_t rank = 0;
     while (!queue.empty()) {
-      if (work_ > most_work || stop.stop_requested()) return {};
+      if (will_exceed(most_work, rank, out_.size() - rank) || stop.stop_requested()) return {};
       const auto [place, node] = queue.top();
       queue.pop();
       // What was contracted since may have made it more important: lazily found out here.
@@ -52,6 +52,18 @@ class Contraction {
     std::uint32_t from, to, first, second;
     double length;
   };
+
+  /// Will it cost more, if the nodes that are left cost no less than those contracted last?
+  bool will_exceed(std::uint64_t most_work, std::size_t contracted, std::size_t left) {
+    constexpr std::uint64_t stretch = 25'000'000;
+    if (work_ - stretch_begin_ >= stretch) {
+      const std::uint64_t nodes = std::max<std::uint64_t>(contracted - stretch_contracted_, 1);
+      expected_ = work_ + (work_ - stretch_begin_) / nodes * left;
+      stretch_begin_ = work_;
+      stretch_contracted_ = contracted;
+    }
+    return std::max(work_, expected_) > most_work;
+  }
 
   void connect(std::uint32_t from, std::uint32_t to, double length, std::uint32_t link) {
     const auto keep_shorter = [=](std::vector<Arc>& arcs, std::uint32_t node) {
@@ -137,7 +149,9 @@ class Contraction {
   std::vector<std::uint32_t> touched_;
   std::vector<std::pair<double, std::uint32_t>> heap_;
   std::vector<Shortcut> found_;
-  std::uint64_t work_ = 0;
+  std::uint64_t work_ = 0, expected_ = 0;
+  std::uint64_t stretch_begin_ = 0;  ///< The work done when the present stretch of it began.
+  std::size_t stretch_contracted_ = 0;
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "runtime/model/geometry/floor_plan.h"
@@ -44,8 +43,8 @@ class LandmarkBound {
  public:
   LandmarkBound(const Landmarks& landmarks, double radius) noexcept
       : landmarks_(landmarks), radius_(radius) {
-    low_.fill(Landmarks::Lanes{} + std::numeric_limits<std::int16_t>::max());
-    high_.fill(Landmarks::Lanes{} + std::numeric_limits<std::int16_t>::min());
+    low_.fill(Landmarks::Lanes{} + static_cast<std::int16_t>(2 * Landmarks::most));
+    high_.fill(Landmarks::Lanes{} - Landmarks::most);
   }
 
   /// A corner over which the place may be reached, and how long the rest of the way is from there.

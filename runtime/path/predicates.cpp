@@ -35,7 +35,9 @@ struct Expansion {
   int sign() const { return count == 0 ? 0 : (term[count - 1] > 0 ? 1 : -1); }
 };
 
-int exact_orientation(Vec2 a, Vec2 b, Vec2 c) {
+}  // namespace
+
+int exact_orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   Expansion determinant;
   determinant.add_product(a.x, b.y);
   determinant.add_product(-a.x, c.y);
@@ -44,22 +46,6 @@ int exact_orientation(Vec2 a, Vec2 b, Vec2 c) {
   determinant.add_product(a.y, c.x);
   determinant.add_product(c.y, b.x);
   return determinant.sign();
-}
-
-}  // namespace
-
-int orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
-  const double left = (a.x - c.x) * (b.y - c.y);
-  const double right = (a.y - c.y) * (b.x - c.x);
-  const double determinant = left - right;
-  // Shewchuk's bound for this evaluation, (3 + 16 u) u with u = 2^-53.
-  constexpr double bound = 3.3306690738754716e-16;
-  const double error = bound * (std::abs(left) + std::abs(right));
-  if (error == 0)
-    return 0;  // Of each product a factor is 0, and differences round to 0 only if they are.
-  if (determinant > error) return 1;
-  if (-determinant > error) return -1;
-  return exact_orientation(a, b, c);
 }
 
 NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
