@@ -22,7 +22,9 @@ Way shortest(const FloorMap& map, const RouteQuery& query) {
   if (!has_room(query.to)) return {.status = RouteStatus::GoalBlocked};
   Way way = ways ? shortest_way(*ways, query.from, query.to)
                  : search_tangents(map.search(), query.radius, query.from, query.to);
-  if (way.status == RouteStatus::Ok && way.points.size() == 2)
+  if (way.status != RouteStatus::Ok || way.points.size() > 2) return way;
+  way.clearance_min = query.radius;
+  if (query.tell_clearance)
     way.clearance_min = map.walls().segment_clearance(
         query.from, query.to, std::min(map.clearance_at(query.from), map.clearance_at(query.to)));
   return way;

@@ -29,6 +29,9 @@ struct RouteQuery {
   bool widest =
       false;  ///< Skeleton only: maximise the smallest clearance, then minimise the length.
   bool smooth = false;  ///< Skeleton and offset only: round the corners (see round_corners.h).
+  /// Shortest only: how wide a straight way is takes longer to find than the way. Without, its
+  /// `clearance_min` is the radius, as on a way with bends.
+  bool tell_clearance = true;
 };
 
 /// What is answered. `points` holds both ends; arcs are flattened to 1 mm, inside the walkable

@@ -72,7 +72,11 @@ std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
 /// The way from where the guide is, with room for walking. Where that is too much, or a body in
 /// mid-step stands nearer to a wall than its circle may, a thinner one goes.
 Way find_way(const Museum& museum, const FloorMap& map, const WalkOrder& order, Vec2 from) {
-  RouteQuery query{.kind = order.kind, .from = from, .to = order.goal->position, .smooth = true};
+  RouteQuery query{.kind = order.kind,
+                   .from = from,
+                   .to = order.goal->position,
+                   .smooth = true,
+                   .tell_clearance = false};
   Way way;
   constexpr double spare = Museum::walking_room;
   for (const double more : {spare, 0.0, -spare / 2, -2 * spare, -5 * spare}) {

@@ -41,6 +41,9 @@ TEST(ShortestWay, IsAStraightLineWhereNothingStands) {
   EXPECT_EQ(way.points, (std::vector<Vec2>{{1, 1}, {11, 1.5}}));
   EXPECT_NEAR(way.length, std::hypot(10, 0.5), exact);
   EXPECT_NEAR(way.clearance_min, 1, exact);
+  const RouteQuery briefly{
+      .from = {1, 1}, .to = {11, 1.5}, .radius = 0.25, .tell_clearance = false};
+  EXPECT_EQ(route(*map, briefly).clearance_min, 0.25);
 }
 
 TEST(ShortestWay, FitsThroughADoorOfTwiceItsRadiusAndNotThroughANarrowerOne) {
