@@ -83,9 +83,12 @@ class Query {
         work_(workspace()) {}
 
   Way run() {
+    const auto about_from = map_.sides_about(from_), about_to = map_.sides_about(to_);
+    __builtin_prefetch(about_from.data());
+    __builtin_prefetch(about_to.data());
     if (map_.walls().segment_clear(from_, to_))
       return {RouteStatus::Ok, length_of(to_ - from_), 0, {from_, to_}};
-    list_candidates();
+    list_candidates(about_from, about_to);
     bound(work_.from, work_.to);
     bound(work_.to, work_.from);
     for (;;) {
@@ -109,16 +112,23 @@ class Query {
     return static_cast<std::int64_t>(metres * per_metre_);
   }
 
-  void list_candidates() {
+  void list_candidates(std::span<const std::uint32_t> about_from,
+                       std::span<const std::uint32_t> about_to) {
+    for (const std::uint32_t side : about_from) map_.prefetch_arc(side);
+    for (const std::uint32_t side : about_to) map_.prefetch_arc(side);
     work_.from.clear();
-    for (const std::uint32_t side : map_.sides_about(from_))
-      if (const auto tangent = map_.tangent_to(side, from_)) work_.from.push_back({*tangent});
+    for (const std::uint32_t side : about_from)
+      if (const auto tangent = map_.tangent_to(side, from_)) {
+        work_.from.push_back({*tangent});
+        map_.prefetch_distances(side);
+      }
     work_.to.clear();
     // Turning along the other side begins where this side ends.
-    for (const std::uint32_t back : map_.sides_about(to_))
+    for (const std::uint32_t back : about_to)
       if (const auto tangent = map_.tangent_to(back, to_)) {
         work_.to.push_back({*tangent});
         work_.to.back().tangent.side = back ^ 1U;
+        map_.prefetch_distances(back ^ 1U);
       }
   }
   void price(Candidate& candidate, std::uint32_t entered) const {
@@ -159,7 +169,12 @@ class Query {
     if (!bring_forward(work_.from, from_) || !bring_forward(work_.to, to_)) return {};
     Meeting best = meet_on_one_side();
     work_.next_round(map_.hubs());
+    for (const Candidate& candidate : work_.from)
+      ShortestWayMap::prefetch(map_.leaving(candidate.tangent.side));
+    ShortestWayMap::prefetch(map_.arriving(work_.to[0].tangent.side));
     leave(0);
+    for (const Candidate& candidate : work_.to)
+      ShortestWayMap::prefetch(map_.arriving(candidate.tangent.side));
     arrive(0, best);
     for (std::uint32_t i = 1; i < work_.from.size(); ++i)
       if (work_.from[i].bound < best.cost) leave(i);
@@ -336,7 +351,7 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
       return std::cos(angle) * corner.begin + std::sin(angle) * left_of(corner.begin);
     };
     arc_.push_back({corner.position, direction(graph_.arc[a].begin), direction(graph_.arc[a].end),
-                    graph_.arc[a].begin});
+                    graph_.arc[a].begin, 0});
   }
   for (const auto* table : {&labels.leaving, &labels.arriving})
     for (const HubCost& hub : table->hub) hubs_ = std::max(hubs_, std::size_t{hub.hub} + 1);
@@ -344,13 +359,12 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
   // The arcs of each corner lie together, in the order of the vertices.
   std::vector<std::uint32_t> first_arc;
   std::uint32_t arc = 0;
-  sight_corner_.assign(graph_.arc.size(), 0);
   for (std::uint32_t c = 0; c < sight.corner.size(); ++c) {
     while (arc < graph_.arc.size() && graph_.arc[arc].vertex < sight.corner[c]) ++arc;
     first_arc.push_back(arc);
     for (std::uint32_t a = arc; a < graph_.arc.size() && graph_.arc[a].vertex == sight.corner[c];
          ++a)
-      sight_corner_[a] = c;
+      arc_[a].corner = c;
   }
   const double reach = sight.cell_size * std::numbers::sqrt2 / 2;
   cell_first_.reserve(sight.cell_first.size());
