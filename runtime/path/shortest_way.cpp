@@ -120,7 +120,7 @@ class Query {
     for (const std::uint32_t side : about_from)
       if (const auto tangent = map_.tangent_to(side, from_)) {
         work_.from.push_back({*tangent});
-        map_.prefetch_distances(side);
+        map_.prefetch_candidate(side);
       }
     work_.to.clear();
     // Turning along the other side begins where this side ends.
@@ -128,7 +128,7 @@ class Query {
       if (const auto tangent = map_.tangent_to(back, to_)) {
         work_.to.push_back({*tangent});
         work_.to.back().tangent.side = back ^ 1U;
-        map_.prefetch_distances(back ^ 1U);
+        map_.prefetch_candidate(back ^ 1U);
       }
   }
   void price(Candidate& candidate, std::uint32_t entered) const {

@@ -40,7 +40,7 @@ class ShortestWayMap {
   /// Begin to fetch what a query will read of a side. Memory is what a query in a new place waits
   /// for most.
   void prefetch_arc(std::uint32_t side) const noexcept { __builtin_prefetch(&arc_[side / 2]); }
-  void prefetch_distances(std::uint32_t side) const noexcept {
+  void prefetch_candidate(std::uint32_t side) const noexcept {
     __builtin_prefetch(&search_.landmarks().of(arc_[side / 2].corner));
     __builtin_prefetch(&labels_.leaving.first[side]);
     __builtin_prefetch(&labels_.arriving.first[side]);
