@@ -18,6 +18,8 @@
 #define TOML_UNREACHABLE __builtin_unreachable()
 #include <toml++/toml.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -82,14 +84,15 @@ std::string sentence_of(std::string_view description) {
   return "cannot be read as TOML: while " + std::string(description);
 }
 
+constexpr std::ptrdiff_t most_full_stops = 200;
+
 /// The first line with so many full stops that a key of as many parts would nest tables deeper than
 /// the stack is; 0 where there is none.
 std::uint32_t line_of_too_many_parts(std::string_view text) {
-  constexpr std::size_t most_parts = 200;
   std::uint32_t number = 0;
   for (const auto line : text | std::views::split('\n')) {
     ++number;
-    if (std::ranges::count(line, '.') > static_cast<std::ptrdiff_t>(most_parts)) return number;
+    if (std::ranges::count(line, '.') > most_full_stops) return number;
   }
   return 0;
 }
@@ -123,11 +126,12 @@ std::string_view name_of(TomlNode::Kind kind) noexcept {
 
 TomlFile parse_toml(std::string_view text, const std::string& name) {
   if (const std::uint32_t line = line_of_too_many_parts(text); line > 0)
-    return unreadable({.file = name,
-                       .line = line,
-                       .column = 1,
-                       .message = "has more than 200 full stops in one line",
-                       .hint = "break the text into lines between three quotation marks"});
+    return unreadable(
+        {.file = name,
+         .line = line,
+         .column = 1,
+         .message = fmt::format("has more than {} full stops in one line", most_full_stops),
+         .hint = "break the text into lines between three quotation marks"});
   const toml::parse_result result = toml::parse(text, name);
   if (result) return {.root = convert(result.table())};
   const toml::parse_error& error = result.error();

@@ -70,7 +70,7 @@ class LandmarkBound {
     }
     std::int16_t steps = 0;
     for (std::size_t i = 0; i < Landmarks::lanes; ++i) steps = std::max(steps, most[i]);
-    // Two distances and a length are rounded, the latter down where it is far.
+    // Two distances are rounded to the nearest step, and a length down.
     return (steps - 2) * landmarks_.metres_per_step() - 2 * radius_;
   }
 
