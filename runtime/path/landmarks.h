@@ -68,8 +68,14 @@ class LandmarkBound {
       most = below > most ? below : most;
       most = above > most ? above : most;
     }
-    std::int16_t steps = 0;
-    for (std::size_t i = 0; i < Landmarks::lanes; ++i) steps = std::max(steps, most[i]);
+    // The largest of all lanes: each beside the one that is 4, 2 and 1 away.
+    const auto keep_larger = [&](const Landmarks::Lanes& other) {
+      most = other > most ? other : most;
+    };
+    keep_larger(__builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
+    keep_larger(__builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
+    keep_larger(__builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6));
+    const std::int16_t steps = most[0];
     // Two distances are rounded to the nearest step, and a length down.
     return (steps - 2) * landmarks_.metres_per_step() - 2 * radius_;
   }

@@ -196,8 +196,9 @@ class Query {
     price_from(candidate);
     const std::uint64_t so_far =
         (work_.round << cost_bits) + static_cast<std::uint64_t>(bias + candidate.cost);
+    std::uint64_t* const hub = work_.hub.data();
     for (const auto& [name, further] : map_.leaving(candidate.tangent.side))
-      work_.hub[name] = std::min(work_.hub[name], so_far + further);
+      hub[name] = std::min(hub[name], so_far + further);
   }
   void arrive(std::uint32_t index, Meeting& best) {
     Candidate& candidate = work_.to[index];
@@ -205,13 +206,21 @@ class Query {
     // What an earlier round left is so much larger that it loses without being asked for.
     const std::uint64_t so_far =
         static_cast<std::uint64_t>(candidate.cost - bias) - (work_.round << cost_bits);
-    std::uint32_t entry = labels_.arriving.first[candidate.tangent.side];
-    for (const auto& [name, further] : map_.arriving(candidate.tangent.side)) {
-      const std::uint64_t cost = work_.hub[name] + so_far + further;
-      if (cost < static_cast<std::uint64_t>(best.cost))
-        best = {static_cast<std::int64_t>(cost), none, index, none, entry};
-      ++entry;
+    const std::uint64_t* const hub = work_.hub.data();
+    const std::span<const HubCost> label = map_.arriving(candidate.tangent.side);
+    auto least = static_cast<std::uint64_t>(best.cost);
+    const HubCost* where = nullptr;
+    for (const HubCost& entry : label) {
+      const std::uint64_t cost = hub[entry.hub] + so_far + entry.cost;
+      if (cost < least) {
+        least = cost;
+        where = &entry;
+      }
     }
+    if (where)
+      best = {static_cast<std::int64_t>(least), none, index, none,
+              labels_.arriving.first[candidate.tangent.side] +
+                  static_cast<std::uint32_t>(where - label.data())};
   }
 
   /// Which candidate's label brought the cost of the hub where a meeting takes place?
