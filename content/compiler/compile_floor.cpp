@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include "content/compiler/parallel.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
 #include "content/floor/sight.h"
 #include "content/floor/voronoi.h"
+#include "content/parallel.h"
 #include "runtime/path/make_hub_labels.h"
 #include "runtime/path/make_tangent_graph.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "content/compiler/load_image.h"
-#include "content/compiler/parallel.h"
 #include "content/content_error.h"
+#include "content/parallel.h"
 
 namespace docent {
 
