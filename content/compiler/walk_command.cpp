@@ -8,12 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "config/diagnostic_text.h"
 #include "content/compiler/commands.h"
 #include "content/compiler/open_museum.h"
+#include "content/compiler/paper_walk.h"
 #include "content/compiler/path_deviation.h"
 #include "content/compiler/query_io.h"
 #include "content/content_error.h"
 #include "content/import/motion_bvh_write.h"
+#include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
@@ -26,7 +29,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 struct WalkOptions {
   std::string database, path, output;
   std::string search = "docent";
-  std::optional<double> lookahead, use_rate;
+  std::optional<double> lookahead, use_rate, time_limit;
   std::vector<double> start;  ///< X, Y, heading in degrees.
   double fps = 0;             ///< 0: the clips' own.
   bool exact = false, raw = false, json = false;
@@ -37,11 +40,13 @@ struct WalkOptions {
 }
 
 void check_options(const WalkOptions& options) {
-  if (options.search == "paper")
-    misuse("--search", "the paper's own search is not part of this version",
-           "leave --search out: docent's search answers the same question");
-  if (options.lookahead || options.use_rate)
-    misuse("--lookahead", "--lookahead and --use-rate belong to --search paper", "leave them out");
+  const bool is_paper = options.search == "paper";
+  if (is_paper && options.exact)
+    misuse("--exact", "the paper's search gives the motion graph's own track and warps nothing",
+           "leave --exact out");
+  if (!is_paper && (options.lookahead || options.use_rate || options.time_limit))
+    misuse("--lookahead", "--lookahead, --use-rate and --time-limit belong to --search paper",
+           "leave them out");
   if (!options.start.empty() && options.start.size() != 3)
     misuse("--start", "a start has three numbers", "write --start X,Y,HEADING (metres, degrees)");
 }
@@ -83,31 +88,67 @@ struct Outcome {
   double path_length = 0, total_seconds = 0;
 };
 
-Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
-                   const WalkOptions& options) {
+std::optional<Placement> start_of(const WalkOptions& options) {
+  if (options.start.empty()) return std::nullopt;
+  return Placement{{options.start[0], options.start[1]}, options.start[2] * radians_per_degree};
+}
+
+Walk walk_by_docent(const WalkGraph& graph, const std::vector<Vec2>& path,
+                    const WalkOptions& options) {
   WalkRequest request;
   request.path = path;
-  if (!options.start.empty())
-    request.start =
-        Placement{{options.start[0], options.start[1]}, options.start[2] * radians_per_degree};
+  request.start = start_of(options);
   request.fidelity = options.raw ? Fidelity::Raw : Fidelity::Exact;
+  Result<Walk> walk = make_walk(graph, request);
+  if (!walk) throw ContentError(walk.error().code, options.path, "cannot-walk", walk.error().what);
+  return std::move(*walk);
+}
+
+/// Says on standard error where a search was stopped, and goes on with what it has.
+void report_early_end(const PaperWalk& found, double path_length, const WalkOptions& options) {
+  const Diagnostic warning{
+      .file = options.path,
+      .severity = Severity::Warning,
+      .code = "search-stopped",
+      .message = fmt::format(
+          "the paper's search had kept {:.2f} of {:.2f} m when it stopped after {:.1f} s: the walk "
+          "ends there",
+          found.length, path_length, found.walk.search_seconds),
+      .hint =
+          "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
+  fmt::print(stderr, "{}", options.json ? to_json(warning) + "\n" : to_text(warning));
+}
+
+Walk walk_by_paper(const WalkGraph& graph, const std::vector<Vec2>& path,
+                   const WalkOptions& options) {
+  PaperWalkRequest request;
+  request.path = path;
+  request.start = start_of(options);
+  request.lookahead = options.lookahead.value_or(request.lookahead);
+  request.use_rate = options.use_rate.value_or(request.use_rate);
+  request.time_limit = options.time_limit.value_or(request.time_limit);
+  PaperWalk found = make_paper_walk(graph, request);
+  if (!found.reaches_end) report_early_end(found, polyline_length(path), options);
+  return std::move(found.walk);
+}
+
+Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
+                   const WalkOptions& options) {
   const auto graph = make_walk_graph(motion);
   if (!graph)
     throw ContentError(graph.error().code, options.database, "cannot-walk", graph.error().what);
 
+  Outcome outcome;
   const auto began = std::chrono::steady_clock::now();
-  Result<Walk> walk = make_walk(*graph, request);
+  outcome.walk = options.search == "paper" ? walk_by_paper(*graph, path, options)
+                                           : walk_by_docent(*graph, path, options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  if (!walk) throw ContentError(walk.error().code, options.path, "cannot-walk", walk.error().what);
+  outcome.total_seconds = took.count();
 
   std::vector<Vec2> roots;
-  for (const Vec3& root : walk->root) roots.push_back(to_floor(root));
-  Outcome outcome;
-  outcome.deviation = measure_deviation(roots, walk->frame_rate, path);
-  for (std::size_t i = 1; i < path.size(); ++i)
-    outcome.path_length += glm::distance(path[i - 1], path[i]);
-  outcome.total_seconds = took.count();
-  outcome.walk = std::move(*walk);
+  for (const Vec3& root : outcome.walk.root) roots.push_back(to_floor(root));
+  outcome.deviation = measure_deviation(roots, outcome.walk.frame_rate, path);
+  outcome.path_length = polyline_length(path);
   return outcome;
 }
 
@@ -158,6 +199,10 @@ void add_walk_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
   command->add_option("--use-rate", options->use_rate, "paper: share of a step that is kept")
       ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--time-limit", options->time_limit,
+                   "paper: seconds of search, then the walk ends where it is (default 600)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--start", options->start, "X,Y,HEADING in metres and degrees")
       ->delimiter(',');
   command->add_option("--fps", options->fps, "Frames a second; default the clips' own")
