@@ -116,6 +116,7 @@ RC_GTEST_PROP(PaperSearch, FindsTheBestOfAllWalksWithinItsLookahead, ()) {
   if (!found.reaches_end) return;
   const std::vector<Vec2> roots = roots_of(graph, found, request.clip_to_floor);
   RC_ASSERT(roots.size() == found.frames);
+  RC_ASSERT(length_of(roots) < length_of(path) + 0.02);  // A frame walks 1 cm.
   RC_ASSERT(std::abs(difference(roots, path) - least) < 1e-5);
 }
 
@@ -153,6 +154,16 @@ struct WalkOfShippedClips {
     request.clip_to_floor.position = -carried(request.clip_to_floor, first);
   }
 };
+
+RC_GTEST_PROP(PaperSearch, ReachesTheEndOfEveryPathBecauseItKeepsAnExit, ()) {
+  WalkOfShippedClips walk;
+  walk.path = arc(*rc::gen::inRange(2, 20), 0.1 * *rc::gen::inRange(-10, 11));
+  walk.request.path = walk.path;
+  walk.request.lookahead = 0.1 * *rc::gen::inRange(1, 9);
+  walk.request.use_rate = 0.1 * *rc::gen::inRange(1, 11);
+
+  RC_ASSERT(find_paper_path(shipped_graph(), walk.request).reaches_end);
+}
 
 TEST(PaperSearch, PlaysFramesForwardsOnly) {
   const WalkOfShippedClips walk;
