@@ -19,6 +19,15 @@ struct TransitionOptions {
   double alike_within = 0.08;
   /// Seconds round a transition within which no other between the same clips is kept.
   double apart = 0.06;
+  /// Time is cut into windows of `radius` seconds; of the transitions that leave a clip in the same
+  /// window, so many are kept, those of the least distance.
+  std::size_t per_window = 8;
+  /// Frames, of all clips together, up to which every pair of frames is compared. Of more motion
+  /// only what an index of poses takes for alike is (see find_transitions).
+  std::size_t compare_all_up_to = 12'000;
+  /// How many poses are found in the index for one that is looked up, and how many of them are
+  /// measured. With these, 97 % of what comparing all finds is found in five minutes of motion.
+  std::size_t looked_up = 96, looked_closely = 64;
 };
 
 /// What transitions are judged by, one entry per clip.
@@ -33,11 +42,15 @@ double alike_threshold(const std::vector<MotionClip>& clips, const StudiedClips&
 
 /// Finds the passages between clips, and within a clip, that can be blended into each other: local
 /// minima of the pose distance below `threshold` where the same feet are planted. Both directions
-/// of each are returned, sorted as MotionGraph wants them.
+/// of each are judged by themselves, and returned sorted as MotionGraph wants them.
 ///
 /// A blend's radius is shortened where it would reach over the end of a clip (section 3.1.3 of the
-/// paper), down to half; windows that touch a fault of capture are left out. Works on `jobs`
-/// threads; the result does not depend on how many.
+/// paper), down to half; windows that touch a fault of capture are left out.
+///
+/// Of much motion, only pieces of the distance matrix are measured in which an index of poses
+/// (alike_tiles) finds a pair that is alike. What is found there is exactly what the whole matrix
+/// has there; some transitions of a crowd are missed. Works on `jobs` threads; the result does not
+/// depend on how many.
 std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
                                          const StudiedClips& studied, double threshold,
                                          const TransitionOptions& options, unsigned jobs);

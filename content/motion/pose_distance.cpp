@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace docent {
@@ -68,92 +70,154 @@ Overlap overlap_of(std::size_t frame_a, std::size_t frames_a, std::size_t frame_
       static_cast<std::ptrdiff_t>(std::min({half + 1, frames_a - frame_a, frames_b - frame_b}))};
 }
 
-/// Cross products of one frame of `a` with all frames of `b`, or their sums over a window, with
-/// blanks before the first and after the last column so that windows may reach over.
-template <typename Number>
-struct CrossRow {
-  explicit CrossRow(std::size_t width) : dot(width), cross(width), height(width) {}
-  std::vector<Number> dot, cross, height;
+constexpr std::size_t rows = DistanceTile::rows, diagonals = DistanceTile::diagonals;
+
+/// One value for each diagonal of a tile.
+using TileRow = std::array<float, diagonals>;
+
+/// The frames of a clip that a tile compares, point by point as in the cloud, moved so that sums of
+/// squares stay small, with blanks where the clip has no frame; and the sums of whole windows.
+struct LocalCloud {
+  std::ptrdiff_t first = 0;  ///< The clip's frame that is frame 0 here.
+  std::size_t frames = 0;
+  float origin_x = 0, origin_y = 0;  ///< Relative to the cloud's own.
+  std::vector<float> x, y, h;
+  std::vector<float> sum_x, sum_y;  ///< Of the window round a frame.
+  std::vector<float> spread;        ///< Its squares less the square of its middle.
 };
 
-void fill_row(const PoseCloud& a, std::size_t frame, const PoseCloud& b, std::size_t margin,
-              CrossRow<float>& row) {
-  constexpr std::size_t block = 8;  // Sums of one block stay in registers over all points.
-  std::size_t f = 0;
-  const auto take = [&]<std::size_t width>() {
-    std::array<float, width> dot{}, cross{}, height{};
-    for (std::size_t p = 0; p < a.points; ++p) {
-      const float w = a.weight[p];
-      const float ax = w * a.x[p * a.frames + frame], ay = w * a.y[p * a.frames + frame],
-                  ah = w * a.h[p * a.frames + frame];
-      const float* bx = &b.x[p * b.frames + f];
-      const float* by = &b.y[p * b.frames + f];
-      const float* bh = &b.h[p * b.frames + f];
-      for (std::size_t i = 0; i < width; ++i) {
-        dot[i] += ax * bx[i] + ay * by[i];
-        cross[i] += ay * bx[i] - ax * by[i];
-        height[i] += ah * bh[i];
+/// Takes `frames` frames from `first` on, which may lie outside of the clip. Points are multiplied
+/// by their weights if so wanted, because a product needs the weight once.
+enum class Weighted : bool { No, Yes };
+
+void take_frames(const PoseCloud& cloud, std::ptrdiff_t first, std::size_t frames, std::size_t half,
+                 Weighted weighted, LocalCloud& local) {
+  const auto length = static_cast<std::ptrdiff_t>(cloud.frames);
+  const std::ptrdiff_t begin = std::clamp<std::ptrdiff_t>(first, 0, length);
+  const std::ptrdiff_t end =
+      std::clamp<std::ptrdiff_t>(first + static_cast<std::ptrdiff_t>(frames), begin, length);
+  local.first = first;
+  local.frames = frames;
+  for (std::vector<float>* part : {&local.x, &local.y, &local.h})
+    part->resize(cloud.points * frames);
+  for (std::vector<float>* part : {&local.sum_x, &local.sum_y, &local.spread})
+    part->assign(frames, 0);
+  if (end - begin < static_cast<std::ptrdiff_t>(frames))
+    for (std::vector<float>* part : {&local.x, &local.y, &local.h}) std::ranges::fill(*part, 0.0f);
+  if (begin == end) return;
+
+  const auto middle = static_cast<std::size_t>((begin + end) / 2);
+  const double x0 = cloud.sum_x[middle + 1] - cloud.sum_x[middle];
+  const double y0 = cloud.sum_y[middle + 1] - cloud.sum_y[middle];
+  const float fx = local.origin_x = static_cast<float>(x0);
+  const float fy = local.origin_y = static_cast<float>(y0);
+  for (std::size_t p = 0; p < cloud.points; ++p) {
+    const float w = weighted == Weighted::Yes ? cloud.weight[p] : 1.0f;
+    const std::size_t from = p * cloud.frames, to = p * frames;
+    for (std::ptrdiff_t f = begin; f < end; ++f) {
+      const std::size_t source = from + static_cast<std::size_t>(f);
+      const std::size_t target = to + static_cast<std::size_t>(f - first);
+      local.x[target] = w * (cloud.x[source] - fx);
+      local.y[target] = w * (cloud.y[source] - fy);
+      local.h[target] = w * cloud.h[source];
+    }
+  }
+  const auto reach = static_cast<std::ptrdiff_t>(half);
+  const auto window = static_cast<double>(2 * half + 1);
+  for (std::ptrdiff_t f = std::max(begin, reach); f < std::min(end, length - reach); ++f) {
+    const auto at = static_cast<std::size_t>(f - first);
+    const OwnSums own = sums_between(cloud, static_cast<std::size_t>(f - reach),
+                                     static_cast<std::size_t>(f) + half + 1);
+    local.sum_x[at] = static_cast<float>(own.x - window * static_cast<double>(fx));
+    local.sum_y[at] = static_cast<float>(own.y - window * static_cast<double>(fy));
+    local.spread[at] = static_cast<float>(own.square - (own.x * own.x + own.y * own.y) / window);
+  }
+}
+
+/// Products of one frame of `a` with the frames of `b` on the tile's diagonals, or their sums over
+/// a window.
+struct CrossRow {
+  TileRow dot{}, cross{}, height{};
+};
+
+/// Four floats, which every processor that runs docent adds and multiplies at once. Left to itself,
+/// the compiler shuffles the three sums among each other for twice the time.
+using Lanes [[gnu::vector_size(16)]] = float;
+constexpr std::size_t lanes = 4;
+
+Lanes load(const float* from) {
+  Lanes value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+
+void multiply(const LocalCloud& a, const LocalCloud& b, std::size_t points, std::size_t frame,
+              CrossRow& row) {
+  constexpr std::size_t block = 16;  // Sums of one block stay in registers over all points.
+  static_assert(diagonals % block == 0 && block % lanes == 0);
+  for (std::size_t e = 0; e < diagonals; e += block) {
+    std::array<Lanes, block / lanes> dot{}, cross{}, height{};
+    for (std::size_t p = 0; p < points; ++p) {
+      const float ax = a.x[p * a.frames + frame], ay = a.y[p * a.frames + frame],
+                  ah = a.h[p * a.frames + frame];
+      const std::size_t from = p * b.frames + frame + e;
+      for (std::size_t i = 0; i < block / lanes; ++i) {
+        const Lanes bx = load(&b.x[from + i * lanes]), by = load(&b.y[from + i * lanes]);
+        dot[i] += ax * bx + ay * by;
+        cross[i] += ay * bx - ax * by;
+        height[i] += ah * load(&b.h[from + i * lanes]);
       }
     }
-    const auto at = static_cast<std::ptrdiff_t>(margin + f);
-    std::ranges::copy(dot, row.dot.begin() + at);
-    std::ranges::copy(cross, row.cross.begin() + at);
-    std::ranges::copy(height, row.height.begin() + at);
-    f += width;
-  };
-  while (f + block <= b.frames) take.template operator()<block>();
-  while (f < b.frames) take.template operator()<1>();
-}
-
-/// Moves all windows of a row one frame on, along their diagonals: `arriving` comes into them and
-/// `leaving` goes.
-void move_windows(const CrossRow<double>& before, const CrossRow<float>& arriving,
-                  const CrossRow<float>& leaving, std::size_t half, CrossRow<double>& sums) {
-  const std::size_t margin = half + 1;
-  const auto move = [&](const std::vector<double>& from, const std::vector<float>& come,
-                        const std::vector<float>& go, std::vector<double>& to) {
-    for (std::size_t e = 1; e < margin; ++e)
-      to[e] = from[e - 1] + static_cast<double>(come[e + half]);
-    for (std::size_t e = margin; e + margin < to.size(); ++e)
-      to[e] =
-          from[e - 1] + static_cast<double>(come[e + half]) - static_cast<double>(go[e - margin]);
-  };
-  move(before.dot, arriving.dot, leaving.dot, sums.dot);
-  move(before.cross, arriving.cross, leaving.cross, sums.cross);
-  move(before.height, arriving.height, leaving.height, sums.height);
-}
-
-/// One row of the matrix from the cross sums of its windows.
-void fill_distances(const PoseCloud& a, std::size_t frame, const PoseCloud& b,
-                    const CrossRow<double>& sums, std::size_t half, DistanceMatrix& matrix) {
-  const std::size_t margin = half + 1;
-  const auto fill = [&](std::size_t column, const OwnSums& own_a, Overlap overlap) {
-    const OwnSums own_b = sums_between(b, column + static_cast<std::size_t>(overlap.first),
-                                       column + static_cast<std::size_t>(overlap.end));
-    const std::size_t e = column + margin;
-    const double square =
-        squared_distance(own_a, own_b, {sums.dot[e], sums.cross[e], sums.height[e]},
-                         static_cast<double>(overlap.end - overlap.first));
-    matrix.distance[frame * matrix.columns + column] = static_cast<float>(std::sqrt(square));
-  };
-  const auto own_a = [&](Overlap overlap) {
-    return sums_between(a, frame + static_cast<std::size_t>(overlap.first),
-                        frame + static_cast<std::size_t>(overlap.end));
-  };
-  const auto fill_edge = [&](std::size_t column) {
-    const Overlap overlap = overlap_of(frame, a.frames, column, b.frames, half);
-    fill(column, own_a(overlap), overlap);
-  };
-  // Away from the ends of `b` the window is the same for all columns.
-  const std::size_t inner = std::min(half, b.frames);
-  const std::size_t inner_end = b.frames > 2 * half ? b.frames - half : inner;
-  for (std::size_t column = 0; column < inner; ++column) fill_edge(column);
-  if (inner < inner_end) {
-    const Overlap overlap = overlap_of(frame, a.frames, inner, b.frames, half);
-    const OwnSums own = own_a(overlap);
-    for (std::size_t column = inner; column < inner_end; ++column) fill(column, own, overlap);
+    std::memcpy(&row.dot[e], &dot, sizeof dot);
+    std::memcpy(&row.cross[e], &cross, sizeof cross);
+    std::memcpy(&row.height[e], &height, sizeof height);
   }
-  for (std::size_t column = inner_end; column < b.frames; ++column) fill_edge(column);
+}
+
+/// Moves all windows of a row one frame on.
+void move_windows(const CrossRow& arriving, const CrossRow& leaving, CrossRow& sums) {
+  for (std::size_t e = 0; e < diagonals; ++e) {
+    sums.dot[e] += arriving.dot[e] - leaving.dot[e];
+    sums.cross[e] += arriving.cross[e] - leaving.cross[e];
+    sums.height[e] += arriving.height[e] - leaving.height[e];
+  }
+}
+
+/// squared_distance for a row of whole windows.
+void fill_row(const LocalCloud& a, std::size_t at, const LocalCloud& b, const CrossRow& sums,
+              std::size_t half, float* out) {
+  const auto window = static_cast<float>(2 * half + 1);
+  const float share = 1 / window, ax = a.sum_x[at] * share, ay = a.sum_y[at] * share;
+  const float own = a.spread[at];
+  const float *bx = &b.sum_x[at], *by = &b.sum_y[at], *spread = &b.spread[at];
+  for (std::size_t e = 0; e < diagonals; ++e) {
+    const float dot = sums.dot[e] - (ax * bx[e] + ay * by[e]);
+    const float cross = sums.cross[e] - (ay * bx[e] - ax * by[e]);
+    const float left =
+        own + spread[e] - 2 * std::sqrt(dot * dot + cross * cross) - 2 * sums.height[e];
+    out[e] = std::sqrt(std::max(0.0f, left) * share);
+  }
+}
+
+/// A pair whose windows reach over the end of a clip.
+float cut_window(const PoseCloud& a, std::size_t row, const PoseCloud& b, std::size_t column,
+                 std::size_t half, const LocalCloud& local_a, const LocalCloud& local_b,
+                 const CrossRow& sums, std::size_t diagonal) {
+  const Overlap overlap = overlap_of(row, a.frames, column, b.frames, half);
+  const auto frames = static_cast<double>(overlap.end - overlap.first);
+  const auto own = [&](const PoseCloud& cloud, std::size_t frame, const LocalCloud& local) {
+    OwnSums sum = sums_between(cloud, frame + static_cast<std::size_t>(overlap.first),
+                               frame + static_cast<std::size_t>(overlap.end));
+    const double x = local.origin_x, y = local.origin_y;
+    sum.square += frames * (x * x + y * y) - 2 * (x * sum.x + y * sum.y);
+    sum.x -= frames * x;
+    sum.y -= frames * y;
+    return sum;
+  };
+  const double square =
+      squared_distance(own(a, row, local_a), own(b, column, local_b),
+                       {sums.dot[diagonal], sums.cross[diagonal], sums.height[diagonal]}, frames);
+  return static_cast<float>(std::sqrt(square));
 }
 
 }  // namespace
@@ -233,23 +297,79 @@ PoseMatch compare_poses(const PoseCloud& a, std::size_t frame_a, const PoseCloud
   return match;
 }
 
-DistanceMatrix measure_distances(const PoseCloud& a, const PoseCloud& b, std::size_t half) {
-  DistanceMatrix matrix{
-      .rows = a.frames, .columns = b.frames, .distance = std::vector<float>(a.frames * b.frames)};
-  const std::size_t margin = half + 1, width = b.frames + 2 * margin;
-  std::vector<CrossRow<float>> ring(2 * half + 2, CrossRow<float>(width));
-  const CrossRow<float> outside(width);
-  CrossRow<double> sums(width), before(width);
+std::vector<TilePlace> all_tiles(std::size_t frames_a, std::size_t frames_b) {
+  std::vector<TilePlace> places;
+  for (std::size_t first = 0; first < frames_a; first += rows) {
+    const std::size_t last = std::min(first + rows, frames_a) - 1;
+    const TilePlace begin = tile_of(frames_a, last, 0);
+    const TilePlace end = tile_of(frames_a, first, frames_b - 1);
+    for (std::uint32_t d = begin.diagonal; d <= end.diagonal; ++d) places.push_back({begin.row, d});
+  }
+  return places;
+}
+
+void measure_tile(const PoseCloud& a, const PoseCloud& b, std::size_t half, TilePlace place,
+                  DistanceTile& tile) {
+  thread_local LocalCloud local_a, local_b;
+  thread_local std::vector<CrossRow> product;
+  const auto reach = static_cast<std::ptrdiff_t>(half);
+  const auto frames_a = static_cast<std::ptrdiff_t>(a.frames);
+  const auto frames_b = static_cast<std::ptrdiff_t>(b.frames);
+  const auto first_row = static_cast<std::ptrdiff_t>(place.row * rows);
+  const auto first_diagonal =
+      static_cast<std::ptrdiff_t>(place.diagonal * diagonals) - (frames_a - 1);
+  const std::size_t steps = rows + 2 * half;
+  take_frames(a, first_row - reach, steps, half, Weighted::Yes, local_a);
+  take_frames(b, first_row - reach + first_diagonal, steps + diagonals, half, Weighted::No,
+              local_b);
+  product.resize(steps);
 
   // A frame of `a` comes into the window `half` steps before it is the middle, and goes half + 1
   // steps after.
-  for (std::size_t step = 0; step < a.frames + half; ++step) {
-    CrossRow<float>& newest = ring[step % ring.size()];
-    if (step < a.frames) fill_row(a, step, b, margin, newest);
-    std::swap(sums, before);
-    move_windows(before, step < a.frames ? newest : outside,
-                 step > 2 * half ? ring[(step + 1) % ring.size()] : outside, half, sums);
-    if (step >= half) fill_distances(a, step - half, b, sums, half, matrix);
+  tile.distance.fill(std::numeric_limits<float>::infinity());
+  CrossRow sums;
+  const CrossRow nothing;
+  for (std::size_t step = 0; step < steps; ++step) {
+    multiply(local_a, local_b, a.points, step, product[step]);
+    move_windows(product[step], step > 2 * half ? product[step - 2 * half - 1] : nothing, sums);
+    if (step < 2 * half) continue;
+    const std::ptrdiff_t row = first_row + static_cast<std::ptrdiff_t>(step) - 2 * reach;
+    if (row >= frames_a) break;
+    const std::ptrdiff_t column = row + first_diagonal;  // of the tile's first diagonal
+    float* out = &tile.distance[(step - 2 * half) * diagonals];
+    fill_row(local_a, step - half, local_b, sums, half, out);
+    const bool whole_row = row >= reach && row + reach < frames_a;
+    if (whole_row && column >= reach &&
+        column + static_cast<std::ptrdiff_t>(diagonals) + reach <= frames_b)
+      continue;
+    for (std::size_t e = 0; e < diagonals; ++e) {
+      const std::ptrdiff_t at = column + static_cast<std::ptrdiff_t>(e);
+      if (whole_row && at >= reach && at + reach < frames_b) continue;
+      out[e] = at < 0 || at >= frames_b
+                   ? std::numeric_limits<float>::infinity()
+                   : cut_window(a, static_cast<std::size_t>(row), b, static_cast<std::size_t>(at),
+                                half, local_a, local_b, sums, e);
+    }
+  }
+}
+
+DistanceMatrix measure_distances(const PoseCloud& a, const PoseCloud& b, std::size_t half) {
+  DistanceMatrix matrix{
+      .rows = a.frames, .columns = b.frames, .distance = std::vector<float>(a.frames * b.frames)};
+  DistanceTile tile;
+  for (const TilePlace place : all_tiles(a.frames, b.frames)) {
+    measure_tile(a, b, half, place, tile);
+    for (std::size_t r = 0; r < rows && place.row * rows + r < a.frames; ++r) {
+      const std::size_t row = place.row * rows + r;
+      // Column of the tile's first diagonal, counted so that it is never negative.
+      const std::size_t shifted = row + place.diagonal * diagonals;
+      const std::size_t zero = a.frames - 1;
+      const std::size_t begin = std::max(shifted, zero),
+                        end = std::min(shifted + diagonals, zero + b.frames);
+      for (std::size_t c = begin; c < end; ++c)
+        matrix.distance[row * matrix.columns + c - zero] =
+            tile.distance[r * diagonals + c - shifted];
+    }
   }
   return matrix;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +36,39 @@ struct PoseMatch {
 PoseMatch compare_poses(const PoseCloud& a, std::size_t frame_a, const PoseCloud& b,
                         std::size_t frame_b, std::size_t half);
 
+/// A piece of the matrix of all distances between two clips: `rows` frames of the first that follow
+/// each other, each with frames of the second on `diagonals` diagonals side by side. Pieces lie
+/// along diagonals because a pair of passages that are alike does, too, and because there a
+/// window's sums differ from the next one's by the frame that comes and the one that goes.
+struct DistanceTile {
+  static constexpr std::size_t rows = 64, diagonals = 32;
+
+  /// Metres, [row * diagonals + diagonal]; infinite where a clip has no such frame.
+  std::array<float, rows * diagonals> distance;
+};
+
+/// Which piece: rows from row * DistanceTile::rows; diagonals (frame of the second less frame of
+/// the first) from diagonal * DistanceTile::diagonals, counted from the matrix's lower left corner.
+struct TilePlace {
+  std::uint32_t row = 0, diagonal = 0;
+  auto operator<=>(const TilePlace&) const = default;
+};
+
+/// The piece that holds a pair of frames, of a first clip of so many.
+constexpr TilePlace tile_of(std::size_t frames_a, std::size_t frame_a, std::size_t frame_b) {
+  return {
+      static_cast<std::uint32_t>(frame_a / DistanceTile::rows),
+      static_cast<std::uint32_t>((frame_b + (frames_a - 1) - frame_a) / DistanceTile::diagonals)};
+}
+
+/// All pieces that hold a pair of frames of two clips, in order.
+std::vector<TilePlace> all_tiles(std::size_t frames_a, std::size_t frames_b);
+
+/// Measures the same as compare_poses for every pair of a piece (to 0.1 mm and, where less than a
+/// centimetre is left, to 2 mm), in a time that does not depend on the window.
+void measure_tile(const PoseCloud& a, const PoseCloud& b, std::size_t half, TilePlace place,
+                  DistanceTile& tile);
+
 /// Distances of all frames of `a` to all frames of `b`; metres.
 struct DistanceMatrix {
   std::size_t rows = 0, columns = 0;
@@ -43,9 +77,7 @@ struct DistanceMatrix {
   float at(std::size_t row, std::size_t column) const { return distance[row * columns + column]; }
 };
 
-/// The same as compare_poses for every pair, in a time that does not depend on the window: along a
-/// diagonal a window's sums differ from the next one's by the frame that comes and the one that
-/// goes.
+/// All pieces, put together.
 DistanceMatrix measure_distances(const PoseCloud& a, const PoseCloud& b, std::size_t half);
 
 }  // namespace docent
