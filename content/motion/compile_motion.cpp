@@ -21,14 +21,20 @@ bool same_skeleton(const Skeleton& a, const Skeleton& b) {
 
 /// The skeleton that most recordings share; of equally many the one that comes first.
 const Skeleton& commonest_skeleton(const std::vector<FolderMotion>& motions) {
-  std::size_t best = 0, most = 0;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const auto alike = static_cast<std::size_t>(std::ranges::count_if(motions, [&](const auto& m) {
-      return same_skeleton(motions[i].motion.skeleton, m.motion.skeleton);
-    }));
-    if (alike > most) most = alike, best = i;
+  struct Kind {
+    const Skeleton* skeleton;
+    std::size_t count;
+  };
+  std::vector<Kind> kinds;  // Few, however many clips there are.
+  for (const FolderMotion& m : motions) {
+    const auto known = std::ranges::find_if(
+        kinds, [&](const Kind& k) { return same_skeleton(*k.skeleton, m.motion.skeleton); });
+    if (known == kinds.end())
+      kinds.push_back({&m.motion.skeleton, 1});
+    else
+      ++known->count;
   }
-  return motions[best].motion.skeleton;
+  return *std::ranges::max_element(kinds, {}, &Kind::count)->skeleton;
 }
 
 }  // namespace

@@ -10,17 +10,27 @@ namespace {
 // Seconds: two steps at 109 a minute. Hann weights over two cycles cancel what repeats every cycle.
 constexpr double gait_cycle = 1.1;
 
+/// Hann weights of the frames up to `half` before and after one, from the first on.
+std::vector<double> hann_weights(std::size_t half) {
+  std::vector<double> weights(2 * half + 1);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    weights[i] = 0.5 + 0.5 * std::cos(std::numbers::pi *
+                                      (static_cast<double>(i) - static_cast<double>(half)) /
+                                      static_cast<double>(half + 1));
+  return weights;
+}
+
 /// The value at `at` of the line that fits `values` best round it.
 template <typename Value>
-Value fit_line(const std::vector<Value>& values, std::size_t at, std::size_t half) {
+Value fit_line(const std::vector<Value>& values, std::size_t at, std::size_t half,
+               const std::vector<double>& weights) {
   const std::size_t first = at > half ? at - half : 0;
   const std::size_t last = std::min(at + half, values.size() - 1);
   double w = 0, wt = 0, wtt = 0;
   Value wv{}, wtv{};
   for (std::size_t f = first; f <= last; ++f) {
     const double t = static_cast<double>(f) - static_cast<double>(at);
-    const double weight =
-        0.5 + 0.5 * std::cos(std::numbers::pi * t / static_cast<double>(half + 1));
+    const double weight = weights[f + half - at];
     w += weight;
     wt += weight * t;
     wtt += weight * t * t;
@@ -53,10 +63,11 @@ std::vector<Placement> extract_root_motion(const Skeleton& skeleton, const Motio
     heading.push_back(hip_heading(skeleton, track, f, f > 0 ? heading[f - 1] : 0));
   }
   const std::size_t half = frames_in(gait_cycle, clip.frame_rate);
+  const std::vector<double> weights = hann_weights(half);
   std::vector<Placement> body;
   body.reserve(place.size());
   for (std::size_t f = 0; f < place.size(); ++f)
-    body.push_back({fit_line(place, f, half), fit_line(heading, f, half)});
+    body.push_back({fit_line(place, f, half, weights), fit_line(heading, f, half, weights)});
   return body;
 }
 

@@ -100,22 +100,17 @@ double planted_height(const Skeleton& skeleton, const Track& track, const Motion
   return feet > 0 ? sum / feet : 0;
 }
 
-void level_ground(const Skeleton& skeleton, std::vector<MotionClip>& clips,
-                  std::vector<Track>& tracks) {
+double rest_height(const Skeleton& skeleton, std::span<const double> heights) {
   constexpr double highest_rest = 0.09, usual_rest = 0.025;  // metres, of an adult's toe joint
-  constexpr double least_move = 5e-4;  // Below it, a clip is as level as can be measured.
-  std::vector<double> heights;
-  for (std::size_t c = 0; c < clips.size(); ++c)
-    heights.push_back(planted_height(skeleton, tracks[c], clips[c]));
-  const double common = quantile(heights, 0.5), size = size_of(skeleton);
+  const double common = quantile({heights.begin(), heights.end()}, 0.5), size = size_of(skeleton);
   const bool plausible = common >= 0 && common < highest_rest * size;
-  const double rest = plausible ? common : usual_rest * size;
-  for (std::size_t c = 0; c < clips.size(); ++c) {
-    const auto up = static_cast<float>(rest - heights[c]);
-    if (std::abs(up) < least_move) continue;
-    for (Vec3& root : clips[c].root) root.y += up;
-    for (Vec3& place : tracks[c].place) place.y += up;
-  }
+  return plausible ? common : usual_rest * size;
+}
+
+void level_ground(double up, MotionClip& clip) {
+  constexpr double least_move = 5e-4;  // Below it, a clip is as level as can be measured.
+  if (std::abs(up) < least_move) return;
+  for (Vec3& root : clip.root) root.y += static_cast<float>(up);
 }
 
 }  // namespace docent

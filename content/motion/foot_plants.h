@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "content/motion/track.h"
 
 namespace docent {
@@ -15,12 +17,15 @@ void find_foot_plants(const Skeleton& skeleton, const Track& track, MotionClip& 
 /// The height at which planted toe joints rest, the mean of both feet's medians; 0 without plants.
 double planted_height(const Skeleton& skeleton, const Track& track, const MotionClip& clip);
 
-/// Moves the clips up or down so that all stand on one floor, y = 0.
+/// The height, metres, at which planted toe joints are to rest so that clips stand on one floor,
+/// y = 0. `heights` has each clip's planted_height.
 ///
 /// The recordings' own floor is right on average (a laboratory is calibrated), so the clips are
 /// levelled to the median of their planted heights. Where that is no height for a toe joint the
 /// floor was elsewhere, and the toes are put where toes are: 2.5 cm up.
-void level_ground(const Skeleton& skeleton, std::vector<MotionClip>& clips,
-                  std::vector<Track>& tracks);
+double rest_height(const Skeleton& skeleton, std::span<const double> heights);
+
+/// Moves a clip up by so many metres, unless that is less than can be measured.
+void level_ground(double up, MotionClip& clip);
 
 }  // namespace docent

@@ -8,6 +8,7 @@
 #include "content/motion/classify.h"
 #include "content/motion/foot_plants.h"
 #include "content/motion/prune.h"
+#include "content/parallel.h"
 
 namespace docent {
 namespace {
@@ -21,50 +22,70 @@ Diagnostic warning(const std::string& file, std::string code, std::string messag
           .hint = std::move(hint)};
 }
 
-/// Levels the ground, finds plants and roles, and returns where the joints are.
-std::vector<Track> study_motion(const Skeleton& skeleton, std::vector<SourceClip>& sources) {
-  std::vector<Track> tracks;
-  std::vector<MotionClip> clips;
-  for (SourceClip& source : sources) {
-    tracks.push_back(make_track(skeleton, source.clip));
-    find_foot_plants(skeleton, tracks.back(), source.clip);
-    clips.push_back(std::move(source.clip));
-  }
-  level_ground(skeleton, clips, tracks);
-  for (std::size_t c = 0; c < sources.size(); ++c) {
+/// What is known of a clip besides its motion. Where its joints are takes most of the memory that
+/// an hour of motion needs, so that is never kept, but found again.
+struct Study {
+  std::vector<CaptureFault> mended, left;
+  double planted_height = 0;
+  PoseCloud cloud;
+};
+
+std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip>& sources,
+                                unsigned jobs) {
+  std::vector<Study> studies(sources.size());
+  for_each_index(sources.size(), jobs, [&](std::size_t c) {
+    MotionClip& clip = sources[c].clip;
+    Track track = make_track(skeleton, clip);
+    studies[c].mended = mend_capture_faults(skeleton, clip, track);
+    studies[c].left = find_capture_faults(skeleton, clip, track);
+    find_foot_plants(skeleton, track, clip);
+    studies[c].planted_height = planted_height(skeleton, track, clip);
+  });
+  std::vector<double> heights;
+  for (const Study& study : studies) heights.push_back(study.planted_height);
+  const double rest = rest_height(skeleton, heights);
+  for_each_index(sources.size(), jobs, [&](std::size_t c) {
+    MotionClip& clip = sources[c].clip;
+    level_ground(rest - heights[c], clip);
+    const Track track = make_track(skeleton, clip);
     if (!sources[c].role_stated)
-      clips[c].role = classify(measure_clip(skeleton, clips[c], tracks[c]), size_of(skeleton));
-    if (clips[c].motion_class.empty()) clips[c].motion_class = "walk";
-    sources[c].clip = std::move(clips[c]);
-  }
-  return tracks;
+      clip.role = classify(measure_clip(skeleton, clip, track), size_of(skeleton));
+    if (clip.motion_class.empty()) clip.motion_class = "walk";
+    if (clip.role != ClipRole::Other) studies[c].cloud = make_pose_cloud(skeleton, track);
+  });
+  return studies;
 }
 
-void leave_out_other_motion(std::vector<SourceClip>& sources, std::vector<Track>& tracks,
-                            std::vector<Diagnostic>& warnings) {
-  for (std::size_t c = 0; c < sources.size();) {
-    if (sources[c].clip.role != ClipRole::Other) {
-      ++c;
-      continue;
-    }
-    warnings.push_back(warning(sources[c].file, "not-walking",
-                               "this clip does not walk and is left out of the motion graph",
-                               "take it out of the folder, or state its role in clips.toml"));
-    sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(c));
-    tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(c));
-  }
+void report_faults(const Skeleton& skeleton, const SourceClip& source, const Study& study,
+                   std::vector<Diagnostic>& warnings) {
+  for (const CaptureFault& fault : study.mended)
+    warnings.push_back(warning(source.file, "mended-fault",
+                               describe(fault, skeleton) + " and was mended",
+                               "the frames beside it were joined smoothly; look whether the motion "
+                               "is right there"));
+  for (const CaptureFault& fault : study.left)
+    warnings.push_back(warning(source.file, "capture-fault", describe(fault, skeleton),
+                               "no transition touches these frames; mend them in the recording "
+                               "where they show"));
 }
 
-StudiedClips study_poses(const Skeleton& skeleton, const std::vector<SourceClip>& sources,
-                         const std::vector<Track>& tracks, std::vector<Diagnostic>& warnings) {
+/// Moves what walks into the graph and its study.
+StudiedClips take_walking_clips(std::vector<SourceClip>& sources, std::vector<Study>& studies,
+                                MotionGraph& graph, std::vector<std::string>& files,
+                                std::vector<Diagnostic>& warnings) {
   StudiedClips studied;
   for (std::size_t c = 0; c < sources.size(); ++c) {
-    studied.cloud.push_back(make_pose_cloud(skeleton, tracks[c]));
-    studied.faults.push_back(find_capture_faults(skeleton, sources[c].clip, tracks[c]));
-    for (const CaptureFault& fault : studied.faults.back())
-      warnings.push_back(warning(sources[c].file, "capture-fault", describe(fault, skeleton),
-                                 "no transition touches these frames; mend them in the recording "
-                                 "where they show"));
+    if (sources[c].clip.role == ClipRole::Other) {
+      warnings.push_back(warning(sources[c].file, "not-walking",
+                                 "this clip does not walk and is left out of the motion graph",
+                                 "take it out of the folder, or state its role in clips.toml"));
+      continue;
+    }
+    report_faults(graph.skeleton, sources[c], studies[c], warnings);
+    graph.clips.push_back(std::move(sources[c].clip));
+    files.push_back(sources[c].file);
+    studied.cloud.push_back(std::move(studies[c].cloud));
+    studied.faults.push_back(std::move(studies[c].left));
   }
   return studied;
 }
@@ -85,18 +106,16 @@ void require_role(const MotionGraph& graph, ClipRole role, const std::string& fo
 MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> sources,
                               const std::string& folder, const MotionOptions& options,
                               std::vector<Diagnostic>& warnings) {
-  std::vector<Track> tracks = study_motion(skeleton, sources);
-  leave_out_other_motion(sources, tracks, warnings);
-  const StudiedClips studied = study_poses(skeleton, sources, tracks, warnings);
-
+  std::vector<Study> studies = study_motion(skeleton, sources, options.jobs);
   MotionGraph graph{.skeleton = skeleton, .clips = {}, .transitions = {}};
-  for (SourceClip& source : sources) graph.clips.push_back(std::move(source.clip));
+  std::vector<std::string> files;
+  const StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);
   const double threshold = alike_threshold(graph.clips, studied, options.transitions);
   graph.transitions =
       find_transitions(graph.clips, studied, threshold, options.transitions, options.jobs);
   const Pruning pruning = prune(graph);
   for (const std::size_t c : pruning.clips_outside)
-    warnings.push_back(warning(sources[c].file, "unused-clip",
+    warnings.push_back(warning(files[c], "unused-clip",
                                "no transition joins this clip to the others",
                                "it is too unlike them; record it in the same style"));
   require_role(graph, ClipRole::Start, folder, "no clip starts to walk from standing");

@@ -104,6 +104,91 @@ TEST(CaptureFaults, AreNotSeenInSoundMotion) {
         << source.file;
 }
 
+/// Throws the left arm aside in some frames, alternately if so wanted.
+void throw_arm(MotionClip& clip, std::size_t first, std::size_t last, std::size_t every = 1) {
+  const std::size_t shoulder = index_of(shipped_clips().skeleton[BodyPart::LeftShoulder]);
+  for (std::size_t f = first; f <= last; f += every)
+    clip.rotation[f * clip.joint_count + shoulder] =
+        glm::angleAxis(1.5f, Vec3{0, 0, 1}) * clip.rotation[f * clip.joint_count + shoulder];
+}
+
+/// The largest distance between the joints of two motions, in some frames; metres.
+double farthest_apart(const Track& a, const Track& b, std::size_t first, std::size_t last) {
+  double most = 0;
+  for (std::size_t f = first; f <= last; ++f)
+    for (std::size_t j = 0; j < a.joints; ++j)
+      most = std::max<double>(most, glm::distance(a.at(f, j), b.at(f, j)));
+  return most;
+}
+
+TEST(Mending, PutsAnArmBackThatLeapsForAFrame) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  const MotionClip sound = shipped_clips().named("walk");
+  const Track truth = make_track(skeleton, sound);
+  const std::size_t end = sound.root.size() - 1;
+  using Frames = std::pair<std::size_t, std::size_t>;
+  for (const auto& [first, last] : {Frames{200, 200}, {200, 204}, {0, 0}, {end, end}}) {
+    MotionClip clip = sound;
+    throw_arm(clip, first, last);
+    Track track = make_track(skeleton, clip);
+    ASSERT_GT(farthest_apart(track, truth, first, last), 0.3);
+
+    const auto mended = mend_capture_faults(skeleton, clip, track);
+
+    ASSERT_EQ(mended.size(), 1U) << first;
+    EXPECT_GT(mended[0].metres, 0.3);
+    EXPECT_LE(mended[0].first, first + 1);
+    EXPECT_GE(mended[0].last + 1, last);
+    EXPECT_TRUE(find_capture_faults(skeleton, clip, track).empty());
+    EXPECT_LT(farthest_apart(track, truth, first, last), 0.02) << first;
+    EXPECT_LT(farthest_apart(track, make_track(skeleton, clip), 0, end), 1e-6);
+  }
+}
+
+TEST(Mending, LeavesAllOtherFramesAndJointsAlone) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  const MotionClip sound = shipped_clips().named("walk");
+  MotionClip clip = sound;
+  throw_arm(clip, 200, 201);
+  Track track = make_track(skeleton, clip);
+
+  mend_capture_faults(skeleton, clip, track);
+
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < clip.rotation.size(); ++i)
+    if (clip.rotation[i] != sound.rotation[i]) {
+      ++changed;
+      EXPECT_NEAR(static_cast<double>(i / clip.joint_count), 200.5, 3);
+    }
+  EXPECT_GT(changed, 1U);
+  EXPECT_LT(changed, 20U);
+  EXPECT_EQ(clip.root, sound.root);
+}
+
+TEST(Mending, GivesUpOnAnArmThatIsShakenForLong) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  MotionClip clip = shipped_clips().named("walk");
+  throw_arm(clip, 200, 260, 4);
+  const MotionClip shaken = clip;
+  Track track = make_track(skeleton, clip);
+
+  EXPECT_TRUE(mend_capture_faults(skeleton, clip, track).empty());
+
+  EXPECT_EQ(clip.rotation, shaken.rotation);
+  EXPECT_EQ(find_capture_faults(skeleton, clip, track).size(), 1U);
+}
+
+TEST(Mending, DoesNothingToSoundMotion) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  for (const SourceClip& source : shipped_clips().clips) {
+    MotionClip clip = source.clip;
+    Track track = make_track(skeleton, clip);
+
+    EXPECT_TRUE(mend_capture_faults(skeleton, clip, track).empty()) << source.file;
+    EXPECT_EQ(clip.rotation, source.clip.rotation);
+  }
+}
+
 TEST(Resampling, KeepsTheMotionAndItsLength) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip& clip = shipped_clips().named("walk");
