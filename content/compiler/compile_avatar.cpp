@@ -3,11 +3,27 @@
 #include "content/avatar/avatar.h"
 #include "content/content_error.h"
 #include "content/motion/compile_motion.h"
+#include "content/parallel.h"
+#include "runtime/motion/make_foresight.h"
 
 namespace docent {
+namespace {
+
+/// Nothing where the clips cannot walk; the walk says why.
+Foresight foresee(const MotionGraph& motion, unsigned jobs) {
+  const Result<WalkGraph> graph = make_walk_graph(motion);
+  if (!graph) return {};
+  Foresight foresight = begin_foresight(*graph);
+  for_each_index(bend_axis.count, jobs,
+                 [&](std::size_t bend) { add_bend(*graph, bend, foresight); });
+  return foresight;
+}
+
+}  // namespace
 
 void plan_avatar_stages(Progress& progress) {
   progress.plan("motion", 40);
+  progress.plan("foresight", 40);
   progress.plan("avatar", 15);
 }
 
@@ -19,6 +35,10 @@ CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_fol
       const auto stage = progress.start("motion");
       compiled.motion =
           compile_motion(clip_folders, {.transitions = {}, .jobs = jobs}, compiled.problems);
+    }
+    {
+      const auto stage = progress.start("foresight");
+      compiled.motion.foresight = foresee(compiled.motion, jobs);
     }
     const auto stage = progress.start("avatar");
     compiled.mesh = make_avatar(compiled.motion.skeleton);

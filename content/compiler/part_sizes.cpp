@@ -34,6 +34,7 @@ constexpr TablePart table_parts[] = {
     {"joint", "clips", "motion"},
     {"motion_clip", "clips", "motion"},
     {"motion_graph", "transitions", "motion"},
+    {"foresight", "foresight", "foresight"},
     {"avatar", "avatar", "avatar"},
 };
 

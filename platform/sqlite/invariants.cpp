@@ -233,6 +233,15 @@ bool keeps(const MotionClip& clip, std::size_t joints) {
          all_finite(clip.root) && all_finite(clip.rotation);
 }
 
+bool keeps(const Foresight& foresight, std::size_t transitions) {
+  const auto fits = [&](const std::vector<std::uint16_t>& table, std::size_t each) {
+    return table.empty() || table.size() == transitions * each;
+  };
+  return fits(foresight.warped, bend_axis.count * warped_slice) &&
+         fits(foresight.raw, bend_axis.count * raw_slice) &&
+         fits(foresight.ending, room_axis.count);
+}
+
 bool keeps(const MotionGraph& graph) {
   const auto sound_frame = [&](const ClipFrame& f) {
     return f.clip < graph.clips.size() && f.frame < graph.clips[f.clip].root.size();
@@ -249,7 +258,8 @@ bool keeps(const MotionGraph& graph) {
   return keeps(graph.skeleton) &&
          std::ranges::all_of(graph.clips,
                              [=](const MotionClip& clip) { return keeps(clip, joints); }) &&
-         std::ranges::all_of(graph.transitions, sound_transition);
+         std::ranges::all_of(graph.transitions, sound_transition) &&
+         keeps(graph.foresight, graph.transitions.size());
 }
 
 bool keeps(const SkinnedMesh& mesh, std::size_t joints) {

@@ -20,12 +20,13 @@ Pixels decode(const Museum& museum, std::uint32_t image) {
 }
 
 /// The guide walks with one radius; labels of the others would lie in memory for the rare way that
-/// asks for less room, which can be searched for.
-void keep_walking_labels(Museum& museum) {
+/// asks for less room, which can be searched for. Its walks are warped, never raw.
+void keep_what_is_walked(Museum& museum) {
   const double walking = museum.body_radius + Museum::walking_room;
   for (Floor& floor : museum.floors)
     for (std::size_t i = 0; i < floor.tangent_graphs.size(); ++i)
       if (floor.tangent_graphs[i].radius != walking) floor.hub_labels[i] = {};
+  museum.motion.foresight.raw = {};
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
-  keep_walking_labels(exhibition->museum);
+  keep_what_is_walked(exhibition->museum);
   if (exhibition->museum.floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});

@@ -134,7 +134,8 @@ class Replanting {
   void land_soon(Contact& contact) const {
     const float time = static_cast<float>(contact.first) / (rate_ * steering_seconds);
     const float share = std::max(0.0f, 1 - time);
-    contact.anchor += share * Vec3(begin_.place.x, 0, begin_.place.z);
+    const Vec3 there = feet_[contact.first].toe + begin_.place;
+    contact.anchor = glm::mix(contact.anchor, Vec3(there.x, contact.anchor.y, there.z), share);
     contact.rise = glm::mix(contact.rise, begin_.place.y, share);
     contact.heading = glm::mix(contact.heading, heading_[contact.first], share);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/motion/foresight.h"
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
@@ -34,6 +35,7 @@ struct MotionGraph {
   Skeleton skeleton;
   std::vector<MotionClip> clips;
   std::vector<Transition> transitions;  ///< Sorted by (from.clip, from.frame, to.clip, to.frame).
+  Foresight foresight{};
 };
 
 }  // namespace docent

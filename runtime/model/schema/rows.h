@@ -161,6 +161,12 @@ void columns(auto& row, MaybeConst<MotionGraph> auto& graph) {
   row("transition", graph.transitions);
 }
 
+void columns(auto& row, MaybeConst<Foresight> auto& foresight) {
+  row("warped", foresight.warped);
+  row("raw", foresight.raw);
+  row("ending", foresight.ending);
+}
+
 void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
   row("vertex", mesh.vertices);
   row("triangle", mesh.indices);
@@ -205,6 +211,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.rows("joint", museum.motion.skeleton.joint);
   store.rows("motion_clip", museum.motion.clips);
   store.row("motion_graph", 0, museum.motion);
+  store.row("foresight", 0, museum.motion.foresight);
   store.row("avatar", 0, museum.avatar);
 }
 

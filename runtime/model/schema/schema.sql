@@ -191,6 +191,13 @@ CREATE TABLE motion_graph (     -- one row
   transition BLOB NOT NULL      -- Transition
 );
 
+CREATE TABLE foresight (        -- one row: what walking on costs after each transition
+  id INTEGER PRIMARY KEY,
+  warped BLOB NOT NULL,         -- u16 for [transition][bend][turn], or none
+  raw BLOB NOT NULL,            -- u16 for [transition][bend][side][turn], or none
+  ending BLOB NOT NULL          -- u16 for [transition][room], or none
+);
+
 CREATE TABLE avatar (           -- one row
   id INTEGER PRIMARY KEY,
   vertex BLOB NOT NULL,         -- SkinnedVertex

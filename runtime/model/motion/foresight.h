@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace docent {
+
+/// Evenly spaced values that a table is made for.
+struct GridAxis {
+  std::size_t count = 1;
+  double step = 1;
+  double first = 0;
+
+  constexpr double value(std::size_t i) const noexcept {
+    return first + static_cast<double>(i) * step;
+  }
+  constexpr double last() const noexcept { return value(count - 1); }
+  /// Between which two values something lies; beyond the ends, at the end.
+  struct Place {
+    std::size_t low;
+    double share;  ///< Of the next one.
+  };
+  Place place(double value) const noexcept {
+    const double at = std::clamp((value - first) / step, 0.0, static_cast<double>(count - 1));
+    const auto low = std::min(static_cast<std::size_t>(at), count - 2);
+    return {low, at - static_cast<double>(low)};
+  }
+};
+
+/// Signed roots of how the track turns, in radians a metre: gentle bends are told apart best.
+constexpr GridAxis bend_axis{13, 0.21, -1.26};
+constexpr GridAxis turn_axis{15, 0.1, -0.7};   ///< Radians that the body faces to its left.
+constexpr GridAxis side_axis{13, 0.05, -0.3};  ///< Metres that the body stands to its left.
+constexpr GridAxis room_axis{71, 0.1, -1.0};   ///< Metres left of it.
+
+constexpr std::size_t warped_slice = turn_axis.count;
+constexpr std::size_t raw_slice = side_axis.count * turn_axis.count;
+
+/// What it is likely to cost to walk on after each transition of a motion graph: the value
+/// functions of the searches in runtime/motion, made by the content compiler.
+/// runtime/motion/make_foresight.h tells what is counted. Each is empty where none was made; then a
+/// search sees no farther than it has walked.
+struct Foresight {
+  static constexpr double unit = 1.0 / 8192;  ///< What a number of the tables stands for.
+
+  std::vector<std::uint16_t> warped;  ///< [transition][bend][turn], radians squared times metres.
+  std::vector<std::uint16_t> raw;     ///< [transition][bend][side][turn], the same.
+  std::vector<std::uint16_t> ending;  ///< [transition][room]: by how many metres the nearest stand
+                                      ///< misses the end.
+};
+
+/// A value of a table's row.
+template <class Number>
+double value_at(const Number* row, const GridAxis& axis, double at) noexcept {
+  const auto [low, share] = axis.place(at);
+  return (1 - share) * static_cast<double>(row[low]) + share * static_cast<double>(row[low + 1]);
+}
+/// Costs in square radians times metres, of one transition and one bend.
+template <class Number>
+double foreseen_warped(const Number* slice, double turn) noexcept {
+  return value_at(slice, turn_axis, turn);
+}
+template <class Number>
+double foreseen_raw(const Number* slice, double side, double turn) noexcept {
+  const auto [low, share] = side_axis.place(side);
+  const Number* row = slice + low * turn_axis.count;
+  return (1 - share) * foreseen_warped(row, turn) +
+         share * foreseen_warped(row + turn_axis.count, turn);
+}
+
+}  // namespace docent
