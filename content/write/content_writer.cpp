@@ -153,39 +153,54 @@ void replace_marker_by_checksum(std::span<std::byte> file) {
   std::memcpy(file.data() + *place, sum.data(), sum.size());
 }
 
-std::vector<std::byte> serialize(sqlite3* database) {
-  sqlite3_int64 size = 0;
-  const std::unique_ptr<unsigned char, CloseWith<sqlite3_free>> bytes(
-      sqlite3_serialize(database, "main", &size, 0));
-  if (!bytes) fail(database);
-  const auto* first = reinterpret_cast<const std::byte*>(bytes.get());
-  return {first, first + size};
+/// A database as the bytes of its file, which lie in the memory that it was made in: an hour of
+/// motion is a quarter of a gigabyte, and is there only once.
+struct MadeDatabase {
+  DatabaseHandle database;
+  std::span<std::byte> file;
+};
+
+DatabaseHandle open_in_memory() {
+  sqlite3* raw = nullptr;
+  const int opened =
+      sqlite3_open_v2("museum", &raw, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "memdb");
+  DatabaseHandle database(raw);
+  if (opened != SQLITE_OK) fail(raw);
+  sqlite3_int64 most = std::int64_t{1} << 40;  // Else a gigabyte would be the end.
+  sqlite3_file_control(raw, "main", SQLITE_FCNTL_SIZE_LIMIT, &most);
+  return database;
 }
 
-}  // namespace
-
-std::vector<std::byte> encode_museum(const Museum& museum) {
-  sqlite3* raw = nullptr;
-  const int opened = sqlite3_open(":memory:", &raw);
-  const DatabaseHandle database(raw);
-  if (opened != SQLITE_OK) fail(raw);
-  execute(raw, fmt::format("PRAGMA page_size = 8192; PRAGMA application_id = {}; "
-                           "PRAGMA user_version = {}; BEGIN;",
+MadeDatabase make_database(const Museum& museum) {
+  MadeDatabase made{.database = open_in_memory(), .file = {}};
+  sqlite3* raw = made.database.get();
+  execute(raw, fmt::format("PRAGMA page_size = 8192; PRAGMA journal_mode = OFF; "
+                           "PRAGMA application_id = {}; PRAGMA user_version = {}; BEGIN;",
                            schema::application_id, schema::version));
   execute(raw, schema::sql);
   write_marker(raw);
   Writer writer(raw);
   schema::tables(writer, museum);
   execute(raw, "COMMIT");
-  std::vector<std::byte> file = serialize(raw);
-  replace_marker_by_checksum(file);
-  return file;
+  sqlite3_int64 size = 0;
+  unsigned char* bytes = sqlite3_serialize(raw, "main", &size, SQLITE_SERIALIZE_NOCOPY);
+  if (bytes == nullptr) fail(raw);
+  made.file = {reinterpret_cast<std::byte*>(bytes), static_cast<std::size_t>(size)};
+  replace_marker_by_checksum(made.file);
+  return made;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_museum(const Museum& museum) {
+  const MadeDatabase made = make_database(museum);
+  return {made.file.begin(), made.file.end()};
 }
 
 std::size_t write_museum(const Museum& museum, const std::filesystem::path& file) {
-  const std::vector<std::byte> bytes = encode_museum(museum);
-  replace_file(file, bytes);
-  return bytes.size();
+  const MadeDatabase made = make_database(museum);
+  replace_file(file, made.file);
+  return made.file.size();
 }
 
 }  // namespace docent
