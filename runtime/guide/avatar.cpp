@@ -83,7 +83,7 @@ Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<Pl
 }
 
 bool has_finished(const Avatar& avatar) noexcept {
-  return !avatar.next && avatar.seconds >= avatar.plan->seconds();
+  return !avatar.next && avatar.plan->is_whole && avatar.seconds >= avatar.plan->seconds();
 }
 
 std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {

@@ -169,6 +169,19 @@ void Guide::order(const Errand& errand) noexcept {
   request_view();
 }
 
+/// Asks in good time for the next stretch of a long way.
+void Guide::go_on() noexcept {
+  const Avatar& avatar = leader();
+  if (avatar.plan->is_whole || avatar.next || awaiting_plan_) return;
+  WalkOrder it = avatar.plan->order;
+  it.id = ++last_order_;
+  it.before = avatar.plan.get();
+  it.before_frame = std::max(avatar.plan->go_on_frame, frame_ahead(avatar, lead_));
+  it.goes_on = true;
+  awaiting_plan_ = true;
+  planner_.ask(it);
+}
+
 // What the planner answers.
 
 void Guide::show(const InterfaceState& state) noexcept {
@@ -212,16 +225,16 @@ void Guide::take_answers() noexcept {
 void Guide::take_answer(std::unique_ptr<Plan> plan) noexcept {
   if (plan->order.id != last_order_) return;
   awaiting_plan_ = false;
-  if (errand_.kind == Errand::Kind::ToExhibit) {
+  if (errand_.kind == Errand::Kind::ToExhibit && !plan->order.goes_on) {
     ++counters_.routes;
-    trip_ = Trip{plan->status, plan->length, plan->seconds()};
+    trip_ = Trip{plan->status, plan->length, plan->seconds_to_goal};
     request_view();
   }
   if (plan->status != RouteStatus::Ok) {
     if (errand_.kind == Errand::Kind::ToExhibit) errand_ = {};
     return;
   }
-  stage_.show_way(*plan, list_);
+  if (!plan->order.goes_on) stage_.show_way(*plan, list_);
   if (!take_plan(leader(), std::move(plan))) {
     lead_ = std::min(2 * lead_, longest_lead);
     order(errand_);
@@ -234,6 +247,7 @@ void Guide::step(Seconds dt) noexcept {
   const float seconds = dt.count();
   take_answers();
   for (Avatar& avatar : avatars_) advance(museum_, avatar, seconds);
+  go_on();
   notice_arrival();
   notice_absence(seconds);
   gestures_.advance(seconds);

@@ -104,6 +104,7 @@ class Guide {
   void order(const Errand& errand) noexcept;
   void take_answers() noexcept;
   void take_answer(std::unique_ptr<Plan> plan) noexcept;
+  void go_on() noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds) noexcept;
   void count_collisions() noexcept;

@@ -7,6 +7,7 @@
 
 #include "runtime/model/museum.h"
 #include "runtime/motion/walk.h"
+#include "runtime/motion/walk_graph.h"
 #include "runtime/path/route.h"
 
 namespace docent {
@@ -24,16 +25,24 @@ struct WalkOrder {
   /// keeps that plan until the answer to its latest order has come.
   const Plan* before = nullptr;
   std::uint32_t before_frame = 0;
+  bool goes_on = false;  ///< The next stretch of the same way; goal and kind are as before.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.
+///
+/// A long way is walked in stretches, so that the guide sets out at once and memory does not grow
+/// with the way: the walk then ends standing after some metres, and before that, at `go_on_frame`,
+/// the next stretch takes over (an order that `goes_on`), with the same way.
 struct Plan {
   WalkOrder order;
   RouteStatus status = RouteStatus::NoRoute;
-  double length = 0;          ///< Metres of the way.
-  std::vector<Vec2> points;   ///< The way, simplified to 2 mm, floor frame.
-  std::vector<double> reach;  ///< Metres along the way of each point.
-  Walk walk;                  ///< At least one frame unless status says there is no way.
+  double length = 0;              ///< Metres of the way.
+  std::vector<Vec2> points;       ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;      ///< Metres along the way of each point.
+  Walk walk;                      ///< At least one frame unless status says there is no way.
+  bool is_whole = true;           ///< Does the walk lead to the goal?
+  std::uint32_t go_on_frame = 0;  ///< Where it does not.
+  double seconds_to_goal = 0;     ///< From the walk's beginning; where it goes on, at its pace.
 
   double seconds() const noexcept {
     return walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
@@ -45,7 +54,9 @@ Vec2 point_along(const Plan& plan, double metres) noexcept;
 
 /// Finds a way and makes a walk along it. Where the motion graph cannot walk (a museum compiled
 /// without motion), the body glides along the way instead, so the guide still leads there.
-std::unique_ptr<Plan> make_plan(const Museum& museum, const FloorMap& map, const WalkOrder& order);
+/// `walking` is the museum's motion graph made ready; null where it has none or cannot walk.
+std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, const FloorMap& map,
+                                const WalkOrder& order);
 
 /// Standing at a place: a plan of one frame.
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);

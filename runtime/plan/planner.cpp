@@ -19,6 +19,7 @@ void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& 
 
 Planner::Planner(const Museum& museum, PieceMakers makers)
     : museum_(museum), cache_(std::move(makers), first_piece, piece_budget) {
+  if (Result<WalkGraph> walking = make_walk_graph(museum.motion)) walking_ = std::move(*walking);
   for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
 }
@@ -65,7 +66,8 @@ void Planner::work() {
 
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
-  send(plans_, make_plan(museum_, *maps_[order.floor], order), stop_);
+  const WalkGraph* walking = walking_ ? &*walking_ : nullptr;
+  send(plans_, make_plan(museum_, walking, *maps_[order.floor], order), stop_);
 }
 
 void Planner::answer(const ViewRequest& request) {

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <semaphore>
 #include <thread>
 #include <vector>
@@ -49,6 +50,7 @@ class Planner {
   void announce() noexcept;
 
   const Museum& museum_;
+  std::optional<WalkGraph> walking_;  ///< None where the museum's motion cannot walk.
   std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< One per floor.
   PieceCache cache_;                                   ///< The worker's.
   LatestMail<WalkOrder> orders_;
