@@ -12,6 +12,7 @@ struct ClipMeasures {
   double airborne = 0;                     ///< Share of the moving frames without a planted foot.
   double astray = 0;                       ///< Share of them that moves aside or backwards.
   double lowest_hips = 0;                  ///< Hips' least height over the leg's length.
+  double typical_hips = 0;                 ///< The same, the median while the body moves.
 };
 
 ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track);
@@ -20,6 +21,11 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, cons
 /// round; a turn changes the heading by more than 20 degrees. What stands throughout, runs, jumps,
 /// dances, crouches or walks backwards is Other. `size` is the body's, against an adult.
 ClipRole classify(const ClipMeasures& measures, double size);
+
+/// The class of motion that the measures speak for, by how fast it is, whether it flies and how
+/// deep the hips are carried: "walk", "brisk-walk", "jog", "run", "stealthy-walk" or "other"
+/// (stands, moves aside, crouches, climbs). `size` is the body's, against an adult.
+const char* motion_class_of(const ClipMeasures& measures, double size);
 
 /// "turn-left", as reports and clips.toml write it.
 const char* name_of(ClipRole role);

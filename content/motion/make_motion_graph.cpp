@@ -48,9 +48,9 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
     MotionClip& clip = sources[c].clip;
     level_ground(rest - heights[c], clip);
     const Track track = make_track(skeleton, clip);
-    if (!sources[c].role_stated)
-      clip.role = classify(measure_clip(skeleton, clip, track), size_of(skeleton));
-    if (clip.motion_class.empty()) clip.motion_class = "walk";
+    const ClipMeasures measures = measure_clip(skeleton, clip, track);
+    if (!sources[c].role_stated) clip.role = classify(measures, size_of(skeleton));
+    if (clip.motion_class.empty()) clip.motion_class = motion_class_of(measures, size_of(skeleton));
     if (clip.role != ClipRole::Other) studies[c].cloud = make_pose_cloud(skeleton, track);
   });
   return studies;
