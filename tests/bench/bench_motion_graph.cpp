@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <ctime>
 #include <fstream>
 #include <set>
 #include <thread>
@@ -102,8 +103,15 @@ void measure_recall(const Recordings& recorded, double minutes, unsigned jobs) {
              all.transitions.size());
 }
 
+/// Seconds that all threads of this process have worked, whatever else the machine did.
+double worked() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 struct Growth {
   Series seconds{.name = "files to graph", .colour = std::string(ink::vermilion)};
+  Series processor{
+      .name = "work of all threads", .colour = std::string(ink::ochre), .mark = Series::Mark::Ring};
   Series megabytes{.name = "memory", .colour = std::string(ink::teal)};
 };
 
@@ -112,16 +120,17 @@ void measure_size(const Recordings& recorded, double minutes, unsigned jobs, Gro
   const double length = write_motion(recorded, 60 * minutes, folder.path());
   forget_peak();
   std::vector<Diagnostic> problems;
-  const double begin = now();
+  const double begin = now(), work_begin = worked();
   const MotionGraph graph =
       compile_motion(folder.path(), {.transitions = {}, .jobs = jobs}, problems);
-  const double seconds = now() - begin;
+  const double seconds = now() - begin, work = worked() - work_begin;
   std::size_t frames = 0;
   for (const MotionClip& clip : graph.clips) frames += frame_count(clip);
-  fmt::print("{:>8.1f} {:>8} {:>8} {:>12} {:>10.2f} {:>10.0f}\n", length / 60, graph.clips.size(),
-             frames, graph.transitions.size(), seconds, peak_megabytes());
+  fmt::print("{:>8.1f} {:>8} {:>8} {:>12} {:>10.2f} {:>10.2f} {:>10.0f}\n", length / 60,
+             graph.clips.size(), frames, graph.transitions.size(), seconds, work, peak_megabytes());
   std::fflush(stdout);
   growth.seconds.line.emplace_back(length / 60, seconds);
+  growth.processor.line.emplace_back(length / 60, work);
   growth.megabytes.line.emplace_back(length / 60, peak_megabytes());
 }
 
@@ -130,19 +139,20 @@ void run(const Recordings& recorded, const std::vector<double>& minutes, double 
   time_matrix(recorded);
   if (recall_minutes > 0) measure_recall(recorded, recall_minutes, jobs);
   Growth growth;
-  fmt::print("{:>8} {:>8} {:>8} {:>12} {:>10} {:>10}\n", "minutes", "clips", "frames",
-             "transitions", "seconds", "MB");
+  fmt::print("{:>8} {:>8} {:>8} {:>12} {:>10} {:>10} {:>10}\n", "minutes", "clips", "frames",
+             "transitions", "seconds", "work s", "MB");
   for (const double length : minutes) measure_size(recorded, length, jobs, growth);
   Panel time{"Time", "minutes of motion", "seconds", {}};
   Panel memory{"Memory", "minutes of motion", "megabytes at most", {}};
   if (minutes.size() > 1) {
-    const double exponent = fit_power_law(growth.seconds.line).exponent;
-    growth.seconds.label = fmt::format("slope {:.2f}", exponent);
-    growth.megabytes.label =
-        fmt::format("slope {:.2f}", fit_power_law(growth.megabytes.line).exponent);
-    fmt::print("time grows with exponent {:.2f}\n", exponent);
+    for (Series* series : {&growth.seconds, &growth.processor, &growth.megabytes})
+      series->label = fmt::format("slope {:.2f}", fit_power_law(series->line).exponent);
+    fmt::print("time grows with exponent {:.2f}, work with {:.2f}, memory with {:.2f}\n",
+               fit_power_law(growth.seconds.line).exponent,
+               fit_power_law(growth.processor.line).exponent,
+               fit_power_law(growth.megabytes.line).exponent);
   }
-  time.series.push_back(growth.seconds);
+  time.series = {growth.seconds, growth.processor};
   memory.series.push_back(growth.megabytes);
   std::ofstream(out / "motion_graph.svg")
       << draw_panels("A motion graph of much motion",
