@@ -158,7 +158,8 @@ TEST(Mending, LeavesAllOtherFramesAndJointsAlone) {
   for (std::size_t i = 0; i < clip.rotation.size(); ++i)
     if (clip.rotation[i] != sound.rotation[i]) {
       ++changed;
-      EXPECT_NEAR(static_cast<double>(i / clip.joint_count), 200.5, 3);
+      const std::size_t frame = i / clip.joint_count;
+      EXPECT_NEAR(static_cast<double>(frame), 200.5, 3);
     }
   EXPECT_GT(changed, 1U);
   EXPECT_LT(changed, 20U);
