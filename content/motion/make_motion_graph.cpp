@@ -8,6 +8,7 @@
 #include "content/motion/classify.h"
 #include "content/motion/foot_plants.h"
 #include "content/motion/prune.h"
+#include "content/motion/quantise.h"
 #include "content/parallel.h"
 
 namespace docent {
@@ -47,6 +48,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
   for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
     level_ground(rest - heights[c], clip);
+    quantise(skeleton, clip);  // what follows, down to foresight, is about what will be stored
     const Track track = make_track(skeleton, clip);
     const ClipMeasures measures = measure_clip(skeleton, clip, track);
     if (!sources[c].role_stated) clip.role = classify(measures, size_of(skeleton));

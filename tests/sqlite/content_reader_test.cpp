@@ -172,7 +172,12 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"language", [](Museum& m) { m.languages.clear(); }},
       {"motion", [](Museum& m) { m.motion.skeleton.joint[1].parent = JointIndex{1}; }},
       {"motion", [](Museum& m) { m.motion.skeleton.part[3] = JointIndex{2}; }},
-      {"motion", [](Museum& m) { m.motion.clips[0].rotation.pop_back(); }},
+      {"motion", [](Museum& m) { m.motion.clips[0].rotation[1].x = NAN; }},
+      {"motion",
+       [](Museum& m) {
+         m.motion.clips[0].joint_count = 1;
+         m.motion.clips[0].rotation.resize(2);
+       }},
       {"motion", [](Museum& m) { m.motion.clips[0].frame_rate = -1; }},
       {"motion", [](Museum& m) { m.motion.transitions[0].to.clip = 1; }},
       {"motion", [](Museum& m) { m.motion.transitions[0].radius = 1; }},
@@ -188,6 +193,31 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
 
     EXPECT_EQ(error.code, Errc::Damaged) << spoiler.what;
     EXPECT_THAT(error.what, HasSubstr(spoiler.what));
+  }
+}
+
+/// Reads a museum out of a database in which `sql` has changed something.
+Result<Museum> read_after(const char* sql) {
+  const TemporaryFolder folder;
+  write_museum(small_museum(), folder.path() / "museum.db");
+  sqlite3* raw = nullptr;
+  sqlite3_open((folder.path() / "museum.db").c_str(), &raw);
+  const Database database{.bytes = {}, .handle = DatabaseHandle(raw)};
+  EXPECT_EQ(sqlite3_exec(raw, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+  return read_museum(database, "museum.db");
+}
+
+TEST(ContentReader, SaysThatMotionIsDamagedWhichCannotBeDecoded) {
+  EXPECT_TRUE(read_after("UPDATE motion_clip SET motion = motion").has_value());
+  for (const char* sql : {"UPDATE motion_clip SET motion = x''",
+                          "UPDATE motion_clip SET motion = substr(motion, 1, length(motion) - 1)",
+                          "UPDATE motion_clip SET motion = CAST(motion || x'00' AS BLOB)",
+                          "UPDATE motion_clip SET motion = x'0DFFFFFFFFFFFFFFFF00'"}) {
+    const auto museum = read_after(sql);
+
+    ASSERT_FALSE(museum.has_value()) << sql;
+    EXPECT_EQ(museum.error().code, Errc::Damaged);
+    EXPECT_THAT(museum.error().what, HasSubstr("table motion_clip does not hold what it should"));
   }
 }
 

@@ -21,7 +21,7 @@ struct FootPlants {
 /// World frame: metres, y up, the ground at y = 0; floor (x, y) is world (x, 0, -y). `root` and
 /// `plants` have one entry per frame, `rotation` joint_count entries per frame, frame by frame:
 /// joint j of frame f is rotation[f * joint_count + j], relative to its parent (the root's relative
-/// to the world).
+/// to the world). The clips of a compiled museum lie on a grid (motion_grid.h).
 struct MotionClip {
   std::string name;
   ClipRole role = ClipRole::Other;

@@ -5,6 +5,7 @@
 
 #include "runtime/model/museum.h"
 #include "runtime/model/schema/elements.h"
+#include "runtime/model/schema/motion_blob.h"
 
 /// Which column of schema.sql holds which field of the model, said once for the writer and the
 /// reader alike. `row(name, field)` stands for one column; the field is const when writing.
@@ -149,10 +150,7 @@ void columns(auto& row, MaybeConst<MotionClip> auto& clip) {
   row("role", clip.role);
   row("motion_class", clip.motion_class);
   row("frame_rate", clip.frame_rate);
-  row("joint_count", clip.joint_count);
-  row("root", clip.root);
-  row("rotation", clip.rotation);
-  row("plants", clip.plants);
+  row("motion", clip);
 }
 
 void columns(auto& row, MaybeConst<MotionGraph> auto& graph) {

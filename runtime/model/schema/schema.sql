@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 1 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 4 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -178,10 +178,7 @@ CREATE TABLE motion_clip (
   role INTEGER NOT NULL,        -- ClipRole
   motion_class TEXT NOT NULL,
   frame_rate REAL NOT NULL,
-  joint_count INTEGER NOT NULL,
-  root BLOB NOT NULL,           -- Vec3, one a frame
-  rotation BLOB NOT NULL,       -- Quat, joint_count a frame
-  plants BLOB NOT NULL          -- FootPlants, one a frame
+  motion BLOB NOT NULL          -- root, rotations and foot plants of all frames: motion_blob.h
 );
 
 CREATE TABLE motion_graph (     -- one row
