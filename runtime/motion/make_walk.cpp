@@ -177,16 +177,9 @@ class WalkMaker {
     pace.first_share = first_share;
     const PathTrack track = make_path_track(path, pace);
     const auto began = std::chrono::steady_clock::now();
-    MotionPlan plan;
-    for (const MotionStart& start : starts) {
-      MotionPlan candidate = request_.fidelity == Fidelity::Raw
-                                 ? find_raw_motion(graph_, track, start)
-                                 : find_warped_motion(graph_, track, start);
-      const std::uint32_t expanded = plan.expanded + candidate.expanded;
-      if (candidate.expanded > 0 && (plan.expanded == 0 || candidate.cost < plan.cost))
-        plan = std::move(candidate);
-      plan.expanded = plan.expanded > 0 ? expanded : 0;
-    }
+    const MotionPlan plan = request_.fidelity == Fidelity::Raw
+                                ? find_raw_motion(graph_, track, starts)
+                                : find_warped_motion(graph_, track, starts);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
     if (plan.expanded == 0) return false;
     const double stretch = track.effort.back() / std::max(plan.effort, 1e-6);

@@ -30,19 +30,22 @@ struct State {
   double effort = 0;
   std::uint32_t parent = no_index;      ///< Among the expanded states.
   std::uint32_t transition = no_index;  ///< That led here.
+  std::uint32_t start = 0;              ///< Which of the starts it comes from.
   std::uint32_t likeness = 0;           ///< Equal where two misses of the track are alike.
 };
 
 template <typename Follower>
 class BeamSearch {
  public:
-  BeamSearch(const WalkGraph& graph, const PathTrack& track, const MotionStart& start)
-      : graph_(graph), track_(track), start_(start), goal_(Follower::total(track)) {}
+  BeamSearch(const WalkGraph& graph, const PathTrack& track, std::span<const MotionStart> starts)
+      : graph_(graph), track_(track), starts_(starts), goal_(Follower::total(track)) {}
 
   MotionPlan run() {
     buckets_.resize(static_cast<std::size_t>((goal_ + largest_overshoot) / bucket_size) + 1);
     find_bends();
-    buckets_.front().states.push_back({Follower(graph_, track_, start_)});
+    for (std::uint32_t i = 0; i < starts_.size(); ++i)
+      buckets_.front().states.push_back(
+          {.follower = Follower(graph_, track_, starts_[i]), .start = i, .likeness = i});
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       // A state may lead to its own bucket, so a bucket is done when nothing new has come.
       for (std::size_t round = 0; !buckets_[b].states.empty() && round < 4; ++round) {
@@ -60,7 +63,8 @@ class BeamSearch {
   const MotionGraph& motion() const { return *graph_.motion; }
 
   ClipFrame frame_of(const State<Follower>& state) const {
-    return state.transition == no_index ? start_.frame : motion().transitions[state.transition].to;
+    return state.transition == no_index ? starts_[state.start].frame
+                                        : motion().transitions[state.transition].to;
   }
 
   /// Keeps a state that leads on by a transition, unless enough others are better.
@@ -197,7 +201,7 @@ class BeamSearch {
   MotionPlan plan() const {
     MotionPlan plan;
     if (!best_) return plan;
-    plan.start = start_.frame;
+    plan.start = starts_[best_->start].frame;
     plan.last_frame = best_frame_;
     plan.effort = best_->effort;
     plan.cost = best_->cost;
@@ -210,7 +214,7 @@ class BeamSearch {
 
   const WalkGraph& graph_;
   const PathTrack& track_;
-  MotionStart start_;
+  std::span<const MotionStart> starts_;
   double goal_;
   struct Bucket {
     std::vector<State<Follower>> states;
@@ -229,13 +233,13 @@ class BeamSearch {
 }  // namespace
 
 MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
-                              const MotionStart& start) {
-  return BeamSearch<WarpedFollower>(graph, track, start).run();
+                              std::span<const MotionStart> starts) {
+  return BeamSearch<WarpedFollower>(graph, track, starts).run();
 }
 
 MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
-                           const MotionStart& start) {
-  return BeamSearch<RawFollower>(graph, track, start).run();
+                           std::span<const MotionStart> starts) {
+  return BeamSearch<RawFollower>(graph, track, starts).run();
 }
 
 }  // namespace docent

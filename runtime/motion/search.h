@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/motion/path_track.h"
@@ -28,11 +29,11 @@ struct MotionStart {
 /// headings counts, and it is forgotten as the warp takes it up, so the search is one of time and
 /// heading alone. A beam search in order of effort.
 MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
-                              const MotionStart& start);
+                              std::span<const MotionStart> starts);
 
 /// The best way whose own, unwarped track keeps to the path: deviation to the side and in heading
 /// counts all along.
 MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
-                           const MotionStart& start);
+                           std::span<const MotionStart> starts);
 
 }  // namespace docent
