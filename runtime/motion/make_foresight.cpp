@@ -10,9 +10,9 @@
 namespace docent {
 namespace {
 
-constexpr double dead_end = 4.0;   // what is foreseen where no passage leads on
+constexpr float dead_end = 4;      // what is foreseen where no passage leads on
 constexpr double steepness = 4.0;  // per square radian (or metre times 6) beyond the axes
-constexpr double settled = 1e-3;   // share of the costs that a sweep still changes
+constexpr float settled = 1e-3f;   // share of the costs that a sweep still changes
 constexpr std::size_t most_sweeps = 40;
 constexpr float farthest_miss = 2;                             // metres
 constexpr std::size_t most_warped = 20'000, most_raw = 2'000;  // transitions: 8 and 10 MB
@@ -71,15 +71,15 @@ class BendValues {
     const std::size_t transitions = graph_.motion->transitions.size();
     std::vector<float> value(transitions * Follower::slice, 0.0f);
     for (std::size_t sweep = 0; sweep < most_sweeps; ++sweep) {
-      double change = 0, most = 0;
+      float change = 0, most = 0;
       for (std::size_t state = 0; state < value.size(); ++state) {
-        double least = dead_end;
+        float least = dead_end;
         for (std::uint32_t i = first_[state]; i < first_[state + 1]; ++i)
           least =
               std::min(least, passage_[i].cost + passage_[i].decay * foreseen(value, passage_[i]));
-        change = std::max(change, std::abs(least - static_cast<double>(value[state])));
+        change = std::max(change, std::abs(least - value[state]));
         most = std::max(most, least);
-        value[state] = static_cast<float>(least);
+        value[state] = least;
       }
       if (change <= settled * most) break;
     }
@@ -87,18 +87,34 @@ class BendValues {
   }
 
  private:
+  /// Small, because there are millions and every sweep reads them all.
   struct Passage {
-    double cost, decay;
-    std::uint32_t transition;
-    Misfit misfit;  ///< After it.
+    float cost, decay;
+    std::uint32_t cell;  ///< Of the table, where the misfit after it lies: the lowest corner.
+    float side_share, turn_share;
   };
 
-  static double foreseen(std::span<const float> value, const Passage& passage) {
-    const float* slice = value.data() + std::size_t{passage.transition} * Follower::slice;
-    if constexpr (Follower::slice == raw_slice)
-      return foreseen_raw(slice, passage.misfit.side, passage.misfit.turn);
-    else
-      return foreseen_warped(slice, passage.misfit.turn);
+  static float foreseen(std::span<const float> value, const Passage& passage) {
+    const auto along_row = [&](std::size_t cell) {
+      return value[cell] + passage.turn_share * (value[cell + 1] - value[cell]);
+    };
+    const float low = along_row(passage.cell);
+    if constexpr (Follower::slice == warped_slice) return low;
+    return low + passage.side_share * (along_row(passage.cell + turn_axis.count) - low);
+  }
+
+  static Passage passage(double cost, double walked, std::uint32_t next, const Misfit& after) {
+    const auto turn = turn_axis.place(after.turn);
+    std::size_t cell = next * Follower::slice + turn.low;
+    double side_share = 0;
+    if constexpr (Follower::slice == raw_slice) {
+      const auto side = side_axis.place(after.side);
+      cell += side.low * turn_axis.count;
+      side_share = side.share;
+    }
+    return {static_cast<float>(cost), static_cast<float>(std::exp(-walked / foresight_reach)),
+            static_cast<std::uint32_t>(cell), static_cast<float>(side_share),
+            static_cast<float>(turn.share)};
   }
 
   void follow_passages() {
@@ -121,8 +137,9 @@ class BendValues {
         },
         [&](std::uint32_t next) {
           const Misfit after = misfit_of(follower);
-          passage_.push_back({cost + cost_of(graph_.motion->transitions[next]) + beyond_axes(after),
-                              std::exp(-walked / foresight_reach), next, after});
+          passage_.push_back(
+              passage(cost + cost_of(graph_.motion->transitions[next]) + beyond_axes(after), walked,
+                      next, after));
         });
     first_.push_back(static_cast<std::uint32_t>(passage_.size()));
   }
