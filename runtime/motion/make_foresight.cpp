@@ -227,4 +227,10 @@ void add_bend(const WalkGraph& graph, std::size_t bend, Foresight& foresight) {
   if (!foresight.raw.empty()) add_bend<RawFollower>(graph, bend, foresight.raw);
 }
 
+Foresight make_foresight(const WalkGraph& graph) {
+  Foresight foresight = begin_foresight(graph);
+  for (std::size_t bend = 0; bend < bend_axis.count; ++bend) add_bend(graph, bend, foresight);
+  return foresight;
+}
+
 }  // namespace docent

@@ -17,5 +17,7 @@ constexpr double bend_reach = 1.2;
 /// with transitions times passages; graphs of very many transitions get smaller tables or none.
 Foresight begin_foresight(const WalkGraph& graph);
 void add_bend(const WalkGraph& graph, std::size_t bend, Foresight& foresight);
+/// Both, for all bends, on this thread.
+Foresight make_foresight(const WalkGraph& graph);
 
 }  // namespace docent

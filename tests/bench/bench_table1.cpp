@@ -15,6 +15,7 @@
 #include "content/compiler/paper_walk.h"
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
+#include "runtime/motion/make_foresight.h"
 #include "runtime/motion/walk_graph.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/walk_picture.h"
@@ -234,8 +235,9 @@ class Table1 {
 
 void run(const Options& options) {
   std::vector<Diagnostic> problems;
-  const MotionGraph motion = compile_motion(options.clips, {}, problems);
+  MotionGraph motion = compile_motion(options.clips, {}, problems);
   const Result<WalkGraph> graph = make_walk_graph(motion);
+  if (graph) motion.foresight = make_foresight(*graph);
   if (!graph) throw std::runtime_error(graph.error().what);
   Table1(*graph, options).run();
 }

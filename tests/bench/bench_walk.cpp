@@ -14,6 +14,7 @@
 #include "content/compiler/paper_walk.h"
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
+#include "runtime/motion/make_foresight.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
 #include "runtime/motion/walk_graph.h"
@@ -277,8 +278,9 @@ void Contest::avatars() const {
 
 void run(const Options& options) {
   std::vector<Diagnostic> problems;
-  const MotionGraph motion = compile_motion(options.clips, {}, problems);
+  MotionGraph motion = compile_motion(options.clips, {}, problems);
   const Result<WalkGraph> graph = make_walk_graph(motion);
+  if (graph) motion.foresight = make_foresight(*graph);
   if (!graph) throw std::runtime_error(graph.error().what);
   const MotionMatcher matcher(*graph);
   const std::vector<Walker> walkers = make_walkers(*graph, matcher, options.time_limit);
