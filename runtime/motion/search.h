@@ -27,7 +27,7 @@ struct MotionStart {
 
 /// The best way along a track that will be warped onto it: at each state only the misfit of
 /// headings counts, and it is forgotten as the warp takes it up, so the search is one of time and
-/// heading alone. A beam search in order of effort.
+/// heading alone. A beam search in order of progress that begins at all starts at once.
 MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
                               std::span<const MotionStart> starts);
 
