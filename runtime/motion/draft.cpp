@@ -24,7 +24,9 @@ Value fading(Value value, Value slope, double time, double duration) noexcept {
 }
 
 constexpr double largest_drop = 0.12;   // metres
-constexpr double drop_seconds = 0.12;   // half of the time over which hips sink and rise again
+constexpr double drop_seconds = 0.18;   // half of the time over which hips sink and rise again
+constexpr double easing_seconds = 0.1;  // before hips may sink after the first frame
+constexpr double velocity_seconds = 0.025;
 constexpr float straight_leg = 0.985f;  // of the leg's length: a knee is never quite straight
 constexpr float straightest_leg = 0.9985f;
 
@@ -60,6 +62,10 @@ std::vector<double> smooth_above(const std::vector<double>& values, std::size_t 
 
 }  // namespace
 
+std::uint32_t velocity_frames(double rate) noexcept {
+  return static_cast<std::uint32_t>(std::max(1L, std::lround(velocity_seconds * rate)));
+}
+
 Draft empty_draft(const WalkGraph& graph) {
   Draft draft;
   draft.walk.frame_rate = graph.frame_rate;
@@ -73,29 +79,37 @@ PoseView pose_of(Walk& walk, std::size_t frame) noexcept {
 }
 
 Momentum momentum_at(const WalkGraph& graph, const Walk& walk, std::uint32_t frame) {
-  const std::uint32_t now = std::min(frame, frame_count(walk) - 1), was = now > 0 ? now - 1 : 0;
-  const auto rate = static_cast<float>(walk.frame_rate);
+  const std::uint32_t last = frame_count(walk) - 1, now = std::min(frame, last);
+  const std::uint32_t span = std::min(last, velocity_frames(walk.frame_rate));
+  const std::uint32_t to = std::min(now + span, last), from = to - span;
+  const float per_second =
+      static_cast<float>(walk.frame_rate) / static_cast<float>(std::max(span, 1U));
   const std::size_t joints = walk.joint_count;
-  std::vector<Quat> before(walk.rotation.begin() + static_cast<std::ptrdiff_t>(was * joints),
-                           walk.rotation.begin() + static_cast<std::ptrdiff_t>((was + 1) * joints));
+  const auto pose_at = [&](std::uint32_t f) {
+    const auto first = walk.rotation.begin() + static_cast<std::ptrdiff_t>(f * joints);
+    return std::vector<Quat>(first, first + static_cast<std::ptrdiff_t>(joints));
+  };
+  std::vector<Quat> before = pose_at(from), after = pose_at(to);
   Momentum m;
   m.root = walk.root[now];
-  m.rotation.assign(walk.rotation.begin() + static_cast<std::ptrdiff_t>(now * joints),
-                    walk.rotation.begin() + static_cast<std::ptrdiff_t>((now + 1) * joints));
-  m.root_velocity = (walk.root[now] - walk.root[was]) * rate;
+  m.rotation = pose_at(now);
+  m.root_velocity = (walk.root[to] - walk.root[from]) * per_second;
   for (std::size_t j = 0; j < joints; ++j)
-    m.turning.push_back(rotation_vector(m.rotation[j] * glm::inverse(before[j])) * rate);
+    m.turning.push_back(rotation_vector(after[j] * glm::inverse(before[j])) * per_second);
   for (const Side side : both_sides) {
     const Leg& leg = graph.legs[side];
     const std::size_t i = index_of(side);
-    m.foot[i] = foot_of(graph.motion->skeleton, leg, {m.root, m.rotation});
-    m.foot_velocity[i] =
-        (m.foot[i].toe - foot_of(graph.motion->skeleton, leg, {walk.root[was], before}).toe) * rate;
+    const auto foot_in = [&](std::uint32_t f, std::vector<Quat>& rotation) {
+      return foot_of(graph.motion->skeleton, leg, {walk.root[f], rotation});
+    };
+    m.foot[i] = foot_in(now, m.rotation);
+    m.foot_velocity[i] = (foot_in(to, after).toe - foot_in(from, before).toe) * per_second;
   }
   m.planted = {walk.plants[now].left, walk.plants[now].right};
   m.body = walk.body[now];
-  m.body_velocity = {(walk.body[now].position - walk.body[was].position) * walk.frame_rate,
-                     wrap_angle(walk.body[now].heading - walk.body[was].heading) * walk.frame_rate};
+  m.body_velocity = {
+      (walk.body[to].position - walk.body[from].position) * double{per_second},
+      wrap_angle(walk.body[to].heading - walk.body[from].heading) * double{per_second}};
   return m;
 }
 
@@ -116,18 +130,19 @@ void take_over(const Momentum& momentum, double seconds, Draft& draft) {
   Walk& walk = draft.walk;
   const std::size_t joints = walk.joint_count, frames = walk.root.size();
   if (frames < 2 || momentum.rotation.size() != joints) return;
-  const auto rate = static_cast<float>(walk.frame_rate);
+  const std::size_t span = std::min<std::size_t>(velocity_frames(walk.frame_rate), frames - 1);
+  const float per_second = static_cast<float>(walk.frame_rate) / static_cast<float>(span);
   const auto count = std::min(frames, static_cast<std::size_t>(seconds * walk.frame_rate) + 1);
   const auto bend = [&](auto offset, auto slope, auto&& add) {
     for (std::size_t f = 0; f < count; ++f)
       add(f, fading(offset, slope, static_cast<double>(f) / walk.frame_rate, seconds));
   };
-  const Vec3 velocity = (walk.root[1] - walk.root[0]) * rate;
+  const Vec3 velocity = (walk.root[span] - walk.root[0]) * per_second;
   bend(momentum.root - walk.root[0], momentum.root_velocity - velocity,
        [&](std::size_t f, Vec3 offset) { walk.root[f] += offset; });
   for (std::size_t j = 0; j < joints; ++j) {
-    const Quat first = walk.rotation[j], second = walk.rotation[joints + j];
-    const Vec3 turning = rotation_vector(second * glm::inverse(first)) * rate;
+    const Quat first = walk.rotation[j], later = walk.rotation[span * joints + j];
+    const Vec3 turning = rotation_vector(later * glm::inverse(first)) * per_second;
     bend(rotation_vector(momentum.rotation[j] * glm::inverse(first)), momentum.turning[j] - turning,
          [&](std::size_t f, Vec3 offset) {
            Quat& q = walk.rotation[f * joints + j];
@@ -139,8 +154,11 @@ void take_over(const Momentum& momentum, double seconds, Draft& draft) {
 void lower_hips(const WalkGraph& graph, Draft& draft) {
   const auto radius = static_cast<std::size_t>(drop_seconds * draft.walk.frame_rate);
   const std::vector<double> drop = smooth_above(hip_drops(graph, draft), radius);
-  for (std::size_t f = 0; f < draft.walk.root.size(); ++f)
-    draft.walk.root[f].y -= static_cast<float>(drop[f]);
+  const double easing = easing_seconds * draft.walk.frame_rate;
+  for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
+    const double t = std::min(1.0, static_cast<double>(f) / easing);
+    draft.walk.root[f].y -= static_cast<float>(t * t * t * (10 - t * (15 - 6 * t)) * drop[f]);
+  }
 }
 
 void place_feet(const WalkGraph& graph, Draft& draft) {

@@ -33,7 +33,11 @@ struct Momentum {
   Placement body_velocity;  ///< Metres and radians a second.
 };
 
-/// At a frame of a walk, from that frame and the one before.
+/// Over how many frames a velocity is measured: one frame's noise must not become a swing.
+std::uint32_t velocity_frames(double rate) noexcept;
+
+/// At a frame of a walk. Velocities are those of the frames after it, or before its end: what goes
+/// on from there mostly plays the same clip, and noise that both have cancels out.
 Momentum momentum_at(const WalkGraph& graph, const Walk& walk, std::uint32_t frame);
 
 /// At a stand.
@@ -46,7 +50,7 @@ PoseView pose_of(Walk& walk, std::size_t frame) noexcept;
 /// on as it did (inertialization: Bollo 2018).
 void take_over(const Momentum& momentum, double seconds, Draft& draft);
 
-/// Lowers the hips, smoothly, where a foot would be out of reach.
+/// Lowers the hips, smoothly, where a foot would be out of reach. The first frame stays as it is.
 void lower_hips(const WalkGraph& graph, Draft& draft);
 
 /// Bends the legs so that every foot is where it shall be.

@@ -24,7 +24,7 @@ constexpr double largest_facing_error = 0.06;  // radians left at the end withou
 constexpr double largest_walking_turn = 1.05;  // radians that a walker turns into without braking
 constexpr double longest_run_out = 0.5;        // metres walked on before turning right round
 constexpr double least_stretch = 0.62;         // of the clips' strides; below, small steps
-constexpr double most_stretch = 1.35;          // of the clips' strides
+constexpr double most_stretch = 1.1;           // of the clips' strides
 constexpr double braking_stretch = 0.1;  // where a wall is near, strides get as short as needed
 constexpr double take_over_seconds = 0.35;
 constexpr double walking_speed = 0.25;  // metres a second: slower bodies about stand
@@ -160,21 +160,21 @@ class WalkMaker {
     starts.reserve(graph_.starts.size());
     for (const std::uint32_t clip : graph_.starts)
       starts.push_back({{clip, graph_.clip[clip].first}, momentum_.body});
-    if (!walk_along(path, starts, least_stretch)) walk_by_small_steps(path);
+    if (!walk_along(path, starts, least_stretch, pace())) walk_by_small_steps(path);
   }
 
   bool walk_on(const std::vector<Vec2>& path, double shortest_stride) {
-    const double first_share =
-        std::min(1.0, glm::length(momentum_.body_velocity.position) / graph_.speed);
-    return walk_along(path, {{source_, momentum_.body}}, shortest_stride, first_share);
+    const Vec2 velocity = momentum_.body_velocity.position;
+    TrackPace pace = this->pace();
+    pace.first_share = std::min(1.0, glm::length(velocity) / graph_.speed);
+    pace.first_turn = wrap_angle(direction_of(path, 0.3) - std::atan2(velocity.y, velocity.x));
+    return walk_along(path, {{source_, momentum_.body}}, shortest_stride, pace);
   }
 
   /// False where the clips cannot do it: no way to a stand from there, or strides would have to be
   /// too short or too long.
   bool walk_along(const std::vector<Vec2>& path, const std::vector<MotionStart>& starts,
-                  double shortest_stride, double first_share = 0) {
-    TrackPace pace = this->pace();
-    pace.first_share = first_share;
+                  double shortest_stride, const TrackPace& pace) {
     const PathTrack track = make_path_track(path, pace);
     const auto began = std::chrono::steady_clock::now();
     const MotionPlan plan = request_.fidelity == Fidelity::Raw
@@ -218,11 +218,11 @@ class WalkMaker {
   void stand_still() { add(make_steps(graph_, momentum_, {}, graph_.after_walking, Gait::Idle)); }
 
   void add(Draft draft) {
-    // The hips sink before the stretch takes over, so that its first frame stays what it was.
-    const bool exact = request_.fidelity == Fidelity::Exact;
-    if (exact) lower_hips(graph_, draft);
     take_over(momentum_, take_over_seconds, draft);
-    if (exact) place_feet(graph_, draft);
+    if (request_.fidelity == Fidelity::Exact) {
+      lower_hips(graph_, draft);
+      place_feet(graph_, draft);
+    }
     const float along = walk_.along.empty() ? 0.0f : walk_.along.back();
     for (float& a : draft.walk.along) a += along;
     append(draft, walk_);

@@ -12,6 +12,8 @@ constexpr double sample_spacing = 0.02;    // metres
 constexpr double corner_rounding = 0.10;   // metres: standard deviation of the positions' bell
 constexpr double heading_rounding = 0.22;  // metres: a walker begins to turn before the corner
 constexpr double slowest_stride = 0.45;    // share of the clips' stride (and cadence)
+constexpr double joining_way = 0.7;        // metres in which a moving body gets onto its track,
+constexpr double joining_care = 0.6;       // slower by this share for each radian that it turns
 constexpr double braking = 1.2;            // metres a second squared
 
 std::vector<Vec2> resample(std::span<const Vec2> path, std::size_t intervals) {
@@ -53,6 +55,9 @@ std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) 
     if (bend * pace.speed > pace.turning_rate)
       share[next - 1] = std::max(slowest, pace.turning_rate / (bend * pace.speed));
   }
+  const double careful = std::max(0.5, 1 - joining_care * std::abs(pace.first_turn));
+  const auto joining = static_cast<std::size_t>(joining_way / track.spacing);
+  for (std::size_t i = 0; i < std::min(joining, count); ++i) share[i] = std::min(share[i], careful);
   const double gain = 2 * braking * track.spacing / (pace.speed * pace.speed);
   const auto limit = [&](std::size_t i, double neighbour) {
     share[i] = std::min(share[i], std::sqrt(neighbour * neighbour + gain));

@@ -13,6 +13,7 @@ struct TrackPace {
   double turning_rate = 2.4;  ///< Radians a second that a walker turns at most.
   double first_share = 0;     ///< Share of the ordinary speed at the track's beginning that cannot
                               ///< be shed at once; 0 from standing.
+  double first_turn = 0;      ///< Radians between how the body moves and how the track begins.
 };
 
 /// Where the body's circle goes along a path, and which way it faces: the polyline with its corners

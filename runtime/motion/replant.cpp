@@ -43,8 +43,10 @@ struct Contact {
 
 constexpr float take_over_seconds = 0.3f;
 constexpr float steering_seconds =
-    0.2f;                          // before landing, in which a foot can still be led elsewhere
-constexpr float hip_give = 0.09f;  // metres that hips sink at most to let a foot stay
+    0.3f;                           // before landing, in which a foot can still be led elsewhere
+constexpr float free_twist = 0.3f;  // radians between foot and body that a leg takes easily
+constexpr float twist_give = 0.2f;  // radians over which the foot begins to turn on its ball
+constexpr float hip_give = 0.09f;   // metres that hips sink at most to let a foot stay
 
 class Replanting {
  public:
@@ -81,7 +83,9 @@ class Replanting {
     }
     // The heading of a foot that hangs down means nothing, so only its rotation is taken over.
     begin_ = {start.foot.toe - feet_.front().toe, 0};
-    const Vec3 own = feet_.size() > 1 ? (feet_[1].toe - feet_[0].toe) * rate_ : Vec3{};
+    const std::size_t span = std::min<std::size_t>(velocity_frames(rate_), feet_.size() - 1);
+    const Vec3 own =
+        span > 0 ? (feet_[span].toe - feet_[0].toe) * (rate_ / static_cast<float>(span)) : Vec3{};
     begin_slope_ = {start.velocity - own, 0};
     if (!contacts_.empty()) land_soon(contacts_.front());
   }
@@ -90,7 +94,7 @@ class Replanting {
     for (Contact& c : contacts_) {
       const auto in_reach = [&](std::size_t f) {
         Foot foot{Vec3(c.anchor.x, feet_[f].toe.y + c.rise, c.anchor.z), feet_[f].rotation};
-        foot.rotation = world_rotation(c.heading - heading_[f]) * foot.rotation;
+        foot.rotation = world_rotation(heading_in(c, f) - heading_[f]) * foot.rotation;
         return drop_into_reach(hips[f], ankle_of(leg_, foot), 0.998f * leg_.length) < hip_give;
       };
       const std::size_t middle = (c.first + c.end) / 2;
@@ -107,7 +111,7 @@ class Replanting {
   void apply() {
     for (const Contact& c : contacts_)
       for (std::size_t f = c.first; f < c.end; ++f) {
-        shift_[f] = shift_to(c.anchor, c.heading, f);
+        shift_[f] = shift_to(c.anchor, heading_in(c, f), f);
         shift_[f].place.y = c.rise;
       }
     bridge_gaps();
@@ -123,6 +127,14 @@ class Replanting {
   float start_heading(const Foot& foot) const {
     const auto own = static_cast<double>(heading_.front());
     return static_cast<float>(own + wrap_angle(foot_heading(leg_, foot) - own));
+  }
+
+  /// A planted foot keeps its heading, but turns on its ball where the body above it turns further
+  /// than a leg can be twisted.
+  float heading_in(const Contact& contact, std::size_t f) const {
+    const float twist = heading_[f] - contact.heading, over = std::abs(twist) - free_twist;
+    if (over <= 0) return contact.heading;
+    return contact.heading + std::copysign(over * over / (over + twist_give), twist);
   }
 
   Shift shift_to(Vec3 place, float heading, std::size_t f) const {

@@ -8,6 +8,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "runtime/path/floor_map.h"
 #include "runtime/plan/plan.h"
+#include "tests/motion/walk_measures.h"
 #include "tests/support/sample_database.h"
 
 namespace docent {
@@ -31,6 +32,7 @@ struct Journey {
   std::vector<float> along;
   std::size_t stretches = 0, longest = 0;  ///< Frames of the longest walk.
   double length = 0, rate = 0;
+  double quickest_root = 0, quickest_joint = 0;  ///< Metres and radians a second.
 };
 
 /// Walks a way from stretch to stretch as the guide does.
@@ -45,6 +47,9 @@ Journey journey(RouteKind kind, const Placement& goal) {
     const std::size_t end = plan->is_whole ? walk.body.size() : plan->go_on_frame;
     const auto count = static_cast<std::ptrdiff_t>(end);
     out.body.insert(out.body.end(), walk.body.begin(), walk.body.begin() + count);
+    const test::Quickest moves = test::quickest(walk, 0, end);
+    out.quickest_root = std::max(out.quickest_root, moves.root);
+    out.quickest_joint = std::max(out.quickest_joint, moves.joint);
     out.along.insert(out.along.end(), walk.along.begin(), walk.along.begin() + count);
     out.longest = std::max(out.longest, walk.body.size());
     out.length = plan->reach.back();
@@ -86,9 +91,17 @@ TEST_P(Journeys, NeverStopOnTheirWay) {
     const auto edge = static_cast<std::size_t>(4 * j.rate);  // turning on the spot, starting
     for (std::size_t f = edge; f + edge < j.body.size(); ++f) {
       const double speed = glm::distance(j.body[f].position, j.body[f - 1].position) * j.rate;
-      ASSERT_GT(speed, 0.2) << "frame " << f << " of " << j.body.size();
+      ASSERT_GT(speed, 0.15) << "frame " << f << " of " << j.body.size();
       ASSERT_LT(speed, 2.0) << "frame " << f;
     }
+  }
+}
+
+TEST_P(Journeys, AreNoQuickerThanTheRecordedMotion) {
+  const test::Quickest clips = test::quickest(museum().motion);
+  for (const Journey& j : all()) {
+    EXPECT_LT(j.quickest_root, 1.15 * clips.root);
+    EXPECT_LT(j.quickest_joint, 1.15 * clips.joint);
   }
 }
 

@@ -79,8 +79,8 @@ TEST_P(Interrupted, GoesOnWithoutAJump) {
 
   const test::Quickest splice = test::quickest(whole, frame - 3, frame + 60);
 
-  EXPECT_LT(splice.root, 1.3 * ordinary.root);
-  EXPECT_LT(splice.joint, 1.6 * ordinary.joint);
+  EXPECT_LT(splice.root, 1.15 * ordinary.root);
+  EXPECT_LT(splice.joint, 1.15 * ordinary.joint);
   EXPECT_LT(splice.root_change, 2 * ordinary.root_change);
   EXPECT_LT(splice.joint_change, 2 * ordinary.joint_change);
 }
@@ -142,8 +142,8 @@ TEST(RestlessVisitors, NeverMakeTheWalkerJumpOrMissItsGoal) {
     const Walk whole = test::spliced(walk, frame, next);
     const test::Quickest moves = test::quickest(whole, frame, whole.root.size());
     EXPECT_LT(glm::distance(next.body.back().position, path.back()), 0.03) << call;
-    EXPECT_LT(moves.root, 2 * clips.root) << call;
-    EXPECT_LT(moves.joint, 2.5 * clips.joint) << call;
+    EXPECT_LT(moves.root, 1.15 * clips.root) << call;
+    EXPECT_LT(moves.joint, 1.15 * clips.joint) << call;
     walk = next;
   }
 }
