@@ -91,7 +91,7 @@ TEST_P(Journeys, NeverStopOnTheirWay) {
     const auto edge = static_cast<std::size_t>(4 * j.rate);  // turning on the spot, starting
     for (std::size_t f = edge; f + edge < j.body.size(); ++f) {
       const double speed = glm::distance(j.body[f].position, j.body[f - 1].position) * j.rate;
-      ASSERT_GT(speed, 0.15) << "frame " << f << " of " << j.body.size();
+      ASSERT_GT(speed, 0.2) << "frame " << f << " of " << j.body.size();
       ASSERT_LT(speed, 2.0) << "frame " << f;
     }
   }

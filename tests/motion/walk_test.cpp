@@ -128,7 +128,7 @@ RC_GTEST_PROP(AnyWalk, ArrivesAndNeverLeavesThePath, ()) {
   RC_ASSERT(test::largest_drift(motion().skeleton, *walk) < 0.02);
   const test::Quickest moves = test::quickest(*walk, 0, walk->root.size());
   const test::Quickest clips = test::quickest(motion());
-  RC_ASSERT(moves.root < 1.15 * clips.root);
+  RC_ASSERT(moves.root < 1.18 * clips.root);  // strides by 1.14, and the outside of bends
   RC_ASSERT(moves.joint < 1.15 * clips.joint);
   if (request.final_heading)
     RC_ASSERT(std::abs(wrap_angle(walk->body.back().heading - *request.final_heading)) < 0.09);
