@@ -22,7 +22,7 @@ function(no_arrow folder pattern)
   set(failures "${failures}" PARENT_SCOPE)
 endfunction()
 
-set(guide_parts "path|motion|plan|input|scene|guide|kiosk")
+set(guide_parts "path|company|motion|plan|input|scene|guide|kiosk")
 
 # The vocabulary uses nothing but the standard library and GLM.
 no_arrow(runtime/model "runtime/(${guide_parts})/|platform/|content/|config/|fmt/|sqlite3|nlohmann/|toml")
@@ -31,6 +31,7 @@ foreach(part path motion input)
   string(REGEX REPLACE "(^|\\|)${part}(\\||$)" "\\1nothing\\2" others "${guide_parts}")
   no_arrow(runtime/${part} "runtime/(${others})/")
 endforeach()
+no_arrow(runtime/company "runtime/(motion|plan|input|scene|guide|kiosk)/")
 no_arrow(runtime/scene "runtime/(plan|guide|kiosk)/")
 no_arrow(runtime/plan "runtime/(guide|kiosk)/")
 no_arrow(runtime/guide "runtime/kiosk/")
