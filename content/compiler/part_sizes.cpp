@@ -33,6 +33,7 @@ constexpr TablePart table_parts[] = {
     {"image", "images", "images"},
     {"joint", "clips", "motion"},
     {"motion_clip", "clips", "motion"},
+    {"motion_class", "transitions", "motion"},
     {"motion_graph", "transitions", "motion"},
     {"foresight", "foresight", "foresight"},
     {"avatar", "avatar", "avatar"},

@@ -242,6 +242,25 @@ bool keeps(const Foresight& foresight, std::size_t transitions) {
          fits(foresight.ending, room_axis.count);
 }
 
+bool keeps_classes(const MotionGraph& graph) {
+  const std::vector<MotionClass>& classes = graph.classes;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i].coefficient.size() != classes.size() || classes[i].coefficient[i] != 0)
+      return false;
+    for (std::size_t j = 0; j < i; ++j) {
+      const float coefficient = classes[i].coefficient[j];
+      if (!(coefficient >= 0) || !finite(static_cast<double>(coefficient)) ||
+          coefficient != classes[j].coefficient[i] || classes[i].name == classes[j].name)
+        return false;
+    }
+  }
+  return std::ranges::all_of(graph.clips, [&](const MotionClip& clip) {
+    return classes.empty() || std::ranges::any_of(classes, [&](const MotionClass& motion_class) {
+             return motion_class.name == clip.motion_class;
+           });
+  });
+}
+
 bool keeps(const MotionGraph& graph) {
   const auto sound_frame = [&](const ClipFrame& f) {
     return f.clip < graph.clips.size() && f.frame < graph.clips[f.clip].root.size();
@@ -306,6 +325,7 @@ std::string broken_invariant(const Museum& museum) {
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   if (!finite(museum.body_radius) || museum.body_radius <= 0) return "the body's radius";
   if (!keeps(museum.motion)) return "its motion";
+  if (!keeps_classes(museum.motion)) return "its classes of motion";
   if (!keeps(museum.avatar, museum.motion.skeleton.joint.size())) return "its avatar";
   return {};
 }

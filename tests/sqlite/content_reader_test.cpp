@@ -181,6 +181,15 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"motion", [](Museum& m) { m.motion.clips[0].frame_rate = -1; }},
       {"motion", [](Museum& m) { m.motion.transitions[0].to.clip = 1; }},
       {"motion", [](Museum& m) { m.motion.transitions[0].radius = 1; }},
+      {"classes of motion", [](Museum& m) { m.motion.classes.pop_back(); }},
+      {"classes of motion", [](Museum& m) { m.motion.classes[0].name = "swim"; }},
+      {"classes of motion", [](Museum& m) { m.motion.classes[1].name = "walk"; }},
+      {"classes of motion", [](Museum& m) { m.motion.classes[0].coefficient[0] = 1; }},
+      {"classes of motion", [](Museum& m) { m.motion.classes[1].coefficient[0] = 2; }},
+      {"classes of motion",
+       [](Museum& m) {
+         m.motion.classes[0].coefficient[1] = m.motion.classes[1].coefficient[0] = NAN;
+       }},
       {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 2; }},
       {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
       {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
@@ -218,6 +227,18 @@ TEST(ContentReader, SaysThatMotionIsDamagedWhichCannotBeDecoded) {
     ASSERT_FALSE(museum.has_value()) << sql;
     EXPECT_EQ(museum.error().code, Errc::Damaged);
     EXPECT_THAT(museum.error().what, HasSubstr("table motion_clip does not hold what it should"));
+  }
+}
+
+TEST(ContentReader, SaysThatClassesAreDamagedWhichCannotBeDecoded) {
+  for (const char* sql : {"UPDATE motion_class SET coefficient = x'000000'",
+                          "UPDATE motion_class SET coefficient = 'none'",
+                          "UPDATE motion_class SET name = x'00' WHERE id = 1"}) {
+    const auto museum = read_after(sql);
+
+    ASSERT_FALSE(museum.has_value()) << sql;
+    EXPECT_EQ(museum.error().code, Errc::Damaged);
+    EXPECT_THAT(museum.error().what, HasSubstr("motion_class"));
   }
 }
 

@@ -113,6 +113,8 @@ inline Museum small_museum() {
        .plants = {{.left = true, .right = false}, {.left = false, .right = true}}});
   graph.transitions.push_back(
       {.from = {0, 1}, .to = {0, 0}, .radius = 0, .distance = 0.125F, .alignment = {{1, 2}, -0.5}});
+  graph.classes = {{.name = "walk", .coefficient = {0, 1.5F}},
+                   {.name = "jog", .coefficient = {1.5F, 0}}};
   museum.avatar = {.vertices = {{.position = {0, 1, 0},
                                  .normal = {0, 0, 1},
                                  .joint = {0, 1, 0, 0},

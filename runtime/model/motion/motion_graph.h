@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
@@ -28,6 +29,15 @@ struct Transition {
                         ///< source clip.
 };
 
+/// A class of motion, such as "walk" or "jog". Its clips and the transitions among them are a graph
+/// of their own; transitions between clips of two classes join these graphs.
+struct MotionClass {
+  std::string name;  ///< As MotionClip::motion_class has it.
+  /// How unlike its gait is to that of each class, itself among them, in the order of
+  /// MotionGraph::classes: metres, summed over the poses of a stride. Symmetric; 0 for its own.
+  std::vector<float> coefficient;
+};
+
 /// What the avatar can do: its clips and the transitions between them. Only the largest strongly
 /// connected part (and what leads into it from a start, or out of it to a stop) is kept, so a walk
 /// never runs into a dead end.
@@ -36,6 +46,8 @@ struct MotionGraph {
   std::vector<MotionClip> clips;
   std::vector<Transition> transitions;  ///< Sorted by (from.clip, from.frame, to.clip, to.frame).
   Foresight foresight{};
+  std::vector<MotionClass> classes{};  ///< Of the clips, in the order in which they first appear;
+                                       ///< none where all clips count as one class.
 };
 
 }  // namespace docent

@@ -153,6 +153,11 @@ void columns(auto& row, MaybeConst<MotionClip> auto& clip) {
   row("motion", clip);
 }
 
+void columns(auto& row, MaybeConst<MotionClass> auto& motion_class) {
+  row("name", motion_class.name);
+  row("coefficient", motion_class.coefficient);
+}
+
 void columns(auto& row, MaybeConst<MotionGraph> auto& graph) {
   row("has_rotation", graph.skeleton.has_rotation);
   row("body_part", graph.skeleton.part);
@@ -208,6 +213,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
 
   store.rows("joint", museum.motion.skeleton.joint);
   store.rows("motion_clip", museum.motion.clips);
+  store.rows("motion_class", museum.motion.classes);
   store.row("motion_graph", 0, museum.motion);
   store.row("foresight", 0, museum.motion.foresight);
   store.row("avatar", 0, museum.avatar);

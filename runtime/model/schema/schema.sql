@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 4 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 5 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -179,6 +179,12 @@ CREATE TABLE motion_clip (
   motion_class TEXT NOT NULL,
   frame_rate REAL NOT NULL,
   motion BLOB NOT NULL          -- root, rotations and foot plants of all frames: motion_blob.h
+);
+
+CREATE TABLE motion_class (     -- of the clips, in the order in which they first appear
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  coefficient BLOB NOT NULL     -- f32, one a class: how unlike its gait is to that class's
 );
 
 CREATE TABLE motion_graph (     -- one row
