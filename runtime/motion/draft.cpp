@@ -188,6 +188,8 @@ void append(const Draft& draft, Walk& walk) {
   add(walk.source, more.source, skip);
   walk.transitions += more.transitions;
   walk.expanded += more.expanded;
+  walk.considered += more.considered;
+  walk.scope = std::max(walk.scope, more.scope);
   walk.search_seconds += more.search_seconds;
 }
 

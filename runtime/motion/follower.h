@@ -24,6 +24,7 @@ struct WarpedFollower {
   static constexpr std::size_t beam_width = 8;
   static constexpr std::size_t slice = warped_slice;
   static constexpr double forgetting = 0.7;  ///< Metres.
+  static constexpr double fair_cost = 0.03;  ///< A metre: the heading is off by 10 degrees.
 
   double progress = 0;
   double heading_error = 0;
@@ -71,6 +72,7 @@ struct RawFollower {
   static constexpr std::size_t slice = raw_slice;
   static constexpr double side_weight = 6.0;     ///< Square radians per square metre.
   static constexpr double heading_weight = 0.3;  ///< Of square radians.
+  static constexpr double fair_cost = 0.15;      ///< A metre: it runs 16 cm to the side.
   static constexpr double look_ahead = 0.3;      ///< Metres: what is nearest is not farther on.
 
   double progress = 0;

@@ -15,6 +15,7 @@ constexpr double bend_reach = 1.2;
 /// bend. For the content compiler: `begin_foresight`, then `add_bend` for every place of bend_axis,
 /// in any order and on any threads. Takes some 3 s in all for the seven clips of 26 s and grows
 /// with transitions times passages; graphs of very many transitions get smaller tables or none.
+/// The whole graph is foreseen, also for a search that stays in one class.
 Foresight begin_foresight(const WalkGraph& graph);
 void add_bend(const WalkGraph& graph, std::size_t bend, Foresight& foresight);
 /// Both, for all bends, on this thread.

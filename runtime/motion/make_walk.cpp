@@ -139,7 +139,7 @@ class WalkMaker {
   /// Stops within the shortest natural distance.
   void brake() {
     const std::vector<Vec2> line = braking_line();
-    const double natural = graph_.clip[source_.clip].to_stand[source_.frame];
+    const double natural = graph_.clip[source_.clip].to_stand.back()[source_.frame];
     const double room = polyline_length(line);
     const double distance = std::min(std::isfinite(natural) ? natural : 1.0, room);
     if (distance < shortest_way || !walk_on(first_part(line, distance), braking_stretch))
@@ -192,6 +192,8 @@ class WalkMaker {
                                                      : warp_onto(graph_, take, track, momentum_);
     draft.walk.transitions = static_cast<std::uint32_t>(plan.transitions.size());
     draft.walk.expanded = plan.expanded;
+    draft.walk.considered = plan.considered;
+    draft.walk.scope = plan.scope;
     draft.walk.search_seconds = taken.count();
     add(std::move(draft));
     return true;

@@ -33,11 +33,11 @@ void walk_through(const WalkGraph& graph, std::size_t from, std::size_t to, Step
 }
 
 /// Goes from a frame on through its clip: `step(from, to)` as the frames pass, `leave(transition)`
-/// at the middle of each transition whose blend begins at `earliest` or later. Returns the frame
-/// that it has come to.
+/// at the middle of each transition of the scope whose blend begins at `earliest` or later. Returns
+/// the frame that it has come to.
 template <class Step, class Leave>
-std::size_t walk_passages(const WalkGraph& graph, ClipFrame at, std::size_t earliest, Step step,
-                          Leave leave) {
+std::size_t walk_passages(const WalkGraph& graph, std::uint32_t scope, ClipFrame at,
+                          std::size_t earliest, Step step, Leave leave) {
   const ClipPath& clip = graph.clip[at.clip];
   const auto first = graph.motion->transitions.begin() + clip.first_transition;
   const auto last = graph.motion->transitions.begin() + clip.last_transition;
@@ -47,7 +47,7 @@ std::size_t walk_passages(const WalkGraph& graph, ClipFrame at, std::size_t earl
   std::size_t frame = at.frame;
   for (auto way = std::lower_bound(first, last, std::max<std::size_t>(at.frame, earliest), before);
        way != last; ++way) {
-    if (way->from.frame < earliest + way->radius) continue;
+    if (way->from.frame < earliest + way->radius || !leads_to_stand(graph, *way, scope)) continue;
     walk_through(graph, frame, way->from.frame, step);
     frame = way->from.frame;
     leave(static_cast<std::uint32_t>(way - graph.motion->transitions.begin()));
@@ -56,14 +56,15 @@ std::size_t walk_passages(const WalkGraph& graph, ClipFrame at, std::size_t earl
 }
 
 template <class Step, class Leave>
-std::size_t walk_from_start(const WalkGraph& graph, ClipFrame at, Step step, Leave leave) {
-  return walk_passages(graph, at, at.frame, step, leave);
+std::size_t walk_from_start(const WalkGraph& graph, std::uint32_t scope, ClipFrame at, Step step,
+                            Leave leave) {
+  return walk_passages(graph, scope, at, at.frame, step, leave);
 }
 
 /// After a transition some plain clip comes first, or less where the clip leaves no room.
 template <class Step, class Leave>
-std::size_t walk_from_transition(const WalkGraph& graph, std::uint32_t transition, Step step,
-                                 Leave leave) {
+std::size_t walk_from_transition(const WalkGraph& graph, std::uint32_t scope,
+                                 std::uint32_t transition, Step step, Leave leave) {
   const Transition& came = graph.motion->transitions[transition];
   const std::size_t blended = came.to.frame + came.radius;
   const auto rest = static_cast<std::size_t>(least_seconds * graph.frame_rate);
@@ -72,8 +73,8 @@ std::size_t walk_from_transition(const WalkGraph& graph, std::uint32_t transitio
     has_left = true;
     leave(next);
   };
-  const std::size_t frame = walk_passages(graph, came.to, blended + rest, step, note);
-  return has_left ? frame : walk_passages(graph, came.to, blended, step, leave);
+  const std::size_t frame = walk_passages(graph, scope, came.to, blended + rest, step, note);
+  return has_left ? frame : walk_passages(graph, scope, came.to, blended, step, leave);
 }
 
 }  // namespace docent

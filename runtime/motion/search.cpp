@@ -19,6 +19,7 @@ constexpr double calm_end = 0.5;           // metres before the end: only stoppi
 constexpr double bend_spacing = 0.1;       // metres between two looks at the bend
 constexpr double largest_overshoot = 1.5;  // metres of effort beyond the path's end
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
 /// A moment of the search: the middle of a transition's destination (or the start).
@@ -37,15 +38,24 @@ struct State {
 template <typename Follower>
 class BeamSearch {
  public:
-  BeamSearch(const WalkGraph& graph, const PathTrack& track, std::span<const MotionStart> starts)
-      : graph_(graph), track_(track), starts_(starts), goal_(Follower::total(track)) {}
+  BeamSearch(const WalkGraph& graph, std::uint32_t scope, const PathTrack& track,
+             std::span<const MotionStart> starts, double most_cost)
+      : graph_(graph),
+        scope_(scope),
+        track_(track),
+        starts_(starts),
+        most_cost_(most_cost),
+        goal_(Follower::total(track)) {}
 
   MotionPlan run() {
-    buckets_.resize(static_cast<std::size_t>((goal_ + largest_overshoot) / bucket_size) + 1);
+    buckets_.resize(static_cast<std::size_t>((goal_ + largest_overshoot) / bucket_size) + 1,
+                    {.states = {}, .limit = most_cost_});
     find_bends();
-    for (std::uint32_t i = 0; i < starts_.size(); ++i)
+    for (std::uint32_t i = 0; i < starts_.size(); ++i) {
+      if (graph_.clip[starts_[i].frame.clip].rank > scope_) continue;
       buckets_.front().states.push_back(
           {.follower = Follower(graph_, track_, starts_[i]), .start = i, .likeness = i});
+    }
     for (std::size_t b = 0; b < buckets_.size(); ++b) {
       // A state may lead to its own bucket, so a bucket is done when nothing new has come.
       for (std::size_t round = 0; !buckets_[b].states.empty() && round < 4; ++round) {
@@ -58,6 +68,9 @@ class BeamSearch {
     }
     return plan();
   }
+
+  std::uint32_t expanded() const { return static_cast<std::uint32_t>(expanded_.size()); }
+  std::uint32_t considered() const { return considered_; }
 
  private:
   const MotionGraph& motion() const { return *graph_.motion; }
@@ -170,9 +183,10 @@ class BeamSearch {
       walker.effort += clip.effort[to] - clip.effort[from];
     };
     const auto leave = [&](std::uint32_t transition) { branch(walker, transition); };
-    const std::size_t frame = state.transition == no_index
-                                  ? walk_from_start(graph_, at, step, leave)
-                                  : walk_from_transition(graph_, state.transition, step, leave);
+    const std::size_t frame =
+        state.transition == no_index
+            ? walk_from_start(graph_, scope_, at, step, leave)
+            : walk_from_transition(graph_, scope_, state.transition, step, leave);
     const bool ends_standing = motion().clips[at.clip].role == ClipRole::Stop;
     if (ends_standing && frame <= clip.last) {
       walk_through(graph_, frame, clip.last, step);
@@ -182,7 +196,8 @@ class BeamSearch {
 
   void branch(const State<Follower>& walker, std::uint32_t t) {
     const Transition& way = motion().transitions[t];
-    const double left = graph_.clip[way.to.clip].to_stand[way.to.frame];
+    const double left = graph_.clip[way.to.clip].to_stand[scope_][way.to.frame];
+    ++considered_;
     if (walker.effort + left > effort_limit()) return;
     keep(walker, t, walker.cost + cost_of(way));
   }
@@ -193,7 +208,7 @@ class BeamSearch {
     const double misfit = goal_ - walker.follower.progress;
     const double gap = walker.follower.end_gap(track_, graph_.clip[frame_of(walker).clip]);
     walker.cost += end_cost(misfit, gap);
-    if (best_ && best_->cost <= walker.cost) return;
+    if (best_ ? walker.cost >= best_->cost : walker.cost > most_cost_) return;
     best_ = std::move(walker);
     best_frame_ = frame;
   }
@@ -205,7 +220,7 @@ class BeamSearch {
     plan.last_frame = best_frame_;
     plan.effort = best_->effort;
     plan.cost = best_->cost;
-    plan.expanded = static_cast<std::uint32_t>(expanded_.size());
+    plan.expanded = expanded();
     for (std::uint32_t i = best_->parent; i != no_index; i = expanded_[i].parent)
       if (expanded_[i].transition != no_index) plan.transitions.push_back(expanded_[i].transition);
     std::reverse(plan.transitions.begin(), plan.transitions.end());
@@ -213,12 +228,14 @@ class BeamSearch {
   }
 
   const WalkGraph& graph_;
+  std::uint32_t scope_;
   const PathTrack& track_;
   std::span<const MotionStart> starts_;
+  double most_cost_;  ///< Of a way that is taken.
   double goal_;
   struct Bucket {
     std::vector<State<Follower>> states;
-    double limit = std::numeric_limits<double>::infinity();  ///< Ranks from there on are lost.
+    double limit = infinite;  ///< Ranks from there on are lost.
   };
   std::vector<Bucket> buckets_;
   std::vector<double> bend_;
@@ -228,18 +245,43 @@ class BeamSearch {
   std::vector<Expanded> expanded_;
   std::optional<State<Follower>> best_;
   std::uint32_t best_frame_ = 0;
+  std::uint32_t considered_ = 0;
 };
+
+/// Searches the first scope that holds a start, and wider ones while no way is fair: costs no more
+/// than Follower::fair_cost a metre. A search gives up where none can be fair any more; the widest
+/// one does not.
+template <typename Follower>
+MotionPlan find_motion(const WalkGraph& graph, const PathTrack& track,
+                       std::span<const MotionStart> starts) {
+  const double fair = Follower::fair_cost * Follower::total(track);
+  const std::uint32_t widest = graph.scopes - 1;
+  std::uint32_t scope = widest, expanded = 0, considered = 0;
+  for (const MotionStart& start : starts)
+    scope = std::min(scope, graph.clip[start.frame.clip].rank);
+  for (;; ++scope) {
+    BeamSearch<Follower> search(graph, scope, track, starts, scope < widest ? fair : infinite);
+    MotionPlan plan = search.run();
+    expanded += search.expanded();
+    considered += search.considered();
+    if (plan.expanded == 0 && scope < widest) continue;
+    if (plan.expanded > 0) plan.expanded = expanded;
+    plan.considered = considered;
+    plan.scope = scope;
+    return plan;
+  }
+}
 
 }  // namespace
 
 MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
                               std::span<const MotionStart> starts) {
-  return BeamSearch<WarpedFollower>(graph, track, starts).run();
+  return find_motion<WarpedFollower>(graph, track, starts);
 }
 
 MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
                            std::span<const MotionStart> starts) {
-  return BeamSearch<RawFollower>(graph, track, starts).run();
+  return find_motion<RawFollower>(graph, track, starts);
 }
 
 }  // namespace docent

@@ -17,6 +17,8 @@ struct MotionPlan {
   double effort = 0;                       ///< Metres walked by the clips themselves.
   double cost = 0;                         ///< Lower is better, among plans for one track.
   std::uint32_t expanded = 0;              ///< Search states looked at; 0 where no way was found.
+  std::uint32_t scope = 0;                 ///< The widest that was searched (walk_graph.h).
+  std::uint32_t considered = 0;            ///< Transitions looked at, each as often as it was.
 };
 
 /// Where a search begins.
@@ -24,6 +26,11 @@ struct MotionStart {
   ClipFrame frame;
   Placement body;  ///< Where the body is then.
 };
+
+/// Both searches stay within the graph of the class that they begin in, as far as that walks fairly
+/// (walk_graph.h, scopes), and then take in the class that is most like walking, and so on: what it
+/// costs to walk decides how far the motion changes. Where the last scope does not walk fairly
+/// either, its best way is taken.
 
 /// The best way along a track that will be warped onto it: at each state only the misfit of
 /// headings counts, and it is forgotten as the warp takes it up, so the search is one of time and

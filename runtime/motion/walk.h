@@ -31,6 +31,9 @@ struct Walk {
   std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
   std::uint32_t transitions = 0;  ///< How many blends it holds.
   std::uint32_t expanded = 0;     ///< Search nodes expanded.
+  std::uint32_t considered =
+      0;                    ///< Transitions that the search looked at, each as often as it was.
+  std::uint32_t scope = 0;  ///< The widest that was searched (walk_graph.h).
   double search_seconds = 0;
 };
 

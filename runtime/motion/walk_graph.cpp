@@ -66,11 +66,44 @@ bool is_planted(const FootPlants& plants, Side side) {
   return side == Side::Left ? plants.left : plants.right;
 }
 
+/// What the guide does where nothing else is needed.
+std::size_t home_class(const MotionGraph& motion) {
+  std::size_t home = 0, most = 0;
+  for (std::size_t i = 0; i < motion.classes.size(); ++i) {
+    std::size_t frames = 0;
+    for (const MotionClip& clip : motion.clips) {
+      if (clip.motion_class != motion.classes[i].name) continue;
+      const bool goes_on = clip.role != ClipRole::Start && clip.role != ClipRole::Stop;
+      if (goes_on && clip.motion_class == "walk") return i;
+      frames += frame_count(clip);
+    }
+    if (frames > most) most = frames, home = i;
+  }
+  return home;
+}
+
+void rank_classes(WalkGraph& graph) {
+  const std::vector<MotionClass>& classes = graph.motion->classes;
+  if (classes.empty()) return;
+  std::vector<const MotionClass*> order;
+  for (const MotionClass& motion_class : classes) order.push_back(&motion_class);
+  const std::size_t home = home_class(*graph.motion);
+  std::swap(order.front(), order[home]);
+  std::stable_sort(order.begin() + 1, order.end(), [home](const auto* a, const auto* b) {
+    return a->coefficient[home] < b->coefficient[home];
+  });
+  graph.scopes = static_cast<std::uint32_t>(order.size());
+  for (std::size_t c = 0; c < graph.clip.size(); ++c)
+    for (std::uint32_t rank = 0; rank < graph.scopes; ++rank)
+      if (order[rank]->name == graph.motion->clips[c].motion_class) graph.clip[c].rank = rank;
+}
+
 /// Time between two plants of one foot.
-double stride_seconds(const MotionGraph& motion) {
+double stride_seconds(const WalkGraph& graph) {
   std::vector<double> strides;
-  for (const MotionClip& clip : motion.clips) {
-    if (clip.plants.size() != clip.root.size()) continue;
+  for (std::size_t c = 0; c < graph.clip.size(); ++c) {
+    const MotionClip& clip = graph.motion->clips[c];
+    if (graph.clip[c].rank > 0) continue;
     for (const Side side : both_sides) {
       double last = -1;
       for (std::size_t f = 1; f < clip.plants.size(); ++f) {
@@ -90,13 +123,16 @@ void measure_resting_heights(WalkGraph& graph) {
   for (const Side side : both_sides) {
     std::vector<float> toes, ankles;
     const Leg& leg = graph.legs[side];
-    for (const MotionClip& clip : motion.clips)
+    for (std::size_t c = 0; c < graph.clip.size(); ++c) {
+      if (graph.clip[c].rank > 0) continue;
+      const MotionClip& clip = motion.clips[c];
       for (std::size_t f = 0; f < clip.plants.size(); ++f) {
         if (!is_planted(clip.plants[f], side)) continue;
         const LegPose at = leg_pose(motion.skeleton, leg, frame_of(clip, f, buffer));
         toes.push_back(at.position[leg.toe].y);
         ankles.push_back(at.position[leg.ankle].y);
       }
+    }
     graph.toe_height[index_of(side)] = median_of(std::move(toes), 0.03f);
     graph.ankle_height[index_of(side)] = median_of(std::move(ankles), 0.08f);
   }
@@ -106,7 +142,8 @@ double ordinary_speed(const WalkGraph& graph) {
   std::vector<double> speeds;
   for (std::size_t c = 0; c < graph.clip.size(); ++c) {
     const MotionClip& clip = graph.motion->clips[c];
-    if (clip.role == ClipRole::Start || clip.role == ClipRole::Stop) continue;
+    if (clip.role == ClipRole::Start || clip.role == ClipRole::Stop || graph.clip[c].rank > 0)
+      continue;
     const double seconds = static_cast<double>(frame_count(clip)) / clip.frame_rate;
     if (seconds > 0.2) speeds.push_back(graph.clip[c].effort.back() / seconds);
   }
@@ -124,31 +161,33 @@ void find_transition_ranges(WalkGraph& graph) {
   }
 }
 
-/// The least effort from every frame to a standing end. One sweep of a clip takes it from its
-/// transitions' destinations; sweeps go on until nothing improves, which takes as many as the
-/// shortest ways have transitions.
-void measure_ways_to_stand(WalkGraph& graph) {
+/// The least effort from every frame to a standing end within a scope. One sweep of a clip takes it
+/// from its transitions' destinations; sweeps go on until nothing improves, which takes as many as
+/// the shortest ways have transitions.
+void measure_ways_to_stand(WalkGraph& graph, std::uint32_t scope) {
   const auto& transitions = graph.motion->transitions;
-  for (std::size_t c = 0; c < graph.clip.size(); ++c)
-    graph.clip[c].to_stand.assign(graph.clip[c].effort.size(), infinite);
+  for (ClipPath& clip : graph.clip) clip.to_stand.emplace_back(clip.effort.size(), infinite);
   for (const std::uint32_t c : graph.stops) {
     ClipPath& clip = graph.clip[c];
+    if (clip.rank > scope) continue;
     for (std::size_t f = 0; f <= clip.last; ++f)
-      clip.to_stand[f] = clip.effort[clip.last] - clip.effort[f];
+      clip.to_stand[scope][f] = clip.effort[clip.last] - clip.effort[f];
   }
   for (bool improved = true; improved;) {
     improved = false;
     for (ClipPath& clip : graph.clip) {
+      if (clip.rank > scope) continue;
+      std::vector<double>& to_stand = clip.to_stand[scope];
       double best = infinite;  // effort at the transition plus what comes after it
       std::uint32_t t = clip.last_transition;
-      for (std::size_t f = clip.to_stand.size(); f-- > 0;) {
+      for (std::size_t f = to_stand.size(); f-- > 0;) {
         for (; t > clip.first_transition && transitions[t - 1].from.frame >= f; --t) {
           const Transition& way = transitions[t - 1];
-          best = std::min(
-              best, clip.effort[way.from.frame] + graph.clip[way.to.clip].to_stand[way.to.frame]);
+          best = std::min(best, clip.effort[way.from.frame] +
+                                    graph.clip[way.to.clip].to_stand[scope][way.to.frame]);
         }
-        if (best - clip.effort[f] < clip.to_stand[f] - 1e-9) {
-          clip.to_stand[f] = best - clip.effort[f];
+        if (best - clip.effort[f] < to_stand[f] - 1e-9) {
+          to_stand[f] = best - clip.effort[f];
           improved = true;
         }
       }
@@ -246,16 +285,22 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   for (const MotionClip& clip : motion.clips)
     if (clip.frame_rate != graph.frame_rate)
       return cannot_walk("the clips have different frame rates");
-  graph.stride_seconds = stride_seconds(motion);
   graph.clip.resize(motion.clips.size());
+  rank_classes(graph);
+  graph.stride_seconds = stride_seconds(graph);
   for (std::uint32_t c = 0; c < graph.clip.size(); ++c) describe_clip(graph, c);
   if (graph.starts.empty()) return cannot_walk("no clip begins standing and goes on to walk");
   if (graph.stops.empty()) return cannot_walk("no clip ends walking and stands still");
+  const auto rank_of = [&](std::uint32_t clip) { return graph.clip[clip].rank; };
+  std::ranges::stable_sort(graph.starts, {}, rank_of);
+  std::ranges::stable_sort(graph.stops, {}, rank_of);
   find_transition_ranges(graph);
-  measure_ways_to_stand(graph);
-  for (const std::uint32_t c : graph.starts)
-    if (graph.clip[c].to_stand[graph.clip[c].first] == infinite)
-      return cannot_walk("no transitions lead from a start clip to a stop clip");
+  for (std::uint32_t scope = 0; scope < graph.scopes; ++scope) measure_ways_to_stand(graph, scope);
+  std::erase_if(graph.starts, [&](std::uint32_t c) {
+    return graph.clip[c].to_stand.back()[graph.clip[c].first] == infinite;
+  });
+  if (graph.starts.empty())
+    return cannot_walk("no transitions lead from a start clip to a stop clip");
   graph.speed = ordinary_speed(graph);
   measure_resting_heights(graph);
   graph.before_walking =

@@ -14,12 +14,14 @@ namespace docent {
 
 /// What a search and a synthesis need to know of a clip.
 struct ClipPath {
-  std::vector<Placement> body;   ///< Per frame: the root with the gait's sway taken out.
-  std::vector<double> effort;    ///< Per frame: metres walked forwards since the first frame.
-  std::vector<double> to_stand;  ///< Per frame: the least metres to a standing end, infinite where
-                                 ///< there is none.
-  std::uint32_t first = 0;       ///< Where its motion begins (a start clip stands for a while).
-  std::uint32_t last = 0;        ///< Where its motion has ended.
+  std::vector<Placement> body;  ///< Per frame: the root with the gait's sway taken out.
+  std::vector<double> effort;   ///< Per frame: metres walked forwards since the first frame.
+  std::uint32_t rank = 0;       ///< Of its class: the smallest scope that holds it.
+  /// Per scope and frame: the least metres to a standing end by transitions of the scope, infinite
+  /// where there is none.
+  std::vector<std::vector<double>> to_stand;
+  std::uint32_t first = 0;  ///< Where its motion begins (a start clip stands for a while).
+  std::uint32_t last = 0;   ///< Where its motion has ended.
   std::uint32_t first_transition = 0, last_transition = 0;  ///< Its range of the graph's.
 };
 
@@ -32,19 +34,32 @@ struct Stand {
 
 /// A motion graph made ready to walk: made once, shared by all walks. Borrows the motion graph,
 /// which must outlive it. Immutable, so any thread may read it.
+///
+/// A scope is what a search looks at. Scope 0 is the graph of the class "walk", or of the class
+/// with the most frames where no clip of that walks on. Each next scope adds a class, the most like
+/// the first one of those left (MotionClass::coefficient); the last is the whole graph.
 struct WalkGraph {
   const MotionGraph* motion = nullptr;
   Legs legs;
   double frame_rate = 120;
   double stride_seconds = 1.1;  ///< Two steps of the ordinary walk.
   double speed = 1;             ///< Metres a second of the ordinary walk.
+  std::uint32_t scopes = 1;
   std::vector<ClipPath> clip;
-  std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing.
+  std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing; by rank. Every
+                                             ///< start leads to a stand.
   std::array<float, 2> toe_height{};         ///< Of a planted foot's toe joint, metres.
   std::array<float, 2> ankle_height{};       ///< Of a planted foot's ankle joint, metres.
   Stand before_walking;                      ///< How the first start clip begins.
   Stand after_walking;                       ///< How the first stop clip ends.
 };
+
+/// Can a walk take a transition in this scope, and come to a stand after it?
+inline bool leads_to_stand(const WalkGraph& graph, const Transition& way,
+                           std::uint32_t scope) noexcept {
+  const double left = graph.clip[way.to.clip].to_stand[scope][way.to.frame];
+  return left != std::numeric_limits<double>::infinity();
+}
 
 /// Fails with a sentence where the graph cannot walk: no clips, no legs, no start, no stop, clips
 /// of different rates, or no way from a start to a stop.
