@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "content/import/motion_body.h"
 #include "content/motion/extract_root_motion.h"
@@ -74,9 +75,7 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, cons
 }
 
 ClipRole classify(const ClipMeasures& m, double size) {
-  const bool walks = m.typical_speed > slowest_walk * size &&
-                     m.typical_speed < fastest_walk * size && m.airborne < most_airborne &&
-                     m.astray < most_astray && m.lowest_hips > crouching;
+  const bool walks = std::string_view(motion_class_of(m, size)) != "other";
   const bool stands_first = m.first_speed < standing * size;
   const bool stands_last = m.last_speed < standing * size;
   if (!walks || (stands_first && stands_last)) return ClipRole::Other;

@@ -17,9 +17,10 @@ struct ClipMeasures {
 
 ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track);
 
-/// The role that the measures speak for: a start stands first and walks last, a stop the other way
-/// round; a turn changes the heading by more than 20 degrees. What stands throughout, runs, jumps,
-/// dances, crouches or walks backwards is Other. `size` is the body's, against an adult.
+/// The role that the measures speak for: a start stands first and moves last, a stop the other way
+/// round; a turn changes the heading by more than 20 degrees. What stands throughout, jumps,
+/// dances, crouches, walks backwards or is of no class (motion_class_of) is Other. `size` is the
+/// body's, against an adult.
 ClipRole classify(const ClipMeasures& measures, double size);
 
 /// The class of motion that the measures speak for, by how fast it is, whether it flies and how

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <tuple>
 
 #include "content/motion/alike_tiles.h"
@@ -179,7 +180,7 @@ struct Material {
   const std::vector<MotionClip>& clips;
   const StudiedClips& studied;
   const TransitionOptions& options;
-  double threshold = 0;
+  std::span<const double> threshold;
   unsigned jobs = 1;
 
   std::uint32_t radius() const { return frames_in(options.radius, clips.front().frame_rate); }
@@ -202,7 +203,7 @@ std::vector<PairTile> tiles_to_measure(const Material& m) {
   const AlikeSearch search{
       .half = m.radius(),
       .apart = m.apart(),
-      .threshold = m.threshold,
+      .threshold = std::ranges::max(m.threshold),
       .looked_up = m.options.looked_up,
       .kept = m.options.looked_closely,
       .may_meet = [&](ClipFrame a, ClipFrame b) { return could_meet(m, a, b); }};
@@ -227,17 +228,18 @@ std::vector<std::span<const PairTile>> parts_of(const std::vector<PairTile>& til
 
 std::vector<Meeting> meetings_in(const Material& m, std::span<const PairTile> tiles) {
   const std::uint32_t a = tiles.front().a, b = tiles.front().b, radius = m.radius();
-  const Comparison comparison{.a = m.clips[a],
-                              .b = m.clips[b],
-                              .cloud_a = m.studied.cloud[a],
-                              .cloud_b = m.studied.cloud[b],
-                              .faults_a = m.studied.faults[a],
-                              .faults_b = m.studied.faults[b],
-                              .same_clip = a == b,
-                              .radius = radius,
-                              .least_radius = (radius + 1) / 2,
-                              .apart = m.apart(),
-                              .threshold = static_cast<float>(m.threshold)};
+  const Comparison comparison{
+      .a = m.clips[a],
+      .b = m.clips[b],
+      .cloud_a = m.studied.cloud[a],
+      .cloud_b = m.studied.cloud[b],
+      .faults_a = m.studied.faults[a],
+      .faults_b = m.studied.faults[b],
+      .same_clip = a == b,
+      .radius = radius,
+      .least_radius = (radius + 1) / 2,
+      .apart = m.apart(),
+      .threshold = static_cast<float>(std::max(m.threshold[a], m.threshold[b]))};
   Distances distances(comparison);
   std::vector<Meeting> meetings;
   for (const PairTile& at : tiles) {
@@ -291,25 +293,32 @@ Transition make_transition(const Material& m, const Passage& passage) {
 
 }  // namespace
 
-double alike_threshold(const std::vector<MotionClip>& clips, const StudiedClips& studied,
-                       const TransitionOptions& options) {
-  std::vector<double> covered;
+std::vector<double> alike_thresholds(const std::vector<MotionClip>& clips,
+                                     const StudiedClips& studied,
+                                     const TransitionOptions& options) {
+  std::map<std::string, std::vector<double>> covered;  // by class
   for (std::size_t c = 0; c < clips.size(); ++c) {
     const std::size_t lag = frames_in(options.alike_within, clips[c].frame_rate);
     const std::size_t half = frames_in(options.radius, clips[c].frame_rate);
     const std::size_t step = frames_in(0.05, clips[c].frame_rate);
     for (std::size_t f = 0; f + lag < studied.cloud[c].frames; f += step)
-      covered.push_back(
+      covered[clips[c].motion_class].push_back(
           compare_poses(studied.cloud[c], f, studied.cloud[c], f + lag, half).distance);
   }
-  if (covered.empty()) return 0;
-  const auto middle = covered.begin() + static_cast<std::ptrdiff_t>(covered.size() / 2);
-  std::ranges::nth_element(covered, middle);
-  return *middle;
+  std::map<std::string, double> threshold;
+  for (auto& [name, distances] : covered) {
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::ranges::nth_element(distances, middle);
+    threshold[name] = *middle;
+  }
+  std::vector<double> of_clip;
+  for (const MotionClip& clip : clips) of_clip.push_back(threshold[clip.motion_class]);
+  return of_clip;
 }
 
 std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
-                                         const StudiedClips& studied, double threshold,
+                                         const StudiedClips& studied,
+                                         std::span<const double> threshold,
                                          const TransitionOptions& options, unsigned jobs) {
   if (clips.empty()) return {};
   const Material material{

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "content/motion/capture_faults.h"
@@ -14,7 +15,7 @@ struct TransitionOptions {
   /// Gleicher and Pighin blend over a third of a second.
   double radius = 0.15;
   /// Poses count as alike up to the distance that a body's own motion covers in this time (seconds,
-  /// the median over all frames that move), so the threshold grows with the body and its
+  /// the median over a class's frames), so the threshold grows with the body and its
   /// liveliness.
   double alike_within = 0.08;
   /// Seconds round a transition within which no other between the same clips is kept.
@@ -36,13 +37,15 @@ struct StudiedClips {
   std::vector<std::vector<CaptureFault>> faults;
 };
 
-/// The largest distance (metres) at which poses of these clips count as alike.
-double alike_threshold(const std::vector<MotionClip>& clips, const StudiedClips& studied,
-                       const TransitionOptions& options);
+/// For each clip, the largest distance (metres) at which its poses count as alike to others: the
+/// same for all clips of a class, so that what a class's graph is does not depend on the others.
+std::vector<double> alike_thresholds(const std::vector<MotionClip>& clips,
+                                     const StudiedClips& studied, const TransitionOptions& options);
 
 /// Finds the passages between clips, and within a clip, that can be blended into each other: local
-/// minima of the pose distance below `threshold` where the same feet are planted. Both directions
-/// of each are judged by themselves, and returned sorted as MotionGraph wants them.
+/// minima of the pose distance where the same feet are planted, below the larger of the two clips'
+/// `threshold`. Both directions of each are judged by themselves, and returned sorted as
+/// MotionGraph wants them.
 ///
 /// A blend's radius is shortened where it would reach over the end of a clip (section 3.1.3 of the
 /// paper), down to half; windows that touch a fault of capture are left out.
@@ -52,7 +55,8 @@ double alike_threshold(const std::vector<MotionClip>& clips, const StudiedClips&
 /// has there; some transitions of a crowd are missed. Works on `jobs` threads; the result does not
 /// depend on how many.
 std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
-                                         const StudiedClips& studied, double threshold,
+                                         const StudiedClips& studied,
+                                         std::span<const double> threshold,
                                          const TransitionOptions& options, unsigned jobs);
 
 }  // namespace docent

@@ -7,6 +7,7 @@
 #include "content/content_error.h"
 #include "content/motion/classify.h"
 #include "content/motion/foot_plants.h"
+#include "content/motion/motion_classes.h"
 #include "content/motion/prune.h"
 #include "content/motion/quantise.h"
 #include "content/parallel.h"
@@ -78,9 +79,10 @@ StudiedClips take_walking_clips(std::vector<SourceClip>& sources, std::vector<St
   StudiedClips studied;
   for (std::size_t c = 0; c < sources.size(); ++c) {
     if (sources[c].clip.role == ClipRole::Other) {
-      warnings.push_back(warning(sources[c].file, "not-walking",
-                                 "this clip does not walk and is left out of the motion graph",
-                                 "take it out of the folder, or state its role in clips.toml"));
+      warnings.push_back(
+          warning(sources[c].file, "not-walking",
+                  "this clip neither walks nor runs and is left out of the motion graph",
+                  "take it out of the folder, or state its role in clips.toml"));
       continue;
     }
     report_faults(graph.skeleton, sources[c], studies[c], warnings);
@@ -90,6 +92,21 @@ StudiedClips take_walking_clips(std::vector<SourceClip>& sources, std::vector<St
     studied.faults.push_back(std::move(studies[c].left));
   }
   return studied;
+}
+
+/// Takes clips out that no transition touches.
+void leave_out(const std::vector<std::size_t>& unused, MotionGraph& graph) {
+  std::vector<std::uint32_t> place(graph.clips.size());
+  std::vector<MotionClip> kept;
+  for (std::size_t c = 0; c < graph.clips.size(); ++c) {
+    place[c] = static_cast<std::uint32_t>(kept.size());
+    if (!std::ranges::binary_search(unused, c)) kept.push_back(std::move(graph.clips[c]));
+  }
+  graph.clips = std::move(kept);
+  for (Transition& t : graph.transitions) {
+    t.from.clip = place[t.from.clip];
+    t.to.clip = place[t.to.clip];
+  }
 }
 
 void require_role(const MotionGraph& graph, ClipRole role, const std::string& folder,
@@ -112,7 +129,7 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
   MotionGraph graph{.skeleton = skeleton, .clips = {}, .transitions = {}};
   std::vector<std::string> files;
   const StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);
-  const double threshold = alike_threshold(graph.clips, studied, options.transitions);
+  const std::vector<double> threshold = alike_thresholds(graph.clips, studied, options.transitions);
   graph.transitions =
       find_transitions(graph.clips, studied, threshold, options.transitions, options.jobs);
   const Pruning pruning = prune(graph);
@@ -120,6 +137,8 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
     warnings.push_back(warning(files[c], "unused-clip",
                                "no transition joins this clip to the others",
                                "it is too unlike them; record it in the same style"));
+  leave_out(pruning.clips_outside, graph);
+  graph.classes = find_motion_classes(graph.skeleton, graph.clips);
   require_role(graph, ClipRole::Start, folder, "no clip starts to walk from standing");
   require_role(graph, ClipRole::Stop, folder, "no clip stops from walking to standing");
   return graph;

@@ -23,9 +23,9 @@ struct SourceClip {
 /// Makes a motion graph of clips that share a skeleton and a frame rate: levels their ground, finds
 /// foot plants, roles and faults of capture, then transitions, and keeps what never dead-ends.
 ///
-/// Clips that do not walk are left out with a warning, and so is what no transition reaches.
-/// Throws ContentError (about `folder`) where no clip starts, none stops, or no walk leads from a
-/// start to a stop. Deterministic.
+/// Clips that neither walk nor run are left out with a warning, and so is what no transition
+/// reaches. Throws ContentError (about `folder`) where no clip starts, none stops, or no walk leads
+/// from a start to a stop. Deterministic.
 MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> sources,
                               const std::string& folder, const MotionOptions& options,
                               std::vector<Diagnostic>& warnings);

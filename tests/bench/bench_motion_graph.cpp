@@ -58,7 +58,7 @@ class Search {
     options.compare_all_up_to = compare_all_up_to;
     Found found;
     const double begin = now();
-    const double threshold = alike_threshold(clips_, studied_, options);
+    const std::vector<double> threshold = alike_thresholds(clips_, studied_, options);
     for (const Transition& t : find_transitions(clips_, studied_, threshold, options, jobs))
       found.transitions.insert({t.from.clip, t.from.frame, t.to.clip, t.to.frame});
     found.seconds = now() - begin;

@@ -30,7 +30,7 @@ struct Studied {
     clips.push_back(std::move(clip));
   }
   std::vector<Transition> transitions(const TransitionOptions& options, unsigned jobs = 1) const {
-    return find_transitions(clips, studied, alike_threshold(clips, studied, options), options,
+    return find_transitions(clips, studied, alike_thresholds(clips, studied, options), options,
                             jobs);
   }
 };
