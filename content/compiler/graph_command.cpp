@@ -35,9 +35,15 @@ nlohmann::ordered_json to_json(const Transition& t) {
           {"distance", t.distance}};
 }
 
+nlohmann::ordered_json to_json(const MotionClass& motion_class) {
+  return {{"name", motion_class.name}, {"coefficients", motion_class.coefficient}};
+}
+
 std::string to_json(const MotionGraph& graph) {
-  nlohmann::ordered_json json{{"clips", nlohmann::ordered_json::array()},
+  nlohmann::ordered_json json{{"classes", nlohmann::ordered_json::array()},
+                              {"clips", nlohmann::ordered_json::array()},
                               {"transitions", nlohmann::ordered_json::array()}};
+  for (const MotionClass& c : graph.classes) json["classes"].push_back(to_json(c));
   for (const MotionClip& clip : graph.clips) json["clips"].push_back(to_json(clip));
   for (const Transition& t : graph.transitions) json["transitions"].push_back(to_json(t));
   return json.dump();
@@ -60,7 +66,7 @@ void add_graph_command(CLI::App& app, int& exit_code) {
   command->add_option("DB", options->database, "The museum's database")->required();
   command->add_option("-o,--output", options->output, "The picture: FILE.svg or FILE.png")
       ->required();
-  command->add_flag("--json", options->json, "Print clips and transitions as JSON");
+  command->add_flag("--json", options->json, "Print classes, clips and transitions as JSON");
   command->callback([options, &exit_code] {
     run_graph(*options);
     exit_code = 0;

@@ -31,6 +31,15 @@ double skeleton_length(const Museum& museum) {
   return length;
 }
 
+/// {"walk, jog": 2.8}: how unlike the gaits of two classes are.
+Json coefficients_between(const std::vector<MotionClass>& classes) {
+  Json coefficients = Json::object();
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    for (std::size_t j = i + 1; j < classes.size(); ++j)
+      coefficients[classes[i].name + ", " + classes[j].name] = classes[i].coefficient[j];
+  return coefficients;
+}
+
 Json facts_about(const Museum& museum) {
   Json facts;
   facts["schema_version"] = schema::version;
@@ -59,6 +68,7 @@ Json facts_about(const Museum& museum) {
   facts["frames"] = frames;
   facts["transitions"] = museum.motion.transitions.size();
   facts["motion_classes"] = classes;
+  facts["class_coefficients"] = coefficients_between(museum.motion.classes);
   return facts;
 }
 
@@ -78,6 +88,12 @@ std::string words_of(std::string key) {
 
 std::string line_of(const Json& value) {
   if (value.is_number_float()) return fmt::format("{:.2f} m", value.get<double>());
+  if (value.is_object()) {
+    std::vector<std::string> items;
+    for (const auto& [key, number] : value.items())
+      items.push_back(fmt::format("{} {:.2f}", key, number.get<double>()));
+    return fmt::format("{}", fmt::join(items, "; "));
+  }
   if (!value.is_array()) return value.dump();
   std::vector<std::string> items;
   for (const Json& item : value) items.push_back(item.get<std::string>());

@@ -111,7 +111,9 @@ class GraphDrawing {
     draw_plants(c, &FootPlants::right, 5);
     svg_.path(PathData().move_to(begin).line_to(end),
               fmt::format(R"(stroke="{}" stroke-width="3" stroke-linecap="round")", ink::cut_face));
-    svg_.text({margin, begin.y - 4}, title_of(clip.role), type(sans, 20, ink::black));
+    const std::string motion_class = graph_.classes.size() > 1 ? ", " + clip.motion_class : "";
+    svg_.text({margin, begin.y - 4}, title_of(clip.role) + motion_class,
+              type(sans, 20, ink::black));
     svg_.text({margin, begin.y + 20}, shortened(clip.name), type(sans, 15, ink::quiet));
   }
 

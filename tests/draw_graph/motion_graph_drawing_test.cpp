@@ -44,6 +44,16 @@ TEST(MotionGraphDrawing, HasALineForEachClipAndADotForEachTransition) {
   EXPECT_EQ(count(svg, "<circle"), 3U);
 }
 
+TEST(MotionGraphDrawing, NamesTheClassesWhereThereAreSeveral) {
+  MotionGraph graph = two_clips();
+  EXPECT_THAT(draw_motion_graph(graph), Not(HasSubstr("turn left,")));
+  graph.clips[0].motion_class = "walk";
+  graph.clips[1].motion_class = "jog";
+  graph.classes = {{.name = "walk", .coefficient = {0, 2}}, {.name = "jog", .coefficient = {2, 0}}};
+
+  EXPECT_THAT(draw_motion_graph(graph), HasSubstr("turn left, jog"));
+}
+
 TEST(MotionGraphDrawing, SaysWhatItsColoursMean) {
   const std::string svg = draw_motion_graph(two_clips());
 
