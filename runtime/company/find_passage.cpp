@@ -329,7 +329,8 @@ class PassageSearch {
       const bool at_edge =
           !ends_at_goal_ && state.node.column + 1 == static_cast<int>(columns_.size());
       if (at_goal || at_edge || passed >= horizon) {
-        const double whole = state_rank + (is_safe(state.node, state.seconds) ? 0 : unsafe_end_cost);
+        const double whole =
+            state_rank + (is_safe(state.node, state.seconds) ? 0 : unsafe_end_cost);
         if (whole < best_rank) {
           best_rank = whole;
           best = here;

@@ -11,8 +11,8 @@
 namespace docent {
 namespace {
 
-constexpr double ring_step = 0.2;    // metres
-constexpr int rings = 30;            // so a refuge is at most 6 m away
+constexpr double ring_step = 0.2;  // metres
+constexpr int rings = 30;          // so a refuge is at most 6 m away
 constexpr int directions = 24;
 constexpr double spare = 0.08;       // metres kept from the line and from others
 constexpr double wall_spare = 0.02;  // metres

@@ -24,7 +24,7 @@ constexpr double largest_facing_error = 0.06;  // radians left at the end withou
 constexpr double largest_walking_turn = 1.05;  // radians that a walker turns into without braking
 constexpr double longest_run_out = 0.5;        // metres walked on before turning right round
 constexpr double least_stretch = 0.62;         // of the clips' strides; below, small steps
-constexpr double most_stretch = 1.14;           // of the clips' strides
+constexpr double most_stretch = 1.14;          // of the clips' strides
 constexpr double braking_stretch = 0.1;  // where a wall is near, strides get as short as needed
 constexpr double take_over_seconds = 0.35;
 constexpr double walking_speed = 0.25;  // metres a second: slower bodies about stand
@@ -91,6 +91,7 @@ class WalkMaker {
   TrackPace pace() const {
     TrackPace pace;
     pace.speed = graph_.speed;
+    pace.most_share = request_.pace;
     if (request_.fidelity == Fidelity::Raw) pace.turning_rate = 1e9;
     return pace;
   }

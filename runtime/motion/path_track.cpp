@@ -50,10 +50,12 @@ std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) 
   const std::size_t count = track.heading.size();
   std::vector<double> share(count, 1.0);
   const double slowest = slowest_stride * slowest_stride;
+  std::ranges::fill(share, std::clamp(pace.most_share, slowest, 1.0));
   for (std::size_t next = 1; next < count; ++next) {
     const double bend = std::abs(track.heading[next] - track.heading[next - 1]) / track.spacing;
     if (bend * pace.speed > pace.turning_rate)
-      share[next - 1] = std::max(slowest, pace.turning_rate / (bend * pace.speed));
+      share[next - 1] =
+          std::min(share[next - 1], std::max(slowest, pace.turning_rate / (bend * pace.speed)));
   }
   const double careful = std::max(0.5, 1 - joining_care * std::abs(pace.first_turn));
   const auto joining = static_cast<std::size_t>(joining_way / track.spacing);

@@ -13,6 +13,7 @@ struct TrackPace {
   double turning_rate = 2.4;  ///< Radians a second that a walker turns at most.
   double first_share = 0;     ///< Share of the ordinary speed at the track's beginning that cannot
                               ///< be shed at once; 0 from standing.
+  double most_share = 1;      ///< Share of the ordinary speed that is walked at most.
   double first_turn = 0;      ///< Radians between how the body moves and how the track begins.
 };
 

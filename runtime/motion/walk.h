@@ -62,6 +62,7 @@ struct WalkRequest {
   /// spot, walks back to the new path's beginning and on. Straight ahead when empty, which may
   /// be too near to a wall.
   std::span<const Vec2> old_path_ahead;
+  double pace = 1;  ///< Share of the clips' speed that is walked at most, in (0, 1].
   Fidelity fidelity = Fidelity::Exact;
 };
 

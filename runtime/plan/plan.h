@@ -26,6 +26,17 @@ struct WalkOrder {
   const Plan* before = nullptr;
   std::uint32_t before_frame = 0;
   bool goes_on = false;  ///< The next stretch of the same way; goal and kind are as before.
+  double pace = 1;       ///< Share of the ordinary speed, in (0, 1].
+  std::uint32_t avatar = 0;
+
+  /// Only where others walk too: when the new plan takes over, on the company's clock, and when
+  /// that is on the clock of `before` (which may have ended). Without, it takes over as soon as it
+  /// can.
+  std::optional<double> seconds;
+  double before_seconds = 0;
+  double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
+  std::optional<std::uint32_t> makes_room_for;  ///< Step aside for that avatar, wherever.
+  bool enters = false;                          ///< Appear at `start`, as soon as there is room.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.
@@ -43,6 +54,8 @@ struct Plan {
   bool is_whole = true;           ///< Does the walk lead to the goal?
   std::uint32_t go_on_frame = 0;  ///< Where it does not.
   double seconds_to_goal = 0;     ///< From the walk's beginning; where it goes on, at its pace.
+  bool holds = false;  ///< Others are in the way: there is no walk now, the one before is kept.
+  std::vector<std::uint32_t> in_the_way;  ///< Who could make room.
 
   double seconds() const noexcept {
     return walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
@@ -59,6 +72,8 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
                                 const WalkOrder& order);
 
 /// Standing at a place: a plan of one frame.
+std::unique_ptr<Plan> make_standing(const Museum& museum, const WalkGraph* walking,
+                                    const Placement& place);
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
 
 /// A walk without a body: turns on the spot, then moves along `path` at walking pace with smooth

@@ -1,0 +1,297 @@
+#include "runtime/plan/traffic.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "runtime/company/find_passage.h"
+#include "runtime/company/find_refuge.h"
+#include "runtime/motion/path_track.h"
+#include "runtime/plan/stretch.h"
+
+namespace docent {
+namespace {
+
+constexpr double spare = 0.01;          // metres between two bodies that pass each other
+constexpr double stretch = 8;           // metres of a long way that are walked before the next
+constexpr double least_rest = 4;        // metres that are worth a stretch of their own
+constexpr double least_advance = 0.4;   // metres that are worth to set out for
+constexpr double meeting_margin = 1.0;  // seconds before a meeting by which a body stands
+constexpr double start_seconds = 0.6;   // that a start takes longer than walking on
+constexpr double turning_rate = 1.2;    // radians a second, by steps on the spot
+constexpr double way_behind_reach = 3;  // metres
+constexpr int most_attempts = 4;
+
+/// Where a plan's walk leads its body, from some seconds of it on.
+void append_course(const Walk& walk, double from, double seconds, Course& course) {
+  const auto last = static_cast<double>(walk.body.size() - 1);
+  for (double t = from; t < from + seconds; t += Course::step) {
+    const double at = std::clamp(t * walk.frame_rate, 0.0, last);
+    const auto f = static_cast<std::size_t>(at);
+    const std::size_t next = std::min(f + 1, walk.body.size() - 1);
+    course.place.push_back(
+        glm::mix(walk.body[f].position, walk.body[next].position, at - static_cast<double>(f)));
+  }
+}
+
+double seconds_of(const Walk& walk) {
+  return walk.body.empty() ? 0 : static_cast<double>(walk.body.size() - 1) / walk.frame_rate;
+}
+
+bool stands(const WalkOrder& order) {
+  return order.before == nullptr || order.before_seconds >= order.before->seconds() - 1e-6;
+}
+
+Placement takes_over_at(const WalkOrder& order) {
+  return order.before != nullptr ? last_place(order.before->walk, order.before_frame, order.start)
+                                 : order.start;
+}
+
+/// What is left of the way of the plan before, joined slantwise by a body that has been beside it.
+std::vector<Vec2> rest_of_way(const FloorMap& map, const WalkOrder& order, double radius) {
+  const Plan& before = *order.before;
+  std::vector<Vec2> rest = way_ahead(before, order.before_frame);
+  if (rest.empty() || before.walk.along.empty()) return rest;
+  const double along =
+      before.walk.along[std::min<std::size_t>(order.before_frame, before.walk.along.size() - 1)];
+  const double beside = glm::distance(rest.front(), point_along(before, along));
+  if (beside < 0.05) return rest;
+  for (const double ahead : {3 * beside, 1.5 * beside}) {
+    const Vec2 joint = point_along(before, along + ahead);
+    if (!map.walls().capsule_clear(rest.front(), joint, radius)) continue;
+    std::vector<Vec2> joined{rest.front(), joint};
+    for (std::size_t i = 0; i < before.points.size(); ++i)
+      if (before.reach[i] > along + ahead + 0.02) joined.push_back(before.points[i]);
+    return joined;
+  }
+  return rest;
+}
+
+/// The way that a body has come on, from where it is.
+std::vector<Vec2> way_behind(const WalkOrder& order) {
+  std::vector<Vec2> behind;
+  if (order.before == nullptr) return behind;
+  const Walk& walk = order.before->walk;
+  double length = 0;
+  for (std::size_t f = std::min<std::size_t>(order.before_frame, walk.body.size() - 1);;) {
+    const Vec2 here = walk.body[f].position;
+    if (behind.empty() || glm::distance(behind.back(), here) > 0.1) {
+      if (!behind.empty()) length += glm::distance(behind.back(), here);
+      behind.push_back(here);
+    }
+    if (f == 0 || length > way_behind_reach) break;
+    f -= std::min<std::size_t>(f, 6);
+  }
+  return behind;
+}
+
+std::vector<double> reach_of(std::span<const Vec2> points) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    out.push_back(i == 0 ? 0 : out.back() + glm::distance(points[i - 1], points[i]));
+  return out;
+}
+
+/// Metres walked told as metres of the way.
+void tell_along_way(std::span<const double> reach, std::span<const double> along, double done,
+                    Walk& walk) {
+  for (float& walked : walk.along) {
+    const auto after = std::ranges::upper_bound(reach, static_cast<double>(walked));
+    const auto i = static_cast<std::size_t>(after - reach.begin());
+    double here = along.front();
+    if (i >= reach.size())
+      here = along.back();
+    else if (i > 0)
+      here = std::lerp(along[i - 1], along[i], (walked - reach[i - 1]) / (reach[i] - reach[i - 1]));
+    walked = static_cast<float>(std::max(0.0, done + here));
+  }
+}
+
+/// Corners of the passage's grid that are hardly any are left out.
+std::vector<Vec2> straightened(std::span<const Vec2> points) {
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && i + 1 < points.size() && out.size() > 0) {
+      const Vec2 a = points[i] - out.back(), b = points[i + 1] - points[i];
+      if (glm::length(a) > 1e-9 && glm::length(b) > 1e-9 &&
+          std::abs(cross(a, b)) < 0.02 * glm::length(a) * glm::length(b) && dot(a, b) > 0)
+        continue;
+    }
+    out.push_back(points[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+Traffic::Traffic(const Museum& museum, const WalkGraph* walking, const FloorMap& map)
+    : museum_(museum), walking_(walking), map_(map), timetable_(museum.body_radius) {}
+
+std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
+  members_[order.avatar].rank = order.rank;
+  if (order.enters) return enter(order);
+  if (order.makes_room_for) return make_room(order);
+  return order.goal ? get_on(order) : stop(order);
+}
+
+std::vector<std::uint32_t> Traffic::obliging(const WalkOrder& order) const {
+  std::vector<std::uint32_t> out;
+  for (const auto& [id, member] : members_)
+    if (id != order.avatar && member.rank < order.rank) out.push_back(id);
+  return out;
+}
+
+std::unique_ptr<Plan> Traffic::enter(const WalkOrder& order) {
+  auto plan = make_standing(museum_, walking_, order.start);
+  plan->order = order;
+  const Course here = standing_course(order.start.position);
+  plan->holds = timetable_.first_meeting(order.avatar, here, spare, *order.seconds).has_value();
+  if (!plan->holds) timetable_.put(order.avatar, here);
+  return plan;
+}
+
+std::optional<Meeting> Traffic::commit(Plan& plan, Walk walk) {
+  const WalkOrder& order = plan.order;
+  // What it does until then stays as it was; that it has been committed to already.
+  constexpr double before = 1;
+  Course course;
+  course.start = *order.seconds - before;
+  if (order.before != nullptr)
+    append_course(order.before->walk, order.before_seconds - before, before - 1e-9, course);
+  else
+    course.place.assign(static_cast<std::size_t>(before / Course::step), order.start.position);
+  append_course(walk, 0, seconds_of(walk) + Course::step, course);
+  const auto meeting = timetable_.first_meeting(order.avatar, course, spare, *order.seconds);
+  if (meeting) return meeting;
+  timetable_.put(order.avatar, std::move(course));
+  plan.walk = std::move(walk);
+  return {};
+}
+
+std::unique_ptr<Plan> Traffic::stop(const WalkOrder& order) {
+  auto plan = std::make_unique<Plan>();
+  plan->order = order;
+  plan->status = RouteStatus::Ok;
+  Walk walk = walk_along(walking_, order, takes_over_at(order), {}, {});
+  plan->holds = commit(*plan, std::move(walk)).has_value();
+  plan->seconds_to_goal = plan->seconds();
+  return plan;
+}
+
+std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
+  auto plan = std::make_unique<Plan>();
+  plan->order = order;
+  plan->status = RouteStatus::Ok;
+  const Placement from = takes_over_at(order);
+  const std::vector<Vec2> line = members_[*order.makes_room_for].line;
+  constexpr std::size_t most_refuges = 5;
+  for (const Refuge& refuge :
+       find_refuges(map_, timetable_, order.avatar, from.position, line, most_refuges)) {
+    Walk walk = walk_along(walking_, order, from, refuge.way, {});
+    if (commit(*plan, std::move(walk))) continue;
+    plan->length = polyline_length(refuge.way);
+    keep_way(refuge.way, *plan);
+    plan->seconds_to_goal = plan->seconds();
+    return plan;
+  }
+  // Others stand about it: they have to make room for the same line first.
+  plan->holds = true;
+  members_[order.avatar].line = line;
+  for (const Timetable::Entry& entry : timetable_.entries())
+    if (entry.body != order.avatar && entry.body != *order.makes_room_for &&
+        entry.course.end() <= *order.seconds && members_[entry.body].rank < 1e6 &&
+        glm::distance(entry.course.place.back(), from.position) < 1.5)
+      plan->in_the_way.push_back(entry.body);
+  return plan;
+}
+
+std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
+  auto plan = std::make_unique<Plan>();
+  plan->order = order;
+  const Placement from = takes_over_at(order);
+  std::vector<Vec2> way;
+  double done = 0;
+  if (order.goes_on && order.before != nullptr && !order.before->reach.empty()) {
+    const Plan& before = *order.before;
+    plan->status = before.status;
+    plan->length = before.length;
+    plan->points = before.points;
+    plan->reach = before.reach;
+    way = rest_of_way(map_, order, museum_.body_radius);
+    done = plan->reach.back() - polyline_length(way);
+  } else {
+    Way found = find_way(museum_, map_, order, from.position);
+    plan->status = found.status;
+    if (found.status != RouteStatus::Ok) return plan;
+    plan->length = found.length;
+    way = std::move(found.points);
+    keep_way(way, *plan);
+  }
+  if (way.size() < 2) way = {from.position, order.goal->position};
+
+  PassageQuery query{.body = order.avatar, .seconds = *order.seconds, .way = way};
+  query.speed = order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
+  const Vec2 ahead = first_part(way, 0.5).back() - from.position;
+  if (stands(order)) {
+    const double turn =
+        std::abs(std::remainder(std::atan2(ahead.y, ahead.x) - from.heading, 2 * std::numbers::pi));
+    query.delay = start_seconds + (turn > 0.5 ? turn / turning_rate + 0.5 : 0);
+  }
+  const std::vector<Vec2> behind = way_behind(order);
+  query.behind = behind;
+  const std::vector<std::uint32_t> obliging = this->obliging(order);
+  query.obliging = obliging;
+  const Passage passage = find_passage(map_, timetable_, query);
+  members_[order.avatar].line = passage.line;
+  plan->in_the_way = passage.in_the_way;
+
+  // As far as it may go at once; where somebody would be met after all, less far.
+  const std::vector<double> reach = reach_of(passage.points);
+  const double whole = polyline_length(way);
+  double most = passage.reaches_goal && reach.back() < stretch + least_rest ? 1e9 : stretch;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    std::optional<std::uint32_t> stop;
+    for (const std::uint32_t i : passage.stop)
+      if (reach[i] <= most) stop = i;
+    if (!stop) break;
+    const bool arrives = passage.reaches_goal && *stop + 1 == passage.points.size();
+    if (reach[*stop] < least_advance && !arrives) break;
+    std::vector<Vec2> points =
+        straightened(std::span(passage.points).first(std::size_t{*stop} + 1));
+    // On the way itself its own bends are walked and not those of the passage's steps.
+    if (passage.is_straight) points = arrives ? way : first_part(way, passage.along[*stop]);
+    std::optional<double> facing;
+    if (arrives) facing = order.goal->heading;
+    Walk walk = walk_along(walking_, order, from, points, facing);
+    const std::vector<double> walked =
+        walk.along.empty() ? std::vector<double>{}
+                           : std::vector<double>(walk.along.begin(), walk.along.end());
+    if (!passage.is_straight)
+      tell_along_way(reach, passage.along, done, walk);
+    else
+      for (float& along : walk.along) along += static_cast<float>(done);
+    if (const auto meeting = commit(*plan, std::move(walk))) {
+      const double seconds = meeting->seconds - meeting_margin - *order.seconds;
+      const auto frame = static_cast<std::size_t>(
+          std::max(0.0, seconds * (walking_ != nullptr ? walking_->frame_rate : 60.0)));
+      most = frame < walked.size() && seconds > 0 ? std::min(walked[frame], reach[*stop] - 0.2)
+                                                  : reach[*stop] * 0.5;
+      continue;
+    }
+    plan->is_whole = arrives;
+    if (!arrives) {
+      plan->go_on_frame = frame_count(plan->walk) - 1;
+      if (walking_ != nullptr)
+        if (const auto frame = frame_to_go_on(museum_.motion, plan->walk))
+          plan->go_on_frame = *frame;
+    }
+    plan->seconds_to_goal = arrives ? plan->seconds() : whole / query.speed;
+    return plan;
+  }
+  plan->holds = true;
+  plan->seconds_to_goal = whole / query.speed;
+  return plan;
+}
+
+}  // namespace docent

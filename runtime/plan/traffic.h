@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/company/timetable.h"
+#include "runtime/plan/plan.h"
+
+namespace docent {
+
+/// Everybody who walks on a floor, as the worker knows it: makes plans that nobody is met on.
+///
+/// A plan is given only where the circle of its walk, frame by frame, stays clear of all courses to
+/// which others are committed, until the last of them stands; otherwise a shorter one that ends at
+/// a safe place, or none for now (`Plan::holds`).
+class Traffic {
+ public:
+  Traffic(const Museum& museum, const WalkGraph* walking, const FloorMap& map);
+
+  /// Answers an order that has `seconds`.
+  std::unique_ptr<Plan> plan(const WalkOrder& order);
+
+  const Timetable& timetable() const noexcept { return timetable_; }
+
+ private:
+  struct Member {
+    double rank = 0;
+    std::vector<Vec2> line;  ///< Where it wants to go along next.
+  };
+  struct Attempt;
+
+  std::unique_ptr<Plan> enter(const WalkOrder& order);
+  std::unique_ptr<Plan> stop(const WalkOrder& order);
+  std::unique_ptr<Plan> make_room(const WalkOrder& order);
+  std::unique_ptr<Plan> get_on(const WalkOrder& order);
+  /// Commits a plan to its walk, if nobody is met on it; else when somebody is.
+  std::optional<Meeting> commit(Plan& plan, Walk walk);
+  std::vector<std::uint32_t> obliging(const WalkOrder& order) const;
+
+  const Museum& museum_;
+  const WalkGraph* walking_;
+  const FloorMap& map_;
+  Timetable timetable_;
+  std::map<std::uint32_t, Member> members_;
+};
+
+}  // namespace docent
