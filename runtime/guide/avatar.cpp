@@ -32,10 +32,17 @@ void follow(Avatar& avatar) noexcept {
   avatar.gait = has_finished(avatar) ? Gait::Idle : walk.gait[frame];
 }
 
+/// When the next plan takes over, in seconds of the present one.
+double change_of(const Avatar& avatar) noexcept {
+  const WalkOrder& order = avatar.next->order;
+  return order.seconds ? order.before_seconds
+                       : order.before_frame / avatar.plan->walk.frame_rate;
+}
+
 /// Changes to the next plan at exactly the frame from which it was made.
 void change_plan(Avatar& avatar) noexcept {
   if (!avatar.next) return;
-  const double change = avatar.next->order.before_frame / avatar.plan->walk.frame_rate;
+  const double change = change_of(avatar);
   if (avatar.seconds < change) return;
   avatar.seconds -= change;
   avatar.plan = std::move(avatar.next);
@@ -95,6 +102,11 @@ std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {
 
 bool take_plan(Avatar& avatar, std::unique_ptr<Plan> plan) noexcept {
   const Walk& walk = avatar.plan->walk;
+  if (plan->order.seconds) {
+    if (avatar.seconds > plan->order.before_seconds + 1e-6) return false;
+    avatar.next = std::move(plan);
+    return true;
+  }
   const double change = plan->order.before_frame / walk.frame_rate;
   const bool stands_there =
       plan->order.before_frame + 1 >= walk.root.size() && avatar.seconds >= avatar.plan->seconds();

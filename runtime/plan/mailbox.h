@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace docent {
 
@@ -31,6 +32,35 @@ class LatestMail {
   std::array<T, 3> buffer_{};
   std::uint32_t writing_ = 0, reading_ = 1;
   std::atomic<std::uint32_t> waiting_{2};
+};
+
+/// Which letterboxes hold a letter, in the order in which they were filled. A box is listed once at
+/// most, so there is always room for all of them. Neither side waits or allocates.
+class Round {
+ public:
+  explicit Round(std::size_t boxes) : listed_(boxes), ring_(boxes + 1) {}
+
+  /// True where the box was not yet listed.
+  bool add(std::size_t box) noexcept {
+    if (listed_[box].exchange(true, std::memory_order_acq_rel)) return false;
+    const std::size_t end = end_.load(std::memory_order_relaxed);
+    ring_[end % ring_.size()] = box;
+    end_.store(end + 1, std::memory_order_release);
+    return true;
+  }
+  std::optional<std::size_t> take() noexcept {
+    const std::size_t begin = begin_.load(std::memory_order_relaxed);
+    if (begin == end_.load(std::memory_order_acquire)) return {};
+    const std::size_t box = ring_[begin % ring_.size()];
+    begin_.store(begin + 1, std::memory_order_release);
+    listed_[box].store(false, std::memory_order_release);
+    return box;
+  }
+
+ private:
+  std::vector<std::atomic<bool>> listed_;
+  std::vector<std::size_t> ring_;
+  std::atomic<std::size_t> begin_{0}, end_{0};
 };
 
 /// Parcels from one writer to one reader, in order. Neither side waits or allocates; put() refuses

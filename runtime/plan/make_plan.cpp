@@ -90,11 +90,10 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
 
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place) {
   const Result<WalkGraph> walking = make_walk_graph(museum.motion);
-  return make_standing(museum, walking ? &*walking : nullptr, place);
+  return make_standing(walking ? &*walking : nullptr, place);
 }
 
-std::unique_ptr<Plan> make_standing(const Museum& museum, const WalkGraph* walking,
-                                    const Placement& place) {
+std::unique_ptr<Plan> make_standing(const WalkGraph* walking, const Placement& place) {
   auto plan = std::make_unique<Plan>();
   plan->order.start = place;
   plan->status = RouteStatus::Ok;

@@ -72,8 +72,7 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
                                 const WalkOrder& order);
 
 /// Standing at a place: a plan of one frame.
-std::unique_ptr<Plan> make_standing(const Museum& museum, const WalkGraph* walking,
-                                    const Placement& place);
+std::unique_ptr<Plan> make_standing(const WalkGraph* walking, const Placement& place);
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
 
 /// A walk without a body: turns on the spot, then moves along `path` at walking pace with smooth

@@ -17,8 +17,12 @@ void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& 
 
 }  // namespace
 
-Planner::Planner(const Museum& museum, PieceMakers makers)
-    : museum_(museum), cache_(std::move(makers), first_piece, piece_budget) {
+Planner::Planner(const Museum& museum, PieceMakers makers, std::size_t avatars)
+    : museum_(museum),
+      cache_(std::move(makers), first_piece, piece_budget),
+      traffic_(museum.floors.size()),
+      orders_(avatars),
+      round_(avatars + 1) {
   if (Result<WalkGraph> walking = make_walk_graph(museum.motion)) walking_ = std::move(*walking);
   for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
@@ -30,19 +34,21 @@ Planner::~Planner() {
   thread_.join();
 }
 
-void Planner::announce() noexcept {
+void Planner::announce(std::size_t box) noexcept {
+  if (!round_.add(box)) return;
   asked_.fetch_add(1, std::memory_order_release);
   letters_.release();
 }
 
 void Planner::ask(const WalkOrder& order) noexcept {
-  orders_.put(order);
-  announce();
+  if (order.avatar >= orders_.size()) return;
+  orders_[order.avatar].put(order);
+  announce(order.avatar);
 }
 
 void Planner::ask(const ViewRequest& request) noexcept {
   requests_.put(request);
-  announce();
+  announce(orders_.size());
 }
 
 void Planner::wait() const noexcept {
@@ -56,16 +62,28 @@ void Planner::work() {
   while (true) {
     letters_.acquire();
     if (stop_) return;
-    const std::uint64_t asked = asked_.load(std::memory_order_acquire);
-    if (const auto order = orders_.take()) answer(*order);
-    if (const auto request = requests_.take()) answer(*request);
-    answered_.store(asked, std::memory_order_release);
+    if (const auto box = round_.take()) {
+      if (*box < orders_.size()) {
+        if (const auto order = orders_[*box].take()) answer(*order);
+      } else if (const auto request = requests_.take()) {
+        answer(*request);
+      }
+    }
+    answered_.fetch_add(1, std::memory_order_release);
     answered_.notify_all();
   }
 }
 
+Traffic& Planner::traffic_on(std::uint32_t floor) {
+  if (!traffic_[floor])
+    traffic_[floor] =
+        std::make_unique<Traffic>(museum_, walking_ ? &*walking_ : nullptr, *maps_[floor]);
+  return *traffic_[floor];
+}
+
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
+  if (order.seconds) return send(plans_, traffic_on(order.floor).plan(order), stop_);
   const WalkGraph* walking = walking_ ? &*walking_ : nullptr;
   send(plans_, make_plan(museum_, walking, *maps_[order.floor], order), stop_);
 }

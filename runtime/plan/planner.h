@@ -9,6 +9,7 @@
 
 #include "runtime/plan/mailbox.h"
 #include "runtime/plan/plan.h"
+#include "runtime/plan/traffic.h"
 #include "runtime/scene/layout.h"
 #include "runtime/scene/piece_cache.h"
 
@@ -18,12 +19,14 @@ namespace docent {
 /// public function but the constructor is for the frame thread, does not wait (but for wait()) and
 /// does not allocate.
 ///
-/// Orders and view requests are two letterboxes of which only the latest letter counts: what the
-/// visitor no longer wants is not worked out. Answers come in the order they were made.
+/// There is a letterbox for each avatar's orders and one for view requests, of which only the latest
+/// letter counts: what the visitor no longer wants is not worked out. Boxes are emptied in the order
+/// in which they were filled, and answers come in that order.
 class Planner {
  public:
-  /// Borrows the museum. The makers are called on the worker only.
-  Planner(const Museum& museum, PieceMakers makers);
+  /// Borrows the museum. The makers are called on the worker only. `avatars`: how many there will
+  /// be at most.
+  Planner(const Museum& museum, PieceMakers makers, std::size_t avatars = 1);
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
@@ -47,14 +50,17 @@ class Planner {
   void work();
   void answer(const WalkOrder& order);
   void answer(const ViewRequest& request);
-  void announce() noexcept;
+  void announce(std::size_t box) noexcept;
+  Traffic& traffic_on(std::uint32_t floor);
 
   const Museum& museum_;
   std::optional<WalkGraph> walking_;  ///< None where the museum's motion cannot walk.
   std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< One per floor.
   PieceCache cache_;                                   ///< The worker's.
-  LatestMail<WalkOrder> orders_;
+  std::vector<std::unique_ptr<Traffic>> traffic_;      ///< Per floor, made when it is needed.
+  std::vector<LatestMail<WalkOrder>> orders_;          ///< Per avatar.
   LatestMail<ViewRequest> requests_;
+  Round round_;  ///< The last box is that of the view requests.
   Belt<Plan, belt_length> plans_;
   Belt<View, belt_length> views_;
   Belt<PieceChanges, belt_length> pieces_;

@@ -143,7 +143,7 @@ std::vector<std::uint32_t> Traffic::obliging(const WalkOrder& order) const {
 }
 
 std::unique_ptr<Plan> Traffic::enter(const WalkOrder& order) {
-  auto plan = make_standing(museum_, walking_, order.start);
+  auto plan = make_standing(walking_, order.start);
   plan->order = order;
   const Course here = standing_course(order.start.position);
   plan->holds = timetable_.first_meeting(order.avatar, here, spare, *order.seconds).has_value();
@@ -230,7 +230,10 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   }
   if (way.size() < 2) way = {from.position, order.goal->position};
 
-  PassageQuery query{.body = order.avatar, .seconds = *order.seconds, .way = way};
+  PassageQuery query;
+  query.body = order.avatar;
+  query.seconds = *order.seconds;
+  query.way = way;
   query.speed = order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
   const Vec2 ahead = first_part(way, 0.5).back() - from.position;
   if (stands(order)) {

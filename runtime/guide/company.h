@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "runtime/guide/avatar.h"
+#include "runtime/model/museum.h"
+#include "runtime/plan/planner.h"
+
+namespace docent {
+
+/// One of the company: who walks, where to, and how that goes.
+struct Walker {
+  Avatar avatar;
+  bool is_here = false;           ///< Not before there is room for it.
+  std::optional<Placement> goal;  ///< Where it is wanted; empty: nowhere, it stands or stops.
+  RouteKind kind = RouteKind::Shortest;
+  double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
+  double pace = 1;  ///< Share of the ordinary speed.
+  bool has_arrived = true;
+  bool is_on_its_way = false;  ///< Its plan leads to its goal (and not aside, for somebody else).
+  bool awaits_answer = false;
+  bool is_answered = false;  ///< In this step, by a plan that begins a way.
+  double held_seconds = 0;   ///< For how long others have been in its way.
+
+  std::uint64_t last_order = 0;
+  double ask_at = 0;           ///< Company's clock: no earlier than that.
+  double asked_for_room = -1e9;
+  double lead = 0.25;          ///< Seconds ahead from which the next plan is asked for.
+  std::optional<Trip> trip;    ///< Of the way to its goal, once it is planned.
+};
+
+/// All who walk on a floor: asks the planner for their walks in good time, follows them, and sees to it
+/// that who holds up others makes room. Nobody ever walks into anybody: the planner gives no such
+/// walk. Right of way goes by rank, which grows while one is held up, so that nobody waits for ever.
+///
+/// Called by the frame thread. add() allocates; nothing else throws, allocates or waits.
+class Company {
+ public:
+  Company(const Museum& museum, Planner& planner) : museum_(museum), planner_(planner) {}
+
+  /// Somebody who shall stand there; appears as soon as there is room. As many as the planner knows.
+  std::uint32_t add(std::uint32_t floor, const Placement& place, double rank, double pace);
+
+  void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;
+  /// It stops as soon as is natural.
+  void stop(std::uint32_t who) noexcept;
+  void step(double seconds) noexcept;
+
+  std::size_t size() const noexcept { return walkers_.size(); }
+  const Walker& operator[](std::uint32_t who) const noexcept { return walkers_[who]; }
+  const std::vector<Walker>& walkers() const noexcept { return walkers_; }
+  /// Seconds since the beginning.
+  double clock() const noexcept { return clock_; }
+
+ private:
+  void take_answers() noexcept;
+  void take_answer(Walker& walker, std::unique_ptr<Plan> plan) noexcept;
+  void see_to(std::uint32_t who) noexcept;
+  void ask(std::uint32_t who, WalkOrder order, double takes_over) noexcept;
+  void ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept;
+
+  const Museum& museum_;
+  Planner& planner_;
+  std::vector<Walker> walkers_;
+  std::uint64_t last_order_ = 0;
+  double clock_ = 0;
+};
+
+/// Has it come to the end of its plan, whether that leads to its goal or not?
+bool stands(const Avatar& avatar) noexcept;
+
+}  // namespace docent

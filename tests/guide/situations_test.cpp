@@ -1,0 +1,51 @@
+// What people on narrow floors have to get out of. Every walk is a real one, 60 frames a second.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include "tests/guide/situations.h"
+
+namespace docent::test {
+namespace {
+
+struct Named {
+  const char* name;
+  Situation (*make)();
+};
+
+class Situations : public testing::TestWithParam<Named> {};
+
+TEST_P(Situations, EndWithEverybodyWhereTheyWantedAndNobodyTouched) {
+  const Situation situation = GetParam().make();
+
+  const Scene scene = play(situation);
+
+  const std::vector<double> alone = seconds_alone(situation);
+  const auto count = static_cast<double>(situation.parts.size());
+  const double took = std::reduce(scene.arrival.begin(), scene.arrival.end()) / count;
+  const double takes = std::reduce(alone.begin(), alone.end()) / count;
+  RecordProperty("seconds", std::to_string(took));
+  RecordProperty("seconds_alone", std::to_string(takes));
+  std::printf("%-10s mean %.1f s, alone %.1f s; overlap %.1f mm, clearance %.3f m, step %.2f ms\n",
+              GetParam().name, took, takes, 1e3 * scene.deepest_overlap, scene.least_clearance,
+              scene.step_ms);
+  if (const char* folder = std::getenv("DOCENT_PICTURES"))
+    draw_scene(situation, scene, std::filesystem::path(folder) / (GetParam().name + std::string(".svg")));
+  EXPECT_TRUE(scene.all_arrived());
+  EXPECT_LE(scene.deepest_overlap, 0.005);
+  EXPECT_GE(scene.least_clearance, scene.radius - 0.01);
+  EXPECT_LE(scene.quickest_change, 0.04);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Situations,
+    testing::Values(Named{"corridor", head_on_in_a_corridor}, Named{"doorway", head_on_in_a_doorway},
+                    Named{"crossing", four_ways}, Named{"twelve", twelve_through_a_doorway},
+                    Named{"overtaking", overtaking}, Named{"inTheWay", one_in_the_way},
+                    Named{"ring", ring_of_sixteen}),
+    [](const auto& each) { return std::string(each.param.name); });
+
+}  // namespace
+}  // namespace docent::test
