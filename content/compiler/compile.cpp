@@ -76,7 +76,7 @@ class AvatarTask {
     plan_avatar_stages(progress);
     const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
     task_ = std::async(when, [folders = std::move(folders), &options, &progress] {
-      return compile_avatar(folders, options.jobs, progress);
+      return compile_avatar(folders, options.enrichment, options.jobs, progress);
     });
   }
 

@@ -8,6 +8,7 @@
 #include "content/compiler/progress.h"
 #include "content/compiler/report.h"
 #include "content/import/floor_plan_geojson.h"
+#include "content/motion/enrich.h"
 #include "runtime/model/museum.h"
 
 namespace docent {
@@ -16,6 +17,7 @@ namespace docent {
 struct CompileOptions {
   std::vector<std::string> sources;  ///< One museum folder, or GeoJSON files of one floor.
   std::vector<std::string> clips;    ///< Folders of recordings; empty: the museum's or the shipped.
+  Enrichment enrichment{};           ///< Clips to be made of those recorded.
   Coordinates coordinates = Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
   bool with_motion = true;

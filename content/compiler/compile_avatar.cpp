@@ -27,14 +27,15 @@ void plan_avatar_stages(Progress& progress) {
   progress.plan("avatar", 15);
 }
 
-CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders, unsigned jobs,
-                              Progress& progress) {
+CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
+                              Enrichment enrichment, unsigned jobs, Progress& progress) {
   CompiledAvatar compiled;
   try {
     {
       const auto stage = progress.start("motion");
       compiled.motion =
-          compile_motion(clip_folders, {.transitions = {}, .jobs = jobs}, compiled.problems);
+          compile_motion(clip_folders, {.transitions = {}, .enrichment = enrichment, .jobs = jobs},
+                         compiled.problems);
     }
     {
       const auto stage = progress.start("foresight");

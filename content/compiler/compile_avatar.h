@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "content/compiler/progress.h"
+#include "content/motion/enrich.h"
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
@@ -21,7 +22,7 @@ void plan_avatar_stages(Progress& progress);
 
 /// Compiles the clips of the folders. What is wrong with them is in `problems`; where any of it is
 /// an error, the rest is empty.
-CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders, unsigned jobs,
-                              Progress& progress);
+CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
+                              Enrichment enrichment, unsigned jobs, Progress& progress);
 
 }  // namespace docent

@@ -30,6 +30,10 @@ void add_source_options(CLI::App& command, CompileRequest& request) {
       ->required();
   command.add_option("--clips", options.clips, "Walk with the BVH or ASF/AMC files of this folder")
       ->allow_extra_args(false);
+  command.add_flag("--mirrored,!--no-mirrored", options.enrichment.mirrored,
+                   "Add clips seen in a mirror where they bring something new");
+  command.add_flag("--turns,!--no-turns", options.enrichment.turns,
+                   "Add turns by angles between those of the clips");
   command.add_option("--coordinates", options.coordinates, "What GeoJSON numbers mean")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Coordinates>{
           {"metres", Coordinates::Metres}, {"wgs84", Coordinates::Wgs84}}));

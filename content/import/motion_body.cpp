@@ -382,6 +382,13 @@ void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
   find_tips(skeleton);
 }
 
+bool are_counterparts(std::string_view name, std::string_view other) {
+  const JointName a = take_apart(name), b = take_apart(other);
+  const bool sides_swap =
+      a.side == Side::Middle ? b.side == Side::Middle : b.side != Side::Middle && b.side != a.side;
+  return sides_swap && a.base == b.base;
+}
+
 double leg_length(const Skeleton& skeleton) {
   const JointIndex hip = skeleton[BodyPart::LeftHip], ankle = skeleton[BodyPart::LeftAnkle];
   if (hip == JointIndex::None || ankle == JointIndex::None) return 0;

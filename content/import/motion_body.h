@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "content/import/motion_file.h"
 
@@ -11,6 +12,10 @@ namespace docent {
 /// motion: legs are the two branches that end lowest, the head's ends highest. `clip` gives the
 /// poses to judge by. Parts that the skeleton does not have stay None; the hips are always joint 0.
 void find_body_parts(Skeleton& skeleton, const MotionClip& clip);
+
+/// Do these names call the same part of the two sides, or both the same part of neither? So do
+/// "LeftUpLeg" and "RightUpLeg", and "Spine" and "Spine1"; digits do not count.
+bool are_counterparts(std::string_view name, std::string_view other);
 
 /// Length of the leg from hip to ankle in the skeleton's units, 0 where no leg was found.
 double leg_length(const Skeleton& skeleton);

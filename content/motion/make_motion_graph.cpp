@@ -6,6 +6,7 @@
 
 #include "content/content_error.h"
 #include "content/motion/classify.h"
+#include "content/motion/enrich.h"
 #include "content/motion/foot_plants.h"
 #include "content/motion/motion_classes.h"
 #include "content/motion/prune.h"
@@ -72,6 +73,21 @@ void report_faults(const Skeleton& skeleton, const SourceClip& source, const Stu
                                "where they show"));
 }
 
+/// Adds what can be made of the clips there are, and its study.
+void add_made_clips(MotionGraph& graph, StudiedClips& studied, std::vector<std::string>& files,
+                    const std::string& folder, Enrichment enrichment,
+                    std::vector<Diagnostic>& warnings) {
+  for (MotionClip& clip :
+       enrich(graph.skeleton, graph.clips, studied.cloud, enrichment, folder, warnings)) {
+    quantise(graph.skeleton, clip);
+    const Track track = make_track(graph.skeleton, clip);
+    studied.cloud.push_back(make_pose_cloud(graph.skeleton, track));
+    studied.faults.push_back(find_capture_faults(graph.skeleton, clip, track));
+    files.push_back(clip.name);
+    graph.clips.push_back(std::move(clip));
+  }
+}
+
 /// Moves what walks into the graph and its study.
 StudiedClips take_walking_clips(std::vector<SourceClip>& sources, std::vector<Study>& studies,
                                 MotionGraph& graph, std::vector<std::string>& files,
@@ -128,7 +144,8 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
   std::vector<Study> studies = study_motion(skeleton, sources, options.jobs);
   MotionGraph graph{.skeleton = skeleton, .clips = {}, .transitions = {}};
   std::vector<std::string> files;
-  const StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);
+  StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);
+  add_made_clips(graph, studied, files, folder, options.enrichment, warnings);
   const std::vector<double> threshold = alike_thresholds(graph.clips, studied, options.transitions);
   graph.transitions =
       find_transitions(graph.clips, studied, threshold, options.transitions, options.jobs);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "content/motion/enrich.h"
 #include "content/motion/find_transitions.h"
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/motion/motion_graph.h"
@@ -10,6 +11,7 @@ namespace docent {
 
 struct MotionOptions {
   TransitionOptions transitions{};
+  Enrichment enrichment{};
   unsigned jobs = 1;  ///< Threads. The result is the same for any number.
 };
 

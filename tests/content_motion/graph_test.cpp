@@ -159,6 +159,20 @@ TEST(MotionGraph, CanBeMadeAtOtherFrameRates) {
   }
 }
 
+TEST(MotionGraph, HasNoDeadEndWhereClipsAreMadeOfOthers) {
+  const ShippedClips& shipped = shipped_clips();
+  std::vector<Diagnostic> warnings;
+
+  const MotionGraph graph =
+      make_motion_graph(shipped.skeleton, shipped.clips, "clips",
+                        {.enrichment = {.mirrored = true, .turns = true}}, warnings);
+
+  expect_invariants(graph);
+  expect_no_dead_end(graph);
+  EXPECT_GT(graph.clips.size(), shipped.clips.size() + 4);
+  EXPECT_THAT(warnings, IsEmpty());
+}
+
 TEST(MotionGraph, AvoidsAndReportsFaultsOfCapture) {
   ShippedClips faulty = shipped_clips();
   for (SourceClip& source : faulty.clips)
