@@ -1,0 +1,95 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+/// A floor cut into bays: pieces of it, a step or two wide, that no wall divides.
+///
+/// A Voronoi region is the open side of one wall, so whoever knows the region knows on which side
+/// of every wall a point is. But regions are of any size, slivers at a column, a quarter of a hall
+/// at its wall. So squares of one size are laid over the floor and each region is cut along them;
+/// pieces in one square are joined again where their regions are neighbours there. What is on two
+/// sides of a wall stays apart, unless one can walk round the wall within the square. Two bays are
+/// next to each other if their squares share a side and one region is in both.
+///
+/// In doubt (within a micrometre of a square) pieces are joined: bays may be larger and have more
+/// neighbours than need be, never fewer. Every way on the floor leads from bay to neighbouring bay.
+/// Frame: floor. Borrows the map. Immutable, so any thread may ask.
+class Bays {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// Squares of `size` metres; larger ones on floors that would have over a million.
+  Bays(const FloorMap& map, double size);
+
+  const FloorMap& map() const noexcept { return map_; }
+  double size() const noexcept { return size_; }
+  std::size_t count() const noexcept { return square_of_.size(); }
+
+  /// Squares are numbered row by row; a point off the grid is in the nearest one.
+  std::uint32_t square_at(Vec2 point) const noexcept {
+    const Vec2 at = (point - origin_) * per_metre_;
+    const auto index = [](double value, std::int32_t count) {
+      return static_cast<std::uint32_t>(std::clamp(value, 0.0, count - 1.0));
+    };
+    return index(at.y, rows_) * static_cast<std::uint32_t>(columns_) + index(at.x, columns_);
+  }
+  /// The bay of a point in this square and this region; `none` where there is no such piece.
+  std::uint32_t bay_at(std::uint32_t square, std::uint32_t region) const noexcept {
+    for (std::uint32_t i = square_first_[square]; i < square_first_[square + 1]; ++i)
+      if (piece_[i].region == region) return piece_[i].bay;
+    return none;
+  }
+  std::span<const std::uint32_t> next_to(std::uint32_t bay) const noexcept {
+    return std::span(next_).subspan(next_first_[bay], next_first_[bay + 1] - next_first_[bay]);
+  }
+  Vec2 centre_of(std::uint32_t bay) const noexcept { return centre_of_square(square_of_[bay]); }
+  Vec2 centre_of_square(std::uint32_t square) const noexcept {
+    const auto columns = static_cast<std::uint32_t>(columns_);
+    const std::uint32_t x = square % columns, y = square / columns;
+    return origin_ + size_ * Vec2{x + 0.5, y + 0.5};
+  }
+
+  /// Every reflex corner in the box, and perhaps some more.
+  template <class Visit>
+  void visit_corners(Vec2 low, Vec2 high, Visit visit) const {
+    const auto columns = static_cast<std::uint32_t>(columns_);
+    const std::uint32_t first = square_at(low), last = square_at(high);
+    for (std::uint32_t y = first / columns; y <= last / columns; ++y) {
+      const std::uint32_t from = corner_first_[y * columns + first % columns];
+      const std::uint32_t to = corner_first_[y * columns + last % columns + 1];
+      for (std::uint32_t i = from; i < to; ++i) visit(corner_[i]);
+    }
+  }
+
+ private:
+  struct Piece {
+    std::uint32_t region = 0, bay = 0;
+  };
+  struct Cut;
+  void join_pieces(const Cut& cut);
+  void link_bays();
+  void sort_corners();
+
+  const FloorMap& map_;
+  double size_ = 1, per_metre_ = 1;
+  Vec2 origin_{};
+  std::int32_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> square_first_;  ///< Per square: its pieces, by region.
+  std::vector<Piece> piece_;
+  std::vector<std::uint32_t> square_of_;  ///< Per bay.
+  std::vector<std::uint32_t> next_first_, next_;
+  std::vector<std::uint32_t> corner_first_;  ///< Per square.
+  std::vector<Vec2> corner_;
+};
+
+}  // namespace docent

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/vec2.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+/// The Voronoi regions of a floor as neighbours, for following what moves from one to the next.
+///
+/// Frame: floor. Borrows the map. Immutable, so any thread may ask.
+class Regions {
+ public:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  explicit Regions(const FloorMap& map);
+
+  /// Where a point is.
+  struct Place {
+    std::uint32_t region = none;  ///< Its site; `none` for a point off the floor.
+    double clearance = 0;         ///< Metres to the nearest wall, no less than that.
+    /// A point nearer to this one than that is on the same floor in the same region. Metres,
+    /// perhaps less than it could be, never more.
+    double slack = 0;
+  };
+  /// Looks everywhere.
+  Place find(Vec2 point) const noexcept;
+  /// The same, beginning in a region: goes to the neighbour that is nearest to the point, until
+  /// none is nearer. A point that is on the border of regions may be said to be in any of them.
+  Place follow(Vec2 point, std::uint32_t region) const noexcept;
+
+ private:
+  /// A wall from a to b, or a corner, where both are the same.
+  struct SiteShape {
+    Vec2 a{}, b{}, along{};     ///< `along` is a unit vector.
+    double length = 0;          ///< Metres.
+    std::uint32_t at_a = none;  ///< Of a wall: the site of its corner there, if that is reflex.
+    std::uint32_t at_b = none;  ///< Of a corner: the walls that end and begin there, likewise.
+    bool is_wall = false;
+  };
+  std::span<const std::uint32_t> next_to(std::uint32_t region) const noexcept {
+    return std::span(next_).subspan(next_first_[region],
+                                    next_first_[region + 1] - next_first_[region]);
+  }
+  Place place_in(Vec2 point, std::uint32_t region) const noexcept;
+
+  const FloorMap& map_;
+  std::vector<SiteShape> shape_;
+  std::vector<std::uint32_t> next_first_, next_;
+};
+
+}  // namespace docent
