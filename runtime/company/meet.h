@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "runtime/company/bays.h"
+#include "runtime/company/body.h"
+
+namespace docent {
+
+/// Numbers beyond this are no places on a floor; who has any, or one that is not finite, or a
+/// radius below 0, takes no part and meets nobody. Metres, or metres a second.
+inline constexpr double largest_number = 1e9;
+/// A horizon is at most this, at least 0; one that is not a number is 0. Seconds.
+inline constexpr double largest_horizon = 1e6;
+
+/// Are these numbers of a body?
+bool takes_part(const Body& body) noexcept;
+double clamp_horizon(double horizon) noexcept;
+
+/// From when to when two circles overlap or touch if both keep their velocity; seconds from now.
+struct Contact {
+  double first = 0;  ///< 0 where they touch already.
+  double last = 0;   ///< At most the horizon.
+};
+
+/// When the circles touch, walls or no walls. Touching with no speed to spare counts. The same for
+/// (a, b) as for (b, a), to the last bit.
+inline std::optional<Contact> contact_of_circles(const Body& a, const Body& b,
+                                                 double horizon) noexcept {
+  const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
+  const double reach = a.radius + b.radius;
+  const double beyond = dot(apart, apart) - reach * reach;
+  const double nearing = -dot(apart, drift);
+  if (beyond > 0 && nearing <= 0) return {};
+  // Where is apart + t drift as long as the reach? No difference of squares of distances here: a
+  // near miss is decided by how far the line of drift passes.
+  const double speed_squared = dot(drift, drift);
+  const double beside = cross(apart, drift);
+  const double square = speed_squared * reach * reach - beside * beside;
+  if (beyond > 0 && square < 0) return {};
+  const double root = std::sqrt(std::fmax(square, 0.0));
+  const double first = beyond > 0 ? beyond / (nearing + root) : 0;
+  if (first > horizon) return {};
+  const double last = speed_squared > 0 ? (nearing + root) / speed_squared : horizon;
+  return Contact{first, std::fmin(std::fmax(last, first), horizon)};
+}
+
+/// When two bodies meet: the first time t, now or within the horizon, at which their circles touch
+/// and the way from one centre to the other is open, both keeping their velocity. The way is three
+/// straight lines: with the first body to where it is at t, from there to where the other is at t,
+/// and back to where that one is now; it is open if no part of it leaves the floor (along a wall
+/// and round a corner is on the floor).
+///
+/// So a wall drops a pair only if, at every moment at which the circles would touch, it has stopped
+/// one of the centres on its way there, or stands between the centres. Circles that are wholly on
+/// the floor cannot touch then: together they cover the line between their centres. Nothing is
+/// assumed about the discs' own clearance, which may be less than their radius.
+///
+/// A body whose centre is off the floor, where nobody should be, is held by no wall: there only the
+/// circles count. Where more than 64 corners pass between two bodies they count from the first
+/// touch. The same for (b, a), but for rounding of the time. Does not allocate.
+std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Body& b,
+                                      double horizon) noexcept;
+
+/// The same for bodies that take part and stand on the floor, with their contact at hand.
+std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
+                                    const Contact& contact) noexcept;
+
+}  // namespace docent
