@@ -14,8 +14,8 @@ namespace docent {
 namespace {
 
 constexpr double column_step = 0.25;   // metres along the way
-constexpr double lane_step = 0.15;     // metres beside it
-constexpr int most_lanes = 10;         // on either side
+constexpr double lane_step = 0.13;     // metres beside it
+constexpr int most_lanes = 11;         // on either side
 constexpr double reach_ahead = 9;      // metres
 constexpr double reach_behind = 3;     // metres
 constexpr double horizon = 10;         // seconds that are thought ahead
@@ -24,10 +24,11 @@ constexpr double moving_spare = 0.12;  // metres kept from others, since nobody 
 constexpr double standing_spare = 0.06;
 constexpr double wall_spare = 0.02;    // metres: a walking body rounds corners a little
 constexpr double company_reach = 1.2;  // metres about the way in which others make it crowded
-constexpr int right_lane = -2;
+constexpr int right_lane = -3;
 constexpr double off_lane_cost = 0.6;  // seconds a second and metre
 constexpr double aside_cost = 0.12;    // seconds for a step to another lane
 constexpr double back_cost = 2.5;      // times the seconds
+constexpr double start_again = 0.6;    // seconds that setting out takes after a wait
 constexpr double room_cost = 2.0;      // seconds that it takes an obliging body to make room
 constexpr double unsafe_end_cost = 6;  // seconds
 constexpr std::size_t most_expanded = 20000;
@@ -108,6 +109,7 @@ class PassageSearch {
     double seconds = 0, cost = 0;
     std::uint32_t parent = 0;
     std::uint32_t asked = none;  ///< Obliging body on the move to here.
+    bool stands = false;
   };
   static constexpr std::uint32_t none = ~0U;
   static constexpr int lanes = 2 * most_lanes + 1;
@@ -309,7 +311,7 @@ class PassageSearch {
     const auto buckets = static_cast<std::size_t>(horizon / time_step) + 2;
     std::vector<bool> seen(columns_.size() * lanes * buckets, false);
     const Node start{origin_, 0};
-    open.push({0, {start, query_.seconds, 0, none, none}});
+    open.push({0, {start, query_.seconds, 0, none, none, query_.delay > 0}});
     std::optional<std::uint32_t> best;
     double best_rank = never;
     while (!open.empty() && closed.size() < most_expanded) {
@@ -362,7 +364,8 @@ class PassageSearch {
     if (waits && !is_safe(state.node, state.seconds)) return false;
     if (!waits && !can_go(state.node, next.node)) return false;
     double seconds = waits ? time_step : glm::distance(a, b) / query_.speed;
-    if (!waits && state.parent == none) seconds += query_.delay;
+    if (!waits && state.stands) seconds += std::max(query_.delay, start_again);
+    next.stands = waits;
     const Encounter met = this->met(a, b, state.seconds, seconds);
     if (met.body != none && !met.obliging) return false;
     next.asked = met.body;
@@ -386,7 +389,7 @@ class PassageSearch {
       if (passage.points.size() == 1 || is_safe(state.node, state.seconds))
         passage.stop.push_back(static_cast<std::uint32_t>(passage.points.size() - 1));
     };
-    if (states.empty()) states.push_back({{origin_, 0}, query_.seconds, 0, none, none});
+    if (states.empty()) states.push_back({{origin_, 0}, query_.seconds, 0, none, none, true});
     add(states.front());
     bool waited = false;
     for (std::size_t i = 1; i < states.size(); ++i) {

@@ -48,7 +48,8 @@ std::vector<Refuge> find_refuges(const FloorMap& map, const Timetable& timetable
       if (!map.has_room(place, radius + wall_spare) || distance_to(line, place) < apart ||
           is_taken(timetable, body, place, apart))
         continue;
-      RouteQuery query{.from = from, .to = place, .radius = radius, .tell_clearance = false};
+      RouteQuery query{
+          .from = from, .to = place, .radius = radius + wall_spare, .tell_clearance = false};
       Way way = route(map, query);
       if (way.status != RouteStatus::Ok || way.length > 2.5 * ring_step * ring + 0.5) continue;
       found.emplace_back(way.length, Refuge{place, std::move(way.points)});

@@ -69,11 +69,13 @@ void Company::ask(std::uint32_t who, WalkOrder order, double takes_over) noexcep
     const auto last = static_cast<double>(walk.root.size() - 1);
     const double frame = std::min(std::ceil(takes_over * walk.frame_rate - 1e-6), last);
     order.before_frame = static_cast<std::uint32_t>(frame);
-    takes_over = frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
+    takes_over =
+        frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
   }
   if (walkers_.size() > 1) {
     order.before_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
+    order.held_seconds = walker.held_seconds;
     order.rank = walker.rank + urgency * walker.held_seconds + 1e-6 * who;
   }
   walker.awaits_answer = true;

@@ -25,22 +25,24 @@ struct Walker {
   double held_seconds = 0;   ///< For how long others have been in its way.
 
   std::uint64_t last_order = 0;
-  double ask_at = 0;           ///< Company's clock: no earlier than that.
+  double ask_at = 0;  ///< Company's clock: no earlier than that.
   double asked_for_room = -1e9;
-  double lead = 0.25;          ///< Seconds ahead from which the next plan is asked for.
-  std::optional<Trip> trip;    ///< Of the way to its goal, once it is planned.
+  double lead = 0.25;        ///< Seconds ahead from which the next plan is asked for.
+  std::optional<Trip> trip;  ///< Of the way to its goal, once it is planned.
 };
 
-/// All who walk on a floor: asks the planner for their walks in good time, follows them, and sees to it
-/// that who holds up others makes room. Nobody ever walks into anybody: the planner gives no such
-/// walk. Right of way goes by rank, which grows while one is held up, so that nobody waits for ever.
+/// All who walk on a floor: asks the planner for their walks in good time, follows them, and sees
+/// to it that who holds up others makes room. Nobody ever walks into anybody: the planner gives no
+/// such walk. Right of way goes by rank, which grows while one is held up, so that nobody waits for
+/// ever.
 ///
 /// Called by the frame thread. add() allocates; nothing else throws, allocates or waits.
 class Company {
  public:
   Company(const Museum& museum, Planner& planner) : museum_(museum), planner_(planner) {}
 
-  /// Somebody who shall stand there; appears as soon as there is room. As many as the planner knows.
+  /// Somebody who shall stand there; appears as soon as there is room. As many as the planner
+  /// knows.
   std::uint32_t add(std::uint32_t floor, const Placement& place, double rank, double pace);
 
   void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;

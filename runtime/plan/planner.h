@@ -19,9 +19,9 @@ namespace docent {
 /// public function but the constructor is for the frame thread, does not wait (but for wait()) and
 /// does not allocate.
 ///
-/// There is a letterbox for each avatar's orders and one for view requests, of which only the latest
-/// letter counts: what the visitor no longer wants is not worked out. Boxes are emptied in the order
-/// in which they were filled, and answers come in that order.
+/// There is a letterbox for each avatar's orders and one for view requests, of which only the
+/// latest letter counts: what the visitor no longer wants is not worked out. Boxes are emptied in
+/// the order in which they were filled, and answers come in that order.
 class Planner {
  public:
   /// Borrows the museum. The makers are called on the worker only. `avatars`: how many there will

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "runtime/company/find_detour.h"
 #include "runtime/company/find_passage.h"
 #include "runtime/company/find_refuge.h"
 #include "runtime/motion/path_track.h"
@@ -21,6 +22,8 @@ constexpr double meeting_margin = 1.0;  // seconds before a meeting by which a b
 constexpr double start_seconds = 0.6;   // that a start takes longer than walking on
 constexpr double turning_rate = 1.2;    // radians a second, by steps on the spot
 constexpr double way_behind_reach = 3;  // metres
+constexpr double patience = 3;          // seconds before another way round is looked for
+constexpr double wall_spare = 0.008;    // metres by which a circle may be in a wall
 constexpr int most_attempts = 4;
 
 /// Where a plan's walk leads its body, from some seconds of it on.
@@ -162,10 +165,21 @@ std::optional<Meeting> Traffic::commit(Plan& plan, Walk walk) {
   else
     course.place.assign(static_cast<std::size_t>(before / Course::step), order.start.position);
   append_course(walk, 0, seconds_of(walk) + Course::step, course);
-  const auto meeting = timetable_.first_meeting(order.avatar, course, spare, *order.seconds);
+  auto meeting = timetable_.first_meeting(order.avatar, course, spare, *order.seconds);
+  if (const auto wall = first_wall(course, *order.seconds);
+      wall && (!meeting || *wall < meeting->seconds))
+    meeting = Meeting{*wall, order.avatar};
   if (meeting) return meeting;
   timetable_.put(order.avatar, std::move(course));
   plan.walk = std::move(walk);
+  return {};
+}
+
+std::optional<double> Traffic::first_wall(const Course& course, double from) const {
+  // Who stands nearer to a wall than it may has to get away from it.
+  const double room = std::min(museum_.body_radius, map_.clearance_at(place_at(course, from)));
+  for (double t = from; t < course.end(); t += Course::step)
+    if (!map_.has_room(place_at(course, t), room - wall_spare)) return t;
   return {};
 }
 
@@ -229,6 +243,26 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     keep_way(way, *plan);
   }
   if (way.size() < 2) way = {from.position, order.goal->position};
+  if (advance(*plan, from, way, done)) return plan;
+  if (order.held_seconds > patience && plan->in_the_way.empty()) {
+    const RouteQuery query{.kind = RouteKind::Shortest,
+                           .from = from.position,
+                           .to = order.goal->position,
+                           .radius = museum_.body_radius + Museum::walking_room,
+                           .tell_clearance = false};
+    Way round = find_detour(map_, timetable_, order.avatar, query, *order.seconds);
+    if (round.status == RouteStatus::Ok) {
+      plan->length = round.length;
+      keep_way(round.points, *plan);
+      if (advance(*plan, from, round.points, 0)) return plan;
+    }
+  }
+  plan->holds = true;
+  return plan;
+}
+
+bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done) {
+  const WalkOrder& order = plan.order;
 
   PassageQuery query;
   query.body = order.avatar;
@@ -247,7 +281,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   query.obliging = obliging;
   const Passage passage = find_passage(map_, timetable_, query);
   members_[order.avatar].line = passage.line;
-  plan->in_the_way = passage.in_the_way;
+  plan.in_the_way = passage.in_the_way;
 
   // As far as it may go at once; where somebody would be met after all, less far.
   const std::vector<double> reach = reach_of(passage.points);
@@ -263,7 +297,9 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     std::vector<Vec2> points =
         straightened(std::span(passage.points).first(std::size_t{*stop} + 1));
     // On the way itself its own bends are walked and not those of the passage's steps.
-    if (passage.is_straight) points = arrives ? way : first_part(way, passage.along[*stop]);
+    if (passage.is_straight)
+      points = arrives ? std::vector<Vec2>(way.begin(), way.end())
+                       : first_part(way, passage.along[*stop]);
     std::optional<double> facing;
     if (arrives) facing = order.goal->heading;
     Walk walk = walk_along(walking_, order, from, points, facing);
@@ -274,7 +310,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
       tell_along_way(reach, passage.along, done, walk);
     else
       for (float& along : walk.along) along += static_cast<float>(done);
-    if (const auto meeting = commit(*plan, std::move(walk))) {
+    if (const auto meeting = commit(plan, std::move(walk))) {
       const double seconds = meeting->seconds - meeting_margin - *order.seconds;
       const auto frame = static_cast<std::size_t>(
           std::max(0.0, seconds * (walking_ != nullptr ? walking_->frame_rate : 60.0)));
@@ -282,19 +318,17 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
                                                   : reach[*stop] * 0.5;
       continue;
     }
-    plan->is_whole = arrives;
+    plan.is_whole = arrives;
     if (!arrives) {
-      plan->go_on_frame = frame_count(plan->walk) - 1;
+      plan.go_on_frame = frame_count(plan.walk) - 1;
       if (walking_ != nullptr)
-        if (const auto frame = frame_to_go_on(museum_.motion, plan->walk))
-          plan->go_on_frame = *frame;
+        if (const auto frame = frame_to_go_on(museum_.motion, plan.walk)) plan.go_on_frame = *frame;
     }
-    plan->seconds_to_goal = arrives ? plan->seconds() : whole / query.speed;
-    return plan;
+    plan.seconds_to_goal = arrives ? plan.seconds() : whole / query.speed;
+    return true;
   }
-  plan->holds = true;
-  plan->seconds_to_goal = whole / query.speed;
-  return plan;
+  plan.seconds_to_goal = whole / query.speed;
+  return false;
 }
 
 }  // namespace docent

@@ -30,13 +30,17 @@ class Traffic {
     double rank = 0;
     std::vector<Vec2> line;  ///< Where it wants to go along next.
   };
-  struct Attempt;
-
   std::unique_ptr<Plan> enter(const WalkOrder& order);
   std::unique_ptr<Plan> stop(const WalkOrder& order);
   std::unique_ptr<Plan> make_room(const WalkOrder& order);
   std::unique_ptr<Plan> get_on(const WalkOrder& order);
-  /// Commits a plan to its walk, if nobody is met on it; else when somebody is.
+  /// Gets on along a way, or at least some of it, that begins `done` metres along the plan's; false
+  /// where it has to stay.
+  bool advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
+  /// When a course leads into a wall.
+  std::optional<double> first_wall(const Course& course, double from) const;
+  /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met
+  /// on it; else when that is.
   std::optional<Meeting> commit(Plan& plan, Walk walk);
   std::vector<std::uint32_t> obliging(const WalkOrder& order) const;
 

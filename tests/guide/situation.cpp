@@ -24,8 +24,8 @@ Museum museum_of(const FloorPlan& plan) {
   museum.motion = sample.motion;
   museum.avatar = sample.avatar;
   museum.body_radius = 0.25;
-  museum.floors.push_back(floor_of(plan, {museum.body_radius + Museum::walking_room,
-                                          museum.body_radius}));
+  museum.floors.push_back(
+      floor_of(plan, {museum.body_radius + Museum::walking_room, museum.body_radius}));
   return museum;
 }
 
@@ -73,8 +73,8 @@ class Stage {
       const Placement body = company_[i].avatar.body;
       auto& track = scene_.track[i];
       if (!track.empty())
-        scene_.quickest_change = std::max(
-            scene_.quickest_change, glm::distance(track.back().position, body.position));
+        scene_.quickest_change =
+            std::max(scene_.quickest_change, glm::distance(track.back().position, body.position));
       track.push_back(body);
       scene_.least_clearance = std::min(scene_.least_clearance, clearance_at(map, body.position));
       for (std::uint32_t j = 0; j < i; ++j)

@@ -16,7 +16,7 @@ struct Part {
   RouteKind kind = RouteKind::Shortest;
   double pace = 1;
   double rank = 0;
-  bool stays = false;  ///< Stands where it is, for ever, whatever others want.
+  bool stays = false;             ///< Stands where it is, for ever, whatever others want.
   std::vector<Placement> then{};  ///< Where it goes after that, one after the other.
 };
 
@@ -31,11 +31,11 @@ struct Situation {
 struct Scene {
   double radius = 0;
   std::vector<std::vector<Placement>> track;  ///< Per part and frame.
-  std::vector<double> arrival;  ///< Seconds of each; infinite for who never came.
-  double deepest_overlap = 0;   ///< Metres by which two circles overlap at most.
-  double least_clearance = 1e9; ///< Metres from a centre to a wall.
-  double quickest_change = 0;   ///< Metres that a centre moves between two frames at most.
-  double step_ms = 0;           ///< Slowest step of the frame thread.
+  std::vector<double> arrival;                ///< Seconds of each; infinite for who never came.
+  double deepest_overlap = 0;                 ///< Metres by which two circles overlap at most.
+  double least_clearance = 1e9;               ///< Metres from a centre to a wall.
+  double quickest_change = 0;  ///< Metres that a centre moves between two frames at most.
+  double step_ms = 0;          ///< Slowest step of the frame thread.
 
   bool all_arrived() const;
 };

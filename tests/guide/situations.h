@@ -32,13 +32,13 @@ inline FloorPlan two_rooms_with_a_door(double width, bool second_door = false) {
     hall.plan.vertex.clear();
     hall.plan.ring.clear();
     hall.plan.next.clear();
-    const Vec2 outline[] = {{0, 0}, {10.2, 0}, {10.2, 5}, {5.2, 5}, {5.2, high},
-                            {5, high}, {5, 5}, {0, 5}};
+    const Vec2 outline[] = {{0, 0},      {10.2, 0}, {10.2, 5}, {5.2, 5},
+                            {5.2, high}, {5, high}, {5, 5},    {0, 5}};
     hall.ring(outline).block({5, 1.2}, {5.2, low});
     return hall.plan;
   }
-  const Vec2 outline[] = {{0, 0}, {5, 0}, {5, low}, {5.2, low}, {5.2, 0}, {10.2, 0}, {10.2, 5},
-                          {5.2, 5}, {5.2, high}, {5, high}, {5, 5}, {0, 5}};
+  const Vec2 outline[] = {{0, 0},    {5, 0},   {5, low},    {5.2, low}, {5.2, 0}, {10.2, 0},
+                          {10.2, 5}, {5.2, 5}, {5.2, high}, {5, high},  {5, 5},   {0, 5}};
   HallMaker rooms;
   rooms.ring(outline);
   return rooms.plan;

@@ -32,7 +32,8 @@ TEST_P(Situations, EndWithEverybodyWhereTheyWantedAndNobodyTouched) {
               GetParam().name, took, takes, 1e3 * scene.deepest_overlap, scene.least_clearance,
               scene.step_ms);
   if (const char* folder = std::getenv("DOCENT_PICTURES"))
-    draw_scene(situation, scene, std::filesystem::path(folder) / (GetParam().name + std::string(".svg")));
+    draw_scene(situation, scene,
+               std::filesystem::path(folder) / (GetParam().name + std::string(".svg")));
   EXPECT_TRUE(scene.all_arrived());
   EXPECT_LE(scene.deepest_overlap, 0.005);
   EXPECT_GE(scene.least_clearance, scene.radius - 0.01);
@@ -41,10 +42,10 @@ TEST_P(Situations, EndWithEverybodyWhereTheyWantedAndNobodyTouched) {
 
 INSTANTIATE_TEST_SUITE_P(
     Of, Situations,
-    testing::Values(Named{"corridor", head_on_in_a_corridor}, Named{"doorway", head_on_in_a_doorway},
-                    Named{"crossing", four_ways}, Named{"twelve", twelve_through_a_doorway},
-                    Named{"overtaking", overtaking}, Named{"inTheWay", one_in_the_way},
-                    Named{"ring", ring_of_sixteen}),
+    testing::Values(Named{"corridor", head_on_in_a_corridor},
+                    Named{"doorway", head_on_in_a_doorway}, Named{"crossing", four_ways},
+                    Named{"twelve", twelve_through_a_doorway}, Named{"overtaking", overtaking},
+                    Named{"inTheWay", one_in_the_way}, Named{"ring", ring_of_sixteen}),
     [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
