@@ -45,7 +45,7 @@ double last_on_floor(const WallGrid& walls, const Body& body, double first, doub
 
 /// Adds the times within the contact at which a corner is on the line between the two centres. In
 /// (a + t u, b + t v, corner) the orientation is a quadratic polynomial of t.
-void add_passings(const Body& a, const Body& b, Vec2 corner, const Contact& contact,
+void add_passings(const Body& a, const Body& b, Vec2 corner, const Collision& contact,
                   Moments& moments) noexcept {
   const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
   const Vec2 to_corner = corner - a.position;
@@ -89,7 +89,7 @@ std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Bo
 }
 
 std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
-                                    const Contact& contact) noexcept {
+                                    const Collision& contact) noexcept {
   const WallGrid& walls = floor.map().walls();
   const auto in_sight = [&](double time) {
     return walls.segment_clear(place_at(a, time), place_at(b, time));
@@ -101,7 +101,7 @@ std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body
 
   // A wall is between them when they touch first. Do they see each other later? Sight begins and
   // ends where a corner passes the line between them, and is the same in between.
-  Contact open = contact;
+  Collision open = contact;
   open.last = last_on_floor(walls, a, open.first, open.last);
   open.last = last_on_floor(walls, b, open.first, open.last);
   Moments moments;

@@ -19,14 +19,14 @@ bool takes_part(const Body& body) noexcept;
 double clamp_horizon(double horizon) noexcept;
 
 /// From when to when two circles overlap or touch if both keep their velocity; seconds from now.
-struct Contact {
+struct Collision {
   double first = 0;  ///< 0 where they touch already.
   double last = 0;   ///< At most the horizon.
 };
 
 /// When the circles touch, walls or no walls. Touching with no speed to spare counts. The same for
 /// (a, b) as for (b, a), to the last bit.
-inline std::optional<Contact> contact_of_circles(const Body& a, const Body& b,
+inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
                                                  double horizon) noexcept {
   const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
   const double reach = a.radius + b.radius;
@@ -43,7 +43,7 @@ inline std::optional<Contact> contact_of_circles(const Body& a, const Body& b,
   const double first = beyond > 0 ? beyond / (nearing + root) : 0;
   if (first > horizon) return {};
   const double last = speed_squared > 0 ? (nearing + root) / speed_squared : horizon;
-  return Contact{first, std::fmin(std::fmax(last, first), horizon)};
+  return Collision{first, std::fmin(std::fmax(last, first), horizon)};
 }
 
 /// When two bodies meet: the first time t, now or within the horizon, at which their circles touch
@@ -65,6 +65,6 @@ std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Bo
 
 /// The same for bodies that take part and stand on the floor, with their contact at hand.
 std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
-                                    const Contact& contact) noexcept;
+                                    const Collision& contact) noexcept;
 
 }  // namespace docent

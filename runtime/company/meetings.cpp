@@ -194,7 +194,7 @@ bool Meetings::is_first_bay_of_both(std::uint32_t bay, std::uint32_t a,
   });
 }
 
-void Meetings::add(std::uint32_t a, std::uint32_t b, const Contact& contact) {
+void Meetings::add(std::uint32_t a, std::uint32_t b, const Collision& contact) {
   if (place_[a].region == Regions::none || place_[b].region == Regions::none ||
       is_far_from_walls(a, b, contact.first))
     found_.push_back({a, b, contact.first});

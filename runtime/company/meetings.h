@@ -85,7 +85,7 @@ class Meetings {
   void compare_in_bay(std::uint32_t bay, double horizon);
   void compare_with_everybody(std::uint32_t body, double horizon);
   bool is_first_bay_of_both(std::uint32_t bay, std::uint32_t a, std::uint32_t b) const noexcept;
-  void add(std::uint32_t a, std::uint32_t b, const Contact& contact);
+  void add(std::uint32_t a, std::uint32_t b, const Collision& contact);
   bool is_far_from_walls(std::uint32_t a, std::uint32_t b, double time) const noexcept;
   void sort_found();
 

@@ -22,13 +22,13 @@ const Course* Timetable::course_of(std::uint32_t body) const noexcept {
   return at != entries_.end() && at->body == body ? &at->course : nullptr;
 }
 
-std::optional<Meeting> Timetable::first_meeting(std::uint32_t body, const Course& course,
-                                                double spare, double from) const noexcept {
-  std::optional<Meeting> first;
+std::optional<Conflict> Timetable::first_conflict(std::uint32_t body, const Course& course,
+                                                  double spare, double from) const noexcept {
+  std::optional<Conflict> first;
   for (const Entry& entry : entries_) {
     if (entry.body == body) continue;
     const auto at = docent::first_meeting(course, entry.course, 2 * radius_ + spare, from);
-    if (at && (!first || *at < first->seconds)) first = Meeting{*at, entry.body};
+    if (at && (!first || *at < first->seconds)) first = Conflict{*at, entry.body};
   }
   return first;
 }

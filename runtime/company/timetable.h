@@ -9,8 +9,8 @@
 
 namespace docent {
 
-/// Two bodies that would come too near.
-struct Meeting {
+/// A body that would be come too near to.
+struct Conflict {
   double seconds = 0;
   std::uint32_t body = 0;  ///< The other one.
 };
@@ -33,8 +33,8 @@ class Timetable {
 
   /// Of all others, whom a body on this course would first come nearer than two radii and `spare`,
   /// and when.
-  std::optional<Meeting> first_meeting(std::uint32_t body, const Course& course, double spare,
-                                       double from) const noexcept;
+  std::optional<Conflict> first_conflict(std::uint32_t body, const Course& course, double spare,
+                                         double from) const noexcept;
 
   struct Entry {
     std::uint32_t body = 0;

@@ -35,8 +35,7 @@ void follow(Avatar& avatar) noexcept {
 /// When the next plan takes over, in seconds of the present one.
 double change_of(const Avatar& avatar) noexcept {
   const WalkOrder& order = avatar.next->order;
-  return order.seconds ? order.before_seconds
-                       : order.before_frame / avatar.plan->walk.frame_rate;
+  return order.seconds ? order.before_seconds : order.before_frame / avatar.plan->walk.frame_rate;
 }
 
 /// Changes to the next plan at exactly the frame from which it was made.

@@ -12,6 +12,8 @@ constexpr double go_on_ahead = 1;        // seconds before a stretch ends in whi
 constexpr double standing_lead = 0.1;    // seconds: who stands sets out that much after asking
 constexpr double ask_again = 0.5;        // seconds, while others are in the way
 constexpr double ask_room_again = 2.5;   // seconds between two requests to make room
+constexpr double content_after = 6;      // seconds of being held up ...
+constexpr double close_by = 2;           // ... this near to its goal, metres, after which it stays
 constexpr double make_room_pause = 2.0;  // seconds before who made room wants to get on itself
 constexpr double urgency = 0.2;          // rank gained by a second of being held up
 constexpr double appear_again = 1.0;     // seconds, while somebody stands where one shall appear
@@ -23,47 +25,47 @@ bool stands(const Avatar& avatar) noexcept {
 }
 
 std::uint32_t Company::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
-  const auto who = static_cast<std::uint32_t>(walkers_.size());
-  Walker walker;
-  walker.avatar = make_avatar(museum_, floor, make_standing(museum_, place));
-  walker.rank = rank;
-  walker.pace = pace;
-  walkers_.push_back(std::move(walker));
+  const auto who = static_cast<std::uint32_t>(members_.size());
+  Companion one;
+  one.avatar = make_avatar(museum_, floor, make_standing(museum_, place));
+  one.rank = rank;
+  one.pace = pace;
+  members_.push_back(std::move(one));
   return who;
 }
 
 void Company::send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept {
-  Walker& walker = walkers_[who];
-  walker.goal = goal;
-  walker.kind = kind;
-  walker.has_arrived = walker.is_on_its_way = false;
-  walker.trip.reset();
-  walker.ask_at = clock_;
-  walker.awaits_answer = false;
-  walker.avatar.next.reset();
+  Companion& one = members_[who];
+  one.goal = goal;
+  one.kind = kind;
+  one.has_arrived = one.is_on_its_way = false;
+  one.trip.reset();
+  one.ask_at = clock_;
+  one.awaits_answer = false;
+  one.avatar.next.reset();
   see_to(who);
 }
 
 void Company::stop(std::uint32_t who) noexcept {
-  Walker& walker = walkers_[who];
-  walker.goal.reset();
-  walker.has_arrived = true;
-  walker.is_on_its_way = false;
-  walker.trip.reset();
-  walker.avatar.next.reset();
-  if (stands(walker.avatar)) return;
-  ask(who, {}, walker.avatar.seconds + walker.lead);
+  Companion& one = members_[who];
+  one.goal.reset();
+  one.has_arrived = true;
+  one.is_on_its_way = false;
+  one.trip.reset();
+  one.avatar.next.reset();
+  if (stands(one.avatar)) return;
+  ask(who, {}, one.avatar.seconds + one.lead);
 }
 
 void Company::ask(std::uint32_t who, WalkOrder order, double takes_over) noexcept {
-  Walker& walker = walkers_[who];
-  const Avatar& avatar = walker.avatar;
+  Companion& one = members_[who];
+  const Avatar& avatar = one.avatar;
   const Walk& walk = avatar.plan->walk;
-  order.id = walker.last_order = ++last_order_;
+  order.id = one.last_order = ++last_order_;
   order.avatar = who;
   order.floor = avatar.floor;
   order.start = avatar.body;
-  order.pace = walker.pace;
+  order.pace = one.pace;
   order.before = avatar.plan.get();
   if (!walk.root.empty()) {
     const auto last = static_cast<double>(walk.root.size() - 1);
@@ -72,106 +74,107 @@ void Company::ask(std::uint32_t who, WalkOrder order, double takes_over) noexcep
     takes_over =
         frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
   }
-  if (walkers_.size() > 1) {
+  if (members_.size() > 1) {
     order.before_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
-    order.held_seconds = walker.held_seconds;
-    order.rank = walker.rank + urgency * walker.held_seconds + 1e-6 * who;
+    order.held_seconds = one.held_seconds;
+    order.rank = one.rank + urgency * one.held_seconds + 1e-6 * who;
   }
-  walker.awaits_answer = true;
+  one.awaits_answer = true;
   planner_.ask(order);
 }
 
 void Company::ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept {
-  Walker& walker = walkers_[who];
-  if (walker.awaits_answer || !stands(walker.avatar) ||
-      clock_ - walker.asked_for_room < ask_room_again)
+  Companion& one = members_[who];
+  if (one.awaits_answer || !stands(one.avatar) || clock_ - one.asked_for_room < ask_room_again)
     return;
-  walker.asked_for_room = clock_;
-  walker.is_on_its_way = false;
+  one.asked_for_room = clock_;
+  one.is_on_its_way = false;
   WalkOrder order;
   order.makes_room_for = for_whom;
-  ask(who, order, walker.avatar.seconds + standing_lead);
+  ask(who, order, one.avatar.seconds + standing_lead);
 }
 
 // What the planner answers.
 
 void Company::take_answers() noexcept {
   while (std::unique_ptr<Plan> plan = planner_.take_plan()) {
-    Walker& walker = walkers_[plan->order.avatar];
-    if (plan->order.id == walker.last_order) take_answer(walker, std::move(plan));
+    Companion& one = members_[plan->order.avatar];
+    if (plan->order.id == one.last_order) take_answer(one, std::move(plan));
   }
 }
 
-void Company::take_answer(Walker& walker, std::unique_ptr<Plan> plan) noexcept {
+void Company::take_answer(Companion& one, std::unique_ptr<Plan> plan) noexcept {
   const std::uint32_t who = plan->order.avatar;
-  walker.awaits_answer = false;
+  one.awaits_answer = false;
   for (const std::uint32_t other : plan->in_the_way)
-    if (other < walkers_.size()) ask_for_room(other, who);
+    if (other < members_.size()) ask_for_room(other, who);
   if (plan->order.enters) {
-    walker.is_here = !plan->holds;
-    walker.ask_at = clock_ + appear_again;
+    one.is_here = !plan->holds;
+    one.ask_at = clock_ + appear_again;
     return;
   }
-  const bool begins = plan->order.goal && !plan->order.goes_on;
-  if (begins) {
-    walker.is_answered = true;
-    walker.trip = Trip{plan->status, plan->length, plan->seconds_to_goal};
+  if (plan->order.goal && (!plan->order.goes_on || plan->is_new_way)) {
+    one.is_answered = true;
+    one.trip = Trip{plan->status, plan->length, plan->seconds_to_goal};
   }
   if (plan->status != RouteStatus::Ok) {
-    walker.goal.reset();
-    walker.has_arrived = true;
+    one.goal.reset();
+    one.has_arrived = true;
     return;
   }
   if (plan->holds) {
     // Not all at once.
-    walker.ask_at = clock_ + ask_again + 0.02 * (who % 8);
+    one.ask_at = clock_ + ask_again + 0.02 * (who % 8);
     return;
   }
   const bool aside = plan->order.makes_room_for.has_value();
   const bool leads_to_goal = plan->order.goal.has_value();
-  if (aside) walker.ask_at = clock_ + plan->seconds() + make_room_pause;
-  if (!take_plan(walker.avatar, std::move(plan))) {
-    walker.lead = std::min(2 * walker.lead, longest_lead);
+  if (aside) one.ask_at = clock_ + plan->seconds() + make_room_pause;
+  if (!take_plan(one.avatar, std::move(plan))) {
+    one.lead = std::min(2 * one.lead, longest_lead);
     return;  // and asks again
   }
-  walker.is_on_its_way = leads_to_goal;
+  one.is_on_its_way = leads_to_goal;
 }
 
 // What time brings.
 
 void Company::step(double seconds) noexcept {
   clock_ += seconds;
-  for (Walker& walker : walkers_) walker.is_answered = false;
+  for (Companion& one : members_) one.is_answered = false;
   take_answers();
-  for (std::uint32_t who = 0; who < walkers_.size(); ++who) {
-    Walker& walker = walkers_[who];
-    advance(museum_, walker.avatar, seconds);
-    const bool held = walker.goal && !walker.has_arrived && stands(walker.avatar);
-    walker.held_seconds = held ? walker.held_seconds + seconds : 0;
+  for (std::uint32_t who = 0; who < members_.size(); ++who) {
+    Companion& one = members_[who];
+    advance(museum_, one.avatar, seconds);
+    const bool held = one.goal && !one.has_arrived && stands(one.avatar);
+    one.held_seconds = held ? one.held_seconds + seconds : 0;
     see_to(who);
   }
 }
 
 /// Asks for what it needs next, if it is time.
 void Company::see_to(std::uint32_t who) noexcept {
-  Walker& walker = walkers_[who];
-  const Avatar& avatar = walker.avatar;
-  if (walkers_.size() == 1) walker.is_here = true;
-  if (walker.awaits_answer || avatar.next || clock_ < walker.ask_at) return;
-  if (!walker.is_here) {
+  Companion& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  if (members_.size() == 1) one.is_here = true;
+  if (one.awaits_answer || avatar.next || clock_ < one.ask_at) return;
+  if (!one.is_here) {
     WalkOrder order;
     order.enters = true;
     return ask(who, order, avatar.seconds);
   }
-  if (!walker.goal || walker.has_arrived) return;
-  const double lead = stands(avatar) && walkers_.size() > 1 ? standing_lead : walker.lead;
+  if (!one.goal || one.has_arrived) return;
+  if (one.held_seconds > content_after &&
+      glm::distance(avatar.body.position, one.goal->position) < close_by)
+    one.goal->position = avatar.body.position;  // somebody holds the place itself
+  const double lead = stands(avatar) && members_.size() > 1 ? standing_lead : one.lead;
   WalkOrder order;
-  order.goal = walker.goal;
-  order.kind = walker.kind;
-  if (!walker.is_on_its_way) return ask(who, order, avatar.seconds + lead);
+  order.goal = one.goal;
+  order.kind = one.kind;
+  if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {
-    walker.has_arrived = stands(avatar);
+    one.has_arrived = stands(avatar);
     return;
   }
   const double go_on = avatar.plan->go_on_frame / avatar.plan->walk.frame_rate;

@@ -10,8 +10,8 @@
 
 namespace docent {
 
-/// One of the company: who walks, where to, and how that goes.
-struct Walker {
+/// One of a company: who walks, where to, and how that goes.
+struct Companion {
   Avatar avatar;
   bool is_here = false;           ///< Not before there is room for it.
   std::optional<Placement> goal;  ///< Where it is wanted; empty: nowhere, it stands or stops.
@@ -50,22 +50,22 @@ class Company {
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;
 
-  std::size_t size() const noexcept { return walkers_.size(); }
-  const Walker& operator[](std::uint32_t who) const noexcept { return walkers_[who]; }
-  const std::vector<Walker>& walkers() const noexcept { return walkers_; }
+  std::size_t size() const noexcept { return members_.size(); }
+  const Companion& operator[](std::uint32_t who) const noexcept { return members_[who]; }
+  const std::vector<Companion>& members() const noexcept { return members_; }
   /// Seconds since the beginning.
   double clock() const noexcept { return clock_; }
 
  private:
   void take_answers() noexcept;
-  void take_answer(Walker& walker, std::unique_ptr<Plan> plan) noexcept;
+  void take_answer(Companion& one, std::unique_ptr<Plan> plan) noexcept;
   void see_to(std::uint32_t who) noexcept;
   void ask(std::uint32_t who, WalkOrder order, double takes_over) noexcept;
   void ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept;
 
   const Museum& museum_;
   Planner& planner_;
-  std::vector<Walker> walkers_;
+  std::vector<Companion> members_;
   std::uint64_t last_order_ = 0;
   double clock_ = 0;
 };

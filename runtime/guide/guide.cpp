@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
 constexpr std::size_t most_joints = 64;
 constexpr std::size_t most_pieces = 4096;
-constexpr double longest_lead = 2;  ///< Seconds: a plan is never asked for from later than that.
+constexpr double guide_rank = 100;  ///< Visitors on their own make room for a guide.
 constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
 constexpr double touching = 0.01;   ///< Metres of the body that may be in a wall unremarked.
 
@@ -21,11 +21,17 @@ Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settin
       planner_(planner),
       settings_(settings),
       visitors_(1),
+      company_(museum, planner),
+      strollers_(museum),
       stage_(museum),
       memory_(most_pieces, TextureId::None) {
-  avatars_.push_back(make_avatar(museum, museum.kiosk_floor, make_standing(museum, museum.kiosk)));
-  list_.avatars.reserve(avatars_.size());
-  list_.palette.reserve(avatars_.size() * most_joints);
+  company_.add(museum.kiosk_floor, museum.kiosk, guide_rank, 1);
+  strollers_.enter(company_);
+  bodies_.reserve(company_.size());
+  if (museum.kiosk_floor < planner.maps().size())
+    meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], company_.size());
+  list_.avatars.reserve(company_.size());
+  list_.palette.reserve(company_.size() * most_joints);
   list_.ribbons.reserve(1);
   list_.ribbon_point.reserve(most_ribbon_points);
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8));
@@ -42,12 +48,13 @@ bool Guide::is_settled() const noexcept {
 }
 
 bool Guide::is_out() const noexcept {
-  const Vec2 off = avatars_.front().body.position - museum_.kiosk.position;
-  return dot(off, off) > at_home * at_home || !has_finished(avatars_.front());
+  const Vec2 off = leader().body.position - museum_.kiosk.position;
+  return dot(off, off) > at_home * at_home || !stands(leader());
 }
 
-AvatarState Guide::state_of(const Avatar& avatar) const noexcept {
-  switch (avatar.gait) {
+AvatarState Guide::state_of(std::uint32_t who) const noexcept {
+  const Companion& one = company_[who];
+  switch (one.avatar.gait) {
     case Gait::Turn:
       return AvatarState::Turn;
     case Gait::Walk:
@@ -55,8 +62,9 @@ AvatarState Guide::state_of(const Avatar& avatar) const noexcept {
     case Gait::Idle:
       break;
   }
-  if (awaiting_plan_) return AvatarState::Wait;
-  return state().arrived ? AvatarState::Look : AvatarState::Idle;
+  if (one.goal && !one.has_arrived) return AvatarState::Wait;
+  const bool looks = who == 0 ? state().arrived : one.goal.has_value();
+  return looks ? AvatarState::Look : AvatarState::Idle;
 }
 
 // What visitors do.
@@ -152,34 +160,19 @@ void Guide::set_out() noexcept {
 void Guide::order(const Errand& errand) noexcept {
   errand_ = errand;
   trip_.reset();
-  const Avatar& avatar = leader();
-  WalkOrder it;
-  it.id = ++last_order_;
-  it.floor = avatar.floor;
-  it.kind = errand.route;
-  it.start = avatar.body;
-  it.before = avatar.plan.get();
-  it.before_frame = frame_ahead(avatar, lead_);
-  if (errand.kind == Errand::Kind::ToExhibit)
-    it.goal = museum_.exhibits[static_cast<std::size_t>(errand.exhibit)].view;
-  if (errand.kind == Errand::Kind::Home) it.goal = museum_.kiosk;
-  leader().next.reset();
-  awaiting_plan_ = true;
-  planner_.ask(it);
+  switch (errand.kind) {
+    case Errand::Kind::ToExhibit:
+      company_.send(0, museum_.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
+                    errand.route);
+      break;
+    case Errand::Kind::Home:
+      company_.send(0, museum_.kiosk, errand.route);
+      break;
+    default:
+      company_.stop(0);
+      break;
+  }
   request_view();
-}
-
-/// Asks in good time for the next stretch of a long way.
-void Guide::go_on() noexcept {
-  const Avatar& avatar = leader();
-  if (avatar.plan->is_whole || avatar.next || awaiting_plan_) return;
-  WalkOrder it = avatar.plan->order;
-  it.id = ++last_order_;
-  it.before = avatar.plan.get();
-  it.before_frame = std::max(avatar.plan->go_on_frame, frame_ahead(avatar, lead_));
-  it.goes_on = true;
-  awaiting_plan_ = true;
-  planner_.ask(it);
 }
 
 // What the planner answers.
@@ -212,7 +205,6 @@ TextureId Guide::memory_of(TextureId piece) const noexcept {
 }
 
 void Guide::take_answers() noexcept {
-  while (std::unique_ptr<Plan> plan = planner_.take_plan()) take_answer(std::move(plan));
   while (std::unique_ptr<View> view = planner_.take_view()) {
     if (view->request != last_request_) continue;  // the visitor has gone on
     awaiting_view_ = false;
@@ -222,23 +214,16 @@ void Guide::take_answers() noexcept {
   }
 }
 
-void Guide::take_answer(std::unique_ptr<Plan> plan) noexcept {
-  if (plan->order.id != last_order_) return;
-  awaiting_plan_ = false;
-  if (errand_.kind == Errand::Kind::ToExhibit && !plan->order.goes_on) {
-    ++counters_.routes;
-    trip_ = Trip{plan->status, plan->length, plan->seconds_to_goal};
-    request_view();
-  }
-  if (plan->status != RouteStatus::Ok) {
-    if (errand_.kind == Errand::Kind::ToExhibit) errand_ = {};
-    return;
-  }
-  if (!plan->order.goes_on) stage_.show_way(*plan, list_);
-  if (!take_plan(leader(), std::move(plan))) {
-    lead_ = std::min(2 * lead_, longest_lead);
-    order(errand_);
-  }
+/// The company has been told about the guide's way.
+void Guide::take_way() noexcept {
+  const Companion& guide = company_[0];
+  if (!guide.is_answered) return;
+  if (guide.avatar.next) stage_.show_way(*guide.avatar.next, list_);
+  if (errand_.kind != Errand::Kind::ToExhibit) return;
+  if (!trip_) ++counters_.routes;
+  trip_ = guide.trip;
+  if (trip_ && trip_->status != RouteStatus::Ok) errand_ = {};
+  request_view();
 }
 
 // What time brings.
@@ -246,8 +231,9 @@ void Guide::take_answer(std::unique_ptr<Plan> plan) noexcept {
 void Guide::step(Seconds dt) noexcept {
   const float seconds = dt.count();
   take_answers();
-  for (Avatar& avatar : avatars_) advance(museum_, avatar, seconds);
-  go_on();
+  company_.step(seconds);
+  strollers_.step(company_);
+  take_way();
   notice_arrival();
   notice_absence(seconds);
   gestures_.advance(seconds);
@@ -257,7 +243,10 @@ void Guide::step(Seconds dt) noexcept {
 }
 
 void Guide::notice_arrival() noexcept {
-  if (awaiting_plan_ || !has_finished(leader()) || errand_.kind == Errand::Kind::None) return;
+  const Companion& guide = company_[0];
+  if (errand_.kind == Errand::Kind::None || guide.awaits_answer || !stands(guide.avatar) ||
+      !guide.has_arrived)
+    return;
   if (errand_.kind != Errand::Kind::ToExhibit) {
     errand_ = {};
     return;
@@ -272,7 +261,7 @@ void Guide::notice_arrival() noexcept {
 /// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
 void Guide::notice_absence(float seconds) noexcept {
   Visitor& visitor = visitors_.front();
-  const bool follows = visitor.state.screen == Screen::Walking && !has_finished(leader());
+  const bool follows = visitor.state.screen == Screen::Walking && !stands(leader());
   visitor.idle_seconds = follows ? 0 : visitor.idle_seconds + seconds;
   if (visitor.idle_seconds < settings_.idle_reset.count()) return;
   visitor.idle_seconds = 0;
@@ -283,18 +272,29 @@ void Guide::notice_absence(float seconds) noexcept {
 }
 
 void Guide::count_collisions() noexcept {
-  for (const Avatar& avatar : avatars_)
-    if (avatar.floor < planner_.maps().size() &&
-        clearance_at(*planner_.maps()[avatar.floor], avatar.body.position) <
-            museum_.body_radius - touching)
+  bodies_.clear();
+  const double radius = museum_.body_radius - touching;
+  for (const Companion& one : company_.members()) {
+    if (!one.is_here) continue;
+    const Vec2 place = one.avatar.body.position;
+    bodies_.push_back({.position = place, .radius = radius});
+    if (one.avatar.floor < planner_.maps().size() &&
+        clearance_at(*planner_.maps()[one.avatar.floor], place) < radius)
       ++counters_.collisions;
+  }
+  if (bodies_.size() < 2) return;
+  for (Meetings& meetings : meetings_) {
+    meetings.update(bodies_);
+    counters_.collisions += meetings.find(0).size();
+  }
 }
 
 const DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
   list_.quads.clear();
-  for (const Avatar& avatar : avatars_) draw(museum_, avatar, list_);
+  for (const Companion& one : company_.members())
+    if (one.is_here) draw(museum_, one.avatar, list_);
   stage_.draw(state(), leader(), errand_.kind == Errand::Kind::ToExhibit, list_);
   const double floor_height = museum_.floors[leader().floor].plan.height;
   overlay_.follow(list_.camera, static_cast<float>(floor_height));

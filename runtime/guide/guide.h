@@ -7,9 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "runtime/company/meetings.h"
 #include "runtime/guide/avatar.h"
+#include "runtime/guide/company.h"
 #include "runtime/guide/overlay.h"
 #include "runtime/guide/stage.h"
+#include "runtime/guide/strollers.h"
 #include "runtime/input/gesture.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
@@ -23,8 +26,7 @@ using Seconds = std::chrono::duration<float>;
 /// Someone in front of the glass: what they see and what they asked for.
 struct Visitor {
   InterfaceState state;
-  std::uint32_t avatar = 0;  ///< Who guides them.
-  float idle_seconds = 0;    ///< Since they last touched anything.
+  float idle_seconds = 0;  ///< Since they last touched anything.
 };
 
 /// What the guide was sent to do.
@@ -90,8 +92,9 @@ class Guide {
   bool shows_its_state() const noexcept;
   /// And does nothing fly or fade any more?
   bool is_settled() const noexcept;
-  const std::vector<Avatar>& avatars() const noexcept { return avatars_; }
-  AvatarState state_of(const Avatar& avatar) const noexcept;
+  /// All who walk; the first one is the guide.
+  const Company& company() const noexcept { return company_; }
+  AvatarState state_of(std::uint32_t who) const noexcept;
   const GuideCounters& counters() const noexcept { return counters_; }
 
  private:
@@ -103,24 +106,25 @@ class Guide {
   void set_out() noexcept;
   void order(const Errand& errand) noexcept;
   void take_answers() noexcept;
-  void take_answer(std::unique_ptr<Plan> plan) noexcept;
-  void go_on() noexcept;
+  void take_way() noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds) noexcept;
   void count_collisions() noexcept;
 
-  Avatar& leader() noexcept { return avatars_.front(); }
+  const Avatar& leader() const noexcept { return company_[0].avatar; }
   bool is_out() const noexcept;
 
   const Museum& museum_;
   Planner& planner_;
   GuideSettings settings_;
   std::vector<Visitor> visitors_;
-  std::vector<Avatar> avatars_;
+  Company company_;
+  Strollers strollers_;
+  std::vector<Body> bodies_;        ///< Of those who are here, for counting collisions.
+  std::vector<Meetings> meetings_;  ///< One, of the kiosk's floor.
   Errand errand_;
-  std::uint64_t last_order_ = 0, last_request_ = 0;
-  bool awaiting_plan_ = false, awaiting_view_ = false;
-  double lead_ = 0.25;        ///< Seconds ahead from which the next plan is asked for.
+  std::uint64_t last_request_ = 0;
+  bool awaiting_view_ = false;
   std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
   GestureRecogniser gestures_;
   Overlay overlay_;

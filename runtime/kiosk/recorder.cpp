@@ -39,12 +39,14 @@ Result<Recorder> Recorder::open(const std::filesystem::path& folder) {
 }
 
 void Recorder::add_states(double time, const Guide& guide) {
-  for (std::size_t i = 0; i < guide.avatars().size(); ++i) {
-    const Avatar& avatar = guide.avatars()[i];
+  for (std::uint32_t i = 0; i < guide.company().size(); ++i) {
+    const Companion& one = guide.company()[i];
+    if (!one.is_here) continue;
+    const Avatar& avatar = one.avatar;
     const double turned = std::remainder(avatar.body.heading, 2 * std::numbers::pi);
     fmt::format_to(std::back_inserter(states_), "{:.4f},{},{:.4f},{:.4f},{:.2f},{}\n", time, i,
                    avatar.body.position.x, avatar.body.position.y, turned * 180 / std::numbers::pi,
-                   name_of(guide.state_of(avatar)));
+                   name_of(guide.state_of(i)));
   }
 }
 

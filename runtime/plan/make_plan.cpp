@@ -85,6 +85,7 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
   plan->status = RouteStatus::Ok;
   walk_way(museum.motion, walking, from, points, *plan);
   keep_way(points, *plan);
+  plan->is_new_way = true;
   return plan;
 }
 

@@ -32,10 +32,10 @@ struct WalkOrder {
   /// Only where others walk too: when the new plan takes over, on the company's clock, and when
   /// that is on the clock of `before` (which may have ended). Without, it takes over as soon as it
   /// can.
-  std::optional<double> seconds;
+  std::optional<double> seconds{};
   double before_seconds = 0;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
-  std::optional<std::uint32_t> makes_room_for;  ///< Step aside for that avatar, wherever.
+  std::optional<std::uint32_t> makes_room_for{};  ///< Step aside for that avatar, wherever.
   double held_seconds = 0;                      ///< For how long others have been in its way.
   bool enters = false;                          ///< Appear at `start`, as soon as there is room.
 };
@@ -55,6 +55,7 @@ struct Plan {
   bool is_whole = true;           ///< Does the walk lead to the goal?
   std::uint32_t go_on_frame = 0;  ///< Where it does not.
   double seconds_to_goal = 0;     ///< From the walk's beginning; where it goes on, at its pace.
+  bool is_new_way = false;        ///< `points` are not those of the plan before.
   bool holds = false;  ///< Others are in the way: there is no walk now, the one before is kept.
   std::vector<std::uint32_t> in_the_way;  ///< Who could make room.
 

@@ -149,12 +149,12 @@ std::unique_ptr<Plan> Traffic::enter(const WalkOrder& order) {
   auto plan = make_standing(walking_, order.start);
   plan->order = order;
   const Course here = standing_course(order.start.position);
-  plan->holds = timetable_.first_meeting(order.avatar, here, spare, *order.seconds).has_value();
+  plan->holds = timetable_.first_conflict(order.avatar, here, spare, *order.seconds).has_value();
   if (!plan->holds) timetable_.put(order.avatar, here);
   return plan;
 }
 
-std::optional<Meeting> Traffic::commit(Plan& plan, Walk walk) {
+std::optional<Conflict> Traffic::commit(Plan& plan, Walk walk) {
   const WalkOrder& order = plan.order;
   // What it does until then stays as it was; that it has been committed to already.
   constexpr double before = 1;
@@ -165,10 +165,10 @@ std::optional<Meeting> Traffic::commit(Plan& plan, Walk walk) {
   else
     course.place.assign(static_cast<std::size_t>(before / Course::step), order.start.position);
   append_course(walk, 0, seconds_of(walk) + Course::step, course);
-  auto meeting = timetable_.first_meeting(order.avatar, course, spare, *order.seconds);
+  auto meeting = timetable_.first_conflict(order.avatar, course, spare, *order.seconds);
   if (const auto wall = first_wall(course, *order.seconds);
       wall && (!meeting || *wall < meeting->seconds))
-    meeting = Meeting{*wall, order.avatar};
+    meeting = Conflict{*wall, order.avatar};
   if (meeting) return meeting;
   timetable_.put(order.avatar, std::move(course));
   plan.walk = std::move(walk);
@@ -241,6 +241,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     plan->length = found.length;
     way = std::move(found.points);
     keep_way(way, *plan);
+    plan->is_new_way = true;
   }
   if (way.size() < 2) way = {from.position, order.goal->position};
   if (advance(*plan, from, way, done)) return plan;
@@ -254,6 +255,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     if (round.status == RouteStatus::Ok) {
       plan->length = round.length;
       keep_way(round.points, *plan);
+      plan->is_new_way = true;
       if (advance(*plan, from, round.points, 0)) return plan;
     }
   }

@@ -41,7 +41,7 @@ class Traffic {
   std::optional<double> first_wall(const Course& course, double from) const;
   /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met
   /// on it; else when that is.
-  std::optional<Meeting> commit(Plan& plan, Walk walk);
+  std::optional<Conflict> commit(Plan& plan, Walk walk);
   std::vector<std::uint32_t> obliging(const WalkOrder& order) const;
 
   const Museum& museum_;

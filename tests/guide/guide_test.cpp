@@ -119,7 +119,7 @@ TEST(Guide, SetsOutInTheFrameAfterAnExhibitIsChosen) {
 
   EXPECT_EQ(session.guide().state().screen, Screen::Walking);
   EXPECT_EQ(session.guide().draw_list().ribbons.size(), 1U);
-  EXPECT_NE(session.guide().state_of(session.guide().avatars()[0]), AvatarState::Idle);
+  EXPECT_NE(session.guide().state_of(0), AvatarState::Idle);
 }
 
 TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
@@ -140,7 +140,7 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
 
   EXPECT_EQ(session.guide().state().screen, Screen::Arrived);
   EXPECT_TRUE(session.guide().state().arrived);
-  const Vec2 off = session.guide().avatars()[0].body.position - museum().exhibits[0].view.position;
+  const Vec2 off = session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 
@@ -152,7 +152,7 @@ TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
   session.run(80);
 
   EXPECT_EQ(session.guide().state(), InterfaceState{});
-  const Vec2 off = session.guide().avatars()[0].body.position - museum().kiosk.position;
+  const Vec2 off = session.guide().company()[0].avatar.body.position - museum().kiosk.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 
@@ -175,9 +175,9 @@ TEST(Guide, StopsWhereItIs) {
   session.tap("stop");
   session.run(6);
 
-  const Vec2 at = session.guide().avatars()[0].body.position;
+  const Vec2 at = session.guide().company()[0].avatar.body.position;
   session.run(2);
-  EXPECT_EQ(session.guide().avatars()[0].body.position, at);
+  EXPECT_EQ(session.guide().company()[0].avatar.body.position, at);
   EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
 }
 

@@ -1,0 +1,94 @@
+#include "runtime/guide/strollers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace docent {
+namespace {
+
+constexpr double least_look = 6, most_look = 20;  // seconds
+constexpr double slowest = 0.7;                   // share of the clips' pace
+constexpr double taken = 0.9;    // metres about a place that somebody else holds or goes to
+constexpr double aimless = 0.2;  // share of the ways that lead just somewhere
+constexpr int most_tries = 12;
+
+}  // namespace
+
+/// SplitMix64 (Steele, Lea, Flood 2014), as a number in [0, 1).
+double Strollers::random(Stroller& stroller) const noexcept {
+  stroller.chance += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = stroller.chance;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
+}
+
+Placement Strollers::start_of(std::size_t i) const noexcept {
+  const auto on_floor = [this](const Exhibit& e) { return e.floor == museum_.kiosk_floor; };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(museum_.exhibits, on_floor));
+  if (count == 0) return museum_.kiosk;
+  // Spread over the exhibits; who comes when all are taken waits for room.
+  std::size_t skip = (i * 7 + 3) % count;
+  for (const Exhibit& exhibit : museum_.exhibits)
+    if (on_floor(exhibit) && skip-- == 0) return exhibit.view;
+  return museum_.kiosk;
+}
+
+void Strollers::enter(Company& company) {
+  for (std::size_t i = 0; i < museum_.ambient_count; ++i) {
+    Stroller stroller;
+    stroller.chance = 1000003 * (i + 1);
+    const double pace = slowest + (1 - slowest) * random(stroller);
+    stroller.who = company.add(museum_.kiosk_floor, start_of(i), 0, pace);
+    stroller.goes_on_at = most_look * random(stroller);
+    strollers_.push_back(stroller);
+  }
+}
+
+void Strollers::step(Company& company) noexcept {
+  for (Stroller& stroller : strollers_) {
+    const Companion& one = company[stroller.who];
+    if (!one.is_here || (one.goal && !one.has_arrived)) {
+      stroller.looks = false;
+      continue;
+    }
+    if (!stroller.looks) {
+      stroller.looks = true;
+      stroller.goes_on_at =
+          company.clock() + least_look + (most_look - least_look) * random(stroller);
+    }
+    if (company.clock() >= stroller.goes_on_at) choose(stroller, company);
+  }
+}
+
+/// Where to next: to an exhibit that nobody else is at or goes to, or somewhere on the medial axis.
+void Strollers::choose(Stroller& stroller, Company& company) const noexcept {
+  const auto is_taken = [&](Vec2 place) {
+    return std::ranges::any_of(company.members(), [&](const Companion& other) {
+      if (&other == &company[stroller.who] || !other.is_here) return false;
+      return glm::distance(other.avatar.body.position, place) < taken ||
+             (other.goal && glm::distance(other.goal->position, place) < taken);
+    });
+  };
+  const Roadmap& roads = museum_.floors[museum_.kiosk_floor].roadmap;
+  for (int i = 0; i < most_tries; ++i) {
+    const auto kind = static_cast<RouteKind>(std::min(2, static_cast<int>(3 * random(stroller))));
+    if (random(stroller) < aimless && !roads.position.empty()) {
+      const auto node =
+          static_cast<std::size_t>(random(stroller) * static_cast<double>(roads.position.size()));
+      const double heading = 2 * std::numbers::pi * (random(stroller) - 0.5);
+      if (roads.clearance[node] < 2 * museum_.body_radius || is_taken(roads.position[node]))
+        continue;
+      return company.send(stroller.who, {roads.position[node], heading}, RouteKind::Skeleton);
+    }
+    if (museum_.exhibits.empty()) continue;
+    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(
+        random(stroller) * static_cast<double>(museum_.exhibits.size()))];
+    if (exhibit.floor != museum_.kiosk_floor || is_taken(exhibit.view.position)) continue;
+    return company.send(stroller.who, exhibit.view, kind);
+  }
+  stroller.looks = false;  // everything is taken: it looks on
+}
+
+}  // namespace docent
