@@ -218,7 +218,8 @@ void Guide::take_answers() noexcept {
 void Guide::take_way() noexcept {
   const Companion& guide = company_[0];
   if (!guide.is_answered) return;
-  if (guide.avatar.next) stage_.show_way(*guide.avatar.next, list_);
+  const Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
+  if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
   if (errand_.kind != Errand::Kind::ToExhibit) return;
   if (!trip_) ++counters_.routes;
   trip_ = guide.trip;

@@ -36,8 +36,8 @@ struct WalkOrder {
   double before_seconds = 0;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   std::optional<std::uint32_t> makes_room_for{};  ///< Step aside for that avatar, wherever.
-  double held_seconds = 0;                      ///< For how long others have been in its way.
-  bool enters = false;                          ///< Appear at `start`, as soon as there is room.
+  double held_seconds = 0;                        ///< For how long others have been in its way.
+  bool enters = false;                            ///< Appear at `start`, as soon as there is room.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.

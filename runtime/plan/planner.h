@@ -45,7 +45,8 @@ class Planner {
   const std::vector<std::shared_ptr<const FloorMap>>& maps() const noexcept { return maps_; }
 
  private:
-  static constexpr std::size_t belt_length = 32;
+  /// Longer than there are avatars: who waits for the worker does not empty the belts meanwhile.
+  static constexpr std::size_t belt_length = 512;
 
   void work();
   void answer(const WalkOrder& order);

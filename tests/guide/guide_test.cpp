@@ -140,7 +140,8 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
 
   EXPECT_EQ(session.guide().state().screen, Screen::Arrived);
   EXPECT_TRUE(session.guide().state().arrived);
-  const Vec2 off = session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
+  const Vec2 off =
+      session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 

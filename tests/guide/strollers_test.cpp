@@ -1,0 +1,117 @@
+// Visitors on their own in the sample museum: ten minutes of simulated time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "platform/sqlite/content_reader.h"
+#include "runtime/guide/company.h"
+#include "runtime/guide/strollers.h"
+#include "runtime/path/route.h"
+#include "tests/support/sample_database.h"
+
+namespace docent {
+namespace {
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr double watched_seconds = 40;  // everything takes ten times as long there
+#else
+constexpr double watched_seconds = 600;
+#endif
+
+Museum busy_museum(std::uint32_t count) {
+  Museum museum = load_museum(test::sample_database()).value();
+  museum.ambient_count = count;
+  return museum;
+}
+
+struct Stroll {
+  std::vector<std::vector<Placement>> track;  ///< Per visitor and frame, while it is there.
+  double deepest_overlap = -1, least_clearance = 1e9, quickest = 0, longest_held = 0, ways = 0;
+  double mean_ms = 0, worst_ms = 0;
+};
+
+Stroll stroll(const Museum& museum, double seconds) {
+  Planner planner(museum, {}, museum.ambient_count);
+  Company company(museum, planner);
+  Strollers strollers(museum);
+  strollers.enter(company);
+  Stroll out;
+  out.track.resize(company.size());
+  std::vector<std::optional<Vec2>> goal(company.size());
+  const auto frames = static_cast<int>(seconds * 60);
+  for (int f = 0; f < frames; ++f) {
+    planner.wait();
+    const auto began = std::chrono::steady_clock::now();
+    company.step(1.0 / 60);
+    strollers.step(company);
+    const std::chrono::duration<double, std::milli> taken =
+        std::chrono::steady_clock::now() - began;
+    out.mean_ms += taken.count() / frames;
+    out.worst_ms = std::max(out.worst_ms, taken.count());
+    for (std::uint32_t i = 0; i < company.size(); ++i) {
+      if (!company[i].is_here) continue;
+      const Placement body = company[i].avatar.body;
+      if (!out.track[i].empty())
+        out.quickest =
+            std::max(out.quickest, 60 * glm::distance(out.track[i].back().position, body.position));
+      out.track[i].push_back(body);
+      out.longest_held = std::max(out.longest_held, company[i].held_seconds);
+      out.least_clearance = std::min(
+          out.least_clearance,
+          clearance_at(*planner.maps()[museum.kiosk_floor], body.position) - museum.body_radius);
+      if (company[i].goal && company[i].goal->position != goal[i]) {
+        goal[i] = company[i].goal->position;
+        ++out.ways;
+      }
+      for (std::uint32_t j = 0; j < i; ++j)
+        if (company[j].is_here)
+          out.deepest_overlap =
+              std::max(out.deepest_overlap,
+                       2 * museum.body_radius -
+                           glm::distance(company[j].avatar.body.position, body.position));
+    }
+  }
+  return out;
+}
+
+TEST(Strollers, NeverTouchEachOtherOrAWall) {
+  const Stroll seen = stroll(busy_museum(40), watched_seconds);
+
+  std::printf(
+      "40 strollers, %.0f s: overlap %.1f mm, clearance %+.1f mm, held up for %.1f s at most, "
+      "%.0f ways, a step %.3f ms (worst %.2f)\n",
+      watched_seconds, 1e3 * seen.deepest_overlap, 1e3 * seen.least_clearance, seen.longest_held,
+      seen.ways, seen.mean_ms, seen.worst_ms);
+  EXPECT_LE(seen.deepest_overlap, 0.005);
+  EXPECT_GE(seen.least_clearance, -0.01);
+  EXPECT_LT(seen.quickest, 2.2);
+  EXPECT_GT(seen.ways, 40 * watched_seconds / 60);
+  EXPECT_LT(seen.longest_held, 60);
+  for (const auto& track : seen.track) EXPECT_FALSE(track.empty());
+}
+
+TEST(Strollers, DoTheSameTwice) {
+  const Museum museum = busy_museum(12);
+
+  const Stroll first = stroll(museum, 20), second = stroll(museum, 20);
+
+  for (std::size_t i = 0; i < first.track.size(); ++i) {
+    ASSERT_EQ(first.track[i].size(), second.track[i].size());
+    EXPECT_EQ(first.track[i].back().position, second.track[i].back().position);
+  }
+}
+
+TEST(Strollers, AreNotThereInAQuietMuseum) {
+  const Museum museum = busy_museum(0);
+  Planner planner(museum, {});
+  Company company(museum, planner);
+
+  Strollers(museum).enter(company);
+
+  EXPECT_EQ(company.size(), 0U);
+}
+
+}  // namespace
+}  // namespace docent
