@@ -54,7 +54,7 @@ bool is_number(const TomlNode& node) {
   return node.kind == TomlNode::Kind::Integer || node.kind == TomlNode::Kind::Number;
 }
 
-bool is_point(const TomlNode& node) {
+bool is_pair_of_numbers(const TomlNode& node) {
   return node.kind == TomlNode::Kind::Array && node.items.size() == 2 && is_number(node.items[0]) &&
          is_number(node.items[1]);
 }
@@ -139,18 +139,46 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, bool& v
 }
 
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Vec2& value) {
-  if (!is_point(node)) return wrong_type(node, rules.key, "a point: [east, north] in metres");
+  if (!is_pair_of_numbers(node))
+    return wrong_type(node, rules.key, "a point: [east, north] in metres");
   if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;
   value = {node.items[0].number, node.items[1].number};
   return true;
 }
 
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value) {
-  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_point))
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_pair_of_numbers))
     return wrong_type(node, rules.key, "a list of points: [[east, north], ...] in metres");
   return std::ranges::all_of(node.items, [&](const TomlNode& point) {
     return read_value(point, rules, value.emplace_back());
   });
+}
+
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedPoints& value) {
+  const auto add = [&](const TomlNode& point) {
+    Located<Vec2>& added = value.emplace_back();
+    added.place = place(point.range);
+    return added.given = read_value(point, rules, added.value);
+  };
+  if (is_pair_of_numbers(node)) return add(node);
+  if (node.kind != TomlNode::Kind::Array || node.items.empty() ||
+      !std::ranges::all_of(node.items, is_pair_of_numbers))
+    return wrong_type(node, rules.key,
+                      "a point or several: [east, north] or [[east, north], ...] in metres");
+  return std::ranges::all_of(node.items, add);
+}
+
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Interval& value) {
+  if (!is_pair_of_numbers(node)) return wrong_type(node, rules.key, "two numbers: [least, most]");
+  if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;
+  const Interval read{.least = node.items[0].number, .most = node.items[1].number};
+  if (read.least > read.most) {
+    report(node.range, "bad-value", fmt::format("the least of '{}' is above its most", rules.key),
+           {}, fmt::format("write {} = [{}, {}]", rules.key, read.most, read.least));
+    return false;
+  }
+  value = read;
+  return true;
 }
 
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules,

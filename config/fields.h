@@ -40,6 +40,7 @@ struct Field {
   std::string_view key;
   std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
+               Located<LocatedPoints> T::*, Located<Interval> T::*,
                Located<std::vector<std::string>> T::*, Located<LocatedTexts> T::*>
       member;
   Presence presence = Presence::Optional;
@@ -82,6 +83,8 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, bool& value);
   bool read_value(const TomlNode& node, const Rules& rules, Vec2& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
+  bool read_value(const TomlNode& node, const Rules& rules, LocatedPoints& value);
+  bool read_value(const TomlNode& node, const Rules& rules, Interval& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<std::string>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
   bool in_range(const TomlNode& node, const Rules& rules);

@@ -10,6 +10,7 @@
 
 #include "config/toml_document.h"
 #include "runtime/model/diagnostic.h"
+#include "runtime/model/geometry/vec2.h"
 
 namespace docent {
 
@@ -33,6 +34,14 @@ struct Located {
 
 /// Texts by language or by key.
 using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
+
+/// One point or several.
+using LocatedPoints = std::vector<Located<Vec2>>;
+
+/// From the least to the most, both included.
+struct Interval {
+  double least = 0, most = 0;
+};
 
 /// What was read, where there is something, and everything that is wrong with it, in the order of
 /// the files. Without an error among the diagnostics the value is complete.

@@ -32,6 +32,8 @@ struct AvatarSection {
 };
 struct AmbientSection {
   Located<std::int64_t> count;
+  Located<LocatedPoints> from;
+  Located<Interval> look;  ///< Seconds.
 };
 struct MotionSection {
   Located<std::string> clips;

@@ -4,6 +4,7 @@
 
 #include "config/fields.h"
 #include "config/museum_config.h"
+#include "runtime/model/museum.h"
 
 /// The fields of a museum's files: their one definition. Internal to config.
 namespace docent {
@@ -62,8 +63,18 @@ inline constexpr std::array ambient_fields{
     Field<AmbientSection>{"count",
                           &AmbientSection::count,
                           Presence::Optional,
-                          "Strolling visitors on the screen",
-                          {0, 1000}},
+                          "Strolling visitors on the screen; none where it is not said",
+                          {0, Ambient::most}},
+    Field<AmbientSection>{"from", &AmbientSection::from, Presence::Optional,
+                          "Where they come from: [east, north] in metres on the kiosk's floor, or "
+                          "several such places; without it they are there already, spread over "
+                          "the exhibits"},
+    Field<AmbientSection>{"look",
+                          &AmbientSection::look,
+                          Presence::Optional,
+                          "Seconds that one looks at an exhibit, [least, most]; [6, 20] where it "
+                          "is not said",
+                          {1, Ambient::longest_look}},
 };
 
 inline constexpr std::array motion_fields{

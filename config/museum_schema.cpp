@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "config/museum_fields.h"
 
@@ -15,8 +16,12 @@ Json texts_by_language() {
   return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
 }
 
+Json pair(Json item) {
+  return {{"type", "array"}, {"items", std::move(item)}, {"minItems", 2}, {"maxItems", 2}};
+}
+
 Json point() {
-  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+  return pair({{"type", "number"}});
 }
 
 Json number(std::string_view type, Limits limits) {
@@ -47,6 +52,10 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return point();
   else if constexpr (std::is_same_v<Value, std::vector<Vec2>>)
     return {{"type", "array"}, {"items", point()}};
+  else if constexpr (std::is_same_v<Value, LocatedPoints>)
+    return {{"anyOf", {point(), {{"type", "array"}, {"items", point()}, {"minItems", 1}}}}};
+  else if constexpr (std::is_same_v<Value, Interval>)
+    return pair(number("number", field.limits));
   else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
   else

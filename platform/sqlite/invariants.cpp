@@ -210,6 +210,13 @@ bool keeps(const Exhibit& exhibit, const Museum& museum) {
          finite(exhibit.placement) && finite(exhibit.view);
 }
 
+bool keeps(const Ambient& ambient) {
+  // Written so that a time that is not a number fails too.
+  return ambient.count <= Ambient::most && all_finite(ambient.entrances) &&
+         ambient.look_least > 0 && ambient.look_least <= ambient.look_most &&
+         ambient.look_most <= Ambient::longest_look;
+}
+
 bool keeps(const Skeleton& skeleton) {
   const auto joints = static_cast<std::int32_t>(skeleton.joint.size());
   for (std::int32_t i = 0; i < joints; ++i) {
@@ -324,6 +331,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   if (!finite(museum.body_radius) || museum.body_radius <= 0) return "the body's radius";
+  if (!keeps(museum.ambient)) return "its strolling visitors";
   if (!keeps(museum.motion)) return "its motion";
   if (!keeps_classes(museum.motion)) return "its classes of motion";
   if (!keeps(museum.avatar, museum.motion.skeleton.joint.size())) return "its avatar";

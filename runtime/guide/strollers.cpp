@@ -36,7 +36,7 @@ Placement Strollers::start_of(std::size_t i) const noexcept {
 }
 
 void Strollers::enter(Company& company) {
-  for (std::size_t i = 0; i < museum_.ambient_count; ++i) {
+  for (std::size_t i = 0; i < museum_.ambient.count; ++i) {
     Stroller stroller;
     stroller.chance = 1000003 * (i + 1);
     const double pace = slowest + (1 - slowest) * random(stroller);

@@ -52,7 +52,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   };
   exhibition->planner =
       std::make_unique<Planner>(kept, PieceMakers{std::move(*set_text), std::move(set_picture)},
-                                1 + std::size_t{kept.ambient_count});
+                                1 + std::size_t{kept.ambient.count});
   exhibition->guide = std::make_unique<Guide>(exhibition->museum, *exhibition->planner, settings);
   return exhibition;
 }

@@ -29,6 +29,19 @@ struct Language {
   std::map<std::string, std::string, std::less<>> words;  ///< The interface's words by key.
 };
 
+/// Strolling visitors: they walk about on the kiosk's floor and look at what they like.
+struct Ambient {
+  static constexpr std::uint32_t most = 200;
+  static constexpr double longest_look = 600;  ///< Seconds.
+
+  std::uint32_t count = 0;  ///< At most `most`. A quiet museum has none.
+  /// Where they come from: clear of walls by the body's radius, and joined to the kiosk by a way
+  /// for it. Empty: they are there already, spread over the viewing points of the exhibits.
+  std::vector<Vec2> entrances;
+  /// Seconds that one stands and looks. 0 < least <= most <= longest_look.
+  double look_least = 6, look_most = 20;
+};
+
 /// Everything the kiosk knows, as the database holds it. Immutable once loaded.
 struct Museum {
   LocalText title;
@@ -45,7 +58,7 @@ struct Museum {
   /// A walking body rounds corners a little inside its way, so ways are asked for with this much
   /// room to spare. Metres.
   static constexpr double walking_room = 0.02;
-  std::uint32_t ambient_count = 0;  ///< Strolling visitors.
+  Ambient ambient;
   MotionGraph motion;  ///< Without clips where the museum was compiled with --no-motion.
   SkinnedMesh avatar;
 };

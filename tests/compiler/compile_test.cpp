@@ -34,12 +34,25 @@ TEST(Compile, TurnsAFolderIntoAMuseum) {
   EXPECT_EQ(museum.languages.at(1).tag, "ar");
   EXPECT_TRUE(museum.languages.at(1).right_to_left) << "the shipped words say so";
   EXPECT_FALSE(museum.languages.at(0).words.empty());
-  EXPECT_EQ(museum.ambient_count, 3U);
+  EXPECT_EQ(museum.ambient.count, 3U);
+  EXPECT_THAT(museum.ambient.entrances, testing::IsEmpty());
   EXPECT_EQ(museum.exhibits[0].place, ExhibitPlace::InCase);
   EXPECT_EQ(museum.exhibits[1].place, ExhibitPlace::OnWall);
   EXPECT_EQ(museum.exhibits[0].image, museum.exhibits[1].image) << "one file is one image";
   EXPECT_EQ(museum.rooms.at(museum.exhibits[1].room).id, "hall");
   EXPECT_NEAR(museum.kiosk.heading, std::numbers::pi / 2, 1e-12);
+}
+
+TEST(Compile, KeepsWhereStrollingVisitorsComeFromAndHowLongTheyLook) {
+  const MuseumFolder folder;
+  folder.replace("museum.toml", "count = 3", "count = 5\nfrom = [[1, 4], [9, 1.5]]\nlook = [3, 8]");
+
+  const Ambient ambient = compiled(folder).ambient;
+
+  EXPECT_EQ(ambient.count, 5U);
+  EXPECT_THAT(ambient.entrances, testing::ElementsAre(Vec2(1, 4), Vec2(9, 1.5)));
+  EXPECT_EQ(ambient.look_least, 3);
+  EXPECT_EQ(ambient.look_most, 8);
 }
 
 /// A visitor stands in front of the exhibit, facing it, with room for the body, and can get there.

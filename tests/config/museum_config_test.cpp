@@ -75,12 +75,63 @@ TEST(MuseumConfig, SaysWhichTypeAFieldHas) {
 
 TEST(MuseumConfig, SaysWhatRangeANumberHas) {
   const MuseumFolder museum;
-  museum.replace("museum.toml", "count = 3", "count = 1001");
+  museum.replace("museum.toml", "[ambient]", "[avatar]\nradius = 3\n[ambient]");
 
   const auto loaded = load_museum_config(museum.path());
 
   ASSERT_THAT(codes(loaded), ElementsAre("out-of-range"));
-  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'count' should be from 0 to 1000"));
+  EXPECT_THAT(loaded.diagnostics[0].message, HasSubstr("'radius' should be from 0.05 to 2"));
+}
+
+/// The diagnostic of a museum whose strolling visitors are written like this.
+Diagnostic diagnostic_of_ambient(const std::string& written) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", written);
+  const auto loaded = load_museum_config(museum.path());
+  EXPECT_EQ(loaded.diagnostics.size(), 1U) << written;
+  return loaded.diagnostics.empty() ? Diagnostic{} : loaded.diagnostics.front();
+}
+
+TEST(MuseumConfig, CountsStrollingVisitorsInWholeNumbersFromNone) {
+  EXPECT_EQ(diagnostic_of_ambient("count = 2.5").message, "'count' should be a whole number");
+  EXPECT_EQ(diagnostic_of_ambient("count = -1").code, "out-of-range");
+  EXPECT_EQ(diagnostic_of_ambient("count = 201").message, "'count' should be from 0 to 200");
+}
+
+TEST(MuseumConfig, LetsStrollingVisitorsComeFromOnePlaceOrSeveral) {
+  const MuseumFolder one, several;
+  one.replace("museum.toml", "count = 3", "from = [1.5, 2]");
+  several.replace("museum.toml", "count = 3", "from = [[1.5, 2],\n        [8, 7]]");
+
+  const auto from_one = load_museum_config(one.path()).value->ambient.from;
+  const auto from_several = load_museum_config(several.path()).value->ambient.from;
+
+  ASSERT_EQ(from_one.value.size(), 1U);
+  EXPECT_EQ(from_one.value[0].value, Vec2(1.5, 2));
+  ASSERT_EQ(from_several.value.size(), 2U);
+  EXPECT_EQ(from_several.value[1].value, Vec2(8, 7));
+  EXPECT_EQ(from_several.value[1].place.range.line, 13U);
+}
+
+TEST(MuseumConfig, WantsPlacesToComeFromToBePoints) {
+  for (const char* written :
+       {"from = []", "from = 3", "from = [1, 2, 3]", "from = [[1, 2], [3]]"}) {
+    const Diagnostic diagnostic = diagnostic_of_ambient(written);
+    EXPECT_EQ(diagnostic.code, "wrong-type") << written;
+    EXPECT_THAT(diagnostic.message, HasSubstr("'from' should be a point or several")) << written;
+  }
+}
+
+TEST(MuseumConfig, WantsALookToLastFromALeastToAMostOfSeconds) {
+  const Diagnostic reversed = diagnostic_of_ambient("look = [20, 6]");
+
+  EXPECT_EQ(reversed.message, "the least of 'look' is above its most");
+  EXPECT_EQ(reversed.hint, "write look = [6, 20]");
+  EXPECT_EQ(reversed.line, 12U);
+  EXPECT_EQ(diagnostic_of_ambient("look = [-2, 6]").message, "'look' should be from 1 to 600");
+  EXPECT_EQ(diagnostic_of_ambient("look = [6, 1e9]").message, "'look' should be from 1 to 600");
+  EXPECT_EQ(diagnostic_of_ambient("look = [nan, 6]").code, "out-of-range");
+  EXPECT_THAT(diagnostic_of_ambient("look = 6").message, HasSubstr("two numbers: [least, most]"));
 }
 
 TEST(MuseumConfig, RefusesNumbersThatAreNone) {

@@ -22,7 +22,7 @@ constexpr double watched_seconds = 600;
 
 Museum busy_museum(std::uint32_t count) {
   Museum museum = load_museum(test::sample_database()).value();
-  museum.ambient_count = count;
+  museum.ambient.count = count;
   return museum;
 }
 
@@ -33,7 +33,7 @@ struct Stroll {
 };
 
 Stroll stroll(const Museum& museum, double seconds) {
-  Planner planner(museum, {}, museum.ambient_count);
+  Planner planner(museum, {}, museum.ambient.count);
   Company company(museum, planner);
   Strollers strollers(museum);
   strollers.enter(company);

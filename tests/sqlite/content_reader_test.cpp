@@ -41,6 +41,8 @@ TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
   // The writer covers every field (rows.h), so equal files are equal museums.
   EXPECT_EQ(encode_museum(*read), encode_museum(museum));
   EXPECT_EQ(read->exhibits[0].text.at("zh"), "玉璧。");
+  EXPECT_EQ(read->ambient.entrances, museum.ambient.entrances);
+  EXPECT_EQ(read->ambient.look_most, 9.5);
   EXPECT_EQ(read->floors[0].tangent_graphs[1].tangent[0].leave, Vec2(1, 2));
   EXPECT_EQ(read->motion.clips[0].rotation[3].z, 1.0F);
   EXPECT_EQ(read->motion.skeleton.has_rotation, museum.motion.skeleton.has_rotation);
@@ -169,6 +171,11 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"exhibit", [](Museum& m) { m.exhibits[0].view.heading = INFINITY; }},
       {"kiosk", [](Museum& m) { m.kiosk_floor = 1; }},
       {"radius", [](Museum& m) { m.body_radius = 0; }},
+      {"strolling visitors", [](Museum& m) { m.ambient.count = 100000; }},
+      {"strolling visitors", [](Museum& m) { m.ambient.entrances[1].y = NAN; }},
+      {"strolling visitors", [](Museum& m) { m.ambient.look_least = 0; }},
+      {"strolling visitors", [](Museum& m) { m.ambient.look_most = 3; }},
+      {"strolling visitors", [](Museum& m) { m.ambient.look_most = INFINITY; }},
       {"language", [](Museum& m) { m.languages.clear(); }},
       {"motion", [](Museum& m) { m.motion.skeleton.joint[1].parent = JointIndex{1}; }},
       {"motion", [](Museum& m) { m.motion.skeleton.part[3] = JointIndex{2}; }},

@@ -94,7 +94,7 @@ inline Museum small_museum() {
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
   museum.kiosk = {{1, 1}, 0.5};
   museum.body_radius = 0.3;
-  museum.ambient_count = 12;
+  museum.ambient = {.count = 12, .entrances = {{2, 3}, {5, 7}}, .look_least = 4, .look_most = 9.5};
 
   MotionGraph& graph = museum.motion;
   graph.skeleton.joint = {{.name = "Hips", .parent = JointIndex::None, .offset = {0, 1, 0}},

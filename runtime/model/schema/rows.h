@@ -17,7 +17,10 @@ void columns(auto& row, MaybeConst<Museum> auto& museum) {
   row("kiosk_y", museum.kiosk.position.y);
   row("kiosk_heading", museum.kiosk.heading);
   row("body_radius", museum.body_radius);
-  row("ambient_count", museum.ambient_count);
+  row("ambient_count", museum.ambient.count);
+  row("ambient_entrance", museum.ambient.entrances);
+  row("ambient_look_least", museum.ambient.look_least);
+  row("ambient_look_most", museum.ambient.look_most);
 }
 
 void columns(auto& row, MaybeConst<Language> auto& language) {

@@ -17,7 +17,10 @@ CREATE TABLE museum (        -- one row
   kiosk_y REAL NOT NULL,
   kiosk_heading REAL NOT NULL,
   body_radius REAL NOT NULL,
-  ambient_count INTEGER NOT NULL
+  ambient_count INTEGER NOT NULL,
+  ambient_entrance BLOB NOT NULL,    -- Vec2
+  ambient_look_least REAL NOT NULL,  -- seconds
+  ambient_look_most REAL NOT NULL
 );
 
 CREATE TABLE language (      -- the first is the default
