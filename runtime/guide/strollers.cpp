@@ -7,8 +7,7 @@
 namespace docent {
 namespace {
 
-constexpr double least_look = 6, most_look = 20;  // seconds
-constexpr double slowest = 0.7;                   // share of the clips' pace
+constexpr double slowest = 0.7;  // share of the clips' pace
 constexpr double taken = 0.9;    // metres about a place that somebody else holds or goes to
 constexpr double aimless = 0.2;  // share of the ways that lead just somewhere
 constexpr int most_tries = 12;
@@ -25,6 +24,9 @@ double Strollers::random(Stroller& stroller) const noexcept {
 }
 
 Placement Strollers::start_of(std::size_t i) const noexcept {
+  // At an entrance the next one waits until the one before has gone on.
+  const std::vector<Vec2>& entrances = museum_.ambient.entrances;
+  if (!entrances.empty()) return {entrances[i % entrances.size()], 0};
   const auto on_floor = [this](const Exhibit& e) { return e.floor == museum_.kiosk_floor; };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(museum_.exhibits, on_floor));
   if (count == 0) return museum_.kiosk;
@@ -40,8 +42,9 @@ void Strollers::enter(Company& company) {
     Stroller stroller;
     stroller.chance = 1000003 * (i + 1);
     const double pace = slowest + (1 - slowest) * random(stroller);
+    const bool comes_in = !museum_.ambient.entrances.empty();
     stroller.who = company.add(museum_.kiosk_floor, start_of(i), 0, pace);
-    stroller.goes_on_at = most_look * random(stroller);
+    stroller.goes_on_at = comes_in ? 0 : museum_.ambient.look_most * random(stroller);
     strollers_.push_back(stroller);
   }
 }
@@ -56,7 +59,8 @@ void Strollers::step(Company& company) noexcept {
     if (!stroller.looks) {
       stroller.looks = true;
       stroller.goes_on_at =
-          company.clock() + least_look + (most_look - least_look) * random(stroller);
+          company.clock() +
+          std::lerp(museum_.ambient.look_least, museum_.ambient.look_most, random(stroller));
     }
     if (company.clock() >= stroller.goes_on_at) choose(stroller, company);
   }
