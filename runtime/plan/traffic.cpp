@@ -38,6 +38,17 @@ void append_course(const Walk& walk, double from, double seconds, Course& course
   }
 }
 
+/// The plan in progress, from a second before the new one would take over.
+Course course_before(const WalkOrder& order) {
+  constexpr double before = 1;
+  const Walk& walk = order.before->walk;
+  Course course{*order.seconds - before, {}};
+  const double left = order.before->seconds() - order.before_seconds;
+  append_course(walk, order.before_seconds - before, before + std::max(0.0, left) + Course::step,
+                course);
+  return course;
+}
+
 double seconds_of(const Walk& walk) {
   return walk.body.empty() ? 0 : static_cast<double>(walk.body.size() - 1) / walk.frame_rate;
 }
@@ -134,8 +145,10 @@ Traffic::Traffic(const Museum& museum, const WalkGraph* walking, const FloorMap&
 std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
   members_[order.avatar].rank = order.rank;
   if (order.enters) return enter(order);
-  if (order.makes_room_for) return make_room(order);
-  return order.goal ? get_on(order) : stop(order);
+  auto plan = order.makes_room_for ? make_room(order) : order.goal ? get_on(order) : stop(order);
+  // Whatever had been given it since, it goes on as before now.
+  if (plan->holds && order.before != nullptr) timetable_.put(order.avatar, course_before(order));
+  return plan;
 }
 
 std::vector<std::uint32_t> Traffic::obliging(const WalkOrder& order) const {
