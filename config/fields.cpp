@@ -99,10 +99,11 @@ bool SectionReader::wrong_type(const TomlNode& node, std::string_view key,
 bool SectionReader::in_range(const TomlNode& node, const Rules& rules) {
   // Written so that a value that is not a number fails too.
   if (node.number >= rules.limits.least && node.number <= rules.limits.most) return true;
-  report(
-      node.range, "out-of-range",
-      fmt::format("'{}' should be from {} to {}", rules.key, rules.limits.least, rules.limits.most),
-      fmt::format("this is {}", node.number));
+  const auto& [least, most] = rules.limits;
+  report(node.range, "out-of-range",
+         std::isinf(most) ? fmt::format("'{}' should be at least {}", rules.key, least)
+                          : fmt::format("'{}' should be from {} to {}", rules.key, least, most),
+         fmt::format("this is {}", node.number));
   return false;
 }
 
@@ -168,10 +169,10 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
   return std::ranges::all_of(node.items, add);
 }
 
-bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Interval& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Range& value) {
   if (!is_pair_of_numbers(node)) return wrong_type(node, rules.key, "two numbers: [least, most]");
   if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;
-  const Interval read{.least = node.items[0].number, .most = node.items[1].number};
+  const Range read{.least = node.items[0].number, .most = node.items[1].number};
   if (read.least > read.most) {
     report(node.range, "bad-value", fmt::format("the least of '{}' is above its most", rules.key),
            {}, fmt::format("write {} = [{}, {}]", rules.key, read.most, read.least));

@@ -29,7 +29,7 @@ enum class Form : std::uint8_t {
   Paving,      ///< oak or stone.
 };
 
-/// What a number has to lie in, ends included.
+/// What a number has to lie in, ends included. An infinite most is known elsewhere.
 struct Limits {
   double least = -1e5, most = 1e5;
 };
@@ -40,7 +40,7 @@ struct Field {
   std::string_view key;
   std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
-               Located<LocatedPoints> T::*, Located<Interval> T::*,
+               Located<LocatedPoints> T::*, Located<Range> T::*,
                Located<std::vector<std::string>> T::*, Located<LocatedTexts> T::*>
       member;
   Presence presence = Presence::Optional;
@@ -84,7 +84,7 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, Vec2& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedPoints& value);
-  bool read_value(const TomlNode& node, const Rules& rules, Interval& value);
+  bool read_value(const TomlNode& node, const Rules& rules, Range& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<std::string>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
   bool in_range(const TomlNode& node, const Rules& rules);

@@ -39,7 +39,7 @@ using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
 using LocatedPoints = std::vector<Located<Vec2>>;
 
 /// From the least to the most, both included.
-struct Interval {
+struct Range {
   double least = 0, most = 0;
 };
 

@@ -33,7 +33,7 @@ struct AvatarSection {
 struct AmbientSection {
   Located<std::int64_t> count;
   Located<LocatedPoints> from;
-  Located<Interval> look;  ///< Seconds.
+  Located<Range> look;  ///< Seconds.
 };
 struct MotionSection {
   Located<std::string> clips;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "config/fields.h"
 #include "config/museum_config.h"
@@ -64,7 +65,7 @@ inline constexpr std::array ambient_fields{
                           &AmbientSection::count,
                           Presence::Optional,
                           "Strolling visitors on the screen; none where it is not said",
-                          {0, Ambient::most}},
+                          {0, std::numeric_limits<double>::infinity()}},
     Field<AmbientSection>{"from", &AmbientSection::from, Presence::Optional,
                           "Where they come from: [east, north] in metres on the kiosk's floor, or "
                           "several such places; without it they are there already, spread over "

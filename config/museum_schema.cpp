@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -25,7 +26,9 @@ Json point() {
 }
 
 Json number(std::string_view type, Limits limits) {
-  return {{"type", type}, {"minimum", limits.least}, {"maximum", limits.most}};
+  Json schema = {{"type", type}, {"minimum", limits.least}};
+  if (std::isfinite(limits.most)) schema["maximum"] = limits.most;
+  return schema;
 }
 
 Json text(Form form) {
@@ -54,7 +57,7 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"type", "array"}, {"items", point()}};
   else if constexpr (std::is_same_v<Value, LocatedPoints>)
     return {{"anyOf", {point(), {{"type", "array"}, {"items", point()}, {"minItems", 1}}}}};
-  else if constexpr (std::is_same_v<Value, Interval>)
+  else if constexpr (std::is_same_v<Value, Range>)
     return pair(number("number", field.limits));
   else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
     return {{"type", "array"}, {"items", {{"type", "string"}}}};

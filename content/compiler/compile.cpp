@@ -135,18 +135,6 @@ void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
   }
 }
 
-Ambient ambient_of(const AmbientSection& section) {
-  Ambient ambient;
-  ambient.count = static_cast<std::uint32_t>(section.count.value);
-  for (const Located<Vec2>& entrance : section.from.value)
-    ambient.entrances.push_back(entrance.value);
-  if (section.look.given) {
-    ambient.look_least = section.look.value.least;
-    ambient.look_most = section.look.value.most;
-  }
-  return ambient;
-}
-
 /// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
 std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const CompileOptions& options,
                                           Report& report, Progress& progress) {
@@ -183,7 +171,6 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
 
   take_texts(config, museum, report);
   museum.body_radius = config.avatar.radius.value;
-  museum.ambient = ambient_of(config.ambient);
   {
     const std::vector<CompiledFloor> floors = compile_floors(config, options, report, progress);
     for (const CompiledFloor& compiled : floors) museum.floors.push_back(compiled.floor);

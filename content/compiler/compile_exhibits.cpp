@@ -8,7 +8,9 @@
 #include <numbers>
 #include <optional>
 
+#include "content/compiler/compile_ambient.h"
 #include "content/compiler/place_exhibits.h"
+#include "content/compiler/polygon.h"
 #include "runtime/path/route.h"
 
 namespace docent {
@@ -17,24 +19,6 @@ namespace {
 
 double to_radians(double degrees) {
   return degrees * std::numbers::pi / 180;
-}
-
-double signed_area(const std::vector<Vec2>& polygon) {
-  double doubled = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    doubled += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
-  return doubled / 2;
-}
-
-bool contains(const std::vector<Vec2>& polygon, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i];
-    const Vec2 b = polygon[(i + 1) % polygon.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-      inside = !inside;
-  }
-  return inside;
 }
 
 class ExhibitCompiler {
@@ -52,6 +36,9 @@ class ExhibitCompiler {
     add_doors();
     place_kiosk();
     for (const ExhibitSection& section : config_.exhibits) add_exhibit(section);
+    if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
+    museum_.ambient =
+        compile_ambient(config_, {*maps_[kiosk_floor_], entrance_, museum_.body_radius}, report_);
   }
 
  private:
@@ -111,15 +98,10 @@ class ExhibitCompiler {
     const FloorMap& map = *maps_[kiosk_floor_];
     if (!kiosk.position.given) {
       museum_.kiosk = most_open_place(floors_[kiosk_floor_].floor);
-    } else if (!is_inside(map, museum_.kiosk.position) ||
-               clearance_at(map, museum_.kiosk.position) < museum_.body_radius) {
-      const auto free = nearest_free_point(map, museum_.kiosk.position, museum_.body_radius + 0.05);
-      error(
-          kiosk.position.place, "kiosk-outside-floor",
-          "nobody can stand where the kiosk is said to be",
-          fmt::format("{:.2f} m {}", clearance_at(map, museum_.kiosk.position),
-                      is_inside(map, museum_.kiosk.position) ? "from a wall" : "outside the floor"),
-          free ? fmt::format("the nearest point with room is {}", point_text(*free)) : "");
+    } else if (const auto problem =
+                   why_nobody_stands(map, museum_.kiosk.position, museum_.body_radius)) {
+      error(kiosk.position.place, "kiosk-outside-floor",
+            "nobody can stand where the kiosk is said to be", problem->label, problem->hint);
       return;
     }
     entrance_ = museum_.kiosk.position;

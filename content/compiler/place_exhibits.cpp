@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "content/compiler/polygon.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent {
@@ -23,22 +24,10 @@ Vec2 direction_of(double heading) {
   return {std::cos(heading), std::sin(heading)};
 }
 
-/// Is the point inside the ring, counting crossings of the ray to the east?
-bool is_in_ring(const ImportedRing& ring, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.vertex.size(); ++i) {
-    const Vec2 a = ring.vertex[i];
-    const Vec2 b = ring.vertex[(i + 1) % ring.vertex.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-      inside = !inside;
-  }
-  return inside;
-}
-
 bool is_in_case(const PlacingFloor& floor, Vec2 p) {
   return std::ranges::any_of(floor.drawn, [&](const ImportedPolygon& polygon) {
     return std::ranges::any_of(polygon.holes,
-                               [&](const ImportedRing& hole) { return is_in_ring(hole, p); });
+                               [&](const ImportedRing& hole) { return contains(hole.vertex, p); });
   });
 }
 
@@ -94,12 +83,7 @@ std::vector<Candidate> viewing_candidates(const PlacingFloor& floor, const Wante
 }
 
 bool is_reachable(const PlacingFloor& floor, Vec2 point) {
-  if (!floor.entrance) return true;
-  const RouteQuery query{.kind = RouteKind::Shortest,
-                         .from = *floor.entrance,
-                         .to = point,
-                         .radius = floor.body_radius};
-  return route(floor.map, query).status == RouteStatus::Ok;
+  return !floor.entrance || can_walk(floor.map, *floor.entrance, point, floor.body_radius);
 }
 
 PlaceProblem outside(const PlacingFloor& floor, Vec2 position) {
@@ -127,30 +111,21 @@ Placement looking_at(Vec2 object, Vec2 view, double object_heading) {
 
 void take_given_view(const PlacingFloor& floor, const WantedPlace& wanted, PlacedExhibit& placed) {
   const Vec2 view = *wanted.view;
-  const double clearance = clearance_at(floor.map, view);
   placed.view = looking_at(wanted.position, view, wanted.heading);
-  if (!is_inside(floor.map, view) || clearance < floor.body_radius) {
-    placed.problem = {.kind = PlaceProblem::Kind::ViewBlocked,
-                      .label = is_inside(floor.map, view)
-                                   ? fmt::format("{:.2f} m from a wall", clearance)
-                                   : fmt::format("{:.2f} m outside the floor", clearance),
-                      .hint = {}};
-    if (const auto free = nearest_free_point(floor.map, view, floor.body_radius + margin))
-      placed.problem->hint =
-          fmt::format("the nearest point with room for a visitor is {}", point_text(*free));
-  } else if (!is_reachable(floor, view)) {
-    placed.problem = unreachable(floor, view);
-  }
+  placed.problem = why_nobody_stands(floor.map, view, floor.body_radius);
+  if (!placed.problem && !is_reachable(floor, view)) placed.problem = unreachable(floor, view);
 }
 
 void find_view(const PlacingFloor& floor, const WantedPlace& wanted, PlacedExhibit& placed) {
   const std::vector<Candidate> candidates = viewing_candidates(floor, wanted, placed.place);
   const auto reached = std::ranges::find_if(
       candidates, [&](const Candidate& c) { return is_reachable(floor, c.position); });
-  if (reached != candidates.end())
-    placed.view = looking_at(wanted.position, reached->position, wanted.heading);
-  else if (!candidates.empty())
-    placed.problem = unreachable(floor, candidates.front().position);
+  const auto chosen = reached != candidates.end() ? reached : candidates.begin();
+  if (chosen != candidates.end())
+    placed.view = looking_at(wanted.position, chosen->position, wanted.heading);
+  if (reached != candidates.end()) return;
+  if (!candidates.empty())
+    placed.problem = unreachable(floor, placed.view.position);
   else
     placed.problem = {.kind = PlaceProblem::Kind::NoView,
                       .label = "nobody can stand in front of it",
@@ -191,6 +166,26 @@ void consider_beside_walls(const FloorPlan& plan, Vec2 point, double clearance,
 
 std::string point_text(Vec2 point) {
   return fmt::format("[{:.2f}, {:.2f}]", point.x, point.y);
+}
+
+std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, double body_radius) {
+  const double clearance = clearance_at(map, point);
+  const bool inside = is_inside(map, point);
+  if (inside && clearance >= body_radius) return {};
+  PlaceProblem problem{
+      .kind = PlaceProblem::Kind::ViewBlocked,
+      .label = fmt::format("{:.2f} m {}", clearance, inside ? "from a wall" : "outside the floor"),
+      .hint = {}};
+  if (const auto free = nearest_free_point(map, point, body_radius + margin))
+    problem.hint =
+        fmt::format("the nearest point with room for a visitor is {}", point_text(*free));
+  return problem;
+}
+
+bool can_walk(const FloorMap& map, Vec2 from, Vec2 to, double body_radius) {
+  const RouteQuery query{
+      .kind = RouteKind::Shortest, .from = from, .to = to, .radius = body_radius};
+  return route(map, query).status == RouteStatus::Ok;
 }
 
 std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance) {

@@ -49,6 +49,13 @@ struct PlacedExhibit {
 /// way from the entrance is wide enough for the body.
 PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted);
 
+/// Why nobody whose body has this radius can stand at a point, as `ViewBlocked`; empty where one
+/// can.
+std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, double body_radius);
+
+/// Is there a way for a body?
+bool can_walk(const FloorMap& map, Vec2 from, Vec2 to, double body_radius);
+
 /// The nearest point that is clear of walls by `clearance`, in whole centimetres; empty where there
 /// is none within 20 m.
 std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance);

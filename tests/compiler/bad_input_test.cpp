@@ -185,9 +185,72 @@ TEST(BadInput, ABvhCutInTheMiddle) {
   EXPECT_FALSE(std::filesystem::exists(museum.database()));
 }
 
+TEST(BadInput, MoreStrollingVisitorsThanThereIsRoomFor) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 100000");
+
+  // Of 10 by 8 metres a case takes one square metre; the closet is not joined to the room.
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:12:9: error[too-many-visitors]: 100000 visitors cannot "
+                              "stroll here: 19 fit"),
+                    HasSubstr("hint: write count = 19 or less: each wants 4 of the 79 square "
+                              "metres about the kiosk, and 200 is the most anywhere")));
+}
+
+TEST(BadInput, FewerStrollingVisitorsThanNone) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = -3");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("museum.toml:12:9: error[out-of-range]: 'count' should be at least 0"));
+}
+
+TEST(BadInput, HalfAStrollingVisitor) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 2.5");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("museum.toml:12:9: error[wrong-type]: 'count' should be a whole number"));
+}
+
+TEST(BadInput, StrollingVisitorsWhoLookLongerAtLeastThanAtMost) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 3\nlook = [20, 6]");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:13:8: error[bad-value]: the least of 'look' is above "
+                              "its most"),
+                    HasSubstr("hint: write look = [6, 20]")));
+}
+
+TEST(BadInput, StrollingVisitorsWhoComeThroughAWall) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3",
+                 "count = 3\nfrom = [[1, 1], [5, 0],\n        [11, 2]]");
+
+  EXPECT_THAT(
+      failing_compile(museum).err,
+      AllOf(HasSubstr("museum.toml:13:17: error[entrance-outside-floor]: strolling visitors cannot "
+                      "come from here: nobody can stand here"),
+            HasSubstr("0.00 m from a wall"),
+            HasSubstr("hint: the nearest point with room for a visitor is [5.00, 0.30]"),
+            HasSubstr("museum.toml:14:9: error[entrance-outside-floor]"),
+            HasSubstr("1.00 m outside the floor")));
+}
+
+TEST(BadInput, StrollingVisitorsWhoComeFromWhereNobodyGetsOut) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "count = 3", "count = 3\nfrom = [14, 2]");  // the closet
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:13:8: error[entrance-unreachable]: strolling visitors "
+                              "cannot come from here: there is no way to the kiosk"),
+                    HasSubstr("hint: every way from here to the kiosk is narrower than 0.50 m")));
+}
+
 TEST(BadInput, AllMistakesOfAllFilesInOneRun) {
   const MuseumFolder museum;
-  museum.replace("museum.toml", "count = 3", "count = 2000");
+  museum.replace("museum.toml", "count = 3", "count = -2000");
   museum.replace("exhibits/hall.toml", "[10.0, 4.0]", "[10.5, 4.0]");
   museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"\n", "");
 

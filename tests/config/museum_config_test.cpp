@@ -94,8 +94,7 @@ Diagnostic diagnostic_of_ambient(const std::string& written) {
 
 TEST(MuseumConfig, CountsStrollingVisitorsInWholeNumbersFromNone) {
   EXPECT_EQ(diagnostic_of_ambient("count = 2.5").message, "'count' should be a whole number");
-  EXPECT_EQ(diagnostic_of_ambient("count = -1").code, "out-of-range");
-  EXPECT_EQ(diagnostic_of_ambient("count = 201").message, "'count' should be from 0 to 200");
+  EXPECT_EQ(diagnostic_of_ambient("count = -1").message, "'count' should be at least 0");
 }
 
 TEST(MuseumConfig, LetsStrollingVisitorsComeFromOnePlaceOrSeveral) {
