@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <optional>
 
 #include "content/compiler/compile_ambient.h"
+#include "content/compiler/narrow_doors.h"
 #include "content/compiler/place_exhibits.h"
 #include "content/compiler/polygon.h"
 #include "runtime/path/route.h"
@@ -39,6 +41,7 @@ class ExhibitCompiler {
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     museum_.ambient =
         compile_ambient(config_, {*maps_[kiosk_floor_], entrance_, museum_.body_radius}, report_);
+    if (entrance_) check_doors();
   }
 
  private:
@@ -135,6 +138,8 @@ class ExhibitCompiler {
     exhibit.place = placed.place;
     exhibit.view = placed.view;
     if (placed.problem) report_problem(section, *placed.problem);
+    if (placed.problem && placed.problem->kind == PlaceProblem::Kind::Unreachable)
+      unreached_.push_back(placed.view.position);
   }
 
   void report_problem(const ExhibitSection& section, const PlaceProblem& problem) {
@@ -158,6 +163,39 @@ class ExhibitCompiler {
                      fmt::format("no visitor can reach exhibit '{}' from the kiosk", id),
                      problem.label, problem.hint);
     }
+  }
+
+  /// Names the doors that the guide does not fit through, if that keeps it from anything.
+  void check_doors() {
+    std::vector<Room> rooms;  // those that staff named
+    std::ranges::copy_if(std::span(museum_.rooms).first(config_.rooms.size()),
+                         std::back_inserter(rooms),
+                         [&](const Room& room) { return room.floor == kiosk_floor_; });
+    const ComingBody body{.map = *maps_[kiosk_floor_],
+                          .rooms = rooms,
+                          .doors = museum_.floors[kiosk_floor_].plan.doors,
+                          .language = config_.languages.front(),
+                          .from = *entrance_,
+                          .radius = museum_.body_radius};
+    const std::vector<NarrowDoor> doors = narrow_doors(body, unreached_);
+    if (doors.empty()) return;
+    std::vector<std::string> named;
+    double narrowest = 2 * body.radius;
+    for (const NarrowDoor& door : doors) {
+      named.push_back(fmt::format("{} ({:.2f} m)", door.name, door.width));
+      if (door.is_on_widest_way) narrowest = std::min(narrowest, door.width);
+    }
+    Diagnostic diagnostic = diagnostic_at(
+        config_, config_.avatar.radius.place, "guide-too-wide",
+        fmt::format("the guide, {:.2f} m wide, does not fit through {}", 2 * body.radius,
+                    fmt::join(named, ", ")),
+        {},
+        fmt::format("under [avatar] write radius = {:.2f} or less, or widen the {} in {}",
+                    std::floor(50 * narrowest) / 100, doors.size() == 1 ? "door" : "doors",
+                    config_.floors[kiosk_floor_].plan.value));
+    // A room without exhibits may well be for nobody.
+    if (unreached_.empty()) diagnostic.severity = Severity::Warning;
+    report_.add(std::move(diagnostic));
   }
 
   /// The room that an exhibit hangs in is the one in front of it; where no outline holds that
@@ -187,6 +225,7 @@ class ExhibitCompiler {
   std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< Null for floors without a plan.
   std::size_t kiosk_floor_ = 0;
   std::optional<Vec2> entrance_;
+  std::vector<Vec2> unreached_;  ///< Viewing points to which there is no way on the kiosk's floor.
 };
 
 }  // namespace

@@ -248,6 +248,43 @@ TEST(BadInput, StrollingVisitorsWhoComeFromWhereNobodyGetsOut) {
                     HasSubstr("hint: every way from here to the kiosk is narrower than 0.50 m")));
 }
 
+/// Gives the closet a name and a doorway of 0.62 m to the hall, and the guide a radius of 0.4 m.
+void open_the_closet(const MuseumFolder& museum) {
+  museum.replace("ground.geojson", "[[[12, 0]",
+                 "[[[10, 1], [12, 1], [12, 1.62], [10, 1.62], [10, 1]]], [[[12, 0]");
+  museum.replace("museum.toml", "[ambient]", "[avatar]\nradius = 0.4\n[ambient]");
+  museum.replace("museum.toml", "[[room]]",
+                 "[[room]]\nid = \"closet\"\nlabel = [14, 2]\n"
+                 "title.en = \"Jade Room\"\ntitle.ar = \"غرفة اليشم\"\n"
+                 "outline = [[12, 0], [16, 0], [16, 4], [12, 4]]\n[[room]]");
+}
+
+TEST(BadInput, AGuideThatIsTooWideForADoor) {
+  const MuseumFolder museum;
+  open_the_closet(museum);
+  museum.replace("exhibits/hall.toml", "[10.0, 4.0]", "[16.0, 2.0]");
+
+  EXPECT_THAT(
+      failing_compile(museum).err,
+      AllOf(HasSubstr("museum.toml:12:10: error[guide-too-wide]: the guide, 0.80 m wide, does not "
+                      "fit through the door between 'Jade Room' and 'Hall' (0.62 m)"),
+            HasSubstr("hint: under [avatar] write radius = 0.31 or less, or widen the door in "
+                      "ground.geojson"),
+            HasSubstr("no visitor can reach exhibit 'portrait' from the kiosk")));
+}
+
+TEST(BadInput, ADoorThatIsTooNarrowMattersLessWithoutAnExhibitBehindIt) {
+  const MuseumFolder museum;
+  open_the_closet(museum);
+
+  const ProgramRun run = museum.compile();
+
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.err, HasSubstr("warning[guide-too-wide]"));
+  museum.replace("museum.toml", "radius = 0.4", "radius = 0.31");
+  EXPECT_EQ(museum.compile().err, "");
+}
+
 TEST(BadInput, AllMistakesOfAllFilesInOneRun) {
   const MuseumFolder museum;
   museum.replace("museum.toml", "count = 3", "count = -2000");
