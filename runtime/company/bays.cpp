@@ -115,6 +115,7 @@ Bays::Bays(const FloorMap& map, double size) : map_(map) {
   sort_out(cut.piece);
   join_pieces(cut);
   link_bays();
+  sort_walls(cut);
   sort_corners();
 }
 
@@ -140,8 +141,8 @@ void Bays::join_pieces(const Cut& cut) {
   for (std::uint32_t i = 0; i < piece_.size(); ++i) {
     std::uint32_t& bay = bay_of_root[root_of(parent, i)];
     if (bay == none) {
-      bay = static_cast<std::uint32_t>(square_of_.size());
-      square_of_.push_back(cut.piece[i].first);
+      bay = static_cast<std::uint32_t>(centre_.size());
+      centre_.push_back(centre_of_square(cut.piece[i].first));
     }
     piece_[i].bay = bay;
   }
@@ -172,6 +173,21 @@ void Bays::link_bays() {
     next_.push_back(other);
   }
   std::partial_sum(next_first_.begin(), next_first_.end(), next_first_.begin());
+}
+
+void Bays::sort_walls(const Cut& cut) {
+  const FloorPlan& plan = map_.plan();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
+  for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall)
+    cut.visit_squares_along(wall_start(plan, wall), wall_end(plan, wall),
+                            [&](std::uint32_t square) { sorted.emplace_back(square, wall); });
+  sort_out(sorted);
+  wall_first_.assign(square_first_.size(), 0);
+  for (const auto& [square, wall] : sorted) {
+    ++wall_first_[square + 1];
+    wall_.push_back({wall_start(plan, wall), wall_end(plan, wall)});
+  }
+  std::partial_sum(wall_first_.begin(), wall_first_.end(), wall_first_.begin());
 }
 
 void Bays::sort_corners() {

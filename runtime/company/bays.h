@@ -33,7 +33,7 @@ class Bays {
 
   const FloorMap& map() const noexcept { return map_; }
   double size() const noexcept { return size_; }
-  std::size_t count() const noexcept { return square_of_.size(); }
+  std::size_t count() const noexcept { return centre_.size(); }
 
   /// Squares are numbered row by row; a point off the grid is in the nearest one.
   std::uint32_t square_at(Vec2 point) const noexcept {
@@ -52,11 +52,25 @@ class Bays {
   std::span<const std::uint32_t> next_to(std::uint32_t bay) const noexcept {
     return std::span(next_).subspan(next_first_[bay], next_first_[bay + 1] - next_first_[bay]);
   }
-  Vec2 centre_of(std::uint32_t bay) const noexcept { return centre_of_square(square_of_[bay]); }
+  Vec2 centre_of(std::uint32_t bay) const noexcept { return centre_[bay]; }
   Vec2 centre_of_square(std::uint32_t square) const noexcept {
     const auto columns = static_cast<std::uint32_t>(columns_);
     const std::uint32_t x = square % columns, y = square / columns;
     return origin_ + size_ * Vec2{x + 0.5, y + 0.5};
+  }
+
+  /// Every wall that reaches into the box, and perhaps some more, perhaps several times; until
+  /// `visit` says false.
+  template <class Visit>
+  void visit_walls(Vec2 low, Vec2 high, Visit visit) const {
+    const auto columns = static_cast<std::uint32_t>(columns_);
+    const std::uint32_t first = square_at(low), last = square_at(high);
+    for (std::uint32_t y = first / columns; y <= last / columns; ++y) {
+      const std::uint32_t from = wall_first_[y * columns + first % columns];
+      const std::uint32_t to = wall_first_[y * columns + last % columns + 1];
+      for (std::uint32_t i = from; i < to; ++i)
+        if (!visit(wall_[i].a, wall_[i].b)) return;
+    }
   }
 
   /// Every reflex corner in the box, and perhaps some more.
@@ -75,9 +89,13 @@ class Bays {
   struct Piece {
     std::uint32_t region = 0, bay = 0;
   };
+  struct Wall {
+    Vec2 a{}, b{};
+  };
   struct Cut;
   void join_pieces(const Cut& cut);
   void link_bays();
+  void sort_walls(const Cut& cut);
   void sort_corners();
 
   const FloorMap& map_;
@@ -86,8 +104,10 @@ class Bays {
   std::int32_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> square_first_;  ///< Per square: its pieces, by region.
   std::vector<Piece> piece_;
-  std::vector<std::uint32_t> square_of_;  ///< Per bay.
+  std::vector<Vec2> centre_;  ///< Per bay: of its square.
   std::vector<std::uint32_t> next_first_, next_;
+  std::vector<std::uint32_t> wall_first_;  ///< Per square.
+  std::vector<Wall> wall_;
   std::vector<std::uint32_t> corner_first_;  ///< Per square.
   std::vector<Vec2> corner_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -15,7 +16,11 @@ inline constexpr double largest_number = 1e9;
 inline constexpr double largest_horizon = 1e6;
 
 /// Are these numbers of a body?
-bool takes_part(const Body& body) noexcept;
+inline bool takes_part(const Body& body) noexcept {
+  const auto is_number = [](double value) { return std::abs(value) <= largest_number; };
+  return is_number(body.position.x) & is_number(body.position.y) & is_number(body.velocity.x) &
+         is_number(body.velocity.y) & is_number(body.radius) & (body.radius >= 0);
+}
 double clamp_horizon(double horizon) noexcept;
 
 /// From when to when two circles overlap or touch if both keep their velocity; seconds from now.
@@ -24,26 +29,41 @@ struct Collision {
   double last = 0;   ///< At most the horizon.
 };
 
+/// Two bodies as one that comes towards the other, which stands.
+struct Approach {
+  double beyond = 0;   ///< Distance squared less reach squared: positive where they are apart.
+  double nearing = 0;  ///< Half of how fast the squared distance falls.
+  double speed_squared = 0;
+  double square = 0;  ///< Negative where the line of the drift passes outside of the reach.
+};
+inline Approach approach_of(const Body& a, const Body& b) noexcept {
+  const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
+  const double reach = a.radius + b.radius;
+  const double speed_squared = dot(drift, drift);
+  // No difference of squares of distances here: a near miss is decided by how far the line passes.
+  const double beside = cross(apart, drift);
+  return {dot(apart, apart) - reach * reach, -dot(apart, drift), speed_squared,
+          speed_squared * reach * reach - beside * beside};
+}
+/// Do the circles surely not touch within the horizon? Without a branch, since most do not.
+inline bool surely_miss(const Approach& approach, double horizon) noexcept {
+  const bool is_apart = approach.beyond > 0;
+  const bool is_slow = approach.beyond > 2 * horizon * approach.nearing;
+  return is_apart & (is_slow | (approach.square < 0));
+}
+
 /// When the circles touch, walls or no walls. Touching with no speed to spare counts. The same for
 /// (a, b) as for (b, a), to the last bit.
 inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
-                                                 double horizon) noexcept {
-  const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
-  const double reach = a.radius + b.radius;
-  const double beyond = dot(apart, apart) - reach * reach;
-  const double nearing = -dot(apart, drift);
-  if (beyond > 0 && nearing <= 0) return {};
-  // Where is apart + t drift as long as the reach? No difference of squares of distances here: a
-  // near miss is decided by how far the line of drift passes.
-  const double speed_squared = dot(drift, drift);
-  const double beside = cross(apart, drift);
-  const double square = speed_squared * reach * reach - beside * beside;
-  if (beyond > 0 && square < 0) return {};
-  const double root = std::sqrt(std::fmax(square, 0.0));
+                                                   double horizon) noexcept {
+  const Approach approach = approach_of(a, b);
+  if (surely_miss(approach, horizon)) return {};
+  const auto [beyond, nearing, speed_squared, square] = approach;
+  const double root = std::sqrt(square > 0 ? square : 0.0);
   const double first = beyond > 0 ? beyond / (nearing + root) : 0;
   if (first > horizon) return {};
   const double last = speed_squared > 0 ? (nearing + root) / speed_squared : horizon;
-  return Collision{first, std::fmin(std::fmax(last, first), horizon)};
+  return Collision{first, std::min(std::max(last, first), horizon)};
 }
 
 /// When two bodies meet: the first time t, now or within the horizon, at which their circles touch

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,14 +27,15 @@ struct Meeting {
 /// Every body is known by its Voronoi region, followed from neighbour to neighbour, and by the bays
 /// that its circle covers on its way up to the horizon, as far as one can walk to them under it.
 /// Who meet share a bay: the point where the circles touch is on the open line between the centres.
-/// Both are kept while a body stays near where they were made, so a step costs little more than
-/// looking at those who share a bay.
+/// What a body covers is made a little larger than it need be, and kept, with the neighbours found
+/// in it, until the body leaves it. So a step compares each with the few that it may meet, and
+/// only those that have come to the end of their cover look about them.
 ///
 /// What is kept changes the cost of an answer and never the answer. Bodies may be given in any
-/// number up to the one promised, jump, come and go. Bodies that reach over dozens of bays are
-/// compared with everybody. Borrows the map. For one thread; the frame loop may call it: nothing is
-/// allocated while no more meetings are found at once than ever before (there is room for four
-/// times as many as bodies).
+/// number up to the one promised, jump, come and go. Those that reach over dozens of bays, or are
+/// off the floor, are compared with everybody. Borrows the map. For one thread; the frame loop may
+/// call it: nothing is allocated while there are at most eight neighbours to a body, on average, or
+/// no more than ever before.
 class Meetings {
  public:
   Meetings(const FloorMap& map, std::size_t most_bodies);
@@ -42,66 +44,82 @@ class Meetings {
   void update(std::span<const Body> bodies) noexcept;
 
   /// All meetings from now to the horizon (seconds; see meet.h), by a, then by b. Valid until the
-  /// next call.
+  /// next call. One horizon in every step is quickest.
   std::span<const Meeting> find(double horizon);
 
   /// The Voronoi region (site) that a body is in; Regions::none off the floor.
-  std::uint32_t region_of(std::size_t body) const noexcept { return place_[body].region; }
+  std::uint32_t region_of(std::size_t body) const noexcept;
   const Bays& bays() const noexcept { return bays_; }
 
  private:
   static constexpr std::size_t most_bays = 32;  ///< That one body covers.
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// A place, and where it was looked up.
   struct KeptPlace {
     Vec2 at{};
-    double slack = -1;  ///< Negative: to be looked up.
-    double clearance = 0;
+    double clearance = -1;  ///< A move shorter than that passes no wall. Negative: to be looked up.
+    double slack = -1;      ///< A move shorter than that stays in the region.
     std::uint32_t region = Regions::none;
+    bool is_new = false;  ///< Looked up since the cover was made or confirmed.
+  };
+  /// What a body covers: all bays under a capsule that one can walk to from the body's bay without
+  /// leaving the bays under it. Holds while body and destination are within `skin` of the axis.
+  struct KeptCover {
+    Vec2 from{}, along{};    ///< The axis begins here; a unit vector, or none.
+    double length = 0;       ///< Of the axis, metres.
+    double skin = 0;         ///< Metres.
+    double radius = -1;      ///< Of the body.
+    std::uint32_t bays = 0;  ///< How many; 0 for a body without a cover.
+  };
+  static constexpr std::uint32_t guests_on_sheet = 14;
+  /// Who is in a bay, on one line of the cache; bay i begins with sheet i. All behind it are full.
+  struct alignas(64) Sheet {
+    std::uint32_t next = none;
+    std::uint32_t count = 0;
+    std::array<std::uint32_t, guests_on_sheet> guest{};
+  };
+  /// A body, on one line of the cache.
+  struct alignas(64) Mover {
+    Body now;
+    std::uint32_t edition = 0;  ///< Another one for every cover.
     bool takes_part = false;
   };
-  /// What a body covers: all bays under a capsule, somewhat wider than its own, that one can walk
-  /// to from the body's bay without leaving the capsule's bays.
-  struct KeptCover {
-    Vec2 from{}, along{};  ///< The capsule's axis begins here; a unit vector, or none.
-    double length = 0;     ///< Of the axis, metres.
-    double radius = -1;    ///< Of the body. Negative: to be made.
-    std::uint32_t square = 0, region = 0;  ///< The body's own.
-    std::uint32_t bays = 0;  ///< How many; 0 for a body that is compared with everybody.
-  };
-  /// A body as those who share a bay look at it.
-  struct Guest {
-    Vec2 position{}, velocity{};
-    double radius = 0;
-    std::uint32_t index = 0;
+  /// Two whose capsules come near each other, while both covers are those of these editions.
+  struct Neighbours {
+    std::uint32_t a = 0, b = 0, a_edition = 0, b_edition = 0;
   };
 
-  std::span<const std::uint32_t> bays_of(std::uint32_t body) const noexcept {
-    return std::span(cover_bay_).subspan(body * most_bays, cover_[body].bays);
-  }
+  void look_up(std::uint32_t body) noexcept;
+  std::uint32_t bay_of(std::uint32_t body) noexcept;
   bool is_covered(std::uint32_t body, Vec2 end) noexcept;
-  void cover(std::uint32_t body, Vec2 end) noexcept;
-  void sort_into_bays();
-  void compare_in_bay(std::uint32_t bay, double horizon);
+  void cover(std::uint32_t body, Vec2 end);
+  void uncover(std::uint32_t body) noexcept;
+  void enter(std::uint32_t bay, std::uint32_t body) noexcept;
+  void leave(std::uint32_t bay, std::uint32_t body) noexcept;
+  std::uint32_t list_bays(std::uint32_t body) noexcept;
+  void enter_bays(std::uint32_t body);
+  bool may_meet(const KeptCover& a, const KeptCover& b) const noexcept;
+  void compare_neighbours(double horizon);
   void compare_with_everybody(std::uint32_t body, double horizon);
-  bool is_first_bay_of_both(std::uint32_t bay, std::uint32_t a, std::uint32_t b) const noexcept;
   void add(std::uint32_t a, std::uint32_t b, const Collision& contact);
-  bool is_far_from_walls(std::uint32_t a, std::uint32_t b, double time) const noexcept;
   void sort_found();
 
   Regions regions_;
   Bays bays_;
   std::size_t most_bodies_;
-  std::vector<Body> body_;
+  std::uint32_t count_ = 0;
+  std::vector<Mover> body_;
   std::vector<KeptPlace> place_;
   std::vector<KeptCover> cover_;
-  std::vector<std::uint32_t> cover_bay_;    ///< `most_bays` per body.
-  std::vector<std::uint32_t> everywhere_;   ///< Bodies to compare with everybody.
-  std::vector<std::uint32_t> guests_;       ///< Per bay: how many; 0 between two calls.
-  std::vector<std::uint32_t> first_guest_;  ///< Per bay with guests: where they begin.
-  std::vector<std::uint32_t> used_bay_;
-  std::vector<std::uint32_t> guest_;  ///< Bodies, by bay.
-  std::vector<Guest> company_;        ///< Of one bay.
+  std::vector<std::uint32_t> covered_;  ///< Bays, `most_bays` per body.
+  std::vector<Sheet> sheet_;
+  std::uint32_t spare_sheet_ = none;    ///< The first of those that no bay uses.
+  std::vector<std::uint64_t> seen_in_;  ///< Per body: the last look that met it.
+  std::uint64_t looks_ = 0;
+  std::vector<Neighbours> neighbours_;
+  std::vector<std::uint32_t> candidate_;   ///< Neighbours that come near each other in time.
+  std::vector<std::uint32_t> everywhere_;  ///< Bodies to compare with everybody.
   std::vector<Meeting> found_, sorted_;
   std::vector<std::uint32_t> first_found_;
 };

@@ -16,13 +16,9 @@ constexpr double at_wall = 1e-9;
 /// Rounding of a distance, and much more. Metres.
 constexpr double rounding = 1e-9;
 
-/// Distance to a site, squared, and how far along its wall the foot is, unclamped.
-struct Foot {
-  double distance_squared = 0, at = 0;
-};
+}  // namespace
 
-template <class Shape>
-Foot foot_on(const Shape& shape, Vec2 point) noexcept {
+Regions::Foot Regions::foot_on(const SiteShape& shape, Vec2 point) noexcept {
   const Vec2 from_a = point - shape.a;
   if (!shape.is_wall) return {dot(from_a, from_a), 0};
   const double at = dot(from_a, shape.along);
@@ -32,8 +28,6 @@ Foot foot_on(const Shape& shape, Vec2 point) noexcept {
   const double beside = cross(shape.along, from_a);
   return {beside * beside, at};
 }
-
-}  // namespace
 
 Regions::Regions(const FloorMap& map) : map_(map) {
   const FloorPlan& plan = map.plan();
@@ -74,14 +68,18 @@ Regions::Regions(const FloorMap& map) : map_(map) {
   }
 }
 
-/// The place of a point that is in this region.
-Regions::Place Regions::place_in(Vec2 point, std::uint32_t region) const noexcept {
+/// The place of a point that is in this region, as far as this region and its neighbours know: or
+/// the neighbour that is nearest to it, in `nearer`.
+Regions::Place Regions::place_in(Vec2 point, std::uint32_t region, Foot foot,
+                                 Nearer& nearer) const noexcept {
   const SiteShape& own = shape_[region];
-  const Foot foot = foot_on(own, point);
-  const double distance = std::sqrt(foot.distance_squared);
-  double slack = distance, nearest_squared = std::numeric_limits<double>::infinity();
+  double slack = std::numeric_limits<double>::infinity();
+  double nearest_squared = slack;
+  nearer = {none, foot};
   for (const std::uint32_t next : next_to(region)) {
     const SiteShape& other = shape_[next];
+    const Foot to_other = foot_on(other, point);
+    if (to_other.distance_squared < nearer.foot.distance_squared) nearer = {next, to_other};
     // The border between a wall and its own corner stands upright on the wall.
     if (own.is_wall && next == own.at_a)
       slack = std::min(slack, foot.at);
@@ -92,48 +90,49 @@ Regions::Place Regions::place_in(Vec2 point, std::uint32_t region) const noexcep
     else if (!own.is_wall && next == own.at_b)
       slack = std::min(slack, -dot(point - own.a, other.along));
     else
-      nearest_squared = std::min(nearest_squared, foot_on(other, point).distance_squared);
+      nearest_squared = std::min(nearest_squared, to_other.distance_squared);
   }
-  slack = std::min(slack, (std::sqrt(nearest_squared) - distance) / 2) - rounding;
+  const double distance = std::sqrt(foot.distance_squared);
+  slack = std::min({slack, distance, (std::sqrt(nearest_squared) - distance) / 2}) - rounding;
   return {region, std::max(distance - rounding, 0.0), std::max(slack, 0.0)};
 }
 
 Regions::Place Regions::find(Vec2 point) const noexcept {
   if (shape_.empty() || !map_.is_inside(point)) return {};
-  return place_in(point, map_.site_at(point));
+  const std::uint32_t region = map_.site_at(point);
+  Nearer nearer;
+  return place_in(point, region, foot_on(shape_[region], point), nearer);
 }
 
 Regions::Place Regions::follow(Vec2 point, std::uint32_t region) const noexcept {
   if (region >= shape_.size()) return find(point);
   Foot foot = foot_on(shape_[region], point);
-  for (int step = 0;; ++step) {
-    if (step == most_steps) return find(point);
-    const SiteShape& own = shape_[region];
+  for (int step = 0; step < most_steps; ++step) {
     // Beyond its end a wall is as near as its corner is; that is the corner's region. The distance
     // stays the same bit for bit, and grows less in every other step, so the walk ends.
-    if (own.is_wall && foot.at <= 0 && own.at_a != none) {
-      region = own.at_a;
-    } else if (own.is_wall && foot.at >= own.length && own.at_b != none) {
-      region = own.at_b;
+    if (const SiteShape& own = shape_[region]; own.is_wall) {
+      if (foot.at <= 0 && own.at_a != none)
+        region = own.at_a;
+      else if (foot.at >= own.length && own.at_b != none)
+        region = own.at_b;
     }
-    std::uint32_t best = region;
-    for (const std::uint32_t next : next_to(region)) {
-      const Foot other = foot_on(shape_[next], point);
-      if (other.distance_squared >= foot.distance_squared) continue;
-      best = next;
-      foot = other;
+    Nearer nearer;
+    const Place place = place_in(point, region, foot, nearer);
+    if (nearer.region != none) {
+      region = nearer.region;
+      foot = nearer.foot;
+      continue;
     }
-    if (best == region) break;
-    region = best;
+    // The line from the nearest point of a site to `point` leaves the site's region, if at all, for
+    // a neighbour that is nearer. None is, so the point is here, if it is on the open side.
+    const SiteShape& own = shape_[region];
+    const bool is_clear_of_walls = foot.distance_squared > at_wall * at_wall;
+    const bool is_before_wall = !own.is_wall || (foot.at > 0 && foot.at < own.length &&
+                                                 orientation(own.a, own.b, point) > 0);
+    if (!is_clear_of_walls || !is_before_wall) break;
+    return place;
   }
-  // The line from the nearest point of a site to `point` leaves the site's region, if at all, for a
-  // neighbour that is nearer. So none being nearer, the point is here, if it is on the open side.
-  const SiteShape& own = shape_[region];
-  const bool is_clear_of_walls = foot.distance_squared > at_wall * at_wall;
-  const bool is_before_wall =
-      !own.is_wall || (foot.at > 0 && foot.at < own.length && orientation(own.a, own.b, point) > 0);
-  if (!is_clear_of_walls || !is_before_wall) return find(point);
-  return place_in(point, region);
+  return find(point);
 }
 
 }  // namespace docent

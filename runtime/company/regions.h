@@ -46,7 +46,16 @@ class Regions {
     return std::span(next_).subspan(next_first_[region],
                                     next_first_[region + 1] - next_first_[region]);
   }
-  Place place_in(Vec2 point, std::uint32_t region) const noexcept;
+  /// Distance to a site, squared, and how far along its wall the foot is, beyond its ends too.
+  struct Foot {
+    double distance_squared = 0, at = 0;
+  };
+  struct Nearer {
+    std::uint32_t region = none;
+    Foot foot;
+  };
+  static Foot foot_on(const SiteShape& shape, Vec2 point) noexcept;
+  Place place_in(Vec2 point, std::uint32_t region, Foot foot, Nearer& nearer) const noexcept;
 
   const FloorMap& map_;
   std::vector<SiteShape> shape_;
