@@ -321,7 +321,7 @@ class PassageSearch {
       if (state_rank >= best_rank) break;
       const double passed = state.seconds - query_.seconds;
       const std::size_t bucket =
-          std::min(buckets - 1, static_cast<std::size_t>(passed / time_step + 0.5));
+          std::min(buckets - 1, static_cast<std::size_t>(std::lround(passed / time_step)));
       const std::size_t key = index(state.node) * buckets + bucket;
       if (seen[key]) continue;
       seen[key] = true;

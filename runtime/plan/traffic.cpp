@@ -126,7 +126,7 @@ void tell_along_way(std::span<const double> reach, std::span<const double> along
 std::vector<Vec2> straightened(std::span<const Vec2> points) {
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0 && i + 1 < points.size() && out.size() > 0) {
+    if (i > 0 && i + 1 < points.size() && !out.empty()) {
       const Vec2 a = points[i] - out.back(), b = points[i + 1] - points[i];
       if (glm::length(a) > 1e-9 && glm::length(b) > 1e-9 &&
           std::abs(cross(a, b)) < 0.02 * glm::length(a) * glm::length(b) && dot(a, b) > 0)
