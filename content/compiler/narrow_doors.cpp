@@ -131,7 +131,7 @@ class DoorFinder {
 
   std::vector<NarrowDoor> find(std::span<const Vec2> wanted) {
     const auto home = part_reached_from(body_.from);
-    if (!home) return {};
+    if (!home || parts_.necks().empty()) return {};
     find_rooms();
     find_edges();
     std::set<std::uint32_t> wanted_parts = parts_of_lost_rooms(*home);
@@ -156,14 +156,25 @@ class DoorFinder {
   }
 
  private:
-  /// The part next to a neck that a body can walk to.
-  std::optional<std::uint32_t> part_reached_from(Vec2 place) const {
-    std::set<std::uint32_t> parts;
-    for (const Neck& neck : parts_.necks()) parts.insert({neck.a, neck.b});
-    const auto found = std::ranges::find_if(parts, [&](std::uint32_t part) {
-      return can_walk(body_.map, place, roadmap_.position[part], body_.radius);
-    });
-    return found == parts.end() ? std::nullopt : std::optional(*found);
+  /// The part of a place with room: from the nearest wall straight up to the medial axis, along it
+  /// where there is room, and out of the dead end where that is one.
+  std::optional<std::uint32_t> part_reached_from(Vec2 place) {
+    const MedialAxisMap& axis = body_.map.medial_axis();
+    const auto above = axis.place_above(body_.map.site_at(place), place);
+    if (!above) return {};
+    const EdgeCurve& curve = axis.curve(above->voronoi_edge);
+    const auto end_of = [&](std::uint32_t e, bool to) {
+      return to ? axis.diagram().edge[e].to : axis.diagram().edge[e].from;
+    };
+    const bool onward = curve.clearance_between(above->at, curve.end()) >= body_.radius;
+    std::uint32_t vertex = end_of(above->voronoi_edge, onward);
+    while (axis.node_at(vertex) == MedialAxisMap::none) {
+      const std::uint32_t e = axis.edge_to_road(vertex);
+      if (e == MedialAxisMap::none) return {};
+      vertex = end_of(e, end_of(e, false) == vertex);
+    }
+    const std::uint32_t node = axis.node_at(vertex);
+    return parts_.has_room(node) ? std::optional(parts_.of(node)) : std::nullopt;
   }
 
   /// Notes in which room the nodes are: inside its outline; and of a room without one, the node
