@@ -18,8 +18,8 @@ inline constexpr double largest_horizon = 1e6;
 /// Are these numbers of a body?
 inline bool takes_part(const Body& body) noexcept {
   const auto is_number = [](double value) { return std::abs(value) <= largest_number; };
-  return is_number(body.position.x) & is_number(body.position.y) & is_number(body.velocity.x) &
-         is_number(body.velocity.y) & is_number(body.radius) & (body.radius >= 0);
+  return is_number(body.position.x) && is_number(body.position.y) && is_number(body.velocity.x) &&
+         is_number(body.velocity.y) && is_number(body.radius) && body.radius >= 0;
 }
 double clamp_horizon(double horizon) noexcept;
 
