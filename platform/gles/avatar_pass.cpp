@@ -2,45 +2,104 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <utility>
+#include <vector>
 
+#include "platform/gles/body_detail.h"
 #include "platform/gles/shaders.h"
-#include "runtime/scene/theme.h"
+#include "runtime/scene/look.h"
 
 namespace docent {
 namespace {
 
-constexpr std::size_t most_joints = 64;  // palette in skin.glsl
-constexpr GLsizei tile_side = 128;       // texels of shadow a body
-constexpr GLsizei tiles_a_row = 4;
-constexpr GLsizei atlas_levels = 5;  // the softest shadow is blurred over 16 texels
-static_assert(tiles_a_row * tiles_a_row == AvatarPass::most_avatars);
+constexpr std::size_t most_joints = 64;
+constexpr float modelled_stature = 1.7F;  // of skin.glsl's measures
 constexpr float body_height = 1.85F;
-constexpr float body_reach = 0.75F;  // metres from the hips to an outstretched hand or foot
+constexpr float body_reach = 0.55F;  // metres from the hips to a hand or foot, along x or z
 
-using Outfit = std::array<Vec4, 8>;
+// A uniform block may have 16 KB in every OpenGL ES 3.0, and a range of a buffer
+// begin at a multiple of 256 bytes at worst. Both are those of avatar_record.glsl.
+constexpr std::size_t block_size = 1024;  // vec4s
+constexpr std::size_t block_bytes = block_size * sizeof(Vec4);
+constexpr std::size_t alignment = 256 / sizeof(Vec4);
+constexpr std::size_t first_matrix_row = 5;
+
+// The atlas has room for sixteen shadows; beyond that the furthest share a tile by four.
+constexpr GLsizei atlas_side = 512;  // texels
+constexpr std::size_t tiles_a_row = 4;
+constexpr std::size_t tile_count = tiles_a_row * tiles_a_row;
+constexpr GLsizei atlas_levels = 5;  // the softest shadow is blurred over 16 texels
+static_assert(AvatarPass::most_avatars <= 4 * tile_count);
+
+/// Below this height on the screen, in pixels, a body is drawn from cells of this size, in metres:
+/// about two pixels.
+struct Coarseness {
+  float height, cell;
+};
+constexpr std::array<Coarseness, AvatarPass::level_count - 1> coarse_levels{
+    {{260, 0.017F}, {150, 0.030F}, {75, 0.050F}, {45, 0.075F}}};
+
+// Parts of a look in look.glsl.
+constexpr std::size_t second_part = 7, build_part = 8, bands_part = 9, parts_of_look = 11;
+static_assert(looks.size() * parts_of_look == 132);
+static_assert(static_cast<std::size_t>(Material::Count) == second_part);
 
 Vec4 matte(std::uint32_t hex, float shine = 0) noexcept {
   const Colour c = srgb(hex);
   return {c.r, c.g, c.b, shine};
 }
 
-/// In the order of Material: Skin, Hair, Coat, Trousers, Shoes, Shirt, Eye. The guide's coat is the
-/// one saturated thing on it; strolling visitors wear the museum's own quiet colours.
-const std::array<Outfit, 5>& outfits() noexcept {
-  static const std::array<Outfit, 5> all{{
-      {matte(0xC99A7C, 0.02F), matte(0x2E2420, 0.05F), matte(0x1D7874, 0.01F), matte(0x35322F),
-       matte(0x2A2420, 0.06F), matte(0xF0EADD), matte(0x241E1B, 0.6F), matte(0)},
-      {matte(0xB98467, 0.02F), matte(0x4A3A2E, 0.05F), matte(0x8C8578), matte(0x5B554D),
-       matte(0x3A322C), matte(0xD9D2C4), matte(0x241E1B, 0.6F), matte(0)},
-      {matte(0xDDB497, 0.02F), matte(0x6F5A45, 0.05F), matte(0xB4A792), matte(0x6A6259),
-       matte(0x463C34), matte(0xE6DFD1), matte(0x241E1B, 0.6F), matte(0)},
-      {matte(0x8A5E44, 0.02F), matte(0x231D1A, 0.05F), matte(0x6F6F6A), matte(0x4B4844),
-       matte(0x2E2924), matte(0xCFC8BA), matte(0x241E1B, 0.6F), matte(0)},
-      {matte(0xE3BFA5, 0.02F), matte(0x9A948B, 0.05F), matte(0xA08E7A), matte(0x777066),
-       matte(0x4A4139), matte(0xDDD5C6), matte(0x241E1B, 0.6F), matte(0)},
-  }};
-  return all;
+/// Two sets of bands on the front view of the modelled body, x and y in metres: a share w of every
+/// period, in which (x, y) . (place) + z grows by one, round its middle. Where both sets lie the
+/// coat has its second colour.
+struct Cloth {
+  Vec4 one{0}, other{0};
+};
+
+Cloth cloth_of(CoatPattern pattern) noexcept {
+  constexpr float far = 4;  // metres: a period of which a body sees one band only
+  constexpr Vec4 everywhere{0, 0, 0.5F, 1};
+  switch (pattern) {
+    case CoatPattern::Hoops:
+      return {{0, 1 / 0.19F, 0.2F, 0.3F}, everywhere};
+    case CoatPattern::Stripes:
+      return {{1 / 0.075F, 0, 0, 0.34F}, everywhere};
+    case CoatPattern::Yoke:
+      return {{0, 1 / far, 0.25F - 1.235F / far, 0.5F}, everywhere};
+    case CoatPattern::Skirt:
+      return {{0, 1 / far, 0.75F - 0.86F / far, 0.5F}, everywhere};
+    case CoatPattern::Sash:
+      return {{1.35F / far, -1 / far, 0.5F + 1.16F / far, 0.17F / far},
+              {1 / far, 0, 0.5F, 0.38F / far}};
+    case CoatPattern::Diamonds:
+      return {{1 / 0.13F, 1 / 0.19F, 0.3F, 0.45F}, {1 / 0.13F, -1 / 0.19F, 0.3F, 0.45F}};
+    case CoatPattern::Checks:
+      return {{0, 1 / 0.15F, 0, 0.5F}, {1 / 0.15F, 0, 0, 0.5F}};
+    case CoatPattern::Plain:
+      break;
+  }
+  return {};
+}
+
+std::array<Vec4, parts_of_look> parts_of(const Look& look) noexcept {
+  std::array<Vec4, parts_of_look> parts{};
+  const auto at = [&](Material material) -> Vec4& {
+    return parts[static_cast<std::size_t>(material)];
+  };
+  at(Material::Skin) = matte(look.skin, 0.02F);
+  at(Material::Hair) = matte(look.hair, 0.05F);
+  at(Material::Coat) = matte(look.coat, 0.01F);
+  at(Material::Trousers) = matte(look.trousers);
+  at(Material::Shoes) = matte(look.shoes, 0.06F);
+  at(Material::Shirt) = matte(look.shirt);
+  at(Material::Eye) = matte(0x241E1B, 0.6F);
+  parts[second_part] = matte(look.second, look.hair_length);
+  parts[build_part] = {look.height, look.shoulders, look.hips, look.hair_volume};
+  const Cloth cloth = cloth_of(look.pattern);
+  parts[bands_part] = cloth.one;
+  parts[bands_part + 1] = cloth.other;
+  return parts;
 }
 
 void describe_vertices() noexcept {
@@ -60,66 +119,104 @@ void describe_vertices() noexcept {
                         buffer_offset(offsetof(SkinnedVertex, occlusion)));
 }
 
-/// Middle and half size of an avatar's tile of the atlas, in clip space.
-Vec4 tile_of(std::size_t avatar) noexcept {
+/// Middle and half size, in clip space, of the tile of the atlas that the avatar in this place has.
+Vec4 tile_of(std::size_t place, std::size_t count) noexcept {
+  const std::size_t whole =
+      count <= tile_count ? count : (4 * tile_count - count) / 3;  // the others fit four by four
+  const std::size_t quarter = place < whole ? 0 : (place - whole) % 4;
+  const std::size_t tile = place < whole ? place : whole + (place - whole) / 4;
   constexpr float half = 1.0F / tiles_a_row;
-  const auto column = static_cast<float>(avatar % tiles_a_row);
-  const std::size_t whole_rows = avatar / tiles_a_row;
-  const auto row = static_cast<float>(whole_rows);
-  return {-1 + half * (2 * column + 1), -1 + half * (2 * row + 1), half, half};
+  const auto middle = [&](std::size_t i, std::size_t part) {
+    const float of_tile = half * (2 * static_cast<float>(i) + 1) - 1;
+    return place < whole ? of_tile : of_tile + half * (static_cast<float>(part) - 0.5F);
+  };
+  const std::size_t row = tile / tiles_a_row;
+  const float size = place < whole ? half : half / 2;
+  return {middle(tile % tiles_a_row, quarter % 2), middle(row, quarter / 2), size, size};
 }
 
-/// The rows of the picture that a body and its shadow's square can touch.
-SceneBuffer::Rows rows_of(const CameraView& camera, Vec3 hips, const Vec4& window) noexcept {
-  SceneBuffer::Rows rows{1, -1};
-  const Mat4 to_clip = camera.projection * camera.view;
-  const auto include = [&](float x, float y, float z) {
-    const Vec4 clip = to_clip * Vec4(x, y, z, 1);
-    if (clip.w <= 0.01F) {
-      rows = {-1, 1};  // behind the eye: anywhere
-      return;
-    }
-    rows.low = std::min(rows.low, clip.y / clip.w);
-    rows.high = std::max(rows.high, clip.y / clip.w);
-  };
-  for (const float sx : {-1.0F, 1.0F})
-    for (const float sz : {-1.0F, 1.0F}) {
-      for (const float dy : {-1.2F, 1.2F})
-        include(hips.x + sx * body_reach, hips.y + dy, hips.z + sz * body_reach);
-      include(window.x + sx * window.z, hips.y - 1.2F, window.y + sz * window.z);
-      include(window.x + sx * window.z, hips.y - 0.6F, window.y + sz * window.z);
-    }
-  return rows;
+/// The square of floor from the feet to the tip of the shadow.
+Vec4 shadow_window(Vec3 hips, Vec3 sun) noexcept {
+  const Vec3 throw_of_head = sun * (-body_height / std::max(sun.y, 0.2F));
+  const Vec3 middle = hips + 0.5F * throw_of_head;
+  const float half = 0.5F * std::max(std::abs(throw_of_head.x), std::abs(throw_of_head.z)) + 0.75F;
+  return {middle.x, middle.z, half, 0};
+}
+
+/// What of the picture the hull of some points may cover.
+struct Bounds {
+  float low = 1, high = -1;    ///< Clip space.
+  unsigned outside = 0b11111;  ///< Planes of the view that all points are beyond.
+  bool reaches_behind_eye = false;
+
+  void include(const Mat4& to_clip, Vec3 point) noexcept {
+    const Vec4 clip = to_clip * Vec4(point, 1);
+    low = std::min(low, clip.y / clip.w);
+    high = std::max(high, clip.y / clip.w);
+    reaches_behind_eye = reaches_behind_eye || clip.w <= 0.01F;
+    unsigned beyond = 0;
+    for (const bool plane :
+         {clip.x<-clip.w, clip.x> clip.w, clip.y<-clip.w, clip.y> clip.w, clip.w <= 0.01F})
+      beyond = beyond << 1 | (plane ? 1U : 0U);
+    outside &= beyond;
+  }
+  bool is_in_picture() const noexcept { return outside == 0; }
+  SceneBuffer::Rows rows() const noexcept {
+    return reaches_behind_eye ? SceneBuffer::Rows{-1, 1} : SceneBuffer::Rows{low, high};
+  }
+};
+
+Bounds bounds_of_body(const Mat4& to_clip, Vec3 hips, float floor) noexcept {
+  Bounds bounds;
+  for (const float x : {-body_reach, body_reach})
+    for (const float z : {-body_reach, body_reach})
+      for (const float height : {0.0F, body_height})
+        bounds.include(to_clip, {hips.x + x, floor + height, hips.z + z});
+  return bounds;
+}
+
+Bounds bounds_of_shadow(const Mat4& to_clip, const Vec4& window, float floor) noexcept {
+  Bounds bounds;
+  for (const float x : {-window.z, window.z})
+    for (const float z : {-window.z, window.z})
+      bounds.include(to_clip, {window.x + x, floor, window.y + z});
+  return bounds;
 }
 
 }  // namespace
 
 Result<void> AvatarPass::compile() {
   using namespace shaders;
-  auto body = link_program("avatar", {frame_glsl, skin_glsl, avatar_vert},
-                           {frame_glsl, light_glsl, avatar_frag});
+  auto body =
+      link_program("avatar", {frame_glsl, avatar_record_glsl, look_glsl, skin_glsl, avatar_vert},
+                   {frame_glsl, light_glsl, avatar_frag});
   if (!body) return std::unexpected(body.error());
-  auto shadow = link_program("shadow", {frame_glsl, skin_glsl, shadow_vert}, {shadow_frag});
+  auto shadow = link_program(
+      "shadow", {frame_glsl, avatar_record_glsl, look_glsl, skin_glsl, shadow_vert}, {shadow_frag});
   if (!shadow) return std::unexpected(shadow.error());
-  auto decal =
-      link_program("decal", {frame_glsl, decal_vert}, {frame_glsl, light_glsl, decal_frag});
+  auto decal = link_program("decal", {frame_glsl, avatar_record_glsl, decal_vert},
+                            {frame_glsl, light_glsl, decal_frag});
   if (!decal) return std::unexpected(decal.error());
   body_ = std::move(*body);
   shadow_ = std::move(*shadow);
   decal_ = std::move(*decal);
-  at_ = {body_["material_colour"], shadow_["tile"], shadow_["window"], decal_["window"],
-         decal_["tile_uv"],        decal_["foot"],  decal_["centre"]};
+  at_ = {body_["record_size"], body_["stature"], shadow_["record_size"], shadow_["stature"],
+         decal_["record_size"]};
 
   no_attributes_ = make_vertex_array();
-  palettes_ = make_buffer();
-  staging_.resize(most_avatars * most_joints);
-  glBindBuffer(GL_UNIFORM_BUFFER, palettes_.get());
-  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(staging_.size() * sizeof(Mat4)), nullptr,
-               GL_STREAM_DRAW);
+  std::vector<Vec4> parts;
+  for (const Look& look : looks) {
+    const auto of_look = parts_of(look);
+    parts.insert(parts.end(), of_look.begin(), of_look.end());
+  }
+  looks_ = make_buffer();
+  glBindBuffer(GL_UNIFORM_BUFFER, looks_.get());
+  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(parts.size() * sizeof(Vec4)),
+               parts.data(), GL_STATIC_DRAW);
+  records_ = make_buffer();
   atlas_ = make_texture();
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
-  glTexStorage2D(GL_TEXTURE_2D, atlas_levels, GL_R8, tiles_a_row * tile_side,
-                 tiles_a_row * tile_side);
+  glTexStorage2D(GL_TEXTURE_2D, atlas_levels, GL_R8, atlas_side, atlas_side);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   atlas_framebuffer_ = make_framebuffer();
@@ -128,9 +225,14 @@ Result<void> AvatarPass::compile() {
   return {};
 }
 
-void AvatarPass::upload(const SkinnedMesh& mesh) noexcept {
-  index_count_ = static_cast<GLsizei>(mesh.indices.size());
+void AvatarPass::upload(const SkinnedMesh& mesh) {
   joint_count_ = std::min(mesh.inverse_bind.size(), most_joints);
+  record_size_ = (first_matrix_row + 3 * joint_count_ + alignment - 1) / alignment * alignment;
+  capacity_ = 0;
+  stature_ = 0.01F;
+  for (const SkinnedVertex& vertex : mesh.vertices)
+    stature_ = std::max(stature_, vertex.position.y);
+
   array_ = make_vertex_array();
   glBindVertexArray(array_.get());
   vertices_ = make_buffer();
@@ -138,103 +240,176 @@ void AvatarPass::upload(const SkinnedMesh& mesh) noexcept {
   glBufferData(GL_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SkinnedVertex)),
                mesh.vertices.data(), GL_STATIC_DRAW);
+  describe_vertices();
+
+  std::vector<std::uint32_t> indices = mesh.indices;
+  levels_[0] = {0, static_cast<GLsizei>(indices.size())};
+  for (std::size_t i = 0; i < coarse_levels.size(); ++i) {
+    const std::vector<std::uint32_t> coarse =
+        coarser(mesh, coarse_levels[i].cell * stature_ / modelled_stature);
+    levels_[i + 1] = {indices.size(), static_cast<GLsizei>(coarse.size())};
+    indices.insert(indices.end(), coarse.begin(), coarse.end());
+  }
   indices_ = make_buffer();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(std::uint32_t)),
-               mesh.indices.data(), GL_STATIC_DRAW);
-  describe_vertices();
+  const auto keep = [](const auto& all) {
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(all.front())),
+                 all.data(), GL_STATIC_DRAW);
+  };
+  index_type_ = mesh.vertices.size() <= 0x10000 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+  if (index_type_ == GL_UNSIGNED_SHORT)
+    keep(std::vector<std::uint16_t>(indices.begin(), indices.end()));
+  else
+    keep(indices);
   glBindVertexArray(0);
 }
 
-std::size_t AvatarPass::count_of(const DrawList& list) const noexcept {
-  return index_count_ > 0 ? std::min(list.avatars.size(), most_avatars) : 0;
-}
-
-bool AvatarPass::is_in(std::size_t avatar, SceneBuffer::Rows rows) const noexcept {
-  return reach_[avatar].low <= rows.high && reach_[avatar].high >= rows.low;
-}
-
-void AvatarPass::bind_palette(std::size_t avatar) const noexcept {
-  constexpr std::size_t bytes = most_joints * sizeof(Mat4);
-  static_assert(bytes % 256 == 0, "a multiple of every driver's uniform buffer alignment");
-  glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Palette), palettes_.get(),
-                    static_cast<GLintptr>(avatar * bytes), bytes);
-}
-
-void AvatarPass::prepare(const DrawList& list, Vec3 sun) noexcept {
-  const std::size_t count = count_of(list);
-  if (count == 0) return;
-  for (std::size_t a = 0; a < count; ++a) {
-    const std::size_t first =
-        std::min<std::size_t>(list.avatars[a].first_matrix, list.palette.size());
-    const std::size_t joints = std::min(joint_count_, list.palette.size() - first);
-    std::copy_n(list.palette.begin() + static_cast<std::ptrdiff_t>(first), joints,
-                staging_.begin() + static_cast<std::ptrdiff_t>(a * most_joints));
-    // The square from the feet to the tip of the shadow.
-    const Vec3 throw_of_head = sun * (-body_height / std::max(sun.y, 0.2F));
-    const Vec3 middle = list.avatars[a].centre + 0.5F * throw_of_head;
-    const float half =
-        0.5F * std::max(std::abs(throw_of_head.x), std::abs(throw_of_head.z)) + body_reach;
-    window_[a] = {middle.x, middle.z, half, 0};
-    reach_[a] = rows_of(list.camera, list.avatars[a].centre, window_[a]);
+void AvatarPass::choose(const DrawList& list, Vec3 sun, PixelSize picture) noexcept {
+  seen_count_ = 0;
+  const Mat4 to_clip = list.camera.projection * list.camera.view;
+  const float scale = 0.5F * static_cast<float>(picture.height) * body_height *
+                      std::abs(list.camera.projection[1][1]);
+  for (std::size_t a = 0; a < std::min(list.avatars.size(), most_avatars); ++a) {
+    const Vec3 hips = list.avatars[a].centre;
+    const Vec4 window = shadow_window(hips, sun);
+    const float floor = list.avatars[a].feet[0].y;
+    const Bounds body = bounds_of_body(to_clip, hips, floor);
+    const Bounds shadow = bounds_of_shadow(to_clip, window, floor);
+    if (!body.is_in_picture() && !shadow.is_in_picture()) continue;
+    const float pixels = scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F);
+    const auto level = std::ranges::count_if(
+        coarse_levels, [&](const Coarseness& coarse) { return pixels < coarse.height; });
+    seen_[seen_count_++] = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(level),
+                            window, body.rows(), shadow.rows()};
   }
-  glBindBuffer(GL_UNIFORM_BUFFER, palettes_.get());
-  glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(count * most_joints * sizeof(Mat4)),
-                  staging_.data());
+  std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_),
+            [](const Seen& a, const Seen& b) {
+              return std::tie(a.level, a.body.low, a.avatar) <
+                     std::tie(b.level, b.body.low, b.avatar);
+            });
+}
 
+void AvatarPass::reserve(std::size_t avatars) noexcept {
+  if (avatars <= capacity_) return;
+  capacity_ = std::max(avatars, std::min(2 * capacity_, most_avatars));
+  // Whoever comes last is bound with a whole block, too.
+  glBindBuffer(GL_UNIFORM_BUFFER, records_.get());
+  glBufferData(GL_UNIFORM_BUFFER,
+               static_cast<GLsizeiptr>(capacity_ * record_size_ * sizeof(Vec4) + block_bytes),
+               nullptr, GL_STREAM_DRAW);
+}
+
+void AvatarPass::write_record(const DrawList& list, std::size_t place,
+                              Vec4* record) const noexcept {
+  const Seen& seen = seen_[place];
+  const AvatarDraw& avatar = list.avatars[seen.avatar];
+  record[0] = Vec4(avatar.feet[0], avatar.foot_height[0]);
+  record[1] = Vec4(avatar.feet[1], avatar.foot_height[1]);
+  record[2] = Vec4(avatar.centre, static_cast<float>(avatar.look % looks.size()));
+  record[3] = seen.window;
+  record[4] = tile_of(place, seen_count_);
+  const std::size_t first = std::min<std::size_t>(avatar.first_matrix, list.palette.size());
+  const std::size_t joints = std::min(joint_count_, list.palette.size() - first);
+  Vec4* row = record + first_matrix_row;
+  for (std::size_t j = 0; j < joints; ++j) {
+    const Mat4 rows = glm::transpose(list.palette[first + j]);
+    for (int r = 0; r < 3; ++r) *row++ = rows[r];
+  }
+  std::fill(row, record + record_size_, Vec4(0));
+}
+
+void AvatarPass::send(const DrawList& list) noexcept {
+  reserve(seen_count_);
+  glBindBuffer(GL_UNIFORM_BUFFER, records_.get());
+  void* mapped = glMapBufferRange(
+      GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(seen_count_ * record_size_ * sizeof(Vec4)),
+      GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (mapped == nullptr) {
+    seen_count_ = 0;
+    return;
+  }
+  auto* record = static_cast<Vec4*>(mapped);
+  for (std::size_t place = 0; place < seen_count_; ++place, record += record_size_)
+    write_record(list, place, record);
+  if (glUnmapBuffer(GL_UNIFORM_BUFFER) == GL_FALSE) seen_count_ = 0;  // lost, as ES allows
+}
+
+/// Calls `draw` for runs of avatars of one level whose `part` reaches into the rows, each run
+/// bound.
+template <typename Draw>
+void AvatarPass::draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* part,
+                              Draw draw) const noexcept {
+  const std::size_t most = block_size / record_size_;
+  const auto is_in = [&](const Seen& seen) {
+    return (seen.*part).low <= rows.high && (seen.*part).high >= rows.low;
+  };
+  for (std::size_t first = 0; first < seen_count_; ++first) {
+    if (!is_in(seen_[first])) continue;
+    std::size_t end = first + 1;
+    while (end < seen_count_ && end - first < most && seen_[end].level == seen_[first].level &&
+           is_in(seen_[end]))
+      ++end;
+    glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Avatars), records_.get(),
+                      static_cast<GLintptr>(first * record_size_ * sizeof(Vec4)), block_bytes);
+    draw(seen_[first].level, static_cast<GLsizei>(end - first));
+    first = end - 1;
+  }
+}
+
+void AvatarPass::draw_level(std::uint32_t level, GLsizei instances) const noexcept {
+  const std::size_t bytes =
+      index_type_ == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+  glDrawElementsInstanced(GL_TRIANGLES, levels_[level].count, index_type_,
+                          buffer_offset(levels_[level].first * bytes), instances);
+}
+
+void AvatarPass::draw_shadow_atlas() const noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, atlas_framebuffer_.get());
-  glViewport(0, 0, tiles_a_row * tile_side, tiles_a_row * tile_side);
+  glViewport(0, 0, atlas_side, atlas_side);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   shadow_.use();
+  glUniform1i(at_.shadow_record_size, static_cast<GLint>(record_size_));
+  glUniform1f(at_.shadow_stature, stature_);
   glBindVertexArray(array_.get());
-  for (std::size_t a = 0; a < count; ++a) {
-    const Vec4 tile = tile_of(a);
-    glUniform4fv(at_.tile, 1, &tile.x);
-    glUniform4fv(at_.shadow_window, 1, &window_[a].x);
-    bind_palette(a);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-  }
+  draw_batches({-1, 1}, &Seen::shadow, [&](std::uint32_t level, GLsizei instances) {
+    draw_level(std::min<std::uint32_t>(level + 2, level_count - 1), instances);
+  });
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
-void AvatarPass::draw_bodies(const DrawList& list, SceneBuffer::Rows rows) const noexcept {
-  const std::size_t count = count_of(list);
-  if (count == 0) return;
-  body_.use();
-  glBindVertexArray(array_.get());
-  for (std::size_t a = 0; a < count; ++a) {
-    if (!is_in(a, rows)) continue;
-    const Outfit& outfit = outfits()[list.avatars[a].look % outfits().size()];
-    glUniform4fv(at_.colours, static_cast<GLsizei>(outfit.size()), &outfit[0].x);
-    bind_palette(a);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-  }
+void AvatarPass::prepare(const DrawList& list, Vec3 sun, PixelSize picture) noexcept {
+  seen_count_ = 0;
+  if (levels_[0].count == 0) return;
+  choose(list, sun, picture);
+  if (seen_count_ == 0) return;
+  send(list);
+  glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Looks), looks_.get());
+  draw_shadow_atlas();
 }
 
-void AvatarPass::draw_shadows(const DrawList& list, SceneBuffer::Rows rows) const noexcept {
-  const std::size_t count = count_of(list);
-  if (count == 0) return;
+void AvatarPass::draw_bodies(SceneBuffer::Rows rows) const noexcept {
+  if (seen_count_ == 0) return;
+  body_.use();
+  glUniform1i(at_.body_record_size, static_cast<GLint>(record_size_));
+  glUniform1f(at_.body_stature, stature_);
+  glBindVertexArray(array_.get());
+  draw_batches(rows, &Seen::body,
+               [&](std::uint32_t level, GLsizei instances) { draw_level(level, instances); });
+}
+
+void AvatarPass::draw_shadows(SceneBuffer::Rows rows) const noexcept {
+  if (seen_count_ == 0) return;
   decal_.use();
+  glUniform1i(at_.decal_record_size, static_cast<GLint>(record_size_));
   glBindVertexArray(no_attributes_.get());
-  for (std::size_t a = 0; a < count; ++a) {
-    if (!is_in(a, rows)) continue;
-    const AvatarDraw& avatar = list.avatars[a];
-    const Vec4 tile = tile_of(a);
-    glUniform4f(at_.tile_uv, 0.5F + 0.5F * tile.x, 0.5F + 0.5F * tile.y, 0.5F * tile.z,
-                0.5F * tile.w);
-    glUniform4fv(at_.decal_window, 1, &window_[a].x);
-    const Vec4 feet[2] = {Vec4(avatar.feet[0], avatar.foot_height[0]),
-                          Vec4(avatar.feet[1], avatar.foot_height[1])};
-    glUniform4fv(at_.foot, 2, &feet[0].x);
-    glUniform4f(at_.centre, avatar.centre.x, avatar.centre.y, avatar.centre.z, 0);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
+  draw_batches(rows, &Seen::shadow, [&](std::uint32_t, GLsizei instances) {
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
+  });
 }
 
 }  // namespace docent

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "platform/gles/program.h"
 #include "platform/gles/scene_buffer.h"
@@ -10,40 +9,61 @@
 
 namespace docent {
 
-/// Draws the avatars and what they take from the floor's light.
+/// Draws the avatars and what they take from the floor's light: an instance each, in batches of as
+/// many as one uniform block holds, and with fewer triangles the smaller they appear.
 class AvatarPass {
  public:
   /// More avatars than this are not drawn.
-  static constexpr std::size_t most_avatars = 16;
+  static constexpr std::size_t most_avatars = 64;
+  static constexpr std::size_t level_count = 5;  ///< Of detail.
 
   Result<void> compile();
-  void upload(const SkinnedMesh& mesh) noexcept;
+  void upload(const SkinnedMesh& mesh);
 
-  /// Sends the palettes and throws the bodies' shadows into the atlas. Before any strip; leaves its
-  /// own framebuffer bound.
-  void prepare(const DrawList& list, Vec3 sun) noexcept;
+  /// Chooses who is in the picture and how detailed, sends the palettes and throws the bodies'
+  /// shadows into the atlas. Before any strip; leaves its own framebuffer bound.
+  void prepare(const DrawList& list, Vec3 sun, PixelSize picture) noexcept;
   /// Those that reach into these rows of the picture.
-  void draw_bodies(const DrawList& list, SceneBuffer::Rows rows) const noexcept;
-  void draw_shadows(const DrawList& list, SceneBuffer::Rows rows) const noexcept;
+  void draw_bodies(SceneBuffer::Rows rows) const noexcept;
+  void draw_shadows(SceneBuffer::Rows rows) const noexcept;
 
  private:
-  std::size_t count_of(const DrawList& list) const noexcept;
-  bool is_in(std::size_t avatar, SceneBuffer::Rows rows) const noexcept;
-  void bind_palette(std::size_t avatar) const noexcept;
+  struct Level {
+    std::size_t first = 0;
+    GLsizei count = 0;  ///< Of indices.
+  };
+  /// An avatar in the picture.
+  struct Seen {
+    std::uint32_t avatar = 0;  ///< Of the draw list.
+    std::uint32_t level = 0;
+    Vec4 window{};                   ///< Floor square that its shadow fits in.
+    SceneBuffer::Rows body, shadow;  ///< Where they are in the picture.
+  };
+  void choose(const DrawList& list, Vec3 sun, PixelSize picture) noexcept;
+  void reserve(std::size_t avatars) noexcept;
+  void send(const DrawList& list) noexcept;
+  void write_record(const DrawList& list, std::size_t place, Vec4* record) const noexcept;
+  void draw_shadow_atlas() const noexcept;
+  template <typename Draw>
+  void draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* part,
+                    Draw draw) const noexcept;
+  void draw_level(std::uint32_t level, GLsizei instances) const noexcept;
 
-  GlBuffer vertices_, indices_, palettes_;
+  GlBuffer vertices_, indices_, records_, looks_;
   GlVertexArray array_, no_attributes_;
   GlTexture atlas_;
   GlFramebuffer atlas_framebuffer_;
-  GLsizei index_count_ = 0;
+  std::array<Level, level_count> levels_{};  ///< The finest first.
+  GLenum index_type_ = GL_UNSIGNED_SHORT;
   std::size_t joint_count_ = 0;
-  std::vector<Mat4> staging_;
-  std::array<Vec4, most_avatars>
-      window_{};  ///< Of each avatar: floor square that its shadow fits in.
-  std::array<SceneBuffer::Rows, most_avatars> reach_{};  ///< Of each: body and shadow.
+  std::size_t record_size_ = 0;  ///< Vec4s of an avatar.
+  std::size_t capacity_ = 0;     ///< Avatars that `records_` has room for.
+  float stature_ = 1;
+  std::array<Seen, most_avatars> seen_{};  ///< The coarser later, in a level from below upwards.
+  std::size_t seen_count_ = 0;
   Program body_, shadow_, decal_;
   struct {
-    GLint colours, tile, shadow_window, decal_window, tile_uv, foot, centre;
+    GLint body_record_size, body_stature, shadow_record_size, shadow_stature, decal_record_size;
   } at_{};
 };
 

@@ -63,7 +63,8 @@ Result<Program> link_program(std::string_view name, std::initializer_list<std::s
   glDetachShader(raw, vertex_shader->get());
   glDetachShader(raw, fragment_shader->get());
   bind_block(raw, "Frame", Block::Frame);
-  bind_block(raw, "Palette", Block::Palette);
+  bind_block(raw, "Avatars", Block::Avatars);
+  bind_block(raw, "Looks", Block::Looks);
   Program program(std::move(linked));
   program.use();
   bind_sampler(program, "image", Unit::Image);

@@ -14,7 +14,7 @@ namespace docent {
 enum class Unit : GLuint { Image, LightMap, ShadowAtlas };
 
 /// Binding points of the uniform blocks.
-enum class Block : GLuint { Frame, Palette };
+enum class Block : GLuint { Frame, Avatars, Looks };
 
 /// A linked program.
 class Program {

@@ -113,7 +113,7 @@ void Renderer::Parts::draw_strip(const DrawList& list, SceneBuffer::Rows rows) n
   glDepthMask(GL_TRUE);
   glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  avatars.draw_bodies(list, rows);
+  avatars.draw_bodies(rows);
   scenery.draw_solids(list.floor, list.highlighted_exhibit, textures);
   scenery.draw_floors(list.floor);
 
@@ -125,7 +125,7 @@ void Renderer::Parts::draw_strip(const DrawList& list, SceneBuffer::Rows rows) n
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   way.draw(list);
   glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
-  avatars.draw_shadows(list, rows);
+  avatars.draw_shadows(rows);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   scenery.draw_glass(list.floor);
@@ -139,7 +139,7 @@ void Renderer::Parts::draw_model(const DrawList& list, GLuint framebuffer,
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
   way.prepare(list);
-  avatars.prepare(list, Vec3(block.sun));
+  avatars.prepare(list, Vec3(block.sun), size);
   scenery.bind_light(list.floor);
   buffer.fit(size);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "platform/gles/shaders.h"
+#include "runtime/scene/look.h"
 
 namespace docent {
 namespace {
@@ -75,7 +76,9 @@ void WayPass::prepare(const DrawList& list) noexcept {
 }
 
 void WayPass::draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const noexcept {
-  set(at_.tone, with_opacity(route_colour(theme_, ribbon.kind), ribbon.opacity));
+  const Colour tone = ribbon.look < 0 ? route_colour(theme_, ribbon.kind)
+                                      : trail_colour(static_cast<std::size_t>(ribbon.look));
+  set(at_.tone, with_opacity(tone, ribbon.opacity));
   glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
               static_cast<float>(ribbon_half_width));
   glUniform1i(at_.kind, static_cast<GLint>(ribbon.kind));

@@ -143,6 +143,7 @@ void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept {
 
   AvatarDraw it;
   it.first_matrix = static_cast<std::uint32_t>(first);
+  it.look = avatar.look;
   it.centre = Vec3(avatar.world[0][3]);
   const auto floor = static_cast<float>(museum.floors[avatar.floor].plan.height);
   constexpr std::array feet{std::pair{BodyPart::LeftAnkle, BodyPart::LeftToe},

@@ -16,6 +16,7 @@ enum class AvatarState : std::uint8_t { Idle, Turn, Walk, Wait, Look, Gesture };
 /// Someone who walks: the plan being walked, and the pose at this moment.
 struct Avatar {
   std::uint32_t floor = 0;
+  std::uint32_t look = 0;      ///< Of `looks` (runtime/scene/look.h).
   std::unique_ptr<Plan> plan;  ///< Never empty; standing at its last frame when it is over.
   std::unique_ptr<Plan> next;  ///< Takes over at next->order.before_frame of plan.
   double seconds = 0;          ///< Since the first frame of plan's walk.

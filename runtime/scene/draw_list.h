@@ -61,16 +61,17 @@ struct CameraView {
 /// frame, in the order of the skeleton.
 struct AvatarDraw {
   std::uint32_t first_matrix = 0;
-  std::uint32_t look = 0;  ///< Which outfit.
+  std::uint32_t look = 0;  ///< Of `looks` (look.h).
   Vec3 feet[2]{};          ///< World frame: under each foot on the floor, for the contact shadows.
   float foot_height[2]{};  ///< Metres of each sole above the floor: the shadow fades as it rises.
   Vec3 centre{};           ///< World frame: the hips.
 };
 
-/// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Widths and colours
+/// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
 /// follow the kind.
 struct RibbonDraw {
   RouteKind kind = RouteKind::Shortest;
+  std::int32_t look = -1;  ///< Whose trail it is: the colour of that look. -1: that of the kind.
   std::uint32_t first = 0, count = 0;
   std::uint32_t revision =
       0;  ///< Changes when the points do, so that the renderer rebuilds its strip only then.

@@ -3,6 +3,7 @@
 #include <GLES3/gl3.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -10,9 +11,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 #include <optional>
+#include <string_view>
 
 #include "content/light/scenery.h"
 #include "platform/headless/headless_display.h"
+#include "runtime/scene/look.h"
 #include "runtime/scene/theme.h"
 #include "tests/render/allocations.h"
 #include "tests/support/halls.h"
@@ -107,8 +110,9 @@ DrawList paper_only() {
   return list;
 }
 
-void add_guide(DrawList& list, Vec2 at) {
+void add_guide(DrawList& list, Vec2 at, std::uint32_t look = 0) {
   AvatarDraw avatar;
+  avatar.look = look;
   avatar.first_matrix = static_cast<std::uint32_t>(list.palette.size());
   avatar.centre = to_world(at, 0.9);
   avatar.feet[0] = avatar.feet[1] = to_world(at);
@@ -239,6 +243,73 @@ TEST_F(Rendering, ThrowsTheGuidesShadowAwayFromTheSun) {
 
   EXPECT_GT(darkening({6.9, 1.5}), 25);  // to the lower right
   EXPECT_LT(darkening({4.9, 2.6}), 4);   // towards the sun
+}
+
+std::uint32_t look_named(std::string_view name) {
+  return static_cast<std::uint32_t>(std::ranges::find(looks, name, &Look::name) - looks.begin());
+}
+
+TEST_F(Rendering, DrawsSeveralGuidesEachInItsOwnLookWithItsOwnTrail) {
+  DrawList list = view_of_hall(small);
+  add_guide(list, {3, 2}, look_named("navy"));
+  add_guide(list, {6, 2}, look_named("saffron"));
+  add_guide(list, {9, 2}, look_named("rose"));
+  add_way(list, RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
+  list.ribbons.back().look = static_cast<std::int32_t>(look_named("sky"));
+  const auto seen = [&](const Pixels& picture, Vec2 at, double height) {
+    const auto [x, y] = pixel_of(list.camera, to_world(at, height), small);
+    return pixel(picture, x, y);
+  };
+
+  const Pixels picture = drawn(list);
+
+  const Rgb navy = seen(picture, {2.9, 1.75}, 0.6);
+  EXPECT_GT(navy.b, navy.r + 30);
+  const Rgb saffron = seen(picture, {5.9, 1.75}, 1.4);
+  EXPECT_GT(saffron.r, saffron.b + 80);
+  const Rgb rose = seen(picture, {9, 1.75}, 1.5);
+  EXPECT_GT(rose.r, rose.g + 25);
+  const Rgb trail = seen(picture, {7.5, 3.4}, 0);
+  EXPECT_GT(trail.b, trail.r + 40);
+}
+
+TEST_F(Rendering, MakesATallerLookTallerAndLeavesItsFeetWhereTheyArePlanted) {
+  const PixelSize size{640, 360};
+  open(size);
+  const CameraView camera = looking(to_world({6, -4}, 2.2), to_world({6, 2}, 0.8), size);
+  const auto rows = [&](std::uint32_t look) {
+    DrawList list = paper_only();
+    list.camera = camera;
+    add_guide(list, {6, 2}, look);
+    const Pixels picture = drawn(list);
+    std::array<int, 2> reach{-1, -1};
+    for (std::uint32_t y = 0; y < size.height; ++y)
+      if (std::abs(pixel(picture, 320, y).g - paper.g) > 30) {
+        if (reach[0] < 0) reach[0] = static_cast<int>(y);
+        reach[1] = static_cast<int>(y);
+      }
+    return reach;
+  };
+
+  const auto [top_of_short, sole_of_short] = rows(look_named("rose"));
+  const auto [top_of_tall, sole_of_tall] = rows(look_named("vermilion"));
+
+  EXPECT_GE(top_of_short, top_of_tall + 10);
+  EXPECT_EQ(sole_of_short, sole_of_tall);
+}
+
+TEST_F(Rendering, DrawsEightGuidesAndFortyVisitorsWhereverTheyStand) {
+  DrawList list = view_of_hall(small);
+  const auto place = [](int i) { return Vec2{1.0 + i % 12 * 0.9, 0.8 + i / 12 * 1.1}; };
+  for (int i = 0; i < 48; ++i) add_guide(list, place(i), look_named("navy"));
+
+  const Pixels picture = drawn(list);
+
+  for (int i = 0; i < 48; ++i) {
+    const auto [x, y] = pixel_of(list.camera, to_world(place(i), 1.6), small);
+    const Rgb coat = pixel(picture, x, y);
+    EXPECT_GT(coat.b, coat.r) << i;
+  }
 }
 
 TEST_F(Rendering, FadesFarGalleriesTowardsPaper) {
@@ -408,7 +479,8 @@ TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
 TEST_F(Rendering, AllocatesNothingInAFrame) {
   DrawList list = view_of_hall(small);
   add_way(list, RouteKind::Skeleton, {{2, 2}, {10, 2}}, 8);
-  add_guide(list, {6, 2});
+  for (int i = 0; i < 48; ++i)
+    add_guide(list, {1.0 + i % 12 * 0.9, 0.8 + i / 12 * 1.1}, static_cast<std::uint32_t>(i));
   list.markers.emplace_back();
   Quad panel;
   panel.rect = {0, 0, 0.3F, 1};

@@ -34,7 +34,7 @@ void main() {
   // A slow sheen travels along the solid way.
   float phase = fract((ribbon.x - way.z) / 2.4) - 0.5;
   float sheen = kind == 0 ? exp(-phase * phase * 40.0) : 0.0;
-  c = mix(c, vec3(1.0, 0.62, 0.42), 0.20 * sheen);
+  c = mix(c, mix(tone.rgb, vec3(1.0), 0.55), 0.20 * sheen);
   // Its edges catch the light.
   c *= 1.0 + 0.10 * smoothstep(-0.03, -0.004, d) * sign(ribbon.y);
   float opacity = tone.a * mix(1.0, 0.22, behind);

@@ -1,4 +1,3 @@
-in float lift;
 out vec4 colour;
 void main() {
   colour = vec4(1.0);
