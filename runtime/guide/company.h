@@ -45,6 +45,8 @@ class Company {
   /// knows.
   std::uint32_t add(std::uint32_t floor, const Placement& place, double rank, double pace);
 
+  /// From the next frame on it has that look, of `looks` (runtime/scene/look.h).
+  void dress(std::uint32_t who, std::uint32_t look) noexcept { members_[who].avatar.look = look; }
   void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;

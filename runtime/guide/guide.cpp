@@ -8,7 +8,7 @@ namespace docent {
 namespace {
 
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
-constexpr std::size_t most_joints = 64;
+constexpr std::size_t points_of_a_trail = 1024;
 constexpr std::size_t most_pieces = 4096;
 constexpr double guide_rank = 100;  ///< Visitors on their own make room for a guide.
 constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
@@ -31,9 +31,11 @@ Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settin
   if (museum.kiosk_floor < planner.maps().size())
     meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], company_.size());
   list_.avatars.reserve(company_.size());
-  list_.palette.reserve(company_.size() * most_joints);
-  list_.ribbons.reserve(1);
-  list_.ribbon_point.reserve(most_ribbon_points);
+  list_.palette.reserve(company_.size() * leader().world.size());
+  const auto guides =
+      static_cast<std::size_t>(std::ranges::count_if(company_.members(), leaves_a_trail));
+  list_.ribbons.reserve(guides);
+  list_.ribbon_point.reserve(most_ribbon_points + (guides - 1) * points_of_a_trail);
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8));
   list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512));
   request_view();
@@ -296,7 +298,7 @@ const DrawList& Guide::draw_list() noexcept {
   list_.quads.clear();
   for (const Companion& one : company_.members())
     if (one.is_here) draw(museum_, one.avatar, list_);
-  stage_.draw(state(), leader(), errand_.kind == Errand::Kind::ToExhibit, list_);
+  stage_.draw(state(), company_, errand_.kind == Errand::Kind::ToExhibit, list_);
   const double floor_height = museum_.floors[leader().floor].plan.height;
   overlay_.follow(list_.camera, static_cast<float>(floor_height));
   const double whole = leader().plan->reach.empty() ? 0 : leader().plan->reach.back();

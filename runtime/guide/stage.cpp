@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "runtime/scene/look.h"
+
 namespace docent {
 namespace {
 
@@ -42,6 +44,27 @@ AheadPoints ahead_of(const Avatar& avatar) noexcept {
 }
 
 }  // namespace
+
+bool leaves_a_trail(const Companion& one) noexcept {
+  return one.avatar.look < guide_look_count;
+}
+
+void draw_trail(const Avatar& avatar, float flow, DrawList& list) noexcept {
+  const Plan& plan = *avatar.plan;
+  const std::size_t room = list.ribbon_point.capacity() - list.ribbon_point.size();
+  if (plan.points.size() < 2 || plan.points.size() > room ||
+      list.ribbons.size() == list.ribbons.capacity())
+    return;
+  list.ribbons.push_back({.kind = plan.order.kind,
+                          .look = static_cast<std::int32_t>(avatar.look),
+                          .first = static_cast<std::uint32_t>(list.ribbon_point.size()),
+                          .count = static_cast<std::uint32_t>(plan.points.size()),
+                          .revision = static_cast<std::uint32_t>(plan.order.id),
+                          .length = static_cast<float>(plan.reach.back()),
+                          .walked = static_cast<float>(avatar.along),
+                          .flow = flow});
+  list.ribbon_point.insert(list.ribbon_point.end(), plan.points.begin(), plan.points.end());
+}
 
 Stage::Stage(const Museum& museum) : museum_(museum) {
   for (const Floor& floor : museum.floors) {
@@ -118,8 +141,10 @@ void Stage::show_way(const Plan& plan, DrawList& list) noexcept {
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
 }
 
-void Stage::draw(const InterfaceState& state, const Avatar& leader, bool leads_to_exhibit,
+void Stage::draw(const InterfaceState& state, const Company& company, bool leads_to_exhibit,
                  DrawList& list) const noexcept {
+  const Avatar& leader = company[0].avatar;
+  const std::span<const Companion> others = std::span(company.members()).subspan(1);
   const double height = height_of(museum_, leader.floor);
   list.floor = leader.floor;
   list.camera = view_of(rig_, aspect_);
@@ -145,6 +170,10 @@ void Stage::draw(const InterfaceState& state, const Avatar& leader, bool leads_t
         mark(static_cast<std::int32_t>(i) == state.exhibit ? MarkerDraw::Kind::SelectedExhibit
                                                            : MarkerDraw::Kind::Exhibit,
              museum_.exhibits[i].placement.position, 0.3F, 0);
+  list.ribbon_point.resize(way_count_);
+  for (const Companion& other : others)
+    if (leaves_a_trail(other) && other.is_on_its_way && other.avatar.floor == leader.floor)
+      draw_trail(other.avatar, time_ * flow_speed, list);
   if (!leads_to_exhibit) return;
 
   if (state.exhibit >= 0) {
@@ -156,6 +185,9 @@ void Stage::draw(const InterfaceState& state, const Avatar& leader, bool leads_t
   }
   if (way_count_ >= 2)
     list.ribbons.push_back({.kind = way_kind_,
+                            .look = std::ranges::any_of(others, leaves_a_trail)
+                                        ? static_cast<std::int32_t>(leader.look)
+                                        : -1,
                             .first = 0,
                             .count = way_count_,
                             .revision = revision_,

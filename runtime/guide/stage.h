@@ -3,12 +3,20 @@
 #include <vector>
 
 #include "runtime/guide/avatar.h"
+#include "runtime/guide/company.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/control.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent {
+
+/// Does it guide somebody, and not stroll?
+bool leaves_a_trail(const Companion& one) noexcept;
+
+/// Appends the way of someone who guides as a trail in the colour of their look, `flow` metres on;
+/// nothing where the list has no more capacity. Does not allocate.
+void draw_trail(const Avatar& avatar, float flow, DrawList& list) noexcept;
 
 /// The model on its table: the camera, the way on the floor, the marks. Everything that is drawn
 /// below the interface except the bodies.
@@ -20,8 +28,10 @@ class Stage {
   void enter(const InterfaceState& state, const Rect& free, float aspect,
              const Avatar& leader) noexcept;
   void advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept;
-  /// Fills in camera, light, ways and marks.
-  void draw(const InterfaceState& state, const Avatar& leader, bool leads_to_exhibit,
+  /// Fills in camera, light, ways and marks. The company's first is the leader. While nobody else
+  /// guides, its way has the colour of its kind, which the panel explains; else each way has its
+  /// guide's, and the pattern alone tells the kind.
+  void draw(const InterfaceState& state, const Company& company, bool leads_to_exhibit,
             DrawList& list) const noexcept;
   /// The leader follows another way: its points go into the draw list.
   void show_way(const Plan& plan, DrawList& list) noexcept;

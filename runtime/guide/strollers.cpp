@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/scene/look.h"
+
 namespace docent {
 namespace {
 
@@ -44,6 +46,8 @@ void Strollers::enter(Company& company) {
     const double pace = slowest + (1 - slowest) * random(stroller);
     const bool comes_in = !museum_.ambient.entrances.empty();
     stroller.who = company.add(museum_.kiosk_floor, start_of(i), 0, pace);
+    company.dress(stroller.who, static_cast<std::uint32_t>(guide_look_count +
+                                                           i % (looks.size() - guide_look_count)));
     stroller.goes_on_at = comes_in ? 0 : museum_.ambient.look_most * random(stroller);
     strollers_.push_back(stroller);
   }

@@ -182,6 +182,60 @@ TEST(Guide, StopsWhereItIs) {
   EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
 }
 
+/// Room for a trail of so many points.
+DrawList list_with_room(std::size_t ribbons, std::size_t points) {
+  DrawList list;
+  list.ribbons.reserve(ribbons);
+  list.ribbon_point.reserve(points);
+  return list;
+}
+
+TEST(ATrail, HasTheColourOfItsGuideAndIsAsLongAsTheWay) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(4);
+  const Avatar& guide = session.guide().company()[0].avatar;
+  DrawList list = list_with_room(2, 4096);
+  list.ribbon_point.resize(7);  // another's
+
+  draw_trail(guide, 0, list);
+
+  ASSERT_EQ(list.ribbons.size(), 1U);
+  const RibbonDraw& trail = list.ribbons.front();
+  EXPECT_EQ(trail.look, static_cast<std::int32_t>(guide.look));
+  EXPECT_EQ(trail.first, 7U);
+  EXPECT_EQ(trail.first + trail.count, list.ribbon_point.size());
+  EXPECT_FLOAT_EQ(trail.length, static_cast<float>(guide.plan->reach.back()));
+  EXPECT_FLOAT_EQ(trail.walked, static_cast<float>(guide.along));
+  EXPECT_GT(trail.walked, 0);
+}
+
+TEST(ATrail, IsLeftOutWhereTheDrawListHasNoMoreRoom) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(4);
+  const Avatar& guide = session.guide().company()[0].avatar;
+  DrawList no_ribbon = list_with_room(0, 4096);
+  DrawList no_points = list_with_room(1, 1);
+
+  draw_trail(guide, 0, no_ribbon);
+  draw_trail(guide, 0, no_points);
+
+  EXPECT_TRUE(no_ribbon.ribbons.empty());
+  EXPECT_TRUE(no_points.ribbons.empty());
+}
+
+TEST(Guide, AloneHasAWayInTheColourThatThePanelGivesItsKind) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_LT(session.guide().draw_list().ribbons.front().look, 0);
+}
+
 TEST(Guide, CanBeUsedByKeysAlone) {
   Session session;
   session.key(Key::Enter);
