@@ -106,8 +106,9 @@ TEST(ALook, OfAGuideIsToldApartWithoutAnyColour) {
 
 TEST(ALook, OfAGuideShowsItsPatternInGrey) {
   for (const Look& look : guides)
-    if (look.pattern != CoatPattern::Plain)
+    if (look.pattern != CoatPattern::Plain) {
       EXPECT_GE(std::abs(lightness(look.coat) - lightness(look.second)), 20) << look.name;
+    }
 }
 
 TEST(ALook, OfAStrollingVisitorIsQuieterThanAnyGuides) {
