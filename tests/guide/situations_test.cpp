@@ -15,6 +15,10 @@ struct Named {
   Situation (*make)();
 };
 
+void PrintTo(const Named& situation, std::ostream* out) {
+  *out << situation.name;
+}
+
 class Situations : public testing::TestWithParam<Named> {};
 
 TEST_P(Situations, EndWithEverybodyWhereTheyWantedAndNobodyTouched) {
