@@ -28,7 +28,7 @@ Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settin
   company_.add(museum.kiosk_floor, museum.kiosk, guide_rank, 1);
   strollers_.enter(company_);
   bodies_.reserve(company_.size());
-  if (museum.kiosk_floor < planner.maps().size())
+  if (company_.size() > 1 && museum.kiosk_floor < planner.maps().size())
     meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], company_.size());
   list_.avatars.reserve(company_.size());
   list_.palette.reserve(company_.size() * leader().world.size());
