@@ -1,11 +1,10 @@
 #include "runtime/company/find_detour.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "runtime/company/line_distance.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent {
@@ -13,17 +12,6 @@ namespace {
 
 constexpr double spare = 0.1;             // metres kept from who stands
 constexpr std::size_t most_places = 400;  // that are tried
-
-double distance_to(std::span<const Vec2> line, Vec2 point) noexcept {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2 a = line[i - 1], step = line[i] - a;
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(point - a, step) / square, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, glm::distance(point, a + t * step));
-  }
-  return nearest;
-}
 
 }  // namespace
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "runtime/company/line_distance.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent {
@@ -16,17 +16,6 @@ constexpr int rings = 30;          // so a refuge is at most 6 m away
 constexpr int directions = 24;
 constexpr double spare = 0.08;       // metres kept from the line and from others
 constexpr double wall_spare = 0.02;  // metres
-
-double distance_to(std::span<const Vec2> line, Vec2 point) noexcept {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Vec2 a = line[i > 0 ? i - 1 : 0], step = line[i] - a;
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(point - a, step) / square, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, glm::distance(point, a + t * step));
-  }
-  return nearest;
-}
 
 bool is_taken(const Timetable& timetable, std::uint32_t body, Vec2 place, double distance) {
   return std::ranges::any_of(timetable.entries(), [&](const Timetable::Entry& entry) {

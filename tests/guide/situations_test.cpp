@@ -52,5 +52,29 @@ INSTANTIATE_TEST_SUITE_P(
                     Named{"inTheWay", one_in_the_way}, Named{"ring", ring_of_sixteen}),
     [](const auto& each) { return std::string(each.param.name); });
 
+TEST(OneSpot, IsEnteredByTheSecondWhenTheFirstHasGoneOn) {
+  Situation situation = head_on_in_a_corridor();
+  situation.parts = {{at(1, 0.7), at(6, 0.7)}, {at(1, 0.7), at(4, 0.7)}};
+
+  const Scene scene = play(situation);
+
+  EXPECT_TRUE(scene.all_arrived());
+  EXPECT_GT(scene.arrival[1], seconds_alone(situation)[1] + 0.5);
+  EXPECT_GE(glm::distance(scene.track[0].back().position, scene.track[1].back().position),
+            2 * scene.radius);
+}
+
+TEST(OneGoal, OfTwoIsHeldByOneAndTheOtherStandsCloseBy) {
+  Situation situation = four_ways();
+  situation.parts = {{at(1, 5), at(5, 5)}, {at(9, 5, 180), at(5, 5, 180)}};
+
+  const Scene scene = play(situation);
+
+  EXPECT_TRUE(scene.all_arrived());
+  EXPECT_LE(scene.deepest_overlap, 0.005);
+  for (const auto& track : scene.track)
+    EXPECT_LT(glm::distance(track.back().position, Vec2(5, 5)), 2);
+}
+
 }  // namespace
 }  // namespace docent::test

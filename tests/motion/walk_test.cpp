@@ -75,7 +75,7 @@ TEST_P(WalkAlong, KeepsPlantedFeetWhereTheyAre) {
   const Walk walk = walk_along(GetParam().points);
 
   EXPECT_LT(test::largest_drift(motion().skeleton, walk), 0.005);
-  EXPECT_LT(test::deepest_toe(motion().skeleton, walk), 0.025);
+  EXPECT_LT(test::deepest_toe(motion().skeleton, walk), 0.005);
 }
 
 TEST_P(WalkAlong, MovesNoFasterThanItsClips) {
