@@ -88,8 +88,9 @@ void WayPass::draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const no
 void WayPass::draw_marker(const MarkerDraw& marker) const noexcept {
   using Kind = MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
-  set(at_.marker_tone,
-      with_opacity(is_exhibit ? theme_.quiet_ink : theme_.shortest, marker.opacity));
+  Colour tone = is_exhibit ? theme_.quiet_ink : theme_.shortest;
+  if (marker.look >= 0) tone = trail_colour(static_cast<std::size_t>(marker.look));
+  set(at_.marker_tone, with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float reach =
       marker.kind == Kind::YouAreHere ? 2.7F : 1.3F;  // radii that marker.frag draws

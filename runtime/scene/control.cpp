@@ -5,6 +5,8 @@
 #include <deque>
 #include <numeric>
 
+#include "runtime/scene/look.h"
+
 namespace docent {
 namespace {
 
@@ -59,6 +61,18 @@ void add_routes(const Museum& museum, const InterfaceState& state, std::vector<C
   }
 }
 
+/// The guides, of whom those that others have cannot be picked.
+void add_looks(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
+    const std::string name(looks[i].name);
+    Control control = button(museum, "look:" + name, "look_" + name, {Action::Kind::Pick, i});
+    control.role = Role::Choice;
+    control.selected = state.look == static_cast<int>(i);
+    control.enabled = (state.taken >> i & 1U) == 0;
+    out.push_back(std::move(control));
+  }
+}
+
 void add_list(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
               std::vector<Control>& out) {
   const std::uint32_t pages = page_count(museum, per_page);
@@ -75,6 +89,53 @@ void add_list(const Museum& museum, const InterfaceState& state, std::uint32_t p
   next.enabled = page + 1 < pages;
   out.push_back(std::move(previous));
   out.push_back(std::move(next));
+}
+
+/// What stands on a visitor's card at a shared glass.
+void add_seat_controls(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
+                       std::vector<Control>& out) {
+  switch (state.screen) {
+    case Screen::Welcome:
+      out.push_back(button(museum, "begin", "join", {Action::Kind::Begin}));
+      return;
+    case Screen::Picking:
+      add_looks(museum, state, out);
+      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      add_languages(museum, state, out);
+      return;
+    case Screen::Choosing:
+      add_list(museum, state, per_page, out);
+      if (state.exhibit >= 0)
+        out.push_back(button(museum, "back", state.arrived ? "back_to_exhibit" : "back",
+                             {Action::Kind::Return}));
+      else
+        out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      return;
+    case Screen::Walking:
+      add_routes(museum, state, out);
+      out.push_back(button(museum, "stop", "stop", {Action::Kind::Stop}));
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      return;
+    case Screen::Arrived:
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      return;
+  }
+}
+
+void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
+    out.push_back(exhibit_control(museum, i, Role::Spot, state));
+}
+
+/// A seat whose visitor has left.
+InterfaceState vacated(const InterfaceState& state) noexcept {
+  InterfaceState vacant;
+  vacant.glass = state.glass;
+  vacant.seats = state.seats;
+  vacant.seat = state.seat;
+  vacant.taken = state.taken;
+  return vacant;
 }
 
 /// A state reached while searching, and how.
@@ -128,6 +189,15 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
 InterfaceState after(InterfaceState state, Action action) noexcept {
   switch (action.kind) {
     case Action::Kind::Begin:
+      state.screen = state.seat >= 0 && state.look < 0 ? Screen::Picking : Screen::Choosing;
+      state.page = 0;
+      break;
+    case Action::Kind::Pick:
+      if ((state.taken >> action.argument & 1U) != 0) break;
+      state.look = static_cast<std::int8_t>(action.argument);
+      state.screen = Screen::Choosing;
+      state.page = 0;
+      break;
     case Action::Kind::ShowExhibits:
       state.screen = Screen::Choosing;
       state.page = 0;
@@ -159,6 +229,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.arrived = false;
       break;
     case Action::Kind::Home:
+      if (state.seat >= 0) return vacated(state);
       state.screen = Screen::Welcome;
       state.page = 0;
       state.exhibit = -1;
@@ -171,8 +242,17 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
 std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
                                  std::uint32_t per_page) {
   std::vector<Control> out;
+  if (state.seat >= 0) {
+    add_seat_controls(museum, state, per_page, out);
+    return out;
+  }
+  if (state.glass != Glass::Whole) {
+    add_spots(museum, state, out);
+    return out;
+  }
   switch (state.screen) {
     case Screen::Welcome:
+    case Screen::Picking:
       out.push_back(button(museum, "begin", "begin", {Action::Kind::Begin}));
       break;
     case Screen::Choosing:
@@ -200,9 +280,7 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
       break;
   }
   add_languages(museum, state, out);
-  if (state.screen == Screen::Choosing)
-    for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
-      out.push_back(exhibit_control(museum, i, Role::Spot, state));
+  if (state.screen == Screen::Choosing) add_spots(museum, state, out);
   return out;
 }
 
@@ -236,17 +314,23 @@ std::vector<Control> touches_to(const Museum& museum, const InterfaceState& stat
 
 bool is_control_name(const Museum& museum, std::string_view name) {
   const std::uint32_t per_page = 1;  // the paging controls exist where there are two exhibits
+  const auto has_it = [&](const InterfaceState& state) {
+    const std::vector<Control> controls = controls_of(museum, state, per_page);
+    return std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; });
+  };
   for (const Screen screen : {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived})
     for (const std::int32_t exhibit : {-1, 0}) {
       if (exhibit >= static_cast<std::int32_t>(museum.exhibits.size())) continue;
       InterfaceState state;
       state.screen = screen;
       state.exhibit = exhibit;
-      const std::vector<Control> controls = controls_of(museum, state, per_page);
-      if (std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; }))
-        return true;
+      if (has_it(state)) return true;
     }
-  return false;
+  InterfaceState picking;
+  picking.screen = Screen::Picking;
+  picking.glass = Glass::Busy;
+  picking.seat = 0;
+  return has_it(picking);
 }
 
 std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept {

@@ -13,12 +13,23 @@
 
 namespace docent {
 
-/// The four faces of the kiosk.
+/// The faces of the kiosk.
 enum class Screen : std::uint8_t {
-  Welcome,   ///< The whole model and a greeting.
+  Welcome,   ///< The whole model and a greeting. Of a seat: nobody is there.
+  Picking,   ///< The guides, of whom a visitor at a shared glass picks one.
   Choosing,  ///< The model, its exhibits marked, and the list of them.
   Walking,   ///< Behind the guide.
   Arrived,   ///< Beside the guide, in front of the exhibit.
+};
+
+/// Who uses the glass. On a shared one every visitor has a seat, a card at its lower edge, and the
+/// rest of it, the model, belongs to all of them.
+enum class Glass : std::uint8_t {
+  Whole,  ///< One visitor, who has all of it.
+  Quiet,  ///< Shared; nobody is there.
+  Busy,   ///< Shared; somebody is there, and there is room for more.
+  Full,   ///< Shared; every seat is taken.
+  Told,   ///< And somebody has just asked for one in vain.
 };
 
 /// What of the guide's state decides which controls there are and what they say. The rest (where
@@ -30,6 +41,11 @@ struct InterfaceState {
   std::int32_t exhibit = -1;   ///< Where the visitor is going or has arrived; -1: nowhere.
   RouteKind kind = RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
+  Glass glass = Glass::Whole;
+  std::uint8_t seats = 0;  ///< Of a shared glass.
+  std::int8_t seat = -1;   ///< Whose card this is, from the left; -1: no card, but the model.
+  std::int8_t look = -1;   ///< Of `looks`: the guide that was picked.
+  std::uint8_t taken = 0;  ///< A bit for each guide that others have.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -37,7 +53,8 @@ struct InterfaceState {
 /// What pressing a control asks for.
 struct Action {
   enum class Kind : std::uint8_t {
-    Begin,         ///< From the welcome to the list.
+    Begin,         ///< From the welcome to the list; at a seat, to the guides.
+    Pick,          ///< The guide with look `argument`.
     Choose,        ///< Go to exhibit `argument`.
     TurnPage,      ///< Show page `argument` of the list.
     Speak,         ///< Language `argument`.

@@ -85,6 +85,7 @@ struct RibbonDraw {
 struct MarkerDraw {
   enum class Kind : std::uint8_t { YouAreHere, Goal, Exhibit, SelectedExhibit };
   Kind kind = Kind::Goal;
+  std::int32_t look = -1;  ///< Whose it is: the colour of that look. -1: vermilion.
   Vec3 position{};
   float radius = 0.3F;
   float heading = 0;  ///< Radians, floor frame; YouAreHere shows it.

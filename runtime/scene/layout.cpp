@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/scene/look.h"
 #include "runtime/scene/phrases.h"
+#include "runtime/scene/seats.h"
 #include "runtime/scene/sheet.h"
 
 namespace docent {
@@ -61,6 +63,22 @@ void add_floor_labels(Sheet& sheet) {
   }
 }
 
+/// The model of a shared glass, or one of the cards below it.
+void lay_out_shared(Sheet& sheet) {
+  View& view = sheet.view();
+  const ViewRequest& request = sheet.request();
+  view.free = {0, 0, 1, strip_of(request.shape).y};
+  if (request.state.seat < 0) {
+    lay_out_model(sheet);
+    add_floor_labels(sheet);
+    return;
+  }
+  const Rect card =
+      card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+  lay_out_seat(sheet, {card.x * view.pixel_width, card.y * view.pixel_height,
+                       card.width * view.pixel_width, card.height * view.pixel_height});
+}
+
 }  // namespace
 
 bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept {
@@ -84,6 +102,10 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
   return list.columns * list.rows;
 }
 
+std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
+  return state.seat < 0 ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
+}
+
 ListShape list_shape(const ScreenShape& shape) noexcept {
   const Measures m = measures_of(shape);
   const float content_height = panel_box(shape).height - 2 * m.margin;
@@ -103,8 +125,10 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
                                 PieceCache& pieces) {
   auto view = std::make_unique<View>();
   view->request = request.id;
+  view->part = request.part;
   view->state = request.state;
-  view->controls = controls_of(museum, request.state, exhibits_per_page(request.shape));
+  view->controls =
+      controls_of(museum, request.state, exhibits_per_page(request.shape, request.state));
   view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
   view->pixel_width = static_cast<float>(request.shape.width);
   view->pixel_height = static_cast<float>(request.shape.height);
@@ -113,11 +137,20 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->unit_px = measures.unit;
 
   Sheet sheet(museum, request, pieces, *view);
+  view->accent = request.state.look < 0
+                     ? sheet.theme().shortest
+                     : trail_colour(static_cast<std::size_t>(request.state.look));
+  if (request.state.glass != Glass::Whole) {
+    lay_out_shared(sheet);
+    sheet.finish();
+    return view;
+  }
   const Box panel = panel_box(request.shape);
   sheet.draw_panel(panel);
   const Box content = panel.inset(sheet.measures().margin);
   switch (request.state.screen) {
     case Screen::Welcome:
+    case Screen::Picking:
       lay_out_welcome(sheet, content);
       break;
     case Screen::Choosing:

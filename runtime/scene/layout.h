@@ -26,6 +26,7 @@ struct ViewRequest {
   InterfaceState state;
   ScreenShape shape;
   std::optional<Trip> trip;  ///< Absent while the way is still being planned.
+  std::uint32_t part = 0;    ///< Of the glass: the whole of it, or the model, is 0; then the seats.
 };
 
 /// Lays out one view: where everything stands on the glass, in which words. One panel, at the side
@@ -36,6 +37,8 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
 
 /// How many exhibits a page of the list shows on such a screen.
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
+/// The same for a state, which may be that of a card.
+std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept;
 
 /// The panel and what it leaves free, left to right; a share of the screen.
 Rect panel_of(const ScreenShape& shape) noexcept;

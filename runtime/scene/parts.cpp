@@ -3,32 +3,44 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/scene/look.h"
 #include "runtime/scene/phrases.h"
 #include "runtime/scene/sheet.h"
 
 namespace docent {
+
+void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control) {
+  constexpr float pale = 0.6F;  // linear light, from where paper is no ground for it
+  if (colour.g > pale)
+    sheet.fill(box.inset(-std::max(1.0F, 0.12F * sheet.measures().unit)), sheet.theme().quiet_ink,
+               corner, control);
+  sheet.fill(box, colour, corner, control);
+}
+
 namespace {
 
 /// A sample of a route kind's ribbon: solid, long dashes, round dots.
 void draw_pattern(Sheet& sheet, RouteKind kind, const Box& box, std::int32_t control) {
-  const Colour colour = route_colour(sheet.theme(), kind);
+  const InterfaceState& state = sheet.request().state;
+  const Colour colour = state.look >= 0 ? trail_colour(static_cast<std::size_t>(state.look))
+                                        : route_colour(sheet.theme(), kind);
   const float thick = box.height;
   switch (kind) {
     case RouteKind::Shortest:
-      sheet.fill(box, colour, thick / 2, control);
+      draw_stroke(sheet, box, colour, thick / 2, control);
       break;
     case RouteKind::Skeleton: {
       const float dash = (box.width - thick) / 2;
       for (const float x : {box.x, box.x + dash + thick})
-        sheet.fill({x, box.y, dash, thick}, colour, thick / 2, control);
+        draw_stroke(sheet, {x, box.y, dash, thick}, colour, thick / 2, control);
       break;
     }
     case RouteKind::Offset: {
       constexpr int dots = 4;
       const float step = (box.width - thick) / (dots - 1);
       for (int i = 0; i < dots; ++i)
-        sheet.fill({box.x + step * static_cast<float>(i), box.y, thick, thick}, colour, thick / 2,
-                   control);
+        draw_stroke(sheet, {box.x + step * static_cast<float>(i), box.y, thick, thick}, colour,
+                    thick / 2, control);
       break;
     }
   }
@@ -41,13 +53,13 @@ void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along)
   const auto kind = static_cast<RouteKind>(it.action.argument);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
 
-  TextStyle style =
-      along == Along::Row ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
+  const bool narrow = along != Along::Column;
+  TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
   style.weight = it.selected ? 600 : 400;
   style.line_height = style.right_to_left ? 1.25F : 1.1F;
   const Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
   const float pad = std::round(1.5F * m.unit), thick = std::round(0.9F * m.unit);
-  const float sample = std::round((along == Along::Row ? 4.5F : 7) * m.unit);
+  const float sample = std::round((narrow ? 4.5F : 7) * m.unit);
   draw_pattern(sheet, kind,
                {box.x + pad, std::round(box.y + (box.height - thick) / 2), sample, thick}, control);
   const float x = box.x + pad + sample + pad;
@@ -66,6 +78,8 @@ TextPiece language_name(Sheet& sheet, const Control& control, float width) {
   style.line_height = 1.5F;
   return sheet.fitted(style, sheet.local(control.label), width);
 }
+
+}  // namespace
 
 /// Languages side by side, each as wide as its name; in equal shares where that is too much.
 void draw_languages(Sheet& sheet, const Box& box) {
@@ -99,8 +113,6 @@ void draw_languages(Sheet& sheet, const Box& box) {
                 it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, controls[n]);
   }
 }
-
-}  // namespace
 
 void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
   if (control < 0) return;

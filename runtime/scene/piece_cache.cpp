@@ -33,7 +33,7 @@ const TextPiece* PieceCache::find(std::string_view key) {
 void PieceCache::keep(std::string key, const TextPiece& piece, PieceUpload upload) {
   const std::size_t bytes = upload.text.coverage.size() + upload.picture.rgba.size();
   bytes_ += bytes;
-  entries_.emplace(std::move(key), Entry{piece, bytes, view_});
+  entries_.emplace(std::move(key), Entry{piece, bytes, view_, {}});
   changes_.uploads.push_back(std::move(upload));
 }
 
@@ -67,10 +67,22 @@ TextureId PieceCache::free_texture() {
   return texture;
 }
 
+void PieceCache::note_what_shows(std::uint32_t part) {
+  const auto bit = static_cast<std::uint16_t>(1U << part % most_parts);
+  const auto rest = static_cast<std::uint16_t>(~bit);
+  for (auto& [key, entry] : entries_) {
+    auto& shown = entry.shown_by;
+    shown[2] = static_cast<std::uint16_t>((shown[2] & rest) | (shown[1] & bit));
+    shown[1] = static_cast<std::uint16_t>((shown[1] & rest) | (shown[0] & bit));
+    shown[0] = static_cast<std::uint16_t>((shown[0] & rest) | (entry.used == view_ ? bit : 0));
+  }
+}
+
 void PieceCache::retire_unused() {
   if (bytes_ <= budget_) return;
   for (auto entry = entries_.begin(); entry != entries_.end();) {
-    if (entry->second.used + kept_views > view_) {
+    const auto& shown = entry->second.shown_by;
+    if (entry->second.used + kept_views > view_ || (shown[0] | shown[1] | shown[2]) != 0) {
       ++entry;
       continue;
     }
@@ -80,7 +92,8 @@ void PieceCache::retire_unused() {
   }
 }
 
-std::unique_ptr<PieceChanges> PieceCache::end_view() {
+std::unique_ptr<PieceChanges> PieceCache::end_view(std::uint32_t part) {
+  note_what_shows(part);
   ++view_;
   const std::size_t before = changes_.retired.size();
   retire_unused();

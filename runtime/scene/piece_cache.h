@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -33,29 +34,36 @@ struct PieceMakers {
 /// thread as PieceChanges.
 class PieceCache {
  public:
-  /// Hands out textures from `first` upwards, the lowest free one first. Pieces unused for the
-  /// `kept_views` views last made are retired once all pieces together exceed `budget` bytes.
+  /// Hands out textures from `first` upwards, the lowest free one first. Once all pieces together
+  /// exceed `budget` bytes, those are retired that neither the `kept_views` views last made use nor
+  /// the last ones of any part of the glass, of which there are at most `most_parts`.
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
   /// The middle of an image of the museum, `width` by `height` pixels.
   TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
 
-  /// Ends a view: what changed since the last one, or nothing.
-  std::unique_ptr<PieceChanges> end_view();
+  /// Ends a view of a part of the glass: what changed since the last one, or nothing.
+  std::unique_ptr<PieceChanges> end_view(std::uint32_t part = 0);
+
+  static constexpr std::uint32_t most_parts = 16;
 
  private:
   struct Entry {
     TextPiece piece;
     std::size_t bytes = 0;
     std::uint64_t used = 0;  ///< The view that last used it.
+    /// A bit for each part that shows it: in its last view, in the one before, and so on. One of
+    /// them is on the screen, and one may still be fading.
+    std::array<std::uint16_t, 3> shown_by{};
   };
   const TextPiece* find(std::string_view key);
   void keep(std::string key, const TextPiece& piece, PieceUpload upload);
+  void note_what_shows(std::uint32_t part);
   void retire_unused();
   TextureId free_texture();
 
-  /// The last two views may still be fading on the screen; two more make going back quick.
+  /// Going back to one of these is quick.
   static constexpr std::uint64_t kept_views = 4;
 
   PieceMakers makers_;

@@ -8,22 +8,6 @@
 namespace docent {
 namespace {
 
-const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
-  const std::int32_t exhibit = sheet.request().state.exhibit;
-  const auto& all = sheet.museum().exhibits;
-  return exhibit >= 0 && static_cast<std::size_t>(exhibit) < all.size()
-             ? &all[static_cast<std::size_t>(exhibit)]
-             : nullptr;
-}
-
-/// Pieces of content that share one column, from the top.
-struct Column {
-  Box box;
-  float y = 0;
-  void skip(float by) noexcept { y += by; }
-  float left() const noexcept { return box.bottom() - y; }
-};
-
 /// In portrait the wide panel has two columns.
 std::pair<Box, Box> halves(const Box& content, float gap, float share) noexcept {
   const float left = std::round((content.width - gap) * share);
@@ -55,31 +39,36 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const Trip& trip, f
                                                         width, Align::Start, sheet.theme().ink)});
 }
 
-/// "Follow me to", the name, and how far it is.
-void draw_invitation(Sheet& sheet, Column& column) {
+}  // namespace
+
+const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
+  const std::int32_t exhibit = sheet.request().state.exhibit;
+  const auto& all = sheet.museum().exhibits;
+  return exhibit >= 0 && static_cast<std::size_t>(exhibit) < all.size()
+             ? &all[static_cast<std::size_t>(exhibit)]
+             : nullptr;
+}
+
+float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
-  if (exhibit == nullptr) return;
-  column.y = sheet.text(Letters::Body, sheet.word("follow"), column.box.x, column.y,
-                        column.box.width, sheet.theme().quiet_ink);
-  column.y = sheet.text(Letters::Title, sheet.local(exhibit->title), column.box.x, column.y,
-                        column.box.width, sheet.theme().ink, 2);
-  column.skip(m.unit);
+  if (exhibit == nullptr) return box.y;
+  float y = sheet.text(Letters::Body, sheet.word("follow"), box.x, box.y, box.width,
+                       sheet.theme().quiet_ink);
+  y = sheet.text(title, sheet.local(exhibit->title), box.x, y, box.width, sheet.theme().ink, 2) +
+      m.unit;
 
   TextStyle style = sheet.style(Letters::Lead);
   style.tabular = true;
   const std::optional<Trip>& trip = sheet.request().trip;
   if (trip && trip->status == RouteStatus::Ok) {
-    prepare_remaining(sheet, style, *trip, column.box.x, column.y, column.box.width);
-    column.skip(std::ceil(style.size * style.line_height) + m.gap);
-  } else {
-    column.y = sheet.text(Letters::Body, sheet.word(trip ? "no_way" : "planning"), column.box.x,
-                          column.y, column.box.width, sheet.theme().quiet_ink, 3) +
-               m.gap;
+    prepare_remaining(sheet, style, *trip, box.x, y, box.width);
+    return y + std::ceil(style.size * style.line_height) + m.gap;
   }
+  return sheet.text(Letters::Body, sheet.word(trip ? "no_way" : "planning"), box.x, y, box.width,
+                    sheet.theme().quiet_ink, 3) +
+         m.gap;
 }
-
-}  // namespace
 
 void lay_out_welcome(Sheet& sheet, const Box& content) {
   const Measures& m = sheet.measures();
@@ -171,14 +160,10 @@ void lay_out_walking(Sheet& sheet, const Box& content) {
               sheet.theme().quiet_ink);
   draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
 
-  Column column{first, first.y};
-  column.box.height = (landscape ? routes_top - question.height - 3 * m.gap : bottom) - first.y;
-  draw_invitation(sheet, column);
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
-    if (column.left() > 12 * m.unit)
-      sheet.whole_image({column.box.x, column.y, column.box.width, column.left()}, exhibit->image,
-                        m.corner);
-  }
+  const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
+  const float y = draw_invitation(sheet, first, Letters::Title);
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && end - y > 12 * m.unit)
+    sheet.whole_image({first.x, y, first.width, end - y}, exhibit->image, m.corner);
 }
 
 void lay_out_arrived(Sheet& sheet, const Box& content) {

@@ -42,8 +42,9 @@ std::string_view tag_of(const Museum& museum, std::uint32_t language) noexcept {
                                             : std::string_view("en");
 }
 
-void mirror(Rect& rect) noexcept {
-  rect.x = 1 - rect.x - rect.width;
+/// Turns over what is inside `all`.
+void mirror(Rect& rect, const Rect& all) noexcept {
+  rect.x = 2 * all.x + all.width - rect.x - rect.width;
 }
 
 }  // namespace
@@ -205,12 +206,17 @@ void Sheet::draw_panel(const Box& box) {
   for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
 }
 
+void Sheet::lie_on(const Box& card) {
+  turned_ = view_.panel = share_of(card);
+}
+
 void Sheet::finish() {
   if (!right_to_left_) return;
-  mirror(view_.panel);
-  for (Control& control : view_.controls) mirror(control.rect);
-  for (Element& element : view_.elements) mirror(element.quad.rect);
-  for (CountedText& text : view_.remaining) mirror(text.quad.rect);
+  mirror(view_.panel, turned_);
+  for (Control& control : view_.controls)
+    if (control.rect.width > 0) mirror(control.rect, turned_);
+  for (Element& element : view_.elements) mirror(element.quad.rect, turned_);
+  for (CountedText& text : view_.remaining) mirror(text.quad.rect, turned_);
 }
 
 }  // namespace docent

@@ -75,6 +75,8 @@ class Sheet {
   Rect share_of(const Box& box) const noexcept;
   /// Marks what is drawn from now on as the panel's own.
   void draw_panel(const Box& box);
+  /// All is drawn inside this card: finish() turns it over in place.
+  void lie_on(const Box& card);
   /// Mirrors everything where the language runs from right to left.
   void finish();
 
@@ -89,6 +91,7 @@ class Sheet {
   Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
+  Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
 };
 
 /// Fills in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
@@ -97,6 +100,17 @@ void lay_out_welcome(Sheet& sheet, const Box& content);
 void lay_out_choosing(Sheet& sheet, const Box& content);
 void lay_out_walking(Sheet& sheet, const Box& content);
 void lay_out_arrived(Sheet& sheet, const Box& content);
+
+/// The shared glass: the model, and the cards of those who stand at it.
+void lay_out_model(Sheet& sheet);
+void lay_out_seat(Sheet& sheet, const Box& card);
+/// How many exhibits a page of a card's list shows.
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
+
+/// "Follow me to", the name, and how far it is, from `y`; returns its bottom.
+float draw_invitation(Sheet& sheet, const Box& box, Letters title);
+/// What the visitor goes to or is at; null where there is nothing.
+const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 
 /// Columns and rows of the exhibits' list inside the choosing panel's content.
 struct ListShape {
@@ -107,11 +121,16 @@ struct ListShape {
 };
 ListShape list_shape(const ScreenShape& shape) noexcept;
 
+/// A stroke in a way's colour, outlined where paper would swallow it.
+void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control);
+
 /// Exhibit `i` on a card: its picture, title and gallery.
 void draw_card(Sheet& sheet, std::int32_t control, const Box& box);
 /// The three route kinds, side by side or one above the other.
-enum class Along : std::uint8_t { Row, Column };
+enum class Along : std::uint8_t { Row, Column, NarrowColumn };
 float draw_routes(Sheet& sheet, const Box& box, Along along);
+/// Languages in a row.
+void draw_languages(Sheet& sheet, const Box& box);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.
 float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name);
 

@@ -53,6 +53,7 @@ struct CountedText {
 /// reads it and follows its spots with the camera.
 struct View {
   std::uint64_t request = 0;  ///< Which request it answers.
+  std::uint32_t part = 0;     ///< Of the glass.
   InterfaceState state;
   std::vector<Control> controls;
   std::vector<Element> elements;
@@ -63,6 +64,7 @@ struct View {
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen, for texel for pixel labels.
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.
+  Colour accent;                            ///< Of the rings that answer touches.
 };
 
 }  // namespace docent

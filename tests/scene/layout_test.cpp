@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "runtime/scene/seats.h"
 #include "tests/support/sample_museum.h"
 
 namespace docent {
@@ -62,6 +63,23 @@ ViewRequest any_request() {
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
   if (*rc::gen::arbitrary<bool>()) request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+  return request;
+}
+
+/// Any card of any glass that is large enough to be shared.
+ViewRequest any_card() {
+  ViewRequest request = any_request();
+  request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(32, 86));
+  const std::uint32_t seats = seats_on(request.shape, *rc::gen::inRange(2U, 9U));
+  RC_PRE(seats > 1);
+  request.state.screen = *rc::gen::element(Screen::Welcome, Screen::Picking, Screen::Choosing,
+                                           Screen::Walking, Screen::Arrived);
+  request.state.glass = *rc::gen::element(Glass::Quiet, Glass::Busy);
+  request.state.seats = static_cast<std::uint8_t>(seats);
+  request.state.seat = static_cast<std::int8_t>(*rc::gen::inRange(0U, seats));
+  request.state.taken = static_cast<std::uint8_t>(*rc::gen::inRange(0, 256));
+  if (request.state.screen > Screen::Picking)
+    request.state.look = static_cast<std::int8_t>(*rc::gen::inRange(0, 8));
   return request;
 }
 
@@ -141,6 +159,59 @@ TEST(Layout, SetsTextOnWholePixels) {
   }));
 }
 
+TEST(Card, KeepsItsControlsApartAndFingertipsWide) {
+  EXPECT_TRUE(rc::check("inside, apart, 15 mm", [] {
+    const ViewRequest request = any_card();
+    const auto view = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    const float mm =
+        std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      const Control& control = view->controls[i];
+      const Rect& r = control.rect;
+      if (!control.enabled && r.width <= 0) continue;
+      RC_ASSERT(r.x >= card.x - 1e-4F && r.x + r.width <= card.x + card.width + 1e-4F);
+      RC_ASSERT(r.y >= card.y - 1e-4F && r.y + r.height <= card.y + card.height + 1e-4F);
+      RC_ASSERT(r.width * view->pixel_width >= 15 * mm - 1);
+      RC_ASSERT(r.height * view->pixel_height >= 15 * mm - 1);
+      for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!overlap(r, view->controls[j].rect));
+    }
+  }));
+}
+
+TEST(Card, KeepsItsTextsInside) {
+  EXPECT_TRUE(rc::check("no text leaves its card", [] {
+    const ViewRequest request = any_card();
+    const auto view = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    for (const Element& element : view->elements) {
+      if (element.quad.fill != QuadFill::Text) continue;
+      const Rect& r = element.quad.rect;
+      RC_ASSERT(r.x >= card.x - 1e-3F && r.x + r.width <= card.x + card.width + 1e-3F);
+      RC_ASSERT(r.y >= card.y - 1e-3F && r.y + r.height <= card.y + card.height + 1e-3F);
+    }
+  }));
+}
+
+TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
+  EXPECT_TRUE(rc::check("mirrored within itself", [] {
+    ViewRequest request = any_card();
+    request.state.language = 0;
+    const auto english = laid_out(request);
+    request.state.language = 2;
+    const auto arabic = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    for (std::size_t i = 0; i < english->controls.size(); ++i) {
+      const Control &e = english->controls[i], &a = arabic->controls[i];
+      if (e.rect.width <= 0 || e.action.kind == Action::Kind::Speak) continue;
+      RC_ASSERT(std::abs(a.rect.x - (2 * card.x + card.width - e.rect.x - e.rect.width)) < 1e-5F);
+    }
+  }));
+}
+
 TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
   ViewRequest request;
   request.state.screen = Screen::Walking;
@@ -211,6 +282,25 @@ TEST(PieceCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
 
   std::ranges::sort(retired);
   EXPECT_EQ(retired, (std::vector{text, picture}));
+}
+
+TEST(PieceCache, KeepsWhatAnotherPartOfTheGlassStillShows) {
+  PieceCache cache({boxes, plain}, 100, 1000);
+  const TextureId shown = cache.picture(1, 40, 30);
+  cache.end_view(3);
+  std::vector<TextureId> retired;
+  const auto end = [&](std::uint32_t part) {
+    if (const auto changes = cache.end_view(part))
+      retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
+  };
+  for (std::uint32_t view = 0; view < 20; ++view) {
+    cache.picture(2 + view, 40, 30);
+    end(1);
+  }
+  EXPECT_FALSE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
+
+  for (int view = 0; view < 8; ++view) end(3);  // it shows something else by now
+  EXPECT_TRUE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
 }
 
 TEST(PieceCache, StaysWithinItsBudgetAndTheLastViewsHoweverManyExhibitsAreSeen) {
