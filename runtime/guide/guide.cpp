@@ -2,31 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+
+#include "runtime/guide/waiting_places.h"
+#include "runtime/scene/look.h"
+#include "runtime/scene/seats.h"
 
 namespace docent {
 namespace {
 
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
 constexpr std::size_t points_of_a_trail = 1024;
+constexpr std::size_t quads_of_a_card = 256;
 constexpr std::size_t most_pieces = 4096;
-constexpr double guide_rank = 100;  ///< Visitors on their own make room for a guide.
-constexpr double at_home = 0.3;     ///< Metres from the kiosk that still count as home.
-constexpr double touching = 0.01;   ///< Metres of the body that may be in a wall unremarked.
+constexpr std::size_t most_contacts = 80;
+constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
+constexpr double touching = 0.01;       ///< Metres of the body that may be in a wall unremarked.
+constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
+constexpr float told_for = 8;           ///< Seconds.
+constexpr float strays_columns = 1.5F;  ///< A territory that far from its card draws it along.
+
+std::size_t guides_on(const GuideSettings& settings) noexcept {
+  return seats_on(settings.shape, settings.visitors) > 1 ? guide_look_count : 1;
+}
 
 }  // namespace
+
+PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
+  const std::size_t seats = seats_on(settings.shape, settings.visitors);
+  return {guides_on(settings) + museum.ambient.count, seats > 1 ? 1 + seats : 1};
+}
 
 Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settings)
     : museum_(museum),
       planner_(planner),
       settings_(settings),
-      visitors_(1),
       company_(museum, planner),
       strollers_(museum),
       stage_(museum),
       memory_(most_pieces, TextureId::None) {
-  company_.add(museum.kiosk_floor, museum.kiosk, guide_rank, 1);
+  enter_guides();
   strollers_.enter(company_);
+  take_seats();
   bodies_.reserve(company_.size());
   if (company_.size() > 1 && museum.kiosk_floor < planner.maps().size())
     meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], company_.size());
@@ -36,22 +54,65 @@ Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settin
       static_cast<std::size_t>(std::ranges::count_if(company_.members(), leaves_a_trail));
   list_.ribbons.reserve(guides);
   list_.ribbon_point.reserve(most_ribbon_points + (guides - 1) * points_of_a_trail);
-  list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8));
-  list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512));
-  request_view();
+  list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) + 2 * most_seats);
+  list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512) +
+                      tours_.size() * quads_of_a_card);
 }
 
-bool Guide::shows_its_state() const noexcept {
-  return view() != nullptr && !awaiting_view_ && view()->state == state();
+/// Guides wait near the kiosk, as many as there is room for.
+void Guide::enter_guides() {
+  const std::size_t wanted = guides_on(settings_);
+  homes_ = {museum_.kiosk};
+  if (wanted > 1 && museum_.kiosk_floor < planner_.maps().size()) {
+    std::vector<Vec2> keep_clear = museum_.ambient.entrances;
+    for (const Exhibit& exhibit : museum_.exhibits)
+      if (exhibit.floor == museum_.kiosk_floor) keep_clear.push_back(exhibit.view.position);
+    homes_ = waiting_places(*planner_.maps()[museum_.kiosk_floor], museum_.kiosk, wanted,
+                            museum_.body_radius, keep_clear);
+  }
+  for (const Placement& home : homes_) {
+    const std::uint32_t who = company_.add(museum_.kiosk_floor, home, guide_rank, 1);
+    company_.dress(who, who);
+  }
 }
 
-bool Guide::is_settled() const noexcept {
-  return shows_its_state() && !overlay_.is_fading() && !stage_.is_flying();
+/// One visitor has the whole glass; several have a seat each, and a guide as soon as they pick one.
+void Guide::take_seats() {
+  const std::size_t seats =
+      std::min<std::size_t>(seats_on(settings_.shape, settings_.visitors), homes_.size());
+  const House house{museum_, planner_, company_, settings_.shape, homes_};
+  const bool shared = seats > 1;
+  tours_.reserve(shared ? 1 + seats : 1);
+  InterfaceState state;
+  state.glass = shared ? Glass::Quiet : Glass::Whole;
+  state.seats = shared ? static_cast<std::uint8_t>(seats) : 0;
+  tours_.emplace_back(house, 0, state, shared ? std::nullopt : std::optional<std::uint32_t>(0));
+  for (std::size_t seat = 0; shared && seat < seats; ++seat) {
+    state.seat = static_cast<std::int8_t>(seat);
+    tours_.emplace_back(house, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
+  }
+  territory_.resize(tours_.size());
+  held_.reserve(most_contacts);
+  led_.reserve(tours_.size());
+  speaker_ = shared ? 1 : 0;
 }
 
-bool Guide::is_out() const noexcept {
-  const Vec2 off = leader().body.position - museum_.kiosk.position;
-  return dot(off, off) > at_home * at_home || !stands(leader());
+std::size_t Guide::part_of(std::uint32_t seat) const noexcept {
+  for (std::size_t part = 1; seat > 0 && part < tours_.size(); ++part)
+    if (tours_[part].state().seat + 1 == static_cast<int>(seat)) return part;
+  return speaker_;
+}
+
+bool Guide::shows_its_state(std::size_t part) const noexcept {
+  return tours_[part].shows_its_state();
+}
+
+bool Guide::is_settled(std::size_t part) const noexcept {
+  return shows_its_state(part) && !tours_[part].overlay().is_fading() && !stage_.is_flying();
+}
+
+bool Guide::is_vacant() const noexcept {
+  return std::ranges::all_of(tours_, &Tour::is_vacant);
 }
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
@@ -65,135 +126,152 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
       break;
   }
   if (one.goal && !one.has_arrived) return AvatarState::Wait;
-  const bool looks = who == 0 ? state().arrived : one.goal.has_value();
-  return looks ? AvatarState::Look : AvatarState::Idle;
+  const auto tour = std::ranges::find(tours_, std::optional(who), &Tour::guide);
+  const bool is_guide = who < homes_.size();
+  const bool at_exhibit =
+      is_guide ? tour != tours_.end() && tour->state().arrived : one.goal.has_value();
+  return at_exhibit ? AvatarState::Look : AvatarState::Idle;
 }
 
-// What visitors do.
+// Who touches what.
 
 void Guide::touch(const InputEvent& event) noexcept {
-  visitors_.front().idle_seconds = 0;
-  if (event.kind == InputEvent::Kind::KeyDown) return press_key(event.key);
-  const std::optional<Gesture> gesture = gestures_.take(event);
-  if (event.kind == InputEvent::Kind::Down) {
-    ++counters_.touches;
-    overlay_.clear_focus();
-    overlay_.touch_down({event.contact, event.contact, 0});
+  switch (event.kind) {
+    case InputEvent::Kind::KeyUp:
+      return;
+    case InputEvent::Kind::KeyDown:
+      tours_[speaker_].press_key(event.key);
+      return tell_each_other();
+    case InputEvent::Kind::Down:
+      put_down(event);
+      break;
+    case InputEvent::Kind::Move:
+    case InputEvent::Kind::Up:
+      break;
   }
-  if (gesture) press(*gesture);
+  const auto held = std::ranges::find(held_, event.contact.id, &Held::contact);
+  if (held == held_.end()) return;
+  const Held finger = *held;
+  if (event.kind == InputEvent::Kind::Up) held_.erase(held);
+  const bool meant = tours_[finger.visitor].touch(event, tours_[finger.surface].overlay());
+  // Perhaps somebody who found no seat.
+  if (!meant && state().glass == Glass::Full) told_seconds_ = told_for;
+  tell_each_other();
 }
 
-void Guide::press(const Gesture& gesture) noexcept {
-  const std::int32_t control = overlay_.touch_up(gesture.finger);
-  const View* shown = view();
-  if (shown == nullptr) return;
-  const bool swiped = gesture.kind != Gesture::Kind::Release;
-  if (swiped && state().screen == Screen::Choosing) {
-    // What is further on comes from the side where lines end.
-    const bool forwards =
-        (gesture.kind == Gesture::Kind::SwipeLeft) != runs_right_to_left(museum_, state().language);
-    const std::uint32_t pages = page_count(museum_, exhibits_per_page(settings_.shape));
-    if (forwards && state().page + 1 < pages) act({Action::Kind::TurnPage, state().page + 1});
-    if (!forwards && state().page > 0) act({Action::Kind::TurnPage, state().page - 1});
+/// Each contact belongs to the visitor nearest to it.
+void Guide::put_down(const InputEvent& event) noexcept {
+  ++counters_.touches;
+  const ScreenPoint at{event.contact.x, event.contact.y};
+  std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
+  if (held_.size() == held_.capacity()) return;
+  if (!is_shared()) {
+    held_.push_back({event.contact.id, 0, 0});
     return;
   }
-  if (control >= 0)
-    act(shown->controls[static_cast<std::size_t>(control)].action);
-  else if (state().screen == Screen::Welcome)
-    act({Action::Kind::Begin});  // the whole glass invites
-}
-
-void Guide::press_key(Key key) noexcept {
-  switch (key) {
-    case Key::Up:
-    case Key::Left:
-      return overlay_.move_focus(-1);
-    case Key::Down:
-    case Key::Right:
-      return overlay_.move_focus(1);
-    case Key::Enter:
-      if (overlay_.focus() >= 0 && view() != nullptr)
-        act(view()->controls[static_cast<std::size_t>(overlay_.focus())].action);
-      else if (state().screen == Screen::Welcome)
-        act({Action::Kind::Begin});
-      return;
-    case Key::Back:
-      if (state().screen == Screen::Choosing)
-        act({state().exhibit >= 0 ? Action::Kind::Return : Action::Kind::Home});
-      else if (state().screen != Screen::Welcome)
-        act({Action::Kind::ShowExhibits});
-      return;
-    default:
-      return;
-  }
-}
-
-void Guide::act(Action action) noexcept {
-  const InterfaceState before = state();
-  show(after(before, action));
-  switch (action.kind) {
-    case Action::Kind::Choose:
-      set_out();
-      break;
-    case Action::Kind::TakeRoute:
-      if (errand_.kind == Errand::Kind::ToExhibit && !before.arrived) set_out();
-      break;
-    case Action::Kind::Stop:
-      order({.kind = Errand::Kind::Stop});
-      break;
-    case Action::Kind::Home:
-      if (is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
-      break;
-    default:
-      break;
-  }
-}
-
-/// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
-void Guide::set_out() noexcept {
-  const Errand errand{Errand::Kind::ToExhibit, state().exhibit, state().kind};
-  if (state().arrived || errand.exhibit < 0) return;
-  if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
-      errand_.route == errand.route)
+  const std::size_t visitor = visitor_at(at);
+  if (visitor == 0) {
+    told_seconds_ = told_for;
+    Overlay& model = tours_[0].overlay();
+    model.touch_down({event.contact, event.contact, 0});
+    model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
     return;
-  order(errand);
+  }
+  const bool on_model = at.y < strip_of(settings_.shape).y;
+  speaker_ = visitor;
+  ScreenPoint& territory = territory_[visitor];
+  territory = tours_[visitor].is_vacant()
+                  ? at
+                  : ScreenPoint{std::midpoint(territory.x, at.x), std::midpoint(territory.y, at.y)};
+  if (on_model) follow_territory(visitor);
+  held_.push_back({event.contact.id, visitor, on_model ? 0 : visitor});
 }
 
-void Guide::order(const Errand& errand) noexcept {
-  errand_ = errand;
-  trip_.reset();
-  switch (errand.kind) {
-    case Errand::Kind::ToExhibit:
-      company_.send(0, museum_.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
-                    errand.route);
-      break;
-    case Errand::Kind::Home:
-      company_.send(0, museum_.kiosk, errand.route);
-      break;
-    default:
-      company_.stop(0);
-      break;
+/// The part whose visitor touches there; 0 where that is somebody for whom there is no seat.
+std::size_t Guide::visitor_at(ScreenPoint at) const noexcept {
+  if (at.y >= strip_of(settings_.shape).y) return seat_at(at.x);
+  std::size_t nearest = 0;
+  float distance = arms_reach;
+  for (std::size_t part = 1; part < tours_.size(); ++part) {
+    const float mm = millimetres(territory_[part], at);
+    if (tours_[part].is_vacant() || mm > distance) continue;
+    distance = mm;
+    nearest = part;
   }
-  request_view();
+  return nearest > 0 ? nearest : vacant_seat_near(at.x);
+}
+
+std::size_t Guide::seat_at(float x) const noexcept {
+  const auto seats = static_cast<float>(this->seats());
+  const auto seat = static_cast<std::uint32_t>(std::clamp(x * seats, 0.0F, seats - 1));
+  return part_of(seat + 1);
+}
+
+std::size_t Guide::vacant_seat_near(float x) const noexcept {
+  std::size_t nearest = 0;
+  float distance = 2;
+  for (std::size_t part = 1; part < tours_.size(); ++part) {
+    const float seat =
+        (static_cast<float>(tours_[part].state().seat) + 0.5F) / static_cast<float>(seats());
+    if (!tours_[part].is_vacant() || std::abs(seat - x) >= distance) continue;
+    distance = std::abs(seat - x);
+    nearest = part;
+  }
+  return nearest;
+}
+
+float Guide::millimetres(ScreenPoint a, ScreenPoint b) const noexcept {
+  const float across = (a.x - b.x) * static_cast<float>(settings_.shape.width);
+  const float down = (a.y - b.y) * static_cast<float>(settings_.shape.height);
+  return std::hypot(across, down) / measures_of(settings_.shape).mm;
+}
+
+/// The card of a visitor who has gone on along the glass comes after them, if there is a seat.
+void Guide::follow_territory(std::size_t part) noexcept {
+  const std::size_t other = vacant_seat_near(territory_[part].x);
+  if (other == 0 || tours_[part].is_vacant()) return;
+  const auto columns_off = [&](std::size_t of) {
+    return std::abs(territory_[part].x * static_cast<float>(seats()) -
+                    static_cast<float>(tours_[of].state().seat) - 0.5F);
+  };
+  if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
+  InterfaceState mine = tours_[part].state(), theirs = tours_[other].state();
+  std::swap(mine.seat, theirs.seat);
+  tours_[part].show(mine);
+  tours_[other].show(theirs);
+}
+
+/// Which guides are taken, and whether there is room for more visitors.
+void Guide::tell_each_other() noexcept {
+  if (!is_shared()) return;
+  const auto seated = std::span(tours_).subspan(1);
+  const auto there = std::ranges::count_if(seated, [](const Tour& t) { return !t.is_vacant(); });
+  std::uint8_t taken = 0;
+  for (const Tour& tour : seated)
+    if (tour.guide()) taken = static_cast<std::uint8_t>(taken | 1U << *tour.guide());
+  // Guides for whom there was no room to wait are never free.
+  for (std::size_t i = homes_.size(); i < guide_look_count; ++i)
+    taken = static_cast<std::uint8_t>(taken | 1U << i);
+  const Glass glass = there == 0 ? Glass::Quiet : Glass::Busy;
+  for (Tour& tour : seated) {
+    InterfaceState state = tour.state();
+    state.glass = glass;
+    state.taken = taken;
+    if (tour.guide()) state.taken = static_cast<std::uint8_t>(taken & ~(1U << *tour.guide()));
+    tour.show(state);
+  }
+  const bool is_full = there == static_cast<std::ptrdiff_t>(seated.size());
+  InterfaceState model = tours_[0].state();
+  model.glass = !is_full ? glass : told_seconds_ > 0 ? Glass::Told : Glass::Full;
+  tours_[0].show(model);
 }
 
 // What the planner answers.
 
-void Guide::show(const InterfaceState& state) noexcept {
-  if (visitors_.front().state == state) return;
-  visitors_.front().state = state;
-  request_view();
-}
-
-void Guide::request_view() noexcept {
-  awaiting_view_ = true;
-  planner_.ask(ViewRequest{++last_request_, state(), settings_.shape, trip_});
-}
-
 void Guide::resize(const ScreenShape& shape) noexcept {
   if (shape == settings_.shape) return;
   settings_.shape = shape;
-  request_view();
+  for (Tour& tour : tours_) tour.request_view();
 }
 
 void Guide::bind(TextureId piece, TextureId memory) noexcept {
@@ -208,25 +286,13 @@ TextureId Guide::memory_of(TextureId piece) const noexcept {
 
 void Guide::take_answers() noexcept {
   while (std::unique_ptr<View> view = planner_.take_view()) {
-    if (view->request != last_request_) continue;  // the visitor has gone on
-    awaiting_view_ = false;
+    const std::size_t part = view->part;
+    if (part >= tours_.size() || !tours_[part].take_view(std::move(view))) continue;
     ++counters_.views;
-    stage_.enter(view->state, view->free, aspect_ratio(settings_.shape), leader());
-    overlay_.enter(std::move(view));
+    if (part == 0)
+      stage_.enter(tours_[0].state(), tours_[0].view()->free, aspect_ratio(settings_.shape),
+                   leader());
   }
-}
-
-/// The company has been told about the guide's way.
-void Guide::take_way() noexcept {
-  const Companion& guide = company_[0];
-  if (!guide.is_answered) return;
-  const Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
-  if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
-  if (errand_.kind != Errand::Kind::ToExhibit) return;
-  if (!trip_) ++counters_.routes;
-  trip_ = guide.trip;
-  if (trip_ && trip_->status != RouteStatus::Ok) errand_ = {};
-  request_view();
 }
 
 // What time brings.
@@ -236,42 +302,20 @@ void Guide::step(Seconds dt) noexcept {
   take_answers();
   company_.step(seconds);
   strollers_.step(company_);
-  take_way();
-  notice_arrival();
-  notice_absence(seconds);
-  gestures_.advance(seconds);
-  overlay_.advance(seconds);
+  const Companion& guide = company_[0];
+  if (!is_shared() && guide.is_answered) {
+    const Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
+    if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
+  }
+  counters_.routes = 0;
+  for (Tour& tour : tours_) {
+    tour.step(seconds, settings_.idle_reset.count());
+    counters_.routes += tour.routes();
+  }
+  told_seconds_ = std::max(0.0F, told_seconds_ - seconds);
+  tell_each_other();
   stage_.advance(state(), leader(), seconds);
   count_collisions();
-}
-
-void Guide::notice_arrival() noexcept {
-  const Companion& guide = company_[0];
-  if (errand_.kind == Errand::Kind::None || guide.awaits_answer || !stands(guide.avatar) ||
-      !guide.has_arrived)
-    return;
-  if (errand_.kind != Errand::Kind::ToExhibit) {
-    errand_ = {};
-    return;
-  }
-  InterfaceState now = state();
-  if (now.arrived) return;
-  now.arrived = true;
-  if (now.screen == Screen::Walking) now.screen = Screen::Arrived;
-  show(now);
-}
-
-/// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
-void Guide::notice_absence(float seconds) noexcept {
-  Visitor& visitor = visitors_.front();
-  const bool follows = visitor.state.screen == Screen::Walking && !stands(leader());
-  visitor.idle_seconds = follows ? 0 : visitor.idle_seconds + seconds;
-  if (visitor.idle_seconds < settings_.idle_reset.count()) return;
-  visitor.idle_seconds = 0;
-  overlay_.clear_focus();
-  if (visitor.state == InterfaceState{}) return;
-  act({Action::Kind::Home});
-  show({});
 }
 
 void Guide::count_collisions() noexcept {
@@ -292,19 +336,28 @@ void Guide::count_collisions() noexcept {
   }
 }
 
+std::span<const Led> Guide::led() noexcept {
+  led_.clear();
+  for (const Tour& tour : tours_)
+    if (tour.guide() && tour.leads_to_exhibit())
+      led_.push_back({*tour.guide(), tour.state().exhibit, tour.state().arrived});
+  return led_;
+}
+
 const DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
   list_.quads.clear();
   for (const Companion& one : company_.members())
     if (one.is_here) draw(museum_, one.avatar, list_);
-  stage_.draw(state(), company_, errand_.kind == Errand::Kind::ToExhibit, list_);
+  stage_.draw(state(), company_, led(), list_);
   const double floor_height = museum_.floors[leader().floor].plan.height;
-  overlay_.follow(list_.camera, static_cast<float>(floor_height));
-  const double whole = leader().plan->reach.empty() ? 0 : leader().plan->reach.back();
-  const bool names = state().screen == Screen::Choosing;
-  overlay_.draw(static_cast<float>(whole - leader().along), names && !stage_.is_flying() ? 1 : 0,
-                list_);
+  const bool names = is_shared() || state().screen == Screen::Choosing;
+  for (Tour& tour : tours_) {
+    tour.overlay().follow(list_.camera, static_cast<float>(floor_height));
+    tour.overlay().draw(static_cast<float>(tour.remaining()), names && !stage_.is_flying() ? 1 : 0,
+                        list_);
+  }
   for (Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
   return list_;
 }

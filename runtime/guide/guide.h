@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "runtime/company/meetings.h"
-#include "runtime/guide/avatar.h"
 #include "runtime/guide/company.h"
-#include "runtime/guide/overlay.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
-#include "runtime/input/gesture.h"
+#include "runtime/guide/tour.h"
+#include "runtime/input/contact.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/draw_list.h"
@@ -23,25 +22,18 @@ namespace docent {
 
 using Seconds = std::chrono::duration<float>;
 
-/// Someone in front of the glass: what they see and what they asked for.
-struct Visitor {
-  InterfaceState state;
-  float idle_seconds = 0;  ///< Since they last touched anything.
-};
-
-/// What the guide was sent to do.
-struct Errand {
-  enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
-  Kind kind = Kind::None;
-  std::int32_t exhibit = -1;
-  RouteKind route = RouteKind::Shortest;
-};
-
 /// What an operator set for this device.
 struct GuideSettings {
   ScreenShape shape;
   Seconds idle_reset{60};
+  std::uint32_t visitors = 1;  ///< Who may use the glass at the same time; 1 to most_seats.
 };
+
+/// What a planner has to be made for: avatars, and parts of the glass.
+struct PlannerSize {
+  std::size_t avatars = 1, parts = 1;
+};
+PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept;
 
 /// What happened so far, for --stats.
 struct GuideCounters {
@@ -58,6 +50,12 @@ struct GuideCounters {
 };
 
 /// The kiosk's whole state, without the edges: touches and time in, a draw list out.
+///
+/// One visitor has the whole glass and a camera that goes along. On a shared glass each has a seat
+/// at its lower edge, and the model above belongs to all: a contact there is that of the visitor
+/// whose territory, the place about which they touch, is nearest; beyond an arm's reach it is
+/// somebody new. The card follows when its visitor's territory has moved on. Each has one of the
+/// guides, who wait about the kiosk and are told apart by their looks.
 ///
 /// Called by the frame thread alone. After construction its functions do not throw, allocate or
 /// wait: what takes long is asked of the planner, whose answers are taken at the next step. Borrows
@@ -84,50 +82,63 @@ class Guide {
   std::span<const TextureId> memory() const noexcept { return memory_; }
 
   const Museum& museum() const noexcept { return museum_; }
-  const InterfaceState& state() const noexcept { return visitors_.front().state; }
   const ScreenShape& shape() const noexcept { return settings_.shape; }
+  /// How many visitors can use the glass at the same time.
+  std::size_t seats() const noexcept { return is_shared() ? tours_.size() - 1 : 1; }
+  /// The part of the glass that a seat is, counted from 1 and from the left; 0: the part that was
+  /// touched last.
+  std::size_t part_of(std::uint32_t seat) const noexcept;
+  /// Parts of the glass: the whole of it, or the model, is 0; then the tours at the seats.
+  const InterfaceState& state(std::size_t part = 0) const noexcept { return tours_[part].state(); }
   /// The view on the screen; empty before the first one. Its spots follow the camera.
-  const View* view() const noexcept { return overlay_.view(); }
+  const View* view(std::size_t part = 0) const noexcept { return tours_[part].view(); }
   /// Does the screen show the state that the visitor asked for?
-  bool shows_its_state() const noexcept;
+  bool shows_its_state(std::size_t part = 0) const noexcept;
   /// And does nothing fly or fade any more?
-  bool is_settled() const noexcept;
-  /// All who walk; the first one is the guide.
+  bool is_settled(std::size_t part = 0) const noexcept;
+  /// Nobody is there.
+  bool is_vacant() const noexcept;
+  /// All who walk; the guides come first.
   const Company& company() const noexcept { return company_; }
   AvatarState state_of(std::uint32_t who) const noexcept;
   const GuideCounters& counters() const noexcept { return counters_; }
 
  private:
-  void press(const Gesture& gesture) noexcept;
-  void press_key(Key key) noexcept;
-  void act(Action action) noexcept;
-  void show(const InterfaceState& state) noexcept;
-  void request_view() noexcept;
-  void set_out() noexcept;
-  void order(const Errand& errand) noexcept;
+  /// A finger on the glass: whose it is, and what it touched.
+  struct Held {
+    std::uint32_t contact = 0;
+    std::size_t visitor = 0, surface = 0;  ///< Parts.
+  };
+  void enter_guides();
+  void take_seats();
+  void put_down(const InputEvent& event) noexcept;
+  std::size_t visitor_at(ScreenPoint at) const noexcept;
+  std::size_t seat_at(float x) const noexcept;
+  std::size_t vacant_seat_near(float x) const noexcept;
+  float millimetres(ScreenPoint a, ScreenPoint b) const noexcept;
+  void follow_territory(std::size_t part) noexcept;
+  void tell_each_other() noexcept;
   void take_answers() noexcept;
-  void take_way() noexcept;
-  void notice_arrival() noexcept;
-  void notice_absence(float seconds) noexcept;
   void count_collisions() noexcept;
+  std::span<const Led> led() noexcept;
 
+  bool is_shared() const noexcept { return tours_.size() > 1; }
   const Avatar& leader() const noexcept { return company_[0].avatar; }
-  bool is_out() const noexcept;
 
   const Museum& museum_;
   Planner& planner_;
   GuideSettings settings_;
-  std::vector<Visitor> visitors_;
   Company company_;
   Strollers strollers_;
-  std::vector<Body> bodies_;        ///< Of those who are here, for counting collisions.
-  std::vector<Meetings> meetings_;  ///< One, of the kiosk's floor.
-  Errand errand_;
-  std::uint64_t last_request_ = 0;
-  bool awaiting_view_ = false;
-  std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
-  GestureRecogniser gestures_;
-  Overlay overlay_;
+  std::vector<Placement> homes_;        ///< Of the guides.
+  std::vector<Body> bodies_;            ///< Of those who are here, for counting collisions.
+  std::vector<Meetings> meetings_;      ///< One, of the kiosk's floor.
+  std::vector<Tour> tours_;             ///< By part.
+  std::vector<ScreenPoint> territory_;  ///< By part: where its visitor touches.
+  std::vector<Held> held_;
+  std::vector<Led> led_;
+  std::size_t speaker_ = 0;  ///< The part whose visitor touched last.
+  float told_seconds_ = 0;   ///< For so long somebody who found no seat is still told so.
   Stage stage_;
   GuideCounters counters_;
   std::vector<TextureId> memory_;  ///< By piece.

@@ -268,7 +268,7 @@ void Overlay::draw(float remaining, float labels_opacity, DrawList& list) const 
     quad.fill = QuadFill::Ring;
     quad.rect = around(ring.x, ring.y, size / view_->pixel_width, size / view_->pixel_height);
     quad.softness = 0.6F * view_->unit_px / shorter_px(*view_);
-    quad.colour = with_opacity(theme.shortest, (1 - share) * 0.9F);
+    quad.colour = with_opacity(view_->accent, (1 - share) * 0.9F);
     list.quads.push_back(quad);
   }
 }

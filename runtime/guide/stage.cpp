@@ -141,10 +141,9 @@ void Stage::show_way(const Plan& plan, DrawList& list) noexcept {
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
 }
 
-void Stage::draw(const InterfaceState& state, const Company& company, bool leads_to_exhibit,
+void Stage::draw(const InterfaceState& state, const Company& company, std::span<const Led> led,
                  DrawList& list) const noexcept {
   const Avatar& leader = company[0].avatar;
-  const std::span<const Companion> others = std::span(company.members()).subspan(1);
   const double height = height_of(museum_, leader.floor);
   list.floor = leader.floor;
   list.camera = view_of(rig_, aspect_);
@@ -164,30 +163,38 @@ void Stage::draw(const InterfaceState& state, const Company& company, bool leads
   };
   if (museum_.kiosk_floor == leader.floor)
     mark(MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
+  const auto is_chosen = [&](std::int32_t exhibit) {
+    return exhibit == state.exhibit ||
+           std::ranges::any_of(led, [&](const Led& one) { return one.exhibit == exhibit; });
+  };
   if (above)
     for (std::size_t i = 0; i < museum_.exhibits.size(); ++i)
       if (museum_.exhibits[i].floor == leader.floor)
-        mark(static_cast<std::int32_t>(i) == state.exhibit ? MarkerDraw::Kind::SelectedExhibit
-                                                           : MarkerDraw::Kind::Exhibit,
+        mark(is_chosen(static_cast<std::int32_t>(i)) ? MarkerDraw::Kind::SelectedExhibit
+                                                     : MarkerDraw::Kind::Exhibit,
              museum_.exhibits[i].placement.position, 0.3F, 0);
   list.ribbon_point.resize(way_count_);
-  for (const Companion& other : others)
-    if (leaves_a_trail(other) && other.is_on_its_way && other.avatar.floor == leader.floor)
-      draw_trail(other.avatar, time_ * flow_speed, list);
-  if (!leads_to_exhibit) return;
+  if (state.glass != Glass::Whole)
+    draw_ways(company, led, list);
+  else if (!led.empty())
+    draw_own_way(state, leader, list);
+}
 
+void Stage::draw_own_way(const InterfaceState& state, const Avatar& leader,
+                         DrawList& list) const noexcept {
   if (state.exhibit >= 0) {
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
     list.goal = exhibit.view.position;
     list.goal_radius = 6;
     if (!state.arrived)
-      mark(MarkerDraw::Kind::Goal, exhibit.view.position, 0.35F, exhibit.view.heading);
+      list.markers.push_back(
+          {.kind = MarkerDraw::Kind::Goal,
+           .position = to_world(exhibit.view.position, height_of(museum_, leader.floor)),
+           .radius = 0.35F,
+           .heading = static_cast<float>(exhibit.view.heading)});
   }
   if (way_count_ >= 2)
     list.ribbons.push_back({.kind = way_kind_,
-                            .look = std::ranges::any_of(others, leaves_a_trail)
-                                        ? static_cast<std::int32_t>(leader.look)
-                                        : -1,
                             .first = 0,
                             .count = way_count_,
                             .revision = revision_,
@@ -195,6 +202,22 @@ void Stage::draw(const InterfaceState& state, const Company& company, bool leads
                             .walked = static_cast<float>(leader.along),
                             .flow = time_ * flow_speed,
                             .opacity = way_opacity_});
+}
+
+void Stage::draw_ways(const Company& company, std::span<const Led> led,
+                      DrawList& list) const noexcept {
+  for (const Led& one : led) {
+    const Companion& guide = company[one.guide];
+    if (one.exhibit < 0 || guide.avatar.floor != list.floor) continue;
+    if (guide.is_on_its_way) draw_trail(guide.avatar, time_ * flow_speed, list);
+    const Placement& view = museum_.exhibits[static_cast<std::size_t>(one.exhibit)].view;
+    if (!one.arrived)
+      list.markers.push_back({.kind = MarkerDraw::Kind::Goal,
+                              .look = static_cast<std::int32_t>(guide.avatar.look),
+                              .position = to_world(view.position, height_of(museum_, list.floor)),
+                              .radius = 0.35F,
+                              .heading = static_cast<float>(view.heading)});
+  }
 }
 
 }  // namespace docent

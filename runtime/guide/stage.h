@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "runtime/guide/avatar.h"
@@ -18,6 +19,13 @@ bool leaves_a_trail(const Companion& one) noexcept;
 /// nothing where the list has no more capacity. Does not allocate.
 void draw_trail(const Avatar& avatar, float flow, DrawList& list) noexcept;
 
+/// A guide who leads a visitor to an exhibit.
+struct Led {
+  std::uint32_t guide = 0;
+  std::int32_t exhibit = -1;
+  bool arrived = false;
+};
+
 /// The model on its table: the camera, the way on the floor, the marks. Everything that is drawn
 /// below the interface except the bodies.
 class Stage {
@@ -28,10 +36,10 @@ class Stage {
   void enter(const InterfaceState& state, const Rect& free, float aspect,
              const Avatar& leader) noexcept;
   void advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept;
-  /// Fills in camera, light, ways and marks. The company's first is the leader. While nobody else
-  /// guides, its way has the colour of its kind, which the panel explains; else each way has its
-  /// guide's, and the pattern alone tells the kind.
-  void draw(const InterfaceState& state, const Company& company, bool leads_to_exhibit,
+  /// Fills in camera, light, ways and marks. The company's first is the leader. On a glass of one
+  /// visitor the way has the colour of its kind, which the panel explains; on a shared one each way
+  /// has its guide's, and the pattern alone tells the kind.
+  void draw(const InterfaceState& state, const Company& company, std::span<const Led> led,
             DrawList& list) const noexcept;
   /// The leader follows another way: its points go into the draw list.
   void show_way(const Plan& plan, DrawList& list) noexcept;
@@ -40,6 +48,9 @@ class Stage {
   const CameraRig& rig() const noexcept { return rig_; }
 
  private:
+  void draw_own_way(const InterfaceState& state, const Avatar& leader,
+                    DrawList& list) const noexcept;
+  void draw_ways(const Company& company, std::span<const Led> led, DrawList& list) const noexcept;
   CameraRig wanted_rig(const InterfaceState& state, const Avatar& leader) const noexcept;
 
   const Museum& museum_;

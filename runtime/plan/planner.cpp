@@ -17,12 +17,13 @@ void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& 
 
 }  // namespace
 
-Planner::Planner(const Museum& museum, PieceMakers makers, std::size_t avatars)
+Planner::Planner(const Museum& museum, PieceMakers makers, std::size_t avatars, std::size_t parts)
     : museum_(museum),
       cache_(std::move(makers), first_piece, piece_budget),
       traffic_(museum.floors.size()),
       orders_(avatars),
-      round_(avatars + 1) {
+      requests_(parts),
+      round_(avatars + parts) {
   if (Result<WalkGraph> walking = make_walk_graph(museum.motion)) walking_ = std::move(*walking);
   for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
@@ -47,8 +48,9 @@ void Planner::ask(const WalkOrder& order) noexcept {
 }
 
 void Planner::ask(const ViewRequest& request) noexcept {
-  requests_.put(request);
-  announce(orders_.size());
+  if (request.part >= requests_.size()) return;
+  requests_[request.part].put(request);
+  announce(orders_.size() + request.part);
 }
 
 void Planner::wait() const noexcept {
@@ -65,7 +67,7 @@ void Planner::work() {
     if (const auto box = round_.take()) {
       if (*box < orders_.size()) {
         if (const auto order = orders_[*box].take()) answer(*order);
-      } else if (const auto request = requests_.take()) {
+      } else if (const auto request = requests_[*box - orders_.size()].take()) {
         answer(*request);
       }
     }
@@ -90,7 +92,7 @@ void Planner::answer(const WalkOrder& order) {
 
 void Planner::answer(const ViewRequest& request) {
   std::unique_ptr<View> view = make_view(museum_, request, cache_);
-  if (auto changes = cache_.end_view()) send(pieces_, std::move(changes), stop_);
+  if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
 }
 

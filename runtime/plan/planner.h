@@ -19,14 +19,14 @@ namespace docent {
 /// public function but the constructor is for the frame thread, does not wait (but for wait()) and
 /// does not allocate.
 ///
-/// There is a letterbox for each avatar's orders and one for view requests, of which only the
-/// latest letter counts: what the visitor no longer wants is not worked out. Boxes are emptied in
-/// the order in which they were filled, and answers come in that order.
+/// There is a letterbox for each avatar's orders and one for each part of the glass's view
+/// requests, of which only the latest letter counts: what the visitor no longer wants is not worked
+/// out. Boxes are emptied in the order in which they were filled, and answers come in that order.
 class Planner {
  public:
   /// Borrows the museum. The makers are called on the worker only. `avatars`: how many there will
-  /// be at most.
-  Planner(const Museum& museum, PieceMakers makers, std::size_t avatars = 1);
+  /// be at most; `parts`: of the glass.
+  Planner(const Museum& museum, PieceMakers makers, std::size_t avatars = 1, std::size_t parts = 1);
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
@@ -60,8 +60,8 @@ class Planner {
   PieceCache cache_;                                   ///< The worker's.
   std::vector<std::unique_ptr<Traffic>> traffic_;      ///< Per floor, made when it is needed.
   std::vector<LatestMail<WalkOrder>> orders_;          ///< Per avatar.
-  LatestMail<ViewRequest> requests_;
-  Round round_;  ///< The last box is that of the view requests.
+  std::vector<LatestMail<ViewRequest>> requests_;      ///< Per part of the glass.
+  Round round_;  ///< The boxes of the avatars, then those of the parts.
   Belt<Plan, belt_length> plans_;
   Belt<View, belt_length> views_;
   Belt<PieceChanges, belt_length> pieces_;

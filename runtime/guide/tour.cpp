@@ -1,0 +1,242 @@
+#include "runtime/guide/tour.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace docent {
+namespace {
+
+constexpr double at_home = 0.3;      ///< Metres from its place that still count as home.
+constexpr float undecided_for = 20;  ///< Seconds that a seat is kept for who picks no guide.
+
+}  // namespace
+
+Tour::Tour(const House& house, std::uint32_t part, const InterfaceState& state,
+           std::optional<std::uint32_t> guide)
+    : house_(house), part_(part), state_(state), vacant_(state), guide_(guide) {
+  request_view();
+}
+
+bool Tour::shows_its_state() const noexcept {
+  return view() != nullptr && !awaiting_view_ && view()->state == state_;
+}
+
+bool Tour::is_out() const noexcept {
+  const Avatar& avatar = companion().avatar;
+  const Vec2 off = avatar.body.position - house_.homes[*guide_].position;
+  return dot(off, off) > at_home * at_home || !stands(avatar);
+}
+
+double Tour::remaining() const noexcept {
+  if (!guide_) return 0;
+  const Avatar& avatar = companion().avatar;
+  return (avatar.plan->reach.empty() ? 0 : avatar.plan->reach.back()) - avatar.along;
+}
+
+// What the visitor does.
+
+bool Tour::touch(const InputEvent& event, Overlay& surface) noexcept {
+  idle_seconds_ = 0;
+  const std::optional<Gesture> gesture = gestures_.take(event);
+  if (event.kind == InputEvent::Kind::Down) {
+    overlay_.clear_focus();
+    surface.touch_down({event.contact, event.contact, 0});
+  }
+  return !gesture || press(*gesture, surface);
+}
+
+bool Tour::press(const Gesture& gesture, Overlay& surface) noexcept {
+  const std::int32_t control = surface.touch_up(gesture.finger);
+  const View* shown = surface.view();
+  if (shown == nullptr) return true;
+  if (gesture.kind != Gesture::Kind::Release && state_.screen == Screen::Choosing)
+    swipe(gesture.kind == Gesture::Kind::SwipeLeft);
+  else if (control >= 0)
+    act(shown->controls[static_cast<std::size_t>(control)].action);
+  else if (is_vacant())
+    act({Action::Kind::Begin});  // the whole glass invites
+  else
+    return false;
+  return true;
+}
+
+void Tour::swipe(bool left) noexcept {
+  // What is further on comes from the side where lines end.
+  const bool forwards = left != runs_right_to_left(house_.museum, state_.language);
+  const std::uint32_t pages = page_count(house_.museum, exhibits_per_page(house_.shape, state_));
+  if (forwards && state_.page + 1 < pages) act({Action::Kind::TurnPage, state_.page + 1});
+  if (!forwards && state_.page > 0) act({Action::Kind::TurnPage, state_.page - 1});
+}
+
+void Tour::press_key(Key key) noexcept {
+  idle_seconds_ = 0;
+  switch (key) {
+    case Key::Up:
+    case Key::Left:
+      return overlay_.move_focus(-1);
+    case Key::Down:
+    case Key::Right:
+      return overlay_.move_focus(1);
+    case Key::Enter:
+      if (overlay_.focus() >= 0 && view() != nullptr)
+        act(view()->controls[static_cast<std::size_t>(overlay_.focus())].action);
+      else if (is_vacant())
+        act({Action::Kind::Begin});
+      return;
+    case Key::Back:
+      if (state_.screen == Screen::Choosing)
+        act({state_.exhibit >= 0 ? Action::Kind::Return : Action::Kind::Home});
+      else if (state_.screen == Screen::Picking)
+        act({Action::Kind::Home});
+      else if (!is_vacant())
+        act({Action::Kind::ShowExhibits});
+      return;
+    default:
+      return;
+  }
+}
+
+void Tour::act(Action action) noexcept {
+  const InterfaceState before = state_;
+  if (action.kind == Action::Kind::Choose) pick_any();
+  show(after(state_, action));
+  switch (action.kind) {
+    case Action::Kind::Pick:
+      if (state_.look == static_cast<int>(action.argument)) guide_ = action.argument;
+      break;
+    case Action::Kind::Choose:
+      set_out();
+      break;
+    case Action::Kind::TakeRoute:
+      if (leads_to_exhibit() && !before.arrived) set_out();
+      break;
+    case Action::Kind::Stop:
+      order({.kind = Errand::Kind::Stop});
+      break;
+    case Action::Kind::Home:
+      go_home();
+      break;
+    default:
+      break;
+  }
+}
+
+/// Who chooses an exhibit without having picked a guide gets the first that is free.
+void Tour::pick_any() noexcept {
+  if (guide_) return;
+  const auto free = static_cast<std::uint32_t>(std::countr_one(state_.taken));
+  if (free < house_.homes.size()) act({Action::Kind::Pick, free});
+}
+
+/// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
+void Tour::set_out() noexcept {
+  const Errand errand{Errand::Kind::ToExhibit, state_.exhibit, state_.kind};
+  if (state_.arrived || errand.exhibit < 0) return;
+  if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
+      errand_.route == errand.route)
+    return;
+  order(errand);
+}
+
+void Tour::order(const Errand& errand) noexcept {
+  if (!guide_) return;
+  errand_ = errand;
+  trip_.reset();
+  switch (errand.kind) {
+    case Errand::Kind::ToExhibit:
+      house_.company.send(*guide_,
+                          house_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
+                          errand.route);
+      break;
+    case Errand::Kind::Home:
+      house_.company.send(*guide_, house_.homes[*guide_], errand.route);
+      break;
+    default:
+      house_.company.stop(*guide_);
+      break;
+  }
+  request_view();
+}
+
+/// At a seat the guide is free from now on, for whoever comes next.
+void Tour::go_home() noexcept {
+  if (guide_ && is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
+  if (state_.seat < 0) return;
+  guide_.reset();
+  errand_ = {};
+  trip_.reset();
+}
+
+void Tour::show(const InterfaceState& state) noexcept {
+  if (state_ == state) return;
+  state_ = state;
+  request_view();
+}
+
+// What the planner answers.
+
+void Tour::request_view() noexcept {
+  awaiting_view_ = true;
+  house_.planner.ask(ViewRequest{++last_request_, state_, house_.shape, trip_, part_});
+}
+
+bool Tour::take_view(std::unique_ptr<View> view) noexcept {
+  if (view->request != last_request_) return false;  // the visitor has gone on
+  awaiting_view_ = false;
+  overlay_.enter(std::move(view));
+  return true;
+}
+
+/// The company has been told about the guide's way.
+void Tour::take_way() noexcept {
+  if (!guide_ || !companion().is_answered || !leads_to_exhibit()) return;
+  if (!trip_) ++routes_;
+  trip_ = companion().trip;
+  if (trip_ && trip_->status != RouteStatus::Ok) errand_ = {};
+  request_view();
+}
+
+// What time brings.
+
+void Tour::step(float seconds, float absent_after) noexcept {
+  take_way();
+  notice_arrival();
+  notice_absence(seconds, absent_after);
+  gestures_.advance(seconds);
+  overlay_.advance(seconds);
+}
+
+void Tour::notice_arrival() noexcept {
+  if (!guide_ || errand_.kind == Errand::Kind::None || companion().awaits_answer ||
+      !stands(companion().avatar) || !companion().has_arrived)
+    return;
+  if (errand_.kind != Errand::Kind::ToExhibit) {
+    errand_ = {};
+    return;
+  }
+  InterfaceState now = state_;
+  if (now.arrived) return;
+  now.arrived = true;
+  if (now.screen == Screen::Walking) now.screen = Screen::Arrived;
+  show(now);
+}
+
+/// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
+void Tour::notice_absence(float seconds, float absent_after) noexcept {
+  const bool follows = state_.screen == Screen::Walking && guide_ && !stands(companion().avatar);
+  idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
+  if (state_.screen == Screen::Picking) absent_after = std::min(absent_after, undecided_for);
+  if (idle_seconds_ < absent_after) return;
+  idle_seconds_ = 0;
+  overlay_.clear_focus();
+  InterfaceState vacant = vacant_;
+  vacant.glass = state_.glass;
+  vacant.seat = state_.seat;
+  vacant.taken = state_.taken;
+  if (state_ == vacant) return;
+  act({Action::Kind::Home});
+  show(vacant);
+}
+
+}  // namespace docent

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/guide/company.h"
+#include "runtime/guide/overlay.h"
+#include "runtime/input/gesture.h"
+#include "runtime/model/museum.h"
+#include "runtime/plan/planner.h"
+#include "runtime/scene/layout.h"
+
+namespace docent {
+
+/// What a guide was sent to do.
+struct Errand {
+  enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
+  Kind kind = Kind::None;
+  std::int32_t exhibit = -1;
+  RouteKind route = RouteKind::Shortest;
+};
+
+/// What the tours of a kiosk have in common; borrowed from it.
+struct House {
+  const Museum& museum;
+  Planner& planner;
+  Company& company;  ///< Its first are the guides; guide i waits at home i.
+  const ScreenShape& shape;
+  std::span<const Placement> homes;
+};
+
+/// One visitor in front of the glass: what they see of it, what they asked for, and how their guide
+/// gets on with that. On a shared glass there is one for each seat, which stays when its visitor
+/// leaves.
+///
+/// After construction its functions do not throw, allocate or wait.
+class Tour {
+ public:
+  /// Of a part of the glass (ViewRequest::part). `guide`: who leads it; none before one is picked.
+  Tour(const House& house, std::uint32_t part, const InterfaceState& state,
+       std::optional<std::uint32_t> guide);
+
+  /// An event of the glass on this part of it; `surface` is the overlay that was touched, which may
+  /// be that of the model. True unless a finger left the glass where nothing is.
+  bool touch(const InputEvent& event, Overlay& surface) noexcept;
+  void press_key(Key key) noexcept;
+  void act(Action action) noexcept;
+  /// Another state without anybody's asking.
+  void show(const InterfaceState& state) noexcept;
+  void request_view() noexcept;
+  /// The planner's answer; true where it is now on the glass.
+  bool take_view(std::unique_ptr<View> view) noexcept;
+  /// After the company's step. `absent_after`: seconds without a touch.
+  void step(float seconds, float absent_after) noexcept;
+
+  const InterfaceState& state() const noexcept { return state_; }
+  Overlay& overlay() noexcept { return overlay_; }
+  const Overlay& overlay() const noexcept { return overlay_; }
+  const View* view() const noexcept { return overlay_.view(); }
+  const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
+  bool leads_to_exhibit() const noexcept { return errand_.kind == Errand::Kind::ToExhibit; }
+  /// Does the glass show the state that the visitor asked for?
+  bool shows_its_state() const noexcept;
+  bool is_vacant() const noexcept { return state_.screen == Screen::Welcome; }
+  /// Metres that the guide still has to walk.
+  double remaining() const noexcept;
+  /// Ways that were begun so far.
+  std::uint64_t routes() const noexcept { return routes_; }
+
+ private:
+  bool press(const Gesture& gesture, Overlay& surface) noexcept;
+  void swipe(bool left) noexcept;
+  void pick_any() noexcept;
+  void set_out() noexcept;
+  void order(const Errand& errand) noexcept;
+  void go_home() noexcept;
+  void take_way() noexcept;
+  void notice_arrival() noexcept;
+  void notice_absence(float seconds, float absent_after) noexcept;
+
+  const Companion& companion() const noexcept { return house_.company[*guide_]; }
+  bool is_out() const noexcept;
+
+  House house_;
+  std::uint32_t part_;
+  InterfaceState state_, vacant_;
+  std::optional<std::uint32_t> guide_;
+  Errand errand_;
+  std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
+  GestureRecogniser gestures_;
+  Overlay overlay_;
+  float idle_seconds_ = 0;  ///< Since they last touched anything.
+  std::uint64_t last_request_ = 0, routes_ = 0;
+  bool awaiting_view_ = false;
+};
+
+}  // namespace docent
