@@ -13,9 +13,12 @@ namespace {
 
 struct KioskFile {
   Located<std::string> content, display, size;
-  Located<std::int64_t> idle_reset, rotate;
+  Located<std::int64_t> idle_reset, rotate, visitors;
   Located<double> text_scale, screen_inches;
 };
+
+constexpr double shared_from_inches = 42;
+constexpr int most_visitors = 8;
 
 constexpr std::array kiosk_file_fields{
     Field<KioskFile>{
@@ -35,6 +38,11 @@ constexpr std::array kiosk_file_fields{
                      Presence::Optional,
                      "The screen's diagonal in inches",
                      {5, 120}},
+    Field<KioskFile>{"visitors",
+                     &KioskFile::visitors,
+                     Presence::Optional,
+                     "How many visitors may use the glass at the same time",
+                     {1, most_visitors}},
     Field<KioskFile>{"rotate",
                      &KioskFile::rotate,
                      Presence::Optional,
@@ -84,6 +92,8 @@ class KioskSettings {
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;
     if (written.screen_inches.given) config.screen_inches = written.screen_inches.value;
+    config.visitors = config.screen_inches >= shared_from_inches ? most_visitors : 1;
+    if (written.visitors.given) config.visitors = static_cast<int>(written.visitors.value);
     if (written.rotate.value % 90 != 0)
       bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270");
     config.rotate = static_cast<int>(written.rotate.value);

@@ -50,9 +50,9 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width, std::uint32_t height) {
     return fill(decode(kept, image), width, height);
   };
-  exhibition->planner =
-      std::make_unique<Planner>(kept, PieceMakers{std::move(*set_text), std::move(set_picture)},
-                                1 + std::size_t{kept.ambient.count});
+  const PlannerSize size = planner_size(kept, settings);
+  exhibition->planner = std::make_unique<Planner>(
+      kept, PieceMakers{std::move(*set_text), std::move(set_picture)}, size.avatars, size.parts);
   exhibition->guide = std::make_unique<Guide>(exhibition->museum, *exhibition->planner, settings);
   return exhibition;
 }

@@ -103,7 +103,9 @@ class Kiosk {
 
  private:
   GuideSettings guide_settings() const {
-    return {.shape = shape_of(target_of(edges_).size, config_), .idle_reset = config_.idle_reset};
+    return {.shape = shape_of(target_of(edges_).size, config_),
+            .idle_reset = config_.idle_reset,
+            .visitors = static_cast<std::uint32_t>(config_.visitors)};
   }
   Guide& guide() noexcept { return *exhibition_->guide; }
 
@@ -290,7 +292,7 @@ void Kiosk::take_up_content() {
       return load_exhibition(file, settings);
     });
   }
-  if (!loading_.valid() || guide().state().screen != Screen::Welcome) return;
+  if (!loading_.valid() || !guide().is_vacant()) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return;
   Result<std::unique_ptr<Exhibition>> next = loading_.get();

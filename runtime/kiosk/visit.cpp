@@ -11,6 +11,8 @@
 #include <optional>
 #include <span>
 
+#include "runtime/scene/seats.h"
+
 namespace docent {
 namespace {
 
@@ -118,13 +120,26 @@ class LineReader {
     return id.has_value();
   }
 
+  bool read_seat(VisitCommand& command) {
+    const std::optional<std::uint32_t> seat = finger(words_[4].text);
+    if (!seat || *seat < 1 || *seat > most_seats) {
+      wrong(4, "bad-seat", fmt::format("'{}' is not a seat's number", words_[4].text),
+            fmt::format("seats are counted from the left, 1 to {}", most_seats));
+      return false;
+    }
+    command.seat = *seat;
+    return true;
+  }
+
   bool read_command(VisitCommand& command) {
     using Kind = VisitCommand::Kind;
     const std::string_view verb = words_[1].text;
     if (verb == "tap" && words_.size() > 2 && words_[2].text.starts_with('@')) {
       command.kind = Kind::TapNamed;
       command.name = words_[2].text.substr(1);
-      return has(1, "TIME tap @NAME");
+      const bool at_seat = words_.size() > 3 && words_[3].text == "seat";
+      if (!at_seat) return has(1, "TIME tap @NAME, or TIME tap @NAME seat NUMBER");
+      return has(3, "TIME tap @NAME seat NUMBER") && read_seat(command);
     }
     if (verb == "tap") {
       command.kind = Kind::Tap;

@@ -19,6 +19,9 @@ struct VisitCommand {
   Contact contact;   ///< Tap, Down, Move, Up.
   InputEvent key;    ///< Press.
   std::string name;  ///< TapNamed: the control's name without "@". Shot: the file.
+  /// TapNamed, on a shared glass: the seat from which it is reached, 1 being the leftmost. 0: where
+  /// somebody touched last.
+  std::uint32_t seat = 0;
   std::uint32_t line = 0;
 };
 

@@ -7,7 +7,9 @@
 namespace docent {
 namespace {
 
-constexpr double tap_seconds = 0.1;                ///< How long a tap's finger stays down.
+constexpr double tap_seconds = 0.1;  ///< How long a tap's finger stays down.
+constexpr std::size_t most_touches = 3;
+constexpr std::size_t most_touches_at_seat = 10;   ///< Its list has small pages.
 constexpr std::uint32_t first_tap_finger = 10000;  ///< Apart from the fingers that visits number.
 
 /// The control of that name on the screen: a card before a spot.
@@ -71,19 +73,22 @@ void VisitPlayer::tap(float x, float y, double time, Guide& guide) {
 
 /// One touch at a time, each when the last one's view is on the screen.
 Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
-  if (named_.empty() || !lifts_.empty() || !guide.shows_its_state()) return {};
+  if (named_.empty() || !lifts_.empty()) return {};
   const VisitCommand& wanted = named_.front();
-  const std::vector<Control> touches =
-      touches_to(guide.museum(), guide.state(), exhibits_per_page(guide.shape()), wanted.name);
+  const std::size_t part = guide.part_of(wanted.seat);
+  if (!guide.shows_its_state(part)) return {};
+  const std::vector<Control> touches = touches_to(
+      guide.museum(), guide.state(part), exhibits_per_page(guide.shape(), guide.state(part)),
+      wanted.name, part == 0 ? most_touches : most_touches_at_seat);
   if (touches.empty())
     return std::unexpected(
         Error{Errc::InvalidInput,
               fmt::format("line {}: no visitor could touch '@{}' within three touches "
                           "from here",
                           wanted.line, wanted.name)});
-  const Control* control = on_screen(*guide.view(), touches.front());
+  const Control* control = on_screen(*guide.view(part), touches.front());
   // Spots stand still only when the camera does.
-  if (control == nullptr || (control->role == Role::Spot && !guide.is_settled())) return {};
+  if (control == nullptr || (control->role == Role::Spot && !guide.is_settled(part))) return {};
   tap(control->rect.x + control->rect.width / 2, control->rect.y + control->rect.height / 2, time,
       guide);
   if (touches.size() == 1) named_.pop_front();
@@ -101,7 +106,7 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .code = "unknown-control",
            .message = fmt::format("no screen of this museum has a control '@{}'", command.name),
            .hint = "names are @exhibit:ID, @route:shortest|skeleton|offset, @language:TAG, @home, "
-                   "@stop, @begin, @choose and @back"});
+                   "@stop, @begin, @choose, @back and @look:NAME"});
   return mistakes;
 }
 

@@ -48,12 +48,20 @@ TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
   for (const char* line :
        {"idle_reset = 5", "idle_reset = 601", "idle_reset = 60.5", "text_scale = 3.0",
         "text_scale = nan", "rotate = 45", "size = \"big\"", "size = \"1920x\"", "size = \"0x0\"",
-        "display = \"wayland\"", "brightness = 1"}) {
+        "display = \"wayland\"", "brightness = 1", "visitors = 0", "visitors = 9",
+        "visitors = \"many\""}) {
     const auto loaded = loaded_from(line);
 
     EXPECT_EQ(loaded.diagnostics.size(), 1U) << line;
     for (const Diagnostic& diagnostic : loaded.diagnostics) EXPECT_EQ(diagnostic.line, 1U) << line;
   }
+}
+
+TEST(KioskConfig, SharesALargeScreenUnlessItIsToldNotTo) {
+  EXPECT_EQ(loaded_from("screen_inches = 24").value->visitors, 1);
+  EXPECT_EQ(loaded_from("screen_inches = 55").value->visitors, 8);
+  EXPECT_EQ(loaded_from("screen_inches = 55\nvisitors = 1").value->visitors, 1);
+  EXPECT_EQ(loaded_from("screen_inches = 32\nvisitors = 3").value->visitors, 3);
 }
 
 TEST(KioskConfig, ReadsTheOneThatShips) {

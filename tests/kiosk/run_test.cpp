@@ -17,6 +17,7 @@ using testing::HasSubstr;
 
 /// A row of states.csv.
 struct State {
+  int avatar = 0;
   double time = 0, x = 0, y = 0, heading = 0;
   std::string doing;
 };
@@ -30,9 +31,8 @@ std::vector<State> read_states(const std::filesystem::path& file) {
   while (std::getline(stream, line)) {
     std::ranges::replace(line, ',', ' ');
     std::istringstream words(line);
-    int avatar = 0;
     State state;
-    words >> state.time >> avatar >> state.x >> state.y >> state.heading >> state.doing;
+    words >> state.time >> state.avatar >> state.x >> state.y >> state.heading >> state.doing;
     states.push_back(state);
   }
   return states;
@@ -41,9 +41,10 @@ std::vector<State> read_states(const std::filesystem::path& file) {
 /// A run of docent without a screen: its visit, its recording, its measurements.
 class PlayedVisit {
  public:
-  explicit PlayedVisit(const std::string& visit, const std::string& options = {}) {
+  explicit PlayedVisit(const std::string& visit, const std::string& options = {},
+                       const std::string& device = "# a new device\n") {
     std::ofstream(path("v.visit")) << visit;
-    std::ofstream(path("kiosk.toml")) << "# a new device\n";
+    std::ofstream(path("kiosk.toml")) << device;
     ended_ = test::run_program("docent", "--display headless --size 128x72 --config '" +
                                              path("kiosk.toml") + "' --content '" +
                                              test::sample_database().string() + "' --visit '" +
@@ -107,6 +108,32 @@ TEST(Visit, EndsInFrontOfTheExhibitThatWasTouched) {
   EXPECT_THAT(run.stats(), HasSubstr("\"allocations_in_frames\": 0,"));
   EXPECT_THAT(run.stats(), HasSubstr("\"collisions\": 0,"));
   EXPECT_THAT(run.stats(), HasSubstr("\"routes\": 1,"));
+}
+
+TEST(Visit, OfSeveralAtOnceEndsForEachInFrontOfTheirExhibit) {
+  const auto museum = load_museum(test::sample_database());
+  const PlayedVisit run(
+      "0.5 tap 0.06 0.9\n0.5 tap 0.5 0.9\n0.6 tap 0.94 0.9\n"
+      "1 tap @look:rose seat 1\n1 tap @look:sky seat 5\n1 tap @look:plum seat 8\n"
+      "2 tap @exhibit:tripod-ding seat 1\n2 tap @exhibit:painted-jar seat 5\n"
+      "2 tap @exhibit:boundary-stone seat 8\n28 quit\n",
+      {}, "screen_inches = 55\n");
+
+  ASSERT_EQ(run.ended().exit_code, 0) << run.ended().err;
+  std::map<int, std::vector<State>> tracks;
+  for (const State& state : run.states()) tracks[state.avatar].push_back(state);
+  ASSERT_EQ(tracks.size(), 8U);
+  for (const auto& [guide, id] :
+       {std::pair{5, "tripod-ding"}, {4, "painted-jar"}, {7, "boundary-stone"}}) {
+    const std::vector<State>& track = tracks[guide];
+    expect_no_jump(track);
+    EXPECT_LE(distance_to(track.back(), exhibit_of(*museum, id).view.position), 0.3) << id;
+    EXPECT_EQ(track.back().doing, "look") << id;
+  }
+  EXPECT_EQ(tracks[0].back().doing, "idle");
+  EXPECT_THAT(run.stats(), HasSubstr("\"allocations_in_frames\": 0,"));
+  EXPECT_THAT(run.stats(), HasSubstr("\"collisions\": 0,"));
+  EXPECT_THAT(run.stats(), HasSubstr("\"routes\": 3,"));
 }
 
 TEST(Visit, TurnsRoundWithoutAJumpWhenTheVisitorWantsSomethingElse) {

@@ -34,6 +34,18 @@ TEST(Visit, HoldsEveryKindOfCommand) {
   EXPECT_EQ(visit.commands[7].name, "picture.png");
 }
 
+TEST(Visit, MaySayFromWhichSeatOfASharedGlassAControlIsReached) {
+  const Visit visit = parse_visit("1 tap @look:rose seat 3\n2 tap @home\n", "v.visit");
+
+  ASSERT_THAT(visit.mistakes, IsEmpty());
+  EXPECT_EQ(visit.commands[0].name, "look:rose");
+  EXPECT_EQ(visit.commands[0].seat, 3U);
+  EXPECT_EQ(visit.commands[1].seat, 0U);
+  for (const char* line : {"1 tap @home seat 0", "1 tap @home seat 9", "1 tap @home seat",
+                           "1 tap @home seat x", "1 tap @home at 3"})
+    EXPECT_THAT(parse_visit(line, "v.visit").mistakes, SizeIs(1)) << line;
+}
+
 TEST(Visit, IsPlayedInOrderOfTime) {
   const Visit visit = parse_visit("5 quit\n1 tap @home\n", "v.visit");
 
