@@ -11,6 +11,12 @@ namespace {
 
 /// How long the breathing takes to give way to the first step.
 constexpr double leave_idle_seconds = 0.4;
+/// Who walks looks where it will be in about a second: the head turns into a bend before the body
+/// does (Grasso, Prevost, Ivanenko, Berthoz 1998).
+constexpr double looks_ahead = 1.4;   ///< Metres along the way.
+constexpr double nearly_there = 0.6;  ///< Metres: from here on it looks at what it came for.
+constexpr double most_gaze = 0.75;    ///< Radians.
+constexpr double gaze_quickness = 7;  ///< Of a critically damped spring, 1/s.
 
 Placement interpolated(const Placement& a, const Placement& b, double t) noexcept {
   return {glm::mix(a.position, b.position, t),
@@ -47,6 +53,28 @@ void change_plan(Avatar& avatar) noexcept {
   avatar.plan = std::move(avatar.next);
 }
 
+double wanted_gaze(const Avatar& avatar) noexcept {
+  const Plan& plan = *avatar.plan;
+  if (has_finished(avatar) || plan.points.size() < 2 || plan.walk.body.empty()) return 0;
+  const bool near = plan.is_whole && avatar.along > plan.reach.back() - nearly_there;
+  double heading = plan.walk.body.back().heading;
+  if (!near) {
+    const Vec2 to = point_along(plan, avatar.along + looks_ahead) - avatar.body.position;
+    if (dot(to, to) < 0.01) return 0;
+    heading = std::atan2(to.y, to.x);
+  }
+  const double aside = std::remainder(heading - avatar.body.heading, 2 * std::numbers::pi);
+  return std::clamp(aside, -most_gaze, most_gaze);
+}
+
+void look_ahead(Avatar& avatar, double seconds) noexcept {
+  // Steps are at most a frame's: the spring stays stable whatever time went by.
+  constexpr double longest_step = 1.0 / 30;
+  const double dt = std::min(seconds, longest_step), w = gaze_quickness;
+  avatar.gaze_rate += (w * w * (wanted_gaze(avatar) - avatar.gaze) - 2 * w * avatar.gaze_rate) * dt;
+  avatar.gaze += avatar.gaze_rate * dt;
+}
+
 void pose(const Museum& museum, Avatar& avatar) noexcept {
   const Walk& walk = avatar.plan->walk;
   if (walk.joint_count == 0 || walk.joint_count != avatar.rotation.size()) return;
@@ -61,6 +89,7 @@ void pose(const Museum& museum, Avatar& avatar) noexcept {
     for (std::size_t j = 0; j < avatar.rotation.size(); ++j)
       avatar.rotation[j] = glm::slerp(avatar.rotation[j], avatar.still[j], weight);
   }
+  turn_head(museum.motion.skeleton, static_cast<float>(avatar.gaze), view);
   to_world_space(museum.motion.skeleton, view, avatar.world);
   const auto height = static_cast<float>(museum.floors[avatar.floor].plan.height);
   for (Mat4& joint : avatar.world) joint[3].y += height;
@@ -130,6 +159,7 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
     avatar.standing += seconds;
     avatar.idle_weight = std::max(0.0, avatar.idle_weight - seconds / leave_idle_seconds);
   }
+  look_ahead(avatar, seconds);
   pose(museum, avatar);
 }
 

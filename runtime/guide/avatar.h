@@ -25,6 +25,7 @@ struct Avatar {
   Placement body;
   double along = 0;  ///< Metres of the plan's way behind it.
   Gait gait = Gait::Idle;
+  double gaze = 0, gaze_rate = 0;  ///< Radians that the head looks aside of the body, a second.
 
   std::vector<Quat> rotation, still;   ///< One per joint.
   std::vector<Mat4> world;             ///< One per joint, world frame.

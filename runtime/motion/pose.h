@@ -28,6 +28,10 @@ void to_world_space(const Skeleton& skeleton, const PoseView& pose, std::span<Ma
 /// never repeats exactly. Smooth in time; moves the hips by at most 2 cm. Does not allocate.
 void add_idle(const Skeleton& skeleton, double seconds, PoseView& pose) noexcept;
 
+/// Turns the head by `angle` radians about the world's vertical, counter-clockwise from above; neck
+/// and chest take their share. Does not allocate.
+void turn_head(const Skeleton& skeleton, float angle, PoseView& pose) noexcept;
+
 /// palette[j] = world[j] * inverse_bind[j]: what skinning multiplies a rest-pose vertex by.
 void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,
                            std::span<Mat4> palette) noexcept;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/sample_database.h"
@@ -143,6 +144,31 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
   const Vec2 off =
       session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, LooksIntoABendBeforeItWalksIt) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  session.tap("exhibit:" + museum().exhibits[8].id, Role::Spot);
+  int led = 0, bends = 0;
+  double gaze = 0;
+  for (int i = 0; i < 60 * 20; ++i) {
+    const Avatar& avatar = session.guide().company()[0].avatar;
+    const double heading = avatar.body.heading;
+    const double looked = avatar.gaze;
+    session.run(1.0 / 60);
+    const double turned = std::remainder(session.guide().company()[0].avatar.body.heading - heading,
+                                         2 * std::numbers::pi);
+    EXPECT_LE(std::abs(looked), 0.8);
+    EXPECT_LE(std::abs(looked - gaze), 0.08) << "the head jerks";
+    gaze = looked;
+    if (std::abs(turned) < 0.01) continue;
+    ++bends;
+    if (looked * turned > 0) ++led;
+  }
+  ASSERT_GT(bends, 50);
+  EXPECT_GT(led, bends * 3 / 4);
 }
 
 TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {

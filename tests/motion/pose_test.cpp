@@ -1,6 +1,7 @@
 #include "runtime/motion/pose.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -120,6 +121,32 @@ TEST(Idle, NeverFreezesAndNeverMovesAFoot) {
   }
 }
 
+TEST(TurnHead, TurnsTheHeadAboutTheVerticalHoweverTheBodyStands) {
+  EXPECT_TRUE(rc::check("by the angle, and no limb moves", [] {
+    const Skeleton skeleton = test::stick_figure();
+    const auto angle = static_cast<float>(*rc::gen::inRange(-80, 81)) / 100;
+    const auto lean = static_cast<float>(*rc::gen::inRange(-30, 31)) / 100;
+    std::vector<Quat> rotation(skeleton.joint.size(), Quat(1, 0, 0, 0));
+    rotation[0] = glm::angleAxis(lean, glm::normalize(Vec3(1, 0.5F, 0.3F)));
+    std::vector<Mat4> before(skeleton.joint.size()), after(skeleton.joint.size());
+    to_world_space(skeleton, {{0, 1, 0}, rotation}, before);
+
+    PoseView pose{{0, 1, 0}, rotation};
+    turn_head(skeleton, angle, pose);
+    to_world_space(skeleton, pose, after);
+
+    const std::size_t head = index_of(skeleton[BodyPart::Head]);
+    const glm::mat3 turned =
+        glm::mat3(glm::mat4_cast(glm::angleAxis(angle, Vec3(0, 1, 0)))) * glm::mat3(before[head]);
+    for (int column = 0; column < 3; ++column)
+      RC_ASSERT(glm::distance(turned[column], glm::mat3(after[head])[column]) < 1e-4F);
+    for (const BodyPart part : {BodyPart::LeftAnkle, BodyPart::RightKnee, BodyPart::Hips}) {
+      const std::size_t joint = index_of(skeleton[part]);
+      RC_ASSERT(glm::distance(before[joint][3], after[joint][3]) < 1e-6F);
+    }
+  }));
+}
+
 TEST(FrameFunctions, DoNotAllocate) {
   const MotionGraph graph = test::hand_made_graph();
   const std::size_t joints = graph.skeleton.joint.size();
@@ -131,6 +158,7 @@ TEST(FrameFunctions, DoNotAllocate) {
   for (int frame = 0; frame < 600; ++frame) {
     sample(graph.clips[1], frame / 60.0, pose);
     add_idle(graph.skeleton, frame / 60.0, pose);
+    turn_head(graph.skeleton, 0.3F, pose);
     to_world_space(graph.skeleton, pose, world);
     fill_skinning_palette(world, inverse_bind, palette);
   }
