@@ -115,7 +115,8 @@ Bays::Bays(const FloorMap& map, double size) : map_(map) {
   sort_out(cut.piece);
   join_pieces(cut);
   link_bays();
-  sort_walls(cut);
+  join_bays();
+  sort_walls();
   sort_corners();
 }
 
@@ -142,7 +143,8 @@ void Bays::join_pieces(const Cut& cut) {
     std::uint32_t& bay = bay_of_root[root_of(parent, i)];
     if (bay == none) {
       bay = static_cast<std::uint32_t>(centre_.size());
-      centre_.push_back(centre_of_square(cut.piece[i].first));
+      square_.push_back(cut.piece[i].first);
+      centre_.push_back(centre_of_square(square_.back()));
     }
     piece_[i].bay = bay;
   }
@@ -175,30 +177,92 @@ void Bays::link_bays() {
   std::partial_sum(next_first_.begin(), next_first_.end(), next_first_.begin());
 }
 
-void Bays::sort_walls(const Cut& cut) {
+/// Two bays of one square are joined if a way leads from one to the other through the squares about
+/// it.
+void Bays::join_bays() {
+  std::vector<std::uint32_t> parent(count());
+  std::iota(parent.begin(), parent.end(), 0U);
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t bay = 0; bay < count(); ++bay) {
+    const auto is_about = [&](std::uint32_t other) {
+      const Vec2 apart = glm::abs(centre_[other] - centre_[bay]);
+      return std::max(apart.x, apart.y) < 1.5 * size_;
+    };
+    reached.assign(1, bay);
+    for (std::size_t done = 0; done < reached.size(); ++done)
+      for (const std::uint32_t next : next_to(reached[done]))
+        if (is_about(next) && std::ranges::find(reached, next) == reached.end())
+          reached.push_back(next);
+    for (const std::uint32_t other : reached)
+      if (square_[other] == square_[bay]) parent[root_of(parent, other)] = root_of(parent, bay);
+  }
+
+  std::vector<std::uint32_t> number(count(), none), squares_of;
+  for (std::uint32_t bay = 0; bay < count(); ++bay) {
+    std::uint32_t& joined = number[root_of(parent, bay)];
+    if (joined == none) {
+      joined = static_cast<std::uint32_t>(squares_of.size());
+      squares_of.push_back(square_[bay]);
+    }
+    if (bay != root_of(parent, bay)) number[bay] = joined;
+  }
+  for (Piece& piece : piece_) piece.bay = number[root_of(parent, piece.bay)];
+  square_ = std::move(squares_of);
+  centre_.clear();
+  for (const std::uint32_t at : square_) centre_.push_back(centre_of_square(at));
+  next_.clear();
+  link_bays();
+
+  const std::size_t squares = square_first_.size() - 1;
+  only_bay_.assign(squares, none);
+  for (std::size_t square = 0; square < squares; ++square) {
+    const auto pieces = std::span(piece_).subspan(
+        square_first_[square], square_first_[square + 1] - square_first_[square]);
+    const auto is_other = [&](const Piece& piece) { return piece.bay != pieces.front().bay; };
+    if (!pieces.empty() && std::ranges::none_of(pieces, is_other))
+      only_bay_[square] = pieces.front().bay;
+  }
+}
+
+void Bays::sort_walls() {
   const FloorPlan& plan = map_.plan();
+  const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
-  for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall)
-    cut.visit_squares_along(wall_start(plan, wall), wall_end(plan, wall),
-                            [&](std::uint32_t square) { sorted.emplace_back(square, wall); });
+  for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall) {
+    const Vec2 from = wall_start(plan, wall), to = wall_end(plan, wall);
+    const Vec2 normal = left_of(glm::normalize(to - from));
+    const double beside = margin + (std::abs(normal.x) + std::abs(normal.y)) * size_ / tiles / 2;
+    const auto [left, bottom] = tile_at(glm::min(from, to) - margin);
+    const auto [right, top] = tile_at(glm::max(from, to) + margin);
+    for (std::uint32_t y = bottom; y <= top; ++y)
+      for (std::uint32_t x = left; x <= right; ++x) {
+        const Vec2 centre = origin_ + size_ / tiles * Vec2{x + 0.5, y + 0.5};
+        if (std::abs(dot(normal, centre - from)) <= beside)
+          sorted.emplace_back(y * columns + x, wall);
+      }
+  }
   sort_out(sorted);
-  wall_first_.assign(square_first_.size(), 0);
-  for (const auto& [square, wall] : sorted) {
-    ++wall_first_[square + 1];
+  wall_first_.assign(
+      static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows_) * tiles + 1, 0);
+  for (const auto& [tile, wall] : sorted) {
+    ++wall_first_[tile + 1];
     wall_.push_back({wall_start(plan, wall), wall_end(plan, wall)});
   }
   std::partial_sum(wall_first_.begin(), wall_first_.end(), wall_first_.begin());
 }
 
 void Bays::sort_corners() {
+  const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
-  for (const Site site : map_.floor().diagram.site)
-    if (site.kind == Site::Kind::Corner)
-      sorted.emplace_back(square_at(map_.plan().vertex[site.index]), site.index);
+  for (const Site site : map_.floor().diagram.site) {
+    if (site.kind != Site::Kind::Corner) continue;
+    const auto [x, y] = tile_at(map_.plan().vertex[site.index]);
+    sorted.emplace_back(y * columns + x, site.index);
+  }
   sort_out(sorted);
-  corner_first_.assign(square_first_.size(), 0);
-  for (const auto& [square, vertex] : sorted) {
-    ++corner_first_[square + 1];
+  corner_first_.assign(wall_first_.size(), 0);
+  for (const auto& [tile, vertex] : sorted) {
+    ++corner_first_[tile + 1];
     corner_.push_back(map_.plan().vertex[vertex]);
   }
   std::partial_sum(corner_first_.begin(), corner_first_.end(), corner_first_.begin());

@@ -18,8 +18,9 @@ namespace docent {
 /// of every wall a point is. But regions are of any size, slivers at a column, a quarter of a hall
 /// at its wall. So squares of one size are laid over the floor and each region is cut along them;
 /// pieces in one square are joined again where their regions are neighbours there. What is on two
-/// sides of a wall stays apart, unless one can walk round the wall within the square. Two bays are
-/// next to each other if their squares share a side and one region is in both.
+/// sides of a wall stays apart, unless one can walk round the wall within the square, or through
+/// the eight about it: where there is a door every few steps walls part nobody for long. Two bays
+/// are next to each other if their squares share a side and one region is in both.
 ///
 /// In doubt (within a micrometre of a square) pieces are joined: bays may be larger and have more
 /// neighbours than need be, never fewer. Every way on the floor leads from bay to neighbouring bay.
@@ -52,6 +53,21 @@ class Bays {
   std::span<const std::uint32_t> next_to(std::uint32_t bay) const noexcept {
     return std::span(next_).subspan(next_first_[bay], next_first_[bay + 1] - next_first_[bay]);
   }
+  /// The squares of a box.
+  struct Squares {
+    std::uint32_t left = 0, bottom = 0, right = 0, top = 0;
+  };
+  Squares squares_in(Vec2 low, Vec2 high) const noexcept {
+    const auto columns = static_cast<std::uint32_t>(columns_);
+    const std::uint32_t first = square_at(low), last = square_at(high);
+    return {first % columns, first / columns, last % columns, last / columns};
+  }
+  std::uint32_t square(std::uint32_t column, std::uint32_t row) const noexcept {
+    return row * static_cast<std::uint32_t>(columns_) + column;
+  }
+  /// The bay of a square, if it has just one.
+  std::uint32_t only_bay_of(std::uint32_t square) const noexcept { return only_bay_[square]; }
+  std::uint32_t square_of(std::uint32_t bay) const noexcept { return square_[bay]; }
   Vec2 centre_of(std::uint32_t bay) const noexcept { return centre_[bay]; }
   Vec2 centre_of_square(std::uint32_t square) const noexcept {
     const auto columns = static_cast<std::uint32_t>(columns_);
@@ -63,11 +79,12 @@ class Bays {
   /// `visit` says false.
   template <class Visit>
   void visit_walls(Vec2 low, Vec2 high, Visit visit) const {
-    const auto columns = static_cast<std::uint32_t>(columns_);
-    const std::uint32_t first = square_at(low), last = square_at(high);
-    for (std::uint32_t y = first / columns; y <= last / columns; ++y) {
-      const std::uint32_t from = wall_first_[y * columns + first % columns];
-      const std::uint32_t to = wall_first_[y * columns + last % columns + 1];
+    const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
+    const auto [left, bottom] = tile_at(low);
+    const auto [right, top] = tile_at(high);
+    for (std::uint32_t y = bottom; y <= top; ++y) {
+      const std::uint32_t from = wall_first_[y * columns + left];
+      const std::uint32_t to = wall_first_[y * columns + right + 1];
       for (std::uint32_t i = from; i < to; ++i)
         if (!visit(wall_[i].a, wall_[i].b)) return;
     }
@@ -76,11 +93,12 @@ class Bays {
   /// Every reflex corner in the box, and perhaps some more.
   template <class Visit>
   void visit_corners(Vec2 low, Vec2 high, Visit visit) const {
-    const auto columns = static_cast<std::uint32_t>(columns_);
-    const std::uint32_t first = square_at(low), last = square_at(high);
-    for (std::uint32_t y = first / columns; y <= last / columns; ++y) {
-      const std::uint32_t from = corner_first_[y * columns + first % columns];
-      const std::uint32_t to = corner_first_[y * columns + last % columns + 1];
+    const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
+    const auto [left, bottom] = tile_at(low);
+    const auto [right, top] = tile_at(high);
+    for (std::uint32_t y = bottom; y <= top; ++y) {
+      const std::uint32_t from = corner_first_[y * columns + left];
+      const std::uint32_t to = corner_first_[y * columns + right + 1];
       for (std::uint32_t i = from; i < to; ++i) visit(corner_[i]);
     }
   }
@@ -92,10 +110,23 @@ class Bays {
   struct Wall {
     Vec2 a{}, b{};
   };
+  /// Walls and corners are sorted into smaller squares, `tiles` to the side of one.
+  static constexpr std::int32_t tiles = 2;
+  struct Tile {
+    std::uint32_t x = 0, y = 0;
+  };
+  Tile tile_at(Vec2 point) const noexcept {
+    const Vec2 at = (point - origin_) * (tiles * per_metre_);
+    const auto index = [](double value, std::int32_t count) {
+      return static_cast<std::uint32_t>(std::clamp(value, 0.0, count * tiles - 1.0));
+    };
+    return {index(at.x, columns_), index(at.y, rows_)};
+  }
   struct Cut;
   void join_pieces(const Cut& cut);
   void link_bays();
-  void sort_walls(const Cut& cut);
+  void join_bays();
+  void sort_walls();
   void sort_corners();
 
   const FloorMap& map_;
@@ -104,11 +135,13 @@ class Bays {
   std::int32_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> square_first_;  ///< Per square: its pieces, by region.
   std::vector<Piece> piece_;
-  std::vector<Vec2> centre_;  ///< Per bay: of its square.
+  std::vector<std::uint32_t> only_bay_;  ///< Per square; `none` where there are several, or none.
+  std::vector<Vec2> centre_;             ///< Per bay: of its square.
+  std::vector<std::uint32_t> square_;    ///< Per bay.
   std::vector<std::uint32_t> next_first_, next_;
-  std::vector<std::uint32_t> wall_first_;  ///< Per square.
+  std::vector<std::uint32_t> wall_first_;  ///< Per tile.
   std::vector<Wall> wall_;
-  std::vector<std::uint32_t> corner_first_;  ///< Per square.
+  std::vector<std::uint32_t> corner_first_;  ///< Per tile.
   std::vector<Vec2> corner_;
 };
 
