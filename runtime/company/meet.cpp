@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "runtime/path/floor_map.h"
 
@@ -35,11 +36,28 @@ class Moments {
 
 /// The last time, up to `last`, to which the straight way of a centre stays on the floor, given
 /// that it does to `first`.
-double last_on_floor(const WallGrid& walls, const Body& body, double first, double last) noexcept {
-  if (walls.segment_clear(body.position, place_at(body, last))) return last;
-  for (int halvings = 0; halvings < 40; ++halvings) {
+double last_on_floor(const Bays& floor, const Body& body, double first, double last) noexcept {
+  const WallGrid& walls = floor.map().walls();
+  const auto is_clear_to = [&](double time) {
+    return walls.segment_clear(body.position, place_at(body, time));
+  };
+  if (is_clear_to(last)) return last;
+  // Plain arithmetic guesses, and the exact test says how near that is.
+  constexpr double near = 1e-9, near_enough = 1e-12;
+  const Vec2 from = place_at(body, first), to = place_at(body, last);
+  double guess = last;
+  floor.visit_walls(glm::min(from, to), glm::max(from, to), [&](Vec2 a, Vec2 b) {
+    const double a_side = cross(body.velocity, a - body.position);
+    const double b_side = cross(body.velocity, b - body.position);
+    const double time = cross(b - a, a - body.position) / cross(b - a, body.velocity);
+    if (a_side * b_side <= 0 && time > first) guess = std::min(guess, time);
+    return true;
+  });
+  for (const double time : {guess - near, guess + near})
+    if (time > first && time < last) (is_clear_to(time) ? first : last) = time;
+  for (int halvings = 0; halvings < 40 && last - first > near_enough; ++halvings) {
     const double middle = first + (last - first) / 2;
-    (walls.segment_clear(body.position, place_at(body, middle)) ? first : last) = middle;
+    (is_clear_to(middle) ? first : last) = middle;
   }
   return first;
 }
@@ -67,6 +85,20 @@ void add_passings(const Body& a, const Body& b, Vec2 corner, const Collision& co
   if (sum != 0) consider(constant / sum);
 }
 
+/// The least and the most of some numbers.
+struct Range {
+  double least = 0, most = 0;
+};
+Range range_of(double a, double b) noexcept {
+  return {std::min(a, b), std::max(a, b)};
+}
+Range range_of(double a, double b, double c, double d) noexcept {
+  return {std::min(std::min(a, b), std::min(c, d)), std::max(std::max(a, b), std::max(c, d))};
+}
+bool are_apart(Range a, Range b, double by) noexcept {
+  return (a.most + by < b.least) | (b.most + by < a.least);
+}
+
 /// What plain arithmetic can say of the way between two bodies, where rounding cannot matter.
 enum class Glance : std::uint8_t { Open, PathBlocked, SightBlocked, Unsure };
 
@@ -86,14 +118,14 @@ Glance glance(const Bays& floor, const std::array<Vec2, 2>& from,
       {{from[0], to[0]}, {from[1], to[1]}, {to[0], to[1]}}};
   Glance seen = Glance::Open;
   floor.visit_walls(low, high, [&](Vec2 a, Vec2 b) {
-    if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y ||
-        std::min(a.y, b.y) > high.y)
+    if (are_apart(range_of(a.x, b.x), {low.x, high.x}, 0) |
+        are_apart(range_of(a.y, b.y), {low.y, high.y}, 0))
       return true;
     const Vec2 wall = b - a;
     const auto side = [&](Vec2 point) { return cross(wall, point - a); };
     const std::array sides{side(from[0]), side(to[0]), side(from[1]), side(to[1])};
-    const auto [least, most] = std::ranges::minmax(sides);
-    if (least > rounding || most < -rounding) return true;
+    const auto [least, most] = range_of(sides[0], sides[1], sides[2], sides[3]);
+    if ((least > rounding) | (most < -rounding)) return true;
     const std::array<std::array<double, 2>, 3> line_sides{
         {{sides[0], sides[1]}, {sides[2], sides[3]}, {sides[1], sides[3]}}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -118,7 +150,90 @@ Glance glance(const Bays& floor, const std::array<Vec2, 2>& from,
   return seen;
 }
 
+/// For what is said of a stretch, many times the rounding on a floor of that size. Metres.
+constexpr double margin = 1e-6, furthest_stretch = 1e5;
+
+bool is_far_out(Vec2 low, Vec2 high) noexcept {
+  return !(low.x > -furthest_stretch && low.y > -furthest_stretch && high.x < furthest_stretch &&
+           high.y < furthest_stretch);
+}
+
+/// Do all lines from one stretch to the other cross the wall from a to b? So they do if the line of
+/// the wall parts the stretches, and is crossed between the wall's ends.
+bool parts(Vec2 a, Vec2 b, const std::array<Vec2, 4>& ends, double skin) noexcept {
+  const double length = glm::distance(a, b);
+  if (!(length > 0)) return false;
+  const Vec2 along = (b - a) / length;
+  std::array<double, 4> side{}, at{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    side[i] = cross(along, ends[i] - a);
+    at[i] = dot(along, ends[i] - a);
+  }
+  const double sign = side[0] > 0 ? 1 : -1;
+  if (!(sign * side[0] > skin && sign * side[1] > skin && sign * side[2] < -skin &&
+        sign * side[3] < -skin))
+    return false;
+  for (const std::size_t i : {0, 1})
+    for (const std::size_t j : {2, 3}) {
+      // Lines begin and end within the skin of these, so they cross within the skin of where these
+      // are so near to the wall.
+      const double turn = (at[j] - at[i]) / (side[j] - side[i]);
+      const double first = at[i] + (skin - side[i]) * turn, last = at[i] - (skin + side[i]) * turn;
+      if (!(std::min(first, last) > skin && std::max(first, last) < length - skin)) return false;
+    }
+  return true;
+}
+
 }  // namespace
+
+double clearance_at(const Bays& floor, Vec2 point, double most) noexcept {
+  const Vec2 low = point - most, high = point + most;
+  double nearest = most * most;
+  floor.visit_walls(low, high, [&](Vec2 a, Vec2 b) {
+    if (are_apart(range_of(a.x, b.x), {low.x, high.x}, 0) |
+        are_apart(range_of(a.y, b.y), {low.y, high.y}, 0))
+      return true;
+    const Vec2 wall = b - a, from = point - a;
+    const double square = dot(wall, wall);
+    const Vec2 apart = from - std::clamp(dot(from, wall) / square, 0.0, 1.0) * wall;
+    nearest = std::min(nearest, dot(apart, apart));
+    return true;
+  });
+  return std::max(std::sqrt(nearest) - margin, 0.0);
+}
+
+Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexcept {
+  // A wall that parts them parts them, but meet.h has it that those whom more corners pass are not
+  // watched; as many as that have more walls.
+  constexpr int most_walls = 30, most_that_part_nobody = 3;
+  const double skin = std::max(a.skin, b.skin) + margin;
+  const std::array ends{a.from, a.to, b.from, b.to};
+  const Range x = range_of(ends[0].x, ends[1].x, ends[2].x, ends[3].x);
+  const Range y = range_of(ends[0].y, ends[1].y, ends[2].y, ends[3].y);
+  const Vec2 low{x.least - skin, y.least - skin}, high{x.most + skin, y.most + skin};
+  if (is_far_out(low, high)) return Sight::Either;
+  const Vec2 between = b.from + b.to - a.from - a.to;
+  const double distance = std::sqrt(dot(between, between));
+  const Vec2 across = distance > 0 ? left_of(between) / distance : Vec2{0, 1};
+  const auto beside = [&](Vec2 point) { return dot(across, point); };
+  const Range lane = range_of(beside(ends[0]), beside(ends[1]), beside(ends[2]), beside(ends[3]));
+  int walls = 0;
+  bool is_parted = false;
+  floor.visit_walls(low, high, [&](Vec2 from, Vec2 to) {
+    if (are_apart(range_of(from.x, to.x), x, skin) | are_apart(range_of(from.y, to.y), y, skin) |
+        are_apart(range_of(beside(from), beside(to)), lane, skin))
+      return true;
+    const Vec2 wall = to - from;
+    const auto side = [&](Vec2 point) { return cross(wall, point - from); };
+    const Range sides = range_of(side(ends[0]), side(ends[1]), side(ends[2]), side(ends[3]));
+    const double aside = skin * std::sqrt(dot(wall, wall));
+    if (sides.least > aside || sides.most < -aside) return true;
+    is_parted = is_parted || parts(from, to, ends, skin);
+    return ++walls <= (is_parted ? most_walls : most_that_part_nobody);
+  });
+  if (walls == 0) return Sight::Open;
+  return is_parted && walls <= most_walls ? Sight::Closed : Sight::Either;
+}
 
 double clamp_horizon(double horizon) noexcept {
   return horizon > 0 ? std::min(horizon, largest_horizon) : 0;
@@ -165,8 +280,8 @@ std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body
   floor.visit_corners(low, high,
                       [&](Vec2 corner) { add_passings(a, b, corner, contact, moments); });
   if (moments.is_empty()) return {};
-  double last = last_on_floor(walls, a, contact.first, contact.last);
-  last = last_on_floor(walls, b, contact.first, last);
+  double last = last_on_floor(floor, a, contact.first, contact.last);
+  last = last_on_floor(floor, b, contact.first, last);
   moments.add(contact.first);
   moments.add(last);
   if (moments.is_full()) return contact.first;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "runtime/company/bays.h"
@@ -86,5 +87,22 @@ std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Bo
 /// The same for bodies that take part and stand on the floor, with their contact at hand.
 std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
                                     const Collision& contact) noexcept;
+
+/// From a point to the nearest wall, metres, if that is less than `most`; perhaps a little less.
+double clearance_at(const Bays& floor, Vec2 point, double most) noexcept;
+
+/// Where a centre is, and where it will be up to the horizon: no further than `skin` from a line.
+struct Stretch {
+  Vec2 from{}, to{};
+  double skin = 0;  ///< Metres.
+};
+/// What `time_in_sight` says of any two who are each in their stretch.
+enum class Sight : std::uint8_t {
+  Unknown,  ///< Not asked yet.
+  Open,     ///< No wall comes between them: they meet when their circles touch.
+  Closed,   ///< A wall always does: they do not meet.
+  Either,   ///< Sometimes.
+};
+Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexcept;
 
 }  // namespace docent
