@@ -25,12 +25,14 @@ constexpr double standing_spare = 0.06;
 constexpr double wall_spare = 0.02;    // metres: a walking body rounds corners a little
 constexpr double company_reach = 1.2;  // metres about the way in which others make it crowded
 constexpr int right_lane = -3;
-constexpr double off_lane_cost = 0.6;  // seconds a second and metre
-constexpr double aside_cost = 0.12;    // seconds for a step to another lane
-constexpr double back_cost = 2.5;      // times the seconds
-constexpr double start_again = 0.6;    // seconds that setting out takes after a wait
-constexpr double room_cost = 2.0;      // seconds that it takes an obliging body to make room
-constexpr double unsafe_end_cost = 6;  // seconds
+constexpr double off_lane_cost = 0.6;     // seconds a second and metre
+constexpr double aside_cost = 0.12;       // seconds for a step to another lane
+constexpr double back_cost = 2.5;         // times the seconds
+constexpr double start_again = 0.6;       // seconds that setting out takes after a wait
+constexpr double narrow_wait_cost = 0.3;  // seconds a second: who has to wait does so where
+constexpr double narrow = 2.4;            // others can pass, this many radii from any wall
+constexpr double room_cost = 2.0;         // seconds that it takes an obliging body to make room
+constexpr double unsafe_end_cost = 6;     // seconds
 constexpr std::size_t most_expanded = 20000;
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -371,6 +373,7 @@ class PassageSearch {
     next.asked = met.body;
     next.seconds = state.seconds + seconds;
     double cost = move.columns < 0 ? back_cost * seconds : seconds;
+    if (waits && map_.clearance_at(a) < narrow * radius_) cost += narrow_wait_cost * seconds;
     if (met.body != none && state.asked != met.body) cost += room_cost;
     const int off = std::abs(next.node.lane - wanted_lane(next.node.column));
     cost += off_lane_cost * lane_step * off * seconds;

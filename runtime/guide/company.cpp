@@ -14,7 +14,7 @@ constexpr double ask_again = 0.5;        // seconds, while others are in the way
 constexpr double ask_room_again = 2.5;   // seconds between two requests to make room
 constexpr double content_after = 6;      // seconds of being held up ...
 constexpr double close_by = 2;           // ... this near to its goal, metres, after which it stays
-constexpr double make_room_pause = 2.0;  // seconds before who made room wants to get on itself
+constexpr double make_room_pause = 2.0;  // seconds for which who made room lets the other go first
 constexpr double urgency = 0.2;          // rank gained by a second of being held up
 constexpr double appear_again = 1.0;     // seconds, while somebody stands where one shall appear
 
@@ -130,7 +130,8 @@ void Company::take_answer(Companion& one, std::unique_ptr<Plan> plan) noexcept {
   }
   const bool aside = plan->order.makes_room_for.has_value();
   const bool leads_to_goal = plan->order.goal.has_value();
-  if (aside) one.ask_at = clock_ + plan->seconds() + make_room_pause;
+  one.made_room_for = plan->order.makes_room_for;
+  if (aside) one.let_first_until = clock_ + plan->seconds() + make_room_pause;
   if (!take_plan(one.avatar, std::move(plan))) {
     one.lead = std::min(2 * one.lead, longest_lead);
     return;  // and asks again
@@ -153,12 +154,19 @@ void Company::step(double seconds) noexcept {
   }
 }
 
+/// Is the one for whom it has made room still there?
+bool Company::lets_go_first(const Companion& one) const noexcept {
+  if (!one.made_room_for || clock_ >= one.let_first_until) return false;
+  const Companion& other = members_[*one.made_room_for];
+  return other.goal && !other.has_arrived && stands(other.avatar);
+}
+
 /// Asks for what it needs next, if it is time.
 void Company::see_to(std::uint32_t who) noexcept {
   Companion& one = members_[who];
   const Avatar& avatar = one.avatar;
   if (members_.size() == 1) one.is_here = true;
-  if (one.awaits_answer || avatar.next || clock_ < one.ask_at) return;
+  if (one.awaits_answer || avatar.next || clock_ < one.ask_at || lets_go_first(one)) return;
   if (!one.is_here) {
     WalkOrder order;
     order.enters = true;

@@ -27,6 +27,8 @@ struct Companion {
   std::uint64_t last_order = 0;
   double ask_at = 0;  ///< Company's clock: no earlier than that.
   double asked_for_room = -1e9;
+  std::optional<std::uint32_t> made_room_for;  ///< And lets that one go first, ...
+  double let_first_until = 0;                  ///< ... but no longer than until then.
   double lead = 0.25;        ///< Seconds ahead from which the next plan is asked for.
   std::optional<Trip> trip;  ///< Of the way to its goal, once it is planned.
 };
@@ -63,6 +65,7 @@ class Company {
   void take_answer(Companion& one, std::unique_ptr<Plan> plan) noexcept;
   void see_to(std::uint32_t who) noexcept;
   void ask(std::uint32_t who, WalkOrder order, double takes_over) noexcept;
+  bool lets_go_first(const Companion& one) const noexcept;
   void ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept;
 
   const Museum& museum_;
