@@ -150,8 +150,9 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
   for (std::uint32_t i = 0; i < guide_look_count; ++i) {
     const std::int32_t control = sheet.control("look:" + std::string(looks[i].name));
     if (control < 0) continue;
-    const Box cell{content.x + static_cast<float>(i % columns) * (width + gap / 2),
-                   top + static_cast<float>(i / columns) * (height + gap), width, height};
+    const std::uint32_t column = i % columns, row = i / columns;
+    const Box cell{content.x + static_cast<float>(column) * (width + gap / 2),
+                   top + static_cast<float>(row) * (height + gap), width, height};
     sheet.place(control, cell);
     const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
     if (!it.enabled) continue;  // somebody else has that guide
