@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -39,6 +40,11 @@ struct Coarseness {
 };
 constexpr std::array<Coarseness, AvatarPass::level_count - 1> coarse_levels{
     {{260, 0.017F}, {150, 0.030F}, {75, 0.050F}, {45, 0.075F}}};
+
+/// In a crowd everybody but the first avatar is drawn as if smaller, down to the last of these
+/// shares, until the bodies together have no more triangles than this.
+constexpr std::array crowd_shares{1.0F, 0.8F, 0.65F, 0.55F, 0.45F};
+constexpr std::size_t most_triangles = 80'000;
 
 // Parts of a look in look.glsl.
 constexpr std::size_t second_part = 7, build_part = 8, bands_part = 9, parts_of_look = 11;
@@ -145,7 +151,8 @@ Vec4 shadow_window(Vec3 hips, Vec3 sun) noexcept {
 
 /// What of the picture the hull of some points may cover.
 struct Bounds {
-  float low = 1, high = -1;    ///< Clip space.
+  float low = 1, high = -1;  ///< Clip space.
+  float left = 1, right = -1;
   unsigned outside = 0b11111;  ///< Planes of the view that all points are beyond.
   bool reaches_behind_eye = false;
 
@@ -153,6 +160,8 @@ struct Bounds {
     const Vec4 clip = to_clip * Vec4(point, 1);
     low = std::min(low, clip.y / clip.w);
     high = std::max(high, clip.y / clip.w);
+    left = std::min(left, clip.x / clip.w);
+    right = std::max(right, clip.x / clip.w);
     reaches_behind_eye = reaches_behind_eye || clip.w <= 0.01F;
     unsigned beyond = 0;
     for (const bool plane :
@@ -160,7 +169,20 @@ struct Bounds {
       beyond = beyond << 1 | (plane ? 1U : 0U);
     outside &= beyond;
   }
-  bool is_in_picture() const noexcept { return outside == 0; }
+  /// Not beside it and not behind a part of the interface that lets nothing through.
+  bool is_in_picture(std::span<const Quad> interface) const noexcept {
+    if (outside != 0) return false;
+    if (reaches_behind_eye) return true;
+    const float x = 0.5F + 0.5F * left, end_x = 0.5F + 0.5F * right;
+    const float y = 0.5F - 0.5F * high, end_y = 0.5F - 0.5F * low;
+    return std::ranges::none_of(interface, [&](const Quad& quad) {
+      const Rect& r = quad.rect;
+      return quad.fill == QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
+             (r.x <= 0 || r.x <= x) && (r.y <= 0 || r.y <= y) &&
+             (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
+             (r.y + r.height >= 1 || r.y + r.height >= end_y);
+    });
+  }
   SceneBuffer::Rows rows() const noexcept {
     return reaches_behind_eye ? SceneBuffer::Rows{-1, 1} : SceneBuffer::Rows{low, high};
   }
@@ -194,14 +216,18 @@ Result<void> AvatarPass::compile() {
   auto shadow = link_program(
       "shadow", {frame_glsl, avatar_record_glsl, look_glsl, skin_glsl, shadow_vert}, {shadow_frag});
   if (!shadow) return std::unexpected(shadow.error());
+  auto soften = link_program("soften", {frame_glsl, avatar_record_glsl, soften_vert},
+                             {frame_glsl, soften_frag});
+  if (!soften) return std::unexpected(soften.error());
   auto decal = link_program("decal", {frame_glsl, avatar_record_glsl, decal_vert},
                             {frame_glsl, light_glsl, decal_frag});
   if (!decal) return std::unexpected(decal.error());
   body_ = std::move(*body);
   shadow_ = std::move(*shadow);
+  soften_ = std::move(*soften);
   decal_ = std::move(*decal);
-  at_ = {body_["record_size"], body_["stature"], shadow_["record_size"], shadow_["stature"],
-         decal_["record_size"]};
+  at_ = {body_["record_size"], body_["stature"],       shadow_["record_size"],
+         shadow_["stature"],   soften_["record_size"], decal_["record_size"]};
 
   no_attributes_ = make_vertex_array();
   std::vector<Vec4> parts;
@@ -222,6 +248,14 @@ Result<void> AvatarPass::compile() {
   atlas_framebuffer_ = make_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, atlas_framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, atlas_.get(), 0);
+  soft_atlas_ = make_texture();
+  bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), soft_atlas_.get());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, atlas_side, atlas_side);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  soft_framebuffer_ = make_framebuffer();
+  glBindFramebuffer(GL_FRAMEBUFFER, soft_framebuffer_.get());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, soft_atlas_.get(), 0);
   return {};
 }
 
@@ -275,18 +309,36 @@ void AvatarPass::choose(const DrawList& list, Vec3 sun, PixelSize picture) noexc
     const float floor = list.avatars[a].feet[0].y;
     const Bounds body = bounds_of_body(to_clip, hips, floor);
     const Bounds shadow = bounds_of_shadow(to_clip, window, floor);
-    if (!body.is_in_picture() && !shadow.is_in_picture()) continue;
-    const float pixels = scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F);
-    const auto level = std::ranges::count_if(
-        coarse_levels, [&](const Coarseness& coarse) { return pixels < coarse.height; });
-    seen_[seen_count_++] = {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(level),
-                            window, body.rows(), shadow.rows()};
+    const bool sees_body = body.is_in_picture(list.quads);
+    const bool sees_shadow = shadow.is_in_picture(list.quads);
+    if (!sees_body && !sees_shadow) continue;
+    constexpr SceneBuffer::Rows nowhere{2, -2};
+    seen_[seen_count_++] = {
+        .avatar = static_cast<std::uint32_t>(a),
+        .pixels = sees_body ? scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F) : 0,
+        .window = window,
+        .body = sees_body ? body.rows() : nowhere,
+        .shadow = sees_shadow ? shadow.rows() : nowhere};
   }
+  choose_levels();
   std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_),
             [](const Seen& a, const Seen& b) {
               return std::tie(a.level, a.body.low, a.avatar) <
                      std::tie(b.level, b.body.low, b.avatar);
             });
+}
+
+void AvatarPass::choose_levels() noexcept {
+  for (const float share : crowd_shares) {
+    std::size_t triangles = 0;
+    for (Seen& seen : std::span(seen_).first(seen_count_)) {
+      const float pixels = seen.avatar == 0 ? seen.pixels : share * seen.pixels;
+      seen.level = static_cast<std::uint32_t>(std::ranges::count_if(
+          coarse_levels, [&](const Coarseness& coarse) { return pixels < coarse.height; }));
+      triangles += static_cast<std::size_t>(levels_[seen.level].count) / 3;
+    }
+    if (triangles <= most_triangles) return;
+  }
 }
 
 void AvatarPass::reserve(std::size_t avatars) noexcept {
@@ -382,6 +434,18 @@ void AvatarPass::draw_shadow_atlas() const noexcept {
   glGenerateMipmap(GL_TEXTURE_2D);
 }
 
+/// From one atlas to the other, which is the one that the floor's passes read.
+void AvatarPass::soften_shadows() const noexcept {
+  glBindFramebuffer(GL_FRAMEBUFFER, soft_framebuffer_.get());
+  soften_.use();
+  glUniform1i(at_.soften_record_size, static_cast<GLint>(record_size_));
+  glBindVertexArray(no_attributes_.get());
+  draw_batches({-1, 1}, &Seen::shadow, [&](std::uint32_t, GLsizei instances) {
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
+  });
+  bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), soft_atlas_.get());
+}
+
 void AvatarPass::prepare(const DrawList& list, Vec3 sun, PixelSize picture) noexcept {
   seen_count_ = 0;
   if (levels_[0].count == 0) return;
@@ -390,6 +454,7 @@ void AvatarPass::prepare(const DrawList& list, Vec3 sun, PixelSize picture) noex
   send(list);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Looks), looks_.get());
   draw_shadow_atlas();
+  soften_shadows();
 }
 
 void AvatarPass::draw_bodies(SceneBuffer::Rows rows) const noexcept {

@@ -36,14 +36,17 @@ class AvatarPass {
   struct Seen {
     std::uint32_t avatar = 0;  ///< Of the draw list.
     std::uint32_t level = 0;
+    float pixels = 0;                ///< How tall the body appears.
     Vec4 window{};                   ///< Floor square that its shadow fits in.
     SceneBuffer::Rows body, shadow;  ///< Where they are in the picture.
   };
   void choose(const DrawList& list, Vec3 sun, PixelSize picture) noexcept;
+  void choose_levels() noexcept;
   void reserve(std::size_t avatars) noexcept;
   void send(const DrawList& list) noexcept;
   void write_record(const DrawList& list, std::size_t place, Vec4* record) const noexcept;
   void draw_shadow_atlas() const noexcept;
+  void soften_shadows() const noexcept;
   template <typename Draw>
   void draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* part,
                     Draw draw) const noexcept;
@@ -51,8 +54,8 @@ class AvatarPass {
 
   GlBuffer vertices_, indices_, records_, looks_;
   GlVertexArray array_, no_attributes_;
-  GlTexture atlas_;
-  GlFramebuffer atlas_framebuffer_;
+  GlTexture atlas_, soft_atlas_;
+  GlFramebuffer atlas_framebuffer_, soft_framebuffer_;
   std::array<Level, level_count> levels_{};  ///< The finest first.
   GLenum index_type_ = GL_UNSIGNED_SHORT;
   std::size_t joint_count_ = 0;
@@ -61,9 +64,10 @@ class AvatarPass {
   float stature_ = 1;
   std::array<Seen, most_avatars> seen_{};  ///< The coarser later, in a level from below upwards.
   std::size_t seen_count_ = 0;
-  Program body_, shadow_, decal_;
+  Program body_, shadow_, soften_, decal_;
   struct {
-    GLint body_record_size, body_stature, shadow_record_size, shadow_stature, decal_record_size;
+    GLint body_record_size, body_stature, shadow_record_size, shadow_stature, soften_record_size,
+        decal_record_size;
   } at_{};
 };
 

@@ -24,9 +24,15 @@ void main() {
   float facing = max((dot(n, sun.xyz) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0);
   vec3 ambient = mix(bounce_colour.rgb, sky_colour.rgb, 0.5 + 0.5 * n.y);
   vec3 c = tone * (ambient * light.x + sun_colour.rgb * (facing * mix(0.25, 1.0, light.y)));
-  float rim = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0);
+  float turned = 1.0 - max(dot(n, to_eye), 0.0);
+  float rim = turned * turned * turned;
   c += (0.20 * rim * light.x) * mix(vec3(1.0), tone, 0.5) * sky_colour.rgb;
   vec3 half_way = normalize(to_eye + sun.xyz);
-  c += base.w * pow(max(dot(n, half_way), 0.0), 24.0) * sun_colour.rgb * light.y;
+  float gleam = max(dot(n, half_way), 0.0);
+  gleam *= gleam * gleam;
+  gleam *= gleam;
+  gleam *= gleam;
+  gleam *= gleam;  // to the 24th
+  c += base.w * gleam * sun_colour.rgb * light.y;
   colour = vec4(shown(c, world), 1.0);
 }

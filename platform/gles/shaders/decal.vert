@@ -5,7 +5,6 @@ out vec3 world;
 flat out vec4 foot[2];
 flat out vec3 centre;
 flat out vec3 tile_uv;  // xy: middle of the tile; z: half its side, in texture coordinates
-flat out float half_side;
 void main() {
   int avatar = gl_InstanceID * record_size;
   vec4 window = record[avatar + shadow_window];
@@ -14,7 +13,6 @@ void main() {
   foot[1] = record[avatar + right_foot];
   centre = record[avatar + hips].xyz;
   tile_uv = 0.5 * vec3(1.0 + tile.xy, tile.z);
-  half_side = window.z;
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   vec2 half_throw = window.xy - centre.xz;
   vec2 along = half_throw / max(length(half_throw), 1e-4);
