@@ -48,18 +48,6 @@ std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft) {
   return drop;
 }
 
-/// The least smooth curve on or above the given one: the running maximum, then a bell as wide.
-std::vector<double> smooth_above(const std::vector<double>& values, std::size_t radius) {
-  std::vector<double> widened(values.size());
-  for (std::size_t f = 0; f < values.size(); ++f) {
-    const std::size_t from = f > radius ? f - radius : 0;
-    const std::size_t to = std::min(f + radius + 1, values.size());
-    widened[f] = *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(from),
-                                   values.begin() + static_cast<std::ptrdiff_t>(to));
-  }
-  return smooth_held(widened, hann_kernel(radius));
-}
-
 }  // namespace
 
 std::uint32_t velocity_frames(double rate) noexcept {

@@ -9,6 +9,7 @@
 #include "runtime/motion/placement.h"
 #include "runtime/motion/search.h"
 #include "runtime/motion/smoothing.h"
+#include "runtime/motion/speed_limit.h"
 #include "runtime/motion/steps.h"
 #include "runtime/motion/take.h"
 #include "runtime/motion/walk.h"
@@ -22,9 +23,9 @@ constexpr double shortest_way = 0.02;          // metres: nearer than that is th
 constexpr double largest_curved_start = 0.5;   // radians: below, the first steps curve
 constexpr double largest_facing_error = 0.06;  // radians left at the end without a turn
 constexpr double largest_walking_turn = 1.05;  // radians that a walker turns into without braking
-constexpr double longest_run_out = 0.5;        // metres walked on before turning right round
-constexpr double least_stretch = 0.62;         // of the clips' strides; below, small steps
-constexpr double most_stretch = 1.14;          // of the clips' strides
+constexpr double run_out = 0.65;         // metres walked on, slowing down, before turning round
+constexpr double least_stretch = 0.62;   // of the clips' strides; below, small steps
+constexpr double most_stretch = 1.14;    // of the clips' strides
 constexpr double braking_stretch = 0.1;  // where a wall is near, strides get as short as needed
 constexpr double take_over_seconds = 0.35;
 constexpr double walking_speed = 0.25;  // metres a second: slower bodies about stand
@@ -63,6 +64,7 @@ class WalkMaker {
       walk_from_standing(path_);
     if (request_.final_heading) turn_to(*request_.final_heading, largest_facing_error);
     if (walk_.root.empty()) stand_still();
+    if (request_.fidelity == Fidelity::Exact) limit_speeds(graph_, walk_);
     for (float& along : walk_.along) along = std::max(0.0f, along - static_cast<float>(lead_in_));
     return std::move(walk_);
   }
@@ -91,6 +93,7 @@ class WalkMaker {
   TrackPace pace() const {
     TrackPace pace;
     pace.speed = graph_.speed;
+    pace.turning_rate = graph_.turning_rate;
     pace.most_share = request_.pace;
     if (request_.fidelity == Fidelity::Raw) pace.turning_rate = 1e9;
     return pace;
@@ -101,7 +104,6 @@ class WalkMaker {
     const double turn = wrap_angle(direction_of(path_, 0.3) - momentum_.body.heading);
     std::vector<Vec2> path = path_;
     if (std::abs(turn) > largest_walking_turn) {
-      const double run_out = longest_run_out * std::abs(turn) / 3.14159265358979;
       const std::vector<Vec2> ahead = first_part(braking_line(), run_out);
       path.assign(ahead.begin(), ahead.end());
       path.insert(path.end(), ahead.rbegin(), ahead.rend());

@@ -100,6 +100,17 @@ std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const do
   return convolve(Pinned{points}, kernel);
 }
 
+std::vector<double> smooth_above(std::span<const double> values, std::size_t radius) {
+  std::vector<double> widened(values.size());
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    const std::size_t from = f > radius ? f - radius : 0;
+    const std::size_t to = std::min(f + radius + 1, values.size());
+    widened[f] = *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(from),
+                                   values.begin() + static_cast<std::ptrdiff_t>(to));
+  }
+  return smooth_held(widened, hann_kernel(radius));
+}
+
 std::vector<double> box_held(std::span<const double> values, std::size_t count) {
   return average(Held{values}, count / 2);
 }

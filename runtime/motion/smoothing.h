@@ -25,6 +25,10 @@ std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const do
 std::vector<double> box_held(std::span<const double> values, std::size_t count);
 std::vector<Vec2> box_pinned(std::span<const Vec2> points, std::size_t count);
 
+/// The least smooth curve on or above evenly spaced values: the running maximum over 2 * radius + 1
+/// samples, then a Hann window as wide.
+std::vector<double> smooth_above(std::span<const double> values, std::size_t radius);
+
 /// The angle in (-pi, pi] that differs by whole turns.
 double wrap_angle(double angle) noexcept;
 

@@ -255,10 +255,21 @@ std::vector<Step> plan_short_walk(const PathTrack& track, const Momentum& moment
   Side foot = momentum.planted[1] ? Side::Left : Side::Right;
   std::vector<Step> steps;
   std::size_t hint = 0;
+  Placement last = momentum.body;
   for (int i = 1; i <= count; ++i) {
     const double effort = track.effort.back() * i / count;
-    steps.push_back({foot, at_effort(track, effort, hint).placement});
+    Placement next = at_effort(track, effort, hint).placement;
+    const double turn = wrap_angle(next.heading - last.heading);
+    next.heading = last.heading + turn;
+    const double parts = std::ceil(std::abs(turn) / largest_turn);
+    for (double part = 1; part < parts; ++part) {  // first on the spot, where it turns sharply
+      const Placement station{last.position, last.heading + turn * part / parts};
+      steps.push_back({foot, station});
+      steps.push_back({other(foot), station});
+    }
+    steps.push_back({foot, next});
     foot = other(foot);
+    last = next;
   }
   steps.push_back({foot, steps.back().station});
   return steps;

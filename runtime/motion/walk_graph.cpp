@@ -10,6 +10,7 @@ namespace docent {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double within_stride = 1.4;    // of a stride's mean: how quickly a body turns at most
 constexpr double still_speed = 0.06;     // metres a second of the hips: below it a body stands
 constexpr double stillness_kept = 0.08;  // seconds of standing kept before a start, after a stop
 
@@ -148,6 +149,16 @@ double ordinary_speed(const WalkGraph& graph) {
     if (seconds > 0.2) speeds.push_back(graph.clip[c].effort.back() / seconds);
   }
   return std::clamp(median_of(std::move(speeds), 1.0), 0.3, 3.0);
+}
+
+/// How quickly the body turns that turns most. Its facing is a mean over a stride; within one it
+/// turns more quickly.
+double turning_rate(const WalkGraph& graph) {
+  double most = 0;
+  for (const ClipPath& clip : graph.clip)
+    for (std::size_t f = 1; f < clip.body.size(); ++f)
+      most = std::max(most, std::abs(clip.body[f].heading - clip.body[f - 1].heading));
+  return std::clamp(within_stride * most * graph.frame_rate, 1.0, 2.4);
 }
 
 void find_transition_ranges(WalkGraph& graph) {
@@ -302,6 +313,8 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   if (graph.starts.empty())
     return cannot_walk("no transitions lead from a start clip to a stop clip");
   graph.speed = ordinary_speed(graph);
+  graph.quickest = quickest_motion(motion);
+  graph.turning_rate = turning_rate(graph);
   measure_resting_heights(graph);
   graph.before_walking =
       stand_in_clip(graph, graph.starts.front(), graph.clip[graph.starts.front()].first);

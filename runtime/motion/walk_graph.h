@@ -9,6 +9,7 @@
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/result.h"
 #include "runtime/motion/leg.h"
+#include "runtime/motion/speed_limit.h"
 
 namespace docent {
 
@@ -48,10 +49,12 @@ struct WalkGraph {
   std::vector<ClipPath> clip;
   std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing; by rank. Every
                                              ///< start leads to a stand.
-  std::array<float, 2> toe_height{};         ///< Of a planted foot's toe joint, metres.
-  std::array<float, 2> ankle_height{};       ///< Of a planted foot's ankle joint, metres.
-  Stand before_walking;                      ///< How the first start clip begins.
-  Stand after_walking;                       ///< How the first stop clip ends.
+  QuickestMotion quickest;                   ///< Of its clips.
+  double turning_rate = 2.4;            ///< Radians a second that a walking body turns at most.
+  std::array<float, 2> toe_height{};    ///< Of a planted foot's toe joint, metres.
+  std::array<float, 2> ankle_height{};  ///< Of a planted foot's ankle joint, metres.
+  Stand before_walking;                 ///< How the first start clip begins.
+  Stand after_walking;                  ///< How the first stop clip ends.
 };
 
 /// Can a walk take a transition in this scope, and come to a stand after it?

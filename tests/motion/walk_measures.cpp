@@ -61,6 +61,7 @@ Quickest quickest_of(const Motion& walk, std::size_t from, std::size_t to) {
   Quickest out;
   const double rate = walk.frame_rate;
   const std::size_t joints = walk.joint_count;
+  out.of_joint.assign(joints, 0);
   for (std::size_t f = std::max<std::size_t>(from, 1); f + 1 < std::min(to, walk.root.size());
        ++f) {
     const Vec3 step = walk.root[f] - walk.root[f - 1], next = walk.root[f + 1] - walk.root[f];
@@ -70,6 +71,7 @@ Quickest quickest_of(const Motion& walk, std::size_t from, std::size_t to) {
       const auto at = [&](std::size_t frame) { return walk.rotation[frame * joints + j]; };
       const double turn = angle_between(at(f - 1), at(f)), then = angle_between(at(f), at(f + 1));
       out.joint = std::max(out.joint, turn * rate);
+      out.of_joint[j] = std::max(out.of_joint[j], turn * rate);
       out.joint_change = std::max(out.joint_change, std::abs(then - turn) * rate * rate);
     }
   }
@@ -131,8 +133,18 @@ Quickest quickest(const MotionGraph& graph) {
     out.root_change = std::max(out.root_change, in_clip.root_change);
     out.joint = std::max(out.joint, in_clip.joint);
     out.joint_change = std::max(out.joint_change, in_clip.joint_change);
+    out.of_joint.resize(in_clip.of_joint.size(), 0);
+    for (std::size_t j = 0; j < out.of_joint.size(); ++j)
+      out.of_joint[j] = std::max(out.of_joint[j], in_clip.of_joint[j]);
   }
   return out;
+}
+
+double haste(const Quickest& walk, const Quickest& recorded) {
+  double most = walk.root / recorded.root;
+  for (std::size_t j = 0; j < walk.of_joint.size(); ++j)
+    most = std::max(most, walk.of_joint[j] / std::max(recorded.of_joint[j], 0.05));
+  return most;
 }
 
 Walk spliced(const Walk& before, std::size_t frames, const Walk& after) {

@@ -22,14 +22,19 @@ double deepest_toe(const Skeleton& skeleton, const Walk& walk);
 
 /// The quickest movements from one frame to the next, in frames [from, to).
 struct Quickest {
-  double root = 0;          ///< Metres a second.
-  double root_change = 0;   ///< Of the root's velocity, metres a second squared.
-  double joint = 0;         ///< Radians a second.
-  double joint_change = 0;  ///< Radians a second squared.
+  double root = 0;               ///< Metres a second.
+  double root_change = 0;        ///< Of the root's velocity, metres a second squared.
+  double joint = 0;              ///< Radians a second.
+  std::vector<double> of_joint;  ///< The same of each joint.
+  double joint_change = 0;       ///< Radians a second squared.
 };
 Quickest quickest(const Walk& walk, std::size_t from, std::size_t to);
 /// In all clips of a graph.
 Quickest quickest(const MotionGraph& graph);
+
+/// How many times quicker than the recorded motion a walk is where it is so most, in its root and
+/// in any joint. A joint that hardly moves there may turn by 0.05 radians a second.
+double haste(const Quickest& walk, const Quickest& recorded);
 
 /// The first `frames` frames of a walk, then another that goes on from the next.
 Walk spliced(const Walk& before, std::size_t frames, const Walk& after);
