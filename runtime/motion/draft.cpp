@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/motion/placement.h"
 #include "runtime/motion/replant.h"
@@ -38,7 +39,7 @@ std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft) {
     const PoseView pose = pose_of(draft.walk, f);
     for (const Side side : both_sides) {
       const Leg& leg = graph.legs[side];
-      const Vec3 hip = leg_pose(graph.motion->skeleton, leg, pose).position[leg.hip];
+      const Vec3 hip = hip_of(graph.motion->skeleton, leg, pose);
       const float reach = std::clamp(draft.reach[index_of(side)][f], straight_leg * leg.length,
                                      straightest_leg * leg.length);
       const float need = drop_into_reach(hip, ankle_of(leg, draft.foot[index_of(side)][f]), reach);
@@ -157,12 +158,14 @@ void place_feet(const WalkGraph& graph, Draft& draft) {
   }
 }
 
-void append(const Draft& draft, Walk& walk) {
+void append(Draft draft, Walk& walk) {
+  if (walk.root.empty()) {
+    walk = std::move(draft.walk);
+    return;
+  }
   const Walk& more = draft.walk;
-  const std::size_t skip = walk.root.empty() ? 0 : 1;
+  constexpr std::size_t skip = 1;
   const std::size_t joints = more.joint_count;
-  walk.frame_rate = more.frame_rate;
-  walk.joint_count = more.joint_count;
   const auto add = [](auto& to, const auto& from, std::size_t first) {
     if (first < from.size())
       to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.end());

@@ -56,8 +56,8 @@ void lower_hips(const WalkGraph& graph, Draft& draft);
 /// Bends the legs so that every foot is where it shall be.
 void place_feet(const WalkGraph& graph, Draft& draft);
 
-/// Adds a finished draft; its first frame is the walk's last again and is left out, unless the
-/// walk has none.
-void append(const Draft& draft, Walk& walk);
+/// Adds a finished draft, or becomes it; its first frame is the walk's last again and is left out,
+/// unless the walk has none.
+void append(Draft draft, Walk& walk);
 
 }  // namespace docent

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <glm/vec2.hpp>
 
 namespace docent {
 namespace {
+
+using Vec2f = glm::vec2;  // of a cosine and a sine
 
 std::optional<Leg> find_leg(const Skeleton& skeleton, BodyPart hip, BodyPart knee, BodyPart ankle,
                             BodyPart toe, BodyPart tip) {
@@ -55,9 +57,15 @@ Quat shortest_arc(Vec3 from, Vec3 to) noexcept {
   return glm::normalize(Quat(w, axis.x, axis.y, axis.z));
 }
 
-/// The angle opposite to side `c` of a triangle.
-float opposite_angle(float a, float b, float c) noexcept {
-  return std::acos(std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.0f, 1.0f));
+/// The cosine of the angle opposite to side `c` of a triangle.
+float opposite_cosine(float a, float b, float c) noexcept {
+  return std::clamp((a * a + b * b - c * c) / (2 * a * b), -1.0f, 1.0f);
+}
+
+/// A turn about an axis by an angle in (-pi, pi), of which sine and cosine are known.
+Quat turn_about(Vec3 axis, float sine, float cosine) noexcept {
+  const float half_cosine = std::sqrt(std::max(0.5f + 0.5f * cosine, 1e-6f));
+  return {half_cosine, (0.5f * sine / half_cosine) * axis};
 }
 
 }  // namespace
@@ -87,6 +95,16 @@ LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose)
   return out;
 }
 
+Vec3 hip_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+  Vec3 place = pose.root;
+  Quat rotation = pose.rotation[leg.joint[0]];
+  for (std::size_t i = 1; i <= leg.hip; ++i) {
+    place += rotation * skeleton.joint[leg.joint[i]].offset;
+    if (i < leg.hip) rotation = rotation * pose.rotation[leg.joint[i]];
+  }
+  return place;
+}
+
 Foot foot_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
   const LegPose at = leg_pose(skeleton, leg, pose);
   return {at.position[leg.toe], at.rotation[leg.ankle]};
@@ -113,9 +131,14 @@ void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
   const Vec3 plane = glm::cross(knee - hip, ankle - knee);
   const float backwards = std::min(0.0f, glm::dot(plane, left));
   const Vec3 hinge = glm::normalize(plane - backwards * left + left * (0.02f * thigh * shin));
-  const float bent = std::atan2(glm::dot(plane, hinge), glm::dot(knee - hip, ankle - knee));
-  const float bend = std::numbers::pi_v<float> - opposite_angle(thigh, shin, reach) - bent;
-  const Quat flex = glm::angleAxis(bend, hinge);
+  // How far the knee is bent, and how far it shall be: what is between is turned, all by sines and
+  // cosines, which spares three arcs.
+  const Vec2f bent = glm::normalize(
+      Vec2f(glm::dot(knee - hip, ankle - knee), glm::dot(plane, hinge)) + Vec2f(1e-12f, 0));
+  const float inner = opposite_cosine(thigh, shin, reach);
+  const Vec2f wanted(-inner, std::sqrt(1 - inner * inner));
+  const Quat flex = glm::normalize(turn_about(hinge, wanted.y * bent.x - wanted.x * bent.y,
+                                              wanted.x * bent.x + wanted.y * bent.y));
   const Vec3 flexed_ankle = knee + flex * (ankle - knee);
   const Quat swing = shortest_arc(flexed_ankle - hip, target - hip);
 
@@ -135,8 +158,7 @@ void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
 double facing(const Skeleton& skeleton, const Legs& legs, const PoseView& pose) noexcept {
   const Leg& l = legs[Side::Left];
   const Leg& r = legs[Side::Right];
-  const Vec3 across =
-      leg_pose(skeleton, l, pose).position[l.hip] - leg_pose(skeleton, r, pose).position[r.hip];
+  const Vec3 across = hip_of(skeleton, l, pose) - hip_of(skeleton, r, pose);
   const Vec2 left = to_floor(across);
   return std::atan2(-left.x, left.y);
 }

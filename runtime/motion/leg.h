@@ -52,6 +52,9 @@ struct LegPose {
 
 LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 
+/// Where its hip joint is in a pose.
+Vec3 hip_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
+
 /// Where the foot is in a pose.
 Foot foot_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 

@@ -230,7 +230,7 @@ class WalkMaker {
     }
     const float along = walk_.along.empty() ? 0.0f : walk_.along.back();
     for (float& a : draft.walk.along) a += along;
-    append(draft, walk_);
+    append(std::move(draft), walk_);
     momentum_ = momentum_at(graph_, walk_, frame_count(walk_) - 1);
     momentum_.planted = {true, true};
   }

@@ -130,14 +130,28 @@ PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace) {
   return track;
 }
 
-TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept {
+namespace {
+
+/// How far an effort is from the sample that it comes after, as a share of the way to the next.
+double share_after(const PathTrack& track, double effort, std::size_t& sample) noexcept {
   const std::size_t last = track.effort.size() - 1;
-  std::size_t i = std::min(hint, last - 1);
+  std::size_t i = std::min(sample, last - 1);
   while (i > 0 && track.effort[i] > effort) --i;
   while (i + 1 < last && track.effort[i + 1] <= effort) ++i;
-  hint = i;
-  const double t =
-      std::clamp((effort - track.effort[i]) / (track.effort[i + 1] - track.effort[i]), 0.0, 1.0);
+  sample = i;
+  return std::clamp((effort - track.effort[i]) / (track.effort[i + 1] - track.effort[i]), 0.0, 1.0);
+}
+
+}  // namespace
+
+double heading_at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept {
+  const double t = share_after(track, effort, hint);
+  return glm::mix(track.heading[hint], track.heading[hint + 1], t);
+}
+
+TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept {
+  const double t = share_after(track, effort, hint);
+  const std::size_t i = hint;
   TrackPoint point;
   point.placement.position = glm::mix(track.position[i], track.position[i + 1], t);
   point.placement.heading = glm::mix(track.heading[i], track.heading[i + 1], t);

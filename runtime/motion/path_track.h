@@ -47,6 +47,9 @@ PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace);
 /// along the track: it holds the sample found last.
 TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept;
 
+/// The heading there alone, which a search asks for.
+double heading_at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept;
+
 /// Total length of a polyline, metres.
 double polyline_length(std::span<const Vec2> path) noexcept;
 

@@ -235,9 +235,10 @@ class Replanting {
 }  // namespace
 
 float drop_into_reach(Vec3 hip, Vec3 ankle, float reach) noexcept {
-  const float across = std::hypot(hip.x - ankle.x, hip.z - ankle.z);
-  if (across >= reach) return hip.y - ankle.y;
-  return std::max(0.0f, hip.y - ankle.y - std::sqrt(reach * reach - across * across));
+  const Vec3 apart = hip - ankle;
+  const float across = apart.x * apart.x + apart.z * apart.z;
+  if (across >= reach * reach) return apart.y;
+  return std::max(0.0f, apart.y - std::sqrt(reach * reach - across));
 }
 
 double foot_heading(const Leg& leg, const Foot& foot) noexcept {

@@ -120,6 +120,7 @@ std::vector<Vec2> box_pinned(std::span<const Vec2> points, std::size_t count) {
 }
 
 double wrap_angle(double angle) noexcept {
+  if (std::abs(angle) < std::numbers::pi) return angle;
   const double wrapped = std::remainder(angle, 2 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? wrapped + 2 * std::numbers::pi : wrapped;
 }

@@ -22,13 +22,10 @@ constexpr std::array calming_seconds{0.1, 0.2, 0.4, 0.8};  // over which a joint
 
 /// The squared distance of two rotations in quaternion space: the square of half their angle, to
 /// within a hundredth where that is below 20 degrees. Unlike the angle itself it costs no arc.
-double squared_half_angle(const Quat& a, const Quat& b) noexcept {
-  const auto square = [](double w, double x, double y, double z) {
-    return w * w + x * x + y * y + z * z;
-  };
-  const double apart =
-      square(double{a.w} - b.w, double{a.x} - b.x, double{a.y} - b.y, double{a.z} - b.z);
-  return apart <= 2 ? apart : 4 - apart;  // q and -q are one rotation
+float squared_half_angle(const Quat& a, const Quat& b) noexcept {
+  const float w = a.w - b.w, x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+  const float apart = w * w + x * x + y * y + z * z;
+  return std::min(apart, 4 - apart);  // q and -q are one rotation
 }
 
 /// Metres a second.
@@ -44,37 +41,53 @@ double quickest_root(const Motion& motion) {
 
 /// What the steps between frames are measured by: their squares at the limit.
 struct StepLimits {
-  double root = 0;
-  std::vector<double> joint;
+  float root = 0;
+  std::vector<float> joint;
 
   StepLimits(const QuickestMotion& quickest, double frame_rate) {
-    const auto squared = [](double value) { return value * value; };
-    root = squared(plausible * quickest.root / frame_rate);
+    const auto squared = [&](double speed) {
+      return static_cast<float>(std::pow(plausible * speed / frame_rate, 2));
+    };
+    root = squared(quickest.root);
     for (const double turning : quickest.joint)
-      joint.push_back(squared(plausible * std::max(turning, still_joint) / frame_rate / 2));
+      joint.push_back(squared(std::max(turning, still_joint) / 2));
   }
 };
 
-/// How many times too quick the step from each frame to the next is; 1 where none is.
-std::vector<double> excesses(const StepLimits& limits, const Walk& walk) {
+/// Where a walk is too quick.
+struct Haste {
+  std::vector<double> excess;  ///< Of the step from each frame to the next: how many times; 1 where
+                               ///< it is not.
+  std::vector<bool> joint;     ///< Whether it is, anywhere.
+};
+
+/// Looks at the root and at all joints that `counts` names; the others are only told of.
+Haste find_haste(const StepLimits& limits, const std::vector<bool>& counts, const Walk& walk) {
   const std::size_t joints = walk.joint_count;
-  std::vector<double> excess(walk.root.size() - 1, 1.0);
-  for (std::size_t f = 0; f < excess.size(); ++f) {
+  Haste haste{std::vector<double>(walk.root.size() - 1, 1.0), std::vector<bool>(joints)};
+  const auto exceed = [&](std::size_t f, float squared_step, float limit) {
+    haste.excess[f] = std::max(haste.excess[f], std::sqrt(double{squared_step} / double{limit}));
+  };
+  for (std::size_t f = 0; f < haste.excess.size(); ++f) {
     const Vec3 step = walk.root[f + 1] - walk.root[f];
-    double most = limits.root > 0 ? static_cast<double>(glm::dot(step, step)) / limits.root : 0;
+    if (const float square = glm::dot(step, step); square > limits.root)
+      exceed(f, square, limits.root);
     const Quat* now = walk.rotation.data() + f * joints;
-    for (std::size_t j = 0; j < joints; ++j)
-      most = std::max(most, squared_half_angle(now[j], now[joints + j]) / limits.joint[j]);
-    if (most > 1) excess[f] = std::sqrt(most);
+    for (std::size_t j = 0; j < joints; ++j) {
+      const float square = squared_half_angle(now[j], now[joints + j]);
+      if (square <= limits.joint[j]) continue;
+      haste.joint[j] = true;
+      if (counts[j]) exceed(f, square, limits.joint[j]);
+    }
   }
-  return excess;
+  return haste;
 }
 
 /// Spreads one joint's motion over more time where it is too quick: its path is averaged (by a
 /// triangle, with both ends kept), the more widely the quicker it is.
 class JointCalming {
  public:
-  JointCalming(Walk& walk, std::size_t joint, double limit)
+  JointCalming(Walk& walk, std::size_t joint, float limit)
       : walk_(walk), joint_(joint), limit_(limit), frames_(walk.root.size()) {}
 
   void calm() {
@@ -133,7 +146,7 @@ class JointCalming {
 
   Walk& walk_;
   std::size_t joint_;
-  double limit_;  ///< Of a step's squared half angle.
+  float limit_;  ///< Of a step's squared half angle.
   std::size_t frames_;
   std::vector<double> hasty_;
 };
@@ -232,11 +245,17 @@ QuickestMotion quickest_motion(const MotionGraph& motion) {
 void limit_speeds(const WalkGraph& graph, Walk& walk) {
   if (walk.root.size() < 2 || graph.quickest.joint.size() != walk.joint_count) return;
   const StepLimits limits(graph.quickest, walk.frame_rate);
-  for (std::size_t j = 0; j < walk.joint_count; ++j)
-    if (!bears_body(graph, j)) JointCalming(walk, j, limits.joint[j]).calm();
-  std::vector<double> slowness = excesses(limits, walk);
-  if (std::ranges::max(slowness) <= 1) return;
-  slowness = smooth_above(slowness, static_cast<std::size_t>(slowing_seconds * walk.frame_rate));
+  std::vector<bool> counts(walk.joint_count);
+  for (std::size_t j = 0; j < counts.size(); ++j) counts[j] = bears_body(graph, j);
+  Haste haste = find_haste(limits, counts, walk);
+  bool has_calmed = false;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    if (!counts[j] && haste.joint[j])
+      has_calmed = true, JointCalming(walk, j, limits.joint[j]).calm();
+  if (has_calmed) haste = find_haste(limits, std::vector<bool>(counts.size(), true), walk);
+  if (std::ranges::max(haste.excess) <= 1) return;
+  const std::vector<double> slowness =
+      smooth_above(haste.excess, static_cast<std::size_t>(slowing_seconds * walk.frame_rate));
   Retiming out(walk);
   for (std::size_t f = 0; f < slowness.size();) {
     const auto is_slow = [&](std::size_t at) { return slowness[at] > 1 + 1e-9; };

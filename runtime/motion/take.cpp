@@ -14,8 +14,16 @@ class Player {
  public:
   Player(const WalkGraph& graph, Take& take) : graph_(graph), take_(take) {}
 
-  void lay_clip(const Placement& clip_to_floor) { clip_to_floor_ = clip_to_floor; }
-  void follow(const Placement& alignment) { clip_to_floor_ = compose(clip_to_floor_, alignment); }
+  void make_room(std::size_t frames) {
+    take_.root.reserve(frames), take_.source.reserve(frames);
+    take_.rotation.reserve(frames * joint_count());
+  }
+  void lay_clip(const Placement& clip_to_floor) {
+    clip_to_floor_ = clip_to_floor;
+    turn_ = world_rotation(clip_to_floor.heading);
+    origin_ = to_world(clip_to_floor.position, 0);
+  }
+  void follow(const Placement& alignment) { lay_clip(compose(clip_to_floor_, alignment)); }
 
   void copy(std::uint32_t clip, std::size_t from, std::size_t to) {
     for (std::size_t f = from; f < to; ++f) add({clip, static_cast<std::uint32_t>(f)});
@@ -43,7 +51,7 @@ class Player {
       for (std::uint32_t j = 0; j < joints; ++j)
         out[j] = glm::normalize(glm::slerp(out[j], j == 0 ? turn * other[0] : other[j], share));
     }
-    clip_to_floor_ = destination;
+    lay_clip(destination);
   }
 
  private:
@@ -52,18 +60,20 @@ class Player {
 
   void add(ClipFrame frame) {
     const MotionClip& clip = motion().clips[frame.clip];
-    take_.root.push_back(moved(clip_to_floor_, clip.root[frame.frame]));
+    take_.root.push_back(origin_ + turn_ * clip.root[frame.frame]);
     const auto first =
         clip.rotation.begin() + static_cast<std::ptrdiff_t>(frame.frame) * clip.joint_count;
     const std::size_t at = take_.rotation.size();
     take_.rotation.insert(take_.rotation.end(), first, first + clip.joint_count);
-    take_.rotation[at] = world_rotation(clip_to_floor_.heading) * take_.rotation[at];
+    take_.rotation[at] = turn_ * take_.rotation[at];
     take_.source.push_back(frame);
   }
 
   const WalkGraph& graph_;
   Take& take_;
   Placement clip_to_floor_;
+  Quat turn_{1, 0, 0, 0};  ///< The same, in the world.
+  Vec3 origin_{};
 };
 
 void find_body(const WalkGraph& graph, Take& take) {
@@ -148,6 +158,16 @@ void find_contacts(const WalkGraph& graph, Take& take, Side side) {
   tidy_contacts(contact, graph.frame_rate);
 }
 
+std::size_t frames_of(const WalkGraph& graph, const MotionPlan& plan) {
+  std::size_t frames = 0, at = plan.start.frame;
+  for (const std::uint32_t t : plan.transitions) {
+    const Transition& way = graph.motion->transitions[t];
+    frames += way.from.frame - at;
+    at = way.to.frame;
+  }
+  return frames + plan.last_frame + 1 - at;
+}
+
 }  // namespace
 
 Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor) {
@@ -160,6 +180,7 @@ Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_
   std::size_t frame =
       from_standing ? plan.start.frame : plan.start.frame - std::min(plan.start.frame, run_up);
   take.first = plan.start.frame - frame;
+  player.make_room(frames_of(graph, plan) + take.first);
   std::size_t earliest = plan.start.frame;  // a blend must not reach into the run-up
   std::uint32_t clip = plan.start.clip;
   for (const std::uint32_t t : plan.transitions) {

@@ -19,6 +19,13 @@ struct TakeMoment {
   double share = 0;  ///< Of the next frame.
 };
 
+/// Frames are added one by one, so room for them is made first.
+void make_room(std::size_t frames, Walk& walk) {
+  walk.root.reserve(frames), walk.rotation.reserve(frames * walk.joint_count);
+  walk.plants.reserve(frames), walk.body.reserve(frames), walk.along.reserve(frames);
+  walk.gait.reserve(frames), walk.source.reserve(frames);
+}
+
 void add_pose(const WalkGraph& graph, const Take& take, TakeMoment at, const Placement& body,
               Draft& draft) {
   const std::size_t joints = graph.motion->skeleton.joint.size();
@@ -46,16 +53,19 @@ void add_pose(const WalkGraph& graph, const Take& take, TakeMoment at, const Pla
   walk.gait.push_back(Gait::Walk);
 }
 
-void find_feet(const WalkGraph& graph, Draft& draft) {
-  for (const Side side : both_sides) {
-    const Leg& leg = graph.legs[side];
-    for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
-      const LegPose at = leg_pose(graph.motion->skeleton, leg, pose_of(draft.walk, f));
-      draft.foot[index_of(side)].push_back({at.position[leg.toe], at.rotation[leg.ankle]});
-      draft.reach[index_of(side)].push_back(
-          glm::distance(at.position[leg.hip], at.position[leg.ankle]));
-    }
+/// Writes down where a foot is in each frame, and says where its hip joint is.
+std::vector<Vec3> find_feet(const WalkGraph& graph, Side side, Draft& draft) {
+  const Leg& leg = graph.legs[side];
+  const std::size_t i = index_of(side), frames = draft.walk.root.size();
+  std::vector<Vec3> hips;
+  hips.reserve(frames), draft.foot[i].reserve(frames), draft.reach[i].reserve(frames);
+  for (std::size_t f = 0; f < frames; ++f) {
+    const LegPose at = leg_pose(graph.motion->skeleton, leg, pose_of(draft.walk, f));
+    draft.foot[i].push_back({at.position[leg.toe], at.rotation[leg.ankle]});
+    draft.reach[i].push_back(glm::distance(at.position[leg.hip], at.position[leg.ankle]));
+    hips.push_back(at.position[leg.hip]);
   }
+  return hips;
 }
 
 bool& planted(FootPlants& plants, Side side) {
@@ -64,13 +74,9 @@ bool& planted(FootPlants& plants, Side side) {
 
 void plant_feet(const WalkGraph& graph, Side side, const Momentum& momentum, Draft& draft) {
   const std::size_t i = index_of(side), frames = draft.walk.root.size();
-  const Leg& leg = graph.legs[side];
+  const std::vector<Vec3> hips = find_feet(graph, side, draft);
   std::vector<bool> contact(frames);
-  std::vector<Vec3> hips(frames);
-  for (std::size_t f = 0; f < frames; ++f) {
-    contact[f] = planted(draft.walk.plants[f], side);
-    hips[f] = leg_pose(graph.motion->skeleton, leg, pose_of(draft.walk, f)).position[leg.hip];
-  }
+  for (std::size_t f = 0; f < frames; ++f) contact[f] = planted(draft.walk.plants[f], side);
   replant(graph, side, draft.foot[i], hips, contact, {momentum.foot[i], momentum.foot_velocity[i]},
           momentum.planted[i]);
   for (std::size_t f = 0; f < frames; ++f) planted(draft.walk.plants[f], side) = contact[f];
@@ -112,6 +118,7 @@ class Joining {
 Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track,
                 const Momentum& momentum) {
   Draft draft = empty_draft(graph);
+  make_room(3 * (take.root.size() - take.first) / 2, draft.walk);
   const double walked = take.effort.back();
   const double stretch = walked > 1e-6 ? track.effort.back() / walked : 0;
   const std::size_t last = take.root.size() - 1;
@@ -132,18 +139,18 @@ Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track
     if (at >= static_cast<double>(last)) break;
     at += point.stride;
   }
-  find_feet(graph, draft);
   for (const Side side : both_sides) plant_feet(graph, side, momentum, draft);
   return draft;
 }
 
 Draft as_it_is(const WalkGraph& graph, const Take& take) {
   Draft draft = empty_draft(graph);
+  make_room(take.root.size() - take.first, draft.walk);
   for (std::size_t f = take.first; f < take.root.size(); ++f) {
     add_pose(graph, take, {f, 0}, take.body[f], draft);
     draft.walk.along.push_back(static_cast<float>(take.effort[f]));
   }
-  find_feet(graph, draft);
+  for (const Side side : both_sides) find_feet(graph, side, draft);
   return draft;
 }
 
