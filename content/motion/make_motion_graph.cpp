@@ -156,6 +156,8 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
                                "it is too unlike them; record it in the same style"));
   leave_out(pruning.clips_outside, graph);
   graph.classes = find_motion_classes(graph.skeleton, graph.clips);
+  for (MotionClass& motion_class : graph.classes)
+    motion_class.transition = own_graph(graph, motion_class.name);
   require_role(graph, ClipRole::Start, folder, "no clip starts to walk from standing");
   require_role(graph, ClipRole::Stop, folder, "no clip stops from walking to standing");
   return graph;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace docent {
 namespace {
@@ -25,7 +26,7 @@ Node arrives_at(const FrameGraph& frames, const Transition& t) {
   return frames.node(t.to.clip, t.to.frame + t.radius);
 }
 
-FrameGraph make_frame_graph(const MotionGraph& graph) {
+FrameGraph make_frame_graph(const MotionGraph& graph, const std::vector<bool>& counts) {
   FrameGraph frames;
   frames.first.push_back(0);
   for (const MotionClip& clip : graph.clips)
@@ -34,8 +35,10 @@ FrameGraph make_frame_graph(const MotionGraph& graph) {
   for (std::size_t c = 0; c < graph.clips.size(); ++c)
     for (Node n = frames.first[c]; n + 1 < frames.first[c + 1]; ++n)
       frames.onward[n].push_back(n + 1);
-  for (const Transition& t : graph.transitions)
-    frames.onward[leaves_at(frames, t)].push_back(arrives_at(frames, t));
+  for (std::size_t t = 0; t < graph.transitions.size(); ++t)
+    if (counts[t])
+      frames.onward[leaves_at(frames, graph.transitions[t])].push_back(
+          arrives_at(frames, graph.transitions[t]));
   return frames;
 }
 
@@ -113,11 +116,11 @@ std::vector<Node> members(const std::vector<bool>& marked) {
   return nodes;
 }
 
-}  // namespace
-
-Pruning prune(MotionGraph& graph) {
-  const FrameGraph frames = make_frame_graph(graph);
-  if (frames.onward.empty()) return {};
+/// Of the transitions that count, which ones never lead into a dead end.
+std::vector<bool> without_dead_ends(const MotionGraph& graph, const std::vector<bool>& counts) {
+  const FrameGraph frames = make_frame_graph(graph, counts);
+  std::vector<bool> kept(graph.transitions.size());
+  if (std::ranges::find(counts, true) == counts.end()) return kept;
   const std::vector<bool> core = largest_component(number_components(frames.onward));
   std::vector<bool> leads_in(core.size());
   mark_reachable(reversed(frames.onward), members(core), leads_in);
@@ -125,20 +128,46 @@ Pruning prune(MotionGraph& graph) {
   for (std::size_t c = 0; c < graph.clips.size(); ++c)
     if (graph.clips[c].role == ClipRole::Start)
       mark_reachable(frames.onward, {frames.first[c]}, from_start);
-
-  Pruning pruning;
-  pruning.transitions_dropped = std::erase_if(graph.transitions, [&](const Transition& t) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Transition& t = graph.transitions[i];
     const Node leaves = leaves_at(frames, t), arrives = arrives_at(frames, t);
     const bool to_stop = graph.clips[t.to.clip].role == ClipRole::Stop;
-    return !(core[leaves] && (core[arrives] || to_stop)) &&
-           !(from_start[leaves] && leads_in[arrives]);
-  });
+    kept[i] = counts[i] && ((core[leaves] && (core[arrives] || to_stop)) ||
+                            (from_start[leaves] && leads_in[arrives]));
+  }
+  return kept;
+}
+
+}  // namespace
+
+Pruning prune(MotionGraph& graph) {
+  const std::vector<bool> kept =
+      without_dead_ends(graph, std::vector<bool>(graph.transitions.size(), true));
+  Pruning pruning;
+  std::vector<Transition> transitions;
+  for (std::size_t t = 0; t < kept.size(); ++t)
+    if (kept[t]) transitions.push_back(graph.transitions[t]);
+  pruning.transitions_dropped = kept.size() - transitions.size();
+  graph.transitions = std::move(transitions);
 
   std::vector<bool> used(graph.clips.size());
   for (const Transition& t : graph.transitions) used[t.from.clip] = used[t.to.clip] = true;
   for (std::size_t c = 0; c < used.size(); ++c)
     if (!used[c]) pruning.clips_outside.push_back(c);
   return pruning;
+}
+
+std::vector<std::uint32_t> own_graph(const MotionGraph& graph, const std::string& motion_class) {
+  const auto is_own = [&](const ClipFrame& frame) {
+    return graph.clips[frame.clip].motion_class == motion_class;
+  };
+  std::vector<bool> counts;
+  for (const Transition& t : graph.transitions) counts.push_back(is_own(t.from) && is_own(t.to));
+  const std::vector<bool> kept = without_dead_ends(graph, counts);
+  std::vector<std::uint32_t> own;
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t]) own.push_back(t);
+  return own;
 }
 
 }  // namespace docent

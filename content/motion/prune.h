@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "runtime/model/motion/motion_graph.h"
 
 namespace docent {
@@ -17,5 +21,9 @@ struct Pruning {
 /// A transition of radius L leaves its clip at `from - L` and arrives at `to + L`; between two
 /// transitions a clip is played forward. Clips stay in the graph, used or not.
 Pruning prune(MotionGraph& graph);
+
+/// The transitions that pruning would keep if there were no clips but those of a class: its own
+/// graph, in which a walk never runs into a dead end. Ascending; none where its clips do not meet.
+std::vector<std::uint32_t> own_graph(const MotionGraph& graph, const std::string& motion_class);
 
 }  // namespace docent

@@ -249,10 +249,24 @@ bool keeps(const Foresight& foresight, std::size_t transitions) {
          fits(foresight.ending, room_axis.count);
 }
 
+/// A class's own graph: transitions among its clips, in ascending order.
+bool keeps_own_graph(const MotionGraph& graph, const MotionClass& motion_class) {
+  const std::vector<std::uint32_t>& own = motion_class.transition;
+  const auto joins_own_clips = [&](std::uint32_t t) {
+    if (t >= graph.transitions.size()) return false;
+    const Transition& way = graph.transitions[t];
+    return graph.clips[way.from.clip].motion_class == motion_class.name &&
+           graph.clips[way.to.clip].motion_class == motion_class.name;
+  };
+  return std::ranges::adjacent_find(own, std::ranges::greater_equal{}) == own.end() &&
+         std::ranges::all_of(own, joins_own_clips);
+}
+
 bool keeps_classes(const MotionGraph& graph) {
   const std::vector<MotionClass>& classes = graph.classes;
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (classes[i].coefficient.size() != classes.size() || classes[i].coefficient[i] != 0)
+    if (classes[i].coefficient.size() != classes.size() || classes[i].coefficient[i] != 0 ||
+        !keeps_own_graph(graph, classes[i]))
       return false;
     for (std::size_t j = 0; j < i; ++j) {
       const float coefficient = classes[i].coefficient[j];

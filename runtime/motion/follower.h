@@ -21,7 +21,8 @@ namespace docent {
 /// Follows a track that will be warped: `progress` is effort and the heading error fades over the
 /// distance in which a warp takes it up.
 struct WarpedFollower {
-  static constexpr std::size_t beam_width = 8;
+  static constexpr std::size_t beam_width = 6;
+  static constexpr double same_moment = 0.1;  ///< Seconds within which clips go on alike.
   static constexpr std::size_t slice = warped_slice;
   static constexpr double forgetting = 0.7;  ///< Metres.
   static constexpr double fair_cost = 0.03;  ///< A metre: the heading is off by 10 degrees.
@@ -42,7 +43,7 @@ struct WarpedFollower {
                  std::size_t to) noexcept {
     const double step = clip.effort[to] - clip.effort[from];
     progress += step;
-    const double heading = at_effort(track, progress, hint).placement.heading;
+    const double heading = heading_at_effort(track, progress, hint);
     heading_error += clip.body[to].heading - clip.body[from].heading - (heading - track_heading);
     heading_error *= forgetting / (forgetting + step);
     track_heading = heading;
@@ -61,14 +62,18 @@ struct WarpedFollower {
   static const std::vector<std::uint16_t>& table(const Foresight& foresight) noexcept {
     return foresight.warped;
   }
-  double foreseen(const std::uint16_t* of_bend) const noexcept {
-    return foreseen_warped(of_bend, heading_error);
-  }
+  /// What a table of foresight is asked for.
+  struct Misfit {
+    GridAxis::Place turn;
+    double foreseen(const std::uint16_t* of_bend) const noexcept { return value_at(of_bend, turn); }
+  };
+  Misfit misfit() const noexcept { return {turn_axis.place(heading_error)}; }
 };
 
 /// Follows a track with the clips' own motion: `progress` is metres of path.
 struct RawFollower {
   static constexpr std::size_t beam_width = 20;
+  static constexpr double same_moment = 0;
   static constexpr std::size_t slice = raw_slice;
   static constexpr double side_weight = 6.0;     ///< Square radians per square metre.
   static constexpr double heading_weight = 0.3;  ///< Of square radians.
@@ -85,7 +90,7 @@ struct RawFollower {
   RawFollower(const WalkGraph& graph, const PathTrack& track, const MotionStart& start) noexcept {
     const Placement body = graph.clip[start.frame.clip].body[start.frame.frame];
     lay(compose(start.body, inverse(body)));
-    find_nearest(track, start.body);
+    find_nearest(track, start.body, 0);
   }
 
   /// Lays the clip that a transition leads to onto the floor.
@@ -100,24 +105,17 @@ struct RawFollower {
             clip_to_floor.heading + body.heading};
   }
 
-  void find_nearest(const PathTrack& track, const Placement& body) noexcept {
+  void find_nearest(const PathTrack& track, const Placement& body, double walked) noexcept {
     const auto squared = [&](std::size_t i) {
       const Vec2 away = body.position - track.position[i];
       return dot(away, away);
     };
     const std::size_t end = track.position.size() - 1;
-    // Along a bend the nearest place may be beyond a farther one: first in strides, then in steps.
-    const auto stride = std::max<std::size_t>(static_cast<std::size_t>(0.06 / track.spacing), 1);
     const std::size_t last =
         std::min(at + static_cast<std::size_t>(look_ahead / track.spacing), end);
-    double least = squared(at);
     const std::size_t from = at;
-    for (std::size_t i = at + stride; i <= last; i += stride)
-      if (const double d = squared(i); d <= least) {
-        least = d;
-        at = i;
-      }
-    const std::size_t back = std::max(from, at - std::min(at, stride - 1));
+    at = std::min(at + static_cast<std::size_t>(walked / track.spacing), last);
+    double least = squared(at);
     const auto step = [&](std::size_t to) {
       const double d = squared(to);
       if (d > least) return false;
@@ -129,7 +127,7 @@ struct RawFollower {
       while (at < last && step(at + 1)) {
       }
     else
-      while (at > back && step(at - 1)) {
+      while (at > from && step(at - 1)) {
       }
     progress = track.spacing * static_cast<double>(at);
     const std::size_t before = std::min(at, end - 1);
@@ -141,8 +139,8 @@ struct RawFollower {
 
   double advance(const PathTrack& track, const ClipPath& clip, std::size_t from,
                  std::size_t to) noexcept {
-    find_nearest(track, on_floor(clip.body[to]));
     const double step = clip.effort[to] - clip.effort[from];
+    find_nearest(track, on_floor(clip.body[to]), step);
     return (side_weight * side_error * side_error +
             heading_weight * heading_error * heading_error) *
            step;
@@ -158,18 +156,23 @@ struct RawFollower {
     return glm::distance(on_floor(clip.body[clip.last]).position, track.position.back());
   }
   std::uint32_t likeness() const noexcept {
-    const auto steps = [](double value, double step) {
-      return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(value / step))) &
-             255u;
+    const auto cell = [](double value, double size) {  // rounded; for what is above -128 cells
+      return static_cast<std::uint32_t>(std::max(0.0, value / size + 128.5)) & 255u;
     };
-    return steps(side_error, 0.04) << 8 | steps(heading_error, 0.08);
+    return cell(side_error, 0.04) << 8 | cell(heading_error, 0.08);
   }
 
   static const std::vector<std::uint16_t>& table(const Foresight& foresight) noexcept {
     return foresight.raw;
   }
-  double foreseen(const std::uint16_t* of_bend) const noexcept {
-    return foreseen_raw(of_bend, side_error, heading_error);
+  struct Misfit {
+    GridAxis::Place side, turn;
+    double foreseen(const std::uint16_t* of_bend) const noexcept {
+      return foreseen_raw(of_bend, side, turn);
+    }
+  };
+  Misfit misfit() const noexcept {
+    return {side_axis.place(side_error), turn_axis.place(heading_error)};
   }
 };
 

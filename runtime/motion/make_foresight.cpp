@@ -130,7 +130,7 @@ class BendValues {
     Follower follower(graph_, track_, {at, {Vec2{0, misfit.side}, misfit.turn}});
     double cost = 0, walked = 0;
     walk_from_transition(
-        graph_, graph_.scopes - 1, t,
+        graph_, Choice{graph_.scopes - 1}, t,
         [&](std::size_t from, std::size_t to) {
           cost += follower.advance(track_, clip, from, to);
           walked += clip.effort[to] - clip.effort[from];
@@ -182,7 +182,7 @@ std::vector<std::uint16_t> endings(const WalkGraph& graph) {
     const auto step = [&](std::size_t from, std::size_t to) {
       walked += clip.effort[to] - clip.effort[from];
     };
-    walk_from_transition(graph, graph.scopes - 1, t, step,
+    walk_from_transition(graph, Choice{graph.scopes - 1}, t, step,
                          [&](std::uint32_t next) { passages[t].push_back({next, walked}); });
     if (graph.motion->clips[at.clip].role != ClipRole::Stop || at.frame > clip.last) continue;
     for (std::size_t room = 0; room < room_axis.count; ++room)

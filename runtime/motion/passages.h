@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "runtime/motion/walk_graph.h"
 
@@ -32,11 +33,23 @@ void walk_through(const WalkGraph& graph, std::size_t from, std::size_t to, Step
   }
 }
 
+/// Which transitions are taken: those of a scope that lead to a stand; or of them only those that a
+/// narrower scope does not take.
+struct Choice {
+  static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t scope = 0, beyond = nothing;
+};
+
+inline bool takes(const WalkGraph& graph, const Choice& choice, std::size_t transition) noexcept {
+  return leads_to_stand(graph, transition, choice.scope) &&
+         (choice.beyond == Choice::nothing || !leads_to_stand(graph, transition, choice.beyond));
+}
+
 /// Goes from a frame on through its clip: `step(from, to)` as the frames pass, `leave(transition)`
-/// at the middle of each transition of the scope whose blend begins at `earliest` or later. Returns
-/// the frame that it has come to.
+/// at the middle of each transition that is taken and whose blend begins at `earliest` or later.
+/// Returns the frame that it has come to.
 template <class Step, class Leave>
-std::size_t walk_passages(const WalkGraph& graph, std::uint32_t scope, ClipFrame at,
+std::size_t walk_passages(const WalkGraph& graph, const Choice& choice, ClipFrame at,
                           std::size_t earliest, Step step, Leave leave) {
   const ClipPath& clip = graph.clip[at.clip];
   const auto first = graph.motion->transitions.begin() + clip.first_transition;
@@ -47,23 +60,24 @@ std::size_t walk_passages(const WalkGraph& graph, std::uint32_t scope, ClipFrame
   std::size_t frame = at.frame;
   for (auto way = std::lower_bound(first, last, std::max<std::size_t>(at.frame, earliest), before);
        way != last; ++way) {
-    if (way->from.frame < earliest + way->radius || !leads_to_stand(graph, *way, scope)) continue;
+    const auto transition = static_cast<std::size_t>(way - graph.motion->transitions.begin());
+    if (way->from.frame < earliest + way->radius || !takes(graph, choice, transition)) continue;
     walk_through(graph, frame, way->from.frame, step);
     frame = way->from.frame;
-    leave(static_cast<std::uint32_t>(way - graph.motion->transitions.begin()));
+    leave(static_cast<std::uint32_t>(transition));
   }
   return frame;
 }
 
 template <class Step, class Leave>
-std::size_t walk_from_start(const WalkGraph& graph, std::uint32_t scope, ClipFrame at, Step step,
+std::size_t walk_from_start(const WalkGraph& graph, const Choice& choice, ClipFrame at, Step step,
                             Leave leave) {
-  return walk_passages(graph, scope, at, at.frame, step, leave);
+  return walk_passages(graph, choice, at, at.frame, step, leave);
 }
 
 /// After a transition some plain clip comes first, or less where the clip leaves no room.
 template <class Step, class Leave>
-std::size_t walk_from_transition(const WalkGraph& graph, std::uint32_t scope,
+std::size_t walk_from_transition(const WalkGraph& graph, const Choice& choice,
                                  std::uint32_t transition, Step step, Leave leave) {
   const Transition& came = graph.motion->transitions[transition];
   const std::size_t blended = came.to.frame + came.radius;
@@ -73,8 +87,8 @@ std::size_t walk_from_transition(const WalkGraph& graph, std::uint32_t scope,
     has_left = true;
     leave(next);
   };
-  const std::size_t frame = walk_passages(graph, scope, came.to, blended + rest, step, note);
-  return has_left ? frame : walk_passages(graph, scope, came.to, blended, step, leave);
+  const std::size_t frame = walk_passages(graph, choice, came.to, blended + rest, step, note);
+  return has_left ? frame : walk_passages(graph, choice, came.to, blended, step, leave);
 }
 
 }  // namespace docent

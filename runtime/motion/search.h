@@ -28,9 +28,11 @@ struct MotionStart {
 };
 
 /// Both searches stay within the graph of the class that they begin in, as far as that walks fairly
-/// (walk_graph.h, scopes), and then take in the class that is most like walking, and so on: what it
-/// costs to walk decides how far the motion changes. Where the last scope does not walk fairly
-/// either, its best way is taken.
+/// (walk_graph.h, scopes): what it costs to walk decides how far the motion changes. Where the best
+/// state on the way has cost too much they go back to where it had not, and take in the class that
+/// is most like walking from there to a little beyond, then the next one; of what they know already
+/// only the new transitions are followed. What comes later begins in the first class again. Where
+/// the last scope does not walk fairly either, its best way is taken.
 
 /// The best way along a track that will be warped onto it: at each state only the misfit of
 /// headings counts, and it is forgotten as the warp takes it up, so the search is one of time and

@@ -99,6 +99,18 @@ void rank_classes(WalkGraph& graph) {
       if (order[rank]->name == graph.motion->clips[c].motion_class) graph.clip[c].rank = rank;
 }
 
+void rank_transitions(WalkGraph& graph) {
+  const MotionGraph& motion = *graph.motion;
+  std::vector<bool> is_own(motion.transitions.size());
+  for (const MotionClass& motion_class : motion.classes)
+    for (const std::uint32_t t : motion_class.transition) is_own[t] = true;
+  for (std::size_t t = 0; t < motion.transitions.size(); ++t) {
+    const std::uint32_t from = graph.clip[motion.transitions[t].from.clip].rank,
+                        to = graph.clip[motion.transitions[t].to.clip].rank;
+    graph.narrowest.push_back(from == to && !is_own[t] ? graph.scopes - 1 : std::max(from, to));
+  }
+}
+
 /// Time between two plants of one foot.
 double stride_seconds(const WalkGraph& graph) {
   std::vector<double> strides;
@@ -194,6 +206,7 @@ void measure_ways_to_stand(WalkGraph& graph, std::uint32_t scope) {
       for (std::size_t f = to_stand.size(); f-- > 0;) {
         for (; t > clip.first_transition && transitions[t - 1].from.frame >= f; --t) {
           const Transition& way = transitions[t - 1];
+          if (graph.narrowest[t - 1] > scope) continue;
           best = std::min(best, clip.effort[way.from.frame] +
                                     graph.clip[way.to.clip].to_stand[scope][way.to.frame]);
         }
@@ -203,6 +216,16 @@ void measure_ways_to_stand(WalkGraph& graph, std::uint32_t scope) {
         }
       }
     }
+  }
+}
+
+void measure_ways_after(WalkGraph& graph, std::uint32_t scope) {
+  std::vector<float>& left = graph.left_after.emplace_back();
+  for (std::size_t t = 0; t < graph.narrowest.size(); ++t) {
+    const ClipFrame& to = graph.motion->transitions[t].to;
+    left.push_back(graph.narrowest[t] > scope
+                       ? std::numeric_limits<float>::infinity()
+                       : static_cast<float>(graph.clip[to.clip].to_stand[scope][to.frame]));
   }
 }
 
@@ -216,6 +239,9 @@ bool is_well_formed(const MotionGraph& motion) {
     for (const ClipFrame& end : {t.from, t.to})
       if (end.clip >= motion.clips.size() || end.frame >= frame_count(motion.clips[end.clip]))
         return false;
+  for (const MotionClass& motion_class : motion.classes)
+    for (const std::uint32_t t : motion_class.transition)
+      if (t >= motion.transitions.size()) return false;
   return true;
 }
 
@@ -298,6 +324,7 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
       return cannot_walk("the clips have different frame rates");
   graph.clip.resize(motion.clips.size());
   rank_classes(graph);
+  rank_transitions(graph);
   graph.stride_seconds = stride_seconds(graph);
   for (std::uint32_t c = 0; c < graph.clip.size(); ++c) describe_clip(graph, c);
   if (graph.starts.empty()) return cannot_walk("no clip begins standing and goes on to walk");
@@ -306,7 +333,10 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   std::ranges::stable_sort(graph.starts, {}, rank_of);
   std::ranges::stable_sort(graph.stops, {}, rank_of);
   find_transition_ranges(graph);
-  for (std::uint32_t scope = 0; scope < graph.scopes; ++scope) measure_ways_to_stand(graph, scope);
+  for (std::uint32_t scope = 0; scope < graph.scopes; ++scope) {
+    measure_ways_to_stand(graph, scope);
+    measure_ways_after(graph, scope);
+  }
   std::erase_if(graph.starts, [&](std::uint32_t c) {
     return graph.clip[c].to_stand.back()[graph.clip[c].first] == infinite;
   });

@@ -36,9 +36,10 @@ struct Stand {
 /// A motion graph made ready to walk: made once, shared by all walks. Borrows the motion graph,
 /// which must outlive it. Immutable, so any thread may read it.
 ///
-/// A scope is what a search looks at. Scope 0 is the graph of the class "walk", or of the class
-/// with the most frames where no clip of that walks on. Each next scope adds a class, the most like
-/// the first one of those left (MotionClass::coefficient); the last is the whole graph.
+/// A scope is what a search looks at. Scope 0 is the class "walk"'s own graph, or that of the class
+/// with the most frames where no clip of that walks on. Each next scope adds a class's graph and
+/// what joins it to the others, the most like the first one of those left
+/// (MotionClass::coefficient); the last is the whole graph.
 struct WalkGraph {
   const MotionGraph* motion = nullptr;
   Legs legs;
@@ -47,6 +48,10 @@ struct WalkGraph {
   double speed = 1;             ///< Metres a second of the ordinary walk.
   std::uint32_t scopes = 1;
   std::vector<ClipPath> clip;
+  std::vector<std::uint32_t> narrowest;  ///< Per transition: the smallest scope that takes it.
+  /// Per scope and transition: the least metres to a standing end after it by transitions of the
+  /// scope; infinite where the scope does not take it.
+  std::vector<std::vector<float>> left_after;
   std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing; by rank. Every
                                              ///< start leads to a stand.
   QuickestMotion quickest;                   ///< Of its clips.
@@ -58,10 +63,9 @@ struct WalkGraph {
 };
 
 /// Can a walk take a transition in this scope, and come to a stand after it?
-inline bool leads_to_stand(const WalkGraph& graph, const Transition& way,
+inline bool leads_to_stand(const WalkGraph& graph, std::size_t transition,
                            std::uint32_t scope) noexcept {
-  const double left = graph.clip[way.to.clip].to_stand[scope][way.to.frame];
-  return left != std::numeric_limits<double>::infinity();
+  return graph.left_after[scope][transition] != std::numeric_limits<float>::infinity();
 }
 
 /// Fails with a sentence where the graph cannot walk: no clips, no legs, no start, no stop, clips

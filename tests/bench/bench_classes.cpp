@@ -51,10 +51,11 @@ struct Walker {
   ~Walker() = default;
 
   [[nodiscard]] std::size_t transitions_within(std::uint32_t scope) const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(motion.transitions, [&](const Transition& way) {
-          return graph.clip[way.from.clip].rank <= scope && leads_to_stand(graph, way, scope);
-        }));
+    std::size_t within = 0;
+    for (std::size_t t = 0; t < motion.transitions.size(); ++t)
+      within += graph.clip[motion.transitions[t].from.clip].rank <= scope &&
+                leads_to_stand(graph, t, scope);
+    return within;
   }
 
   const char* name;

@@ -137,7 +137,7 @@ TEST(Info, CountsWhatADatabaseHolds) {
       run_program("docent-content", "info '" + museum.database().string() + "' --json");
 
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.out, HasSubstr(R"("schema_version":5,"floors":1,"exhibits":2)"));
+  EXPECT_THAT(run.out, HasSubstr(R"("schema_version":6,"floors":1,"exhibits":2)"));
   EXPECT_THAT(run.out, HasSubstr(R"("exhibit_ids":["jade-disc","portrait"])"));
   EXPECT_THAT(run.out, HasSubstr(R"("sites":16,)")) << "12 walls and the case's 4 corners";
   EXPECT_THAT(run.out, HasSubstr(R"("skeleton_length":)"));

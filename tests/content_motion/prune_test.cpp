@@ -76,6 +76,25 @@ TEST(Pruning, LeavesNothingOfAGraphWithoutALoopOrAStart) {
   EXPECT_TRUE(graph.transitions.empty());
 }
 
+TEST(OwnGraph, OfAClassHoldsWhatGoesOnWithoutTheOthers) {
+  MotionGraph graph = small_graph();
+  graph.clips[stray].motion_class = "jog";
+  graph.transitions.push_back(passage({stray, 80}, {stray, 20}));  // a jog of its own
+  graph.transitions.push_back(passage({walk, 160}, {walk, 20}));   // joins the dead end to the loop
+
+  EXPECT_EQ(own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2, 3, 7}));
+  EXPECT_EQ(own_graph(graph, "jog"), std::vector<std::uint32_t>{6});
+  EXPECT_TRUE(own_graph(graph, "run").empty());
+}
+
+TEST(OwnGraph, LeavesOutWhatCanOnlyBeLeftByAnotherClass) {
+  MotionGraph graph = small_graph();
+  graph.clips[stray].motion_class = "jog";
+  graph.transitions.push_back(passage({walk, 160}, {stray, 10}));  // the only way on after 150
+
+  EXPECT_EQ(own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(Pruning, OfAnEmptyGraphIsNothing) {
   MotionGraph graph;
 

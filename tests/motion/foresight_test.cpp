@@ -114,7 +114,7 @@ double nearest_stand(std::uint32_t transition, double room, int passages) {
   if (passages == 0 || room < -1) return least;
   double walked = 0;
   walk_from_transition(
-      graph(), 0, transition,
+      graph(), Choice{0}, transition,
       [&](std::size_t from, std::size_t to) { walked += clip.effort[to] - clip.effort[from]; },
       [&](std::uint32_t next) {
         least = std::min(least, nearest_stand(next, room - walked, passages - 1));

@@ -193,6 +193,7 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"classes of motion", [](Museum& m) { m.motion.classes[1].name = "walk"; }},
       {"classes of motion", [](Museum& m) { m.motion.classes[0].coefficient[0] = 1; }},
       {"classes of motion", [](Museum& m) { m.motion.classes[1].coefficient[0] = 2; }},
+      {"classes of motion", [](Museum& m) { m.motion.classes[0].transition = {1'000'000}; }},
       {"classes of motion",
        [](Museum& m) {
          m.motion.classes[0].coefficient[1] = m.motion.classes[1].coefficient[0] = NAN;
@@ -240,6 +241,7 @@ TEST(ContentReader, SaysThatMotionIsDamagedWhichCannotBeDecoded) {
 TEST(ContentReader, SaysThatClassesAreDamagedWhichCannotBeDecoded) {
   for (const char* sql : {"UPDATE motion_class SET coefficient = x'000000'",
                           "UPDATE motion_class SET coefficient = 'none'",
+                          "UPDATE motion_class SET transition = x'000000'",
                           "UPDATE motion_class SET name = x'00' WHERE id = 1"}) {
     const auto museum = read_after(sql);
 

@@ -23,7 +23,7 @@ struct GridAxis {
     double share;  ///< Of the next one.
   };
   Place place(double value) const noexcept {
-    const double at = std::clamp((value - first) / step, 0.0, static_cast<double>(count - 1));
+    const double at = std::clamp((value - first) * (1 / step), 0.0, static_cast<double>(count - 1));
     const auto low = std::min(static_cast<std::size_t>(at), count - 2);
     return {low, at - static_cast<double>(low)};
   }
@@ -53,9 +53,13 @@ struct Foresight {
 
 /// A value of a table's row.
 template <class Number>
+double value_at(const Number* row, const GridAxis::Place& at) noexcept {
+  const auto low = static_cast<double>(row[at.low]);
+  return low + at.share * (static_cast<double>(row[at.low + 1]) - low);
+}
+template <class Number>
 double value_at(const Number* row, const GridAxis& axis, double at) noexcept {
-  const auto [low, share] = axis.place(at);
-  return (1 - share) * static_cast<double>(row[low]) + share * static_cast<double>(row[low + 1]);
+  return value_at(row, axis.place(at));
 }
 /// Costs in square radians times metres, of one transition and one bend.
 template <class Number>
@@ -63,11 +67,15 @@ double foreseen_warped(const Number* slice, double turn) noexcept {
   return value_at(slice, turn_axis, turn);
 }
 template <class Number>
+double foreseen_raw(const Number* slice, const GridAxis::Place& side,
+                    const GridAxis::Place& turn) noexcept {
+  const Number* row = slice + side.low * turn_axis.count;
+  const double low = value_at(row, turn);
+  return low + side.share * (value_at(row + turn_axis.count, turn) - low);
+}
+template <class Number>
 double foreseen_raw(const Number* slice, double side, double turn) noexcept {
-  const auto [low, share] = side_axis.place(side);
-  const Number* row = slice + low * turn_axis.count;
-  return (1 - share) * foreseen_warped(row, turn) +
-         share * foreseen_warped(row + turn_axis.count, turn);
+  return foreseen_raw(slice, side_axis.place(side), turn_axis.place(turn));
 }
 
 }  // namespace docent

@@ -159,6 +159,7 @@ void columns(auto& row, MaybeConst<MotionClip> auto& clip) {
 void columns(auto& row, MaybeConst<MotionClass> auto& motion_class) {
   row("name", motion_class.name);
   row("coefficient", motion_class.coefficient);
+  row("transition", motion_class.transition);
 }
 
 void columns(auto& row, MaybeConst<MotionGraph> auto& graph) {

@@ -187,7 +187,8 @@ CREATE TABLE motion_clip (
 CREATE TABLE motion_class (     -- of the clips, in the order in which they first appear
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL,
-  coefficient BLOB NOT NULL     -- f32, one a class: how unlike its gait is to that class's
+  coefficient BLOB NOT NULL,    -- f32, one a class: how unlike its gait is to that class's
+  transition BLOB NOT NULL      -- u32, ascending: those of the class's own graph
 );
 
 CREATE TABLE motion_graph (     -- one row
