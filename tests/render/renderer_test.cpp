@@ -312,6 +312,29 @@ TEST_F(Rendering, DrawsEightGuidesAndFortyVisitorsWhereverTheyStand) {
   }
 }
 
+TEST_F(Rendering, ShowsWhatLooksOutFromBehindAPanelAsIfThereWereNone) {
+  DrawList list = view_of_hall(small);
+  for (int i = 0; i < 10; ++i) add_guide(list, {1.0 + i * 1.1, 0.8 + 0.7 * i});
+  const Pixels open_view = drawn(list);
+  Quad panel;
+  panel.colour = {0, 0, 0, 1};
+
+  for (const float width : {0.2F, 0.37F, 0.5F, 0.63F, 1.0F}) {
+    panel.rect = {0, 0, width, 1};
+    list.quads.assign(1, panel);
+    const Pixels covered = drawn(list);
+    int most = 0;  // the shadows' places in their atlas may be others: rounding
+    for (std::uint32_t y = 0; y < covered.height; ++y)
+      for (auto x = static_cast<std::uint32_t>(width * static_cast<float>(covered.width)) + 1;
+           x < covered.width; ++x) {
+        const Rgb now = pixel(covered, x, y), before = pixel(open_view, x, y);
+        most = std::max({most, std::abs(now.r - before.r), std::abs(now.g - before.g),
+                         std::abs(now.b - before.b)});
+      }
+    EXPECT_LE(most, 1) << "a panel of " << width;
+  }
+}
+
 TEST_F(Rendering, FadesFarGalleriesTowardsPaper) {
   DrawList list = view_of_hall(small);
   const auto [x, y] = pixel_of(list.camera, to_world({11, 2}), small);
