@@ -20,6 +20,7 @@ constexpr std::size_t most_contacts = 80;
 constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
 constexpr double touching = 0.01;       ///< Metres of the body that may be in a wall unremarked.
 constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
+constexpr float reach_up = 0.3F;        ///< Of a millimetre upwards, what it counts to the side.
 constexpr float told_for = 8;           ///< Seconds.
 constexpr float strays_columns = 1.5F;  ///< A territory that far from its card draws it along.
 
@@ -140,6 +141,7 @@ void Guide::touch(const InputEvent& event) noexcept {
     case InputEvent::Kind::KeyUp:
       return;
     case InputEvent::Kind::KeyDown:
+      if (tours_[speaker_].is_vacant()) territory_[speaker_] = middle_of_card(speaker_);
       tours_[speaker_].press_key(event.key);
       return tell_each_other();
     case InputEvent::Kind::Down:
@@ -155,7 +157,7 @@ void Guide::touch(const InputEvent& event) noexcept {
   if (event.kind == InputEvent::Kind::Up) held_.erase(held);
   const bool meant = tours_[finger.visitor].touch(event, tours_[finger.surface].overlay());
   // Perhaps somebody who found no seat.
-  if (!meant && state().glass == Glass::Full) told_seconds_ = told_for;
+  if (!meant && finger.surface == 0 && state().glass == Glass::Full) told_seconds_ = told_for;
   tell_each_other();
 }
 
@@ -191,14 +193,15 @@ void Guide::put_down(const InputEvent& event) noexcept {
 std::size_t Guide::visitor_at(ScreenPoint at) const noexcept {
   if (at.y >= strip_of(settings_.shape).y) return seat_at(at.x);
   std::size_t nearest = 0;
-  float distance = arms_reach;
+  const std::size_t vacant = vacant_seat_near(at.x);
+  float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres()) : arms_reach;
   for (std::size_t part = 1; part < tours_.size(); ++part) {
     const float mm = millimetres(territory_[part], at);
     if (tours_[part].is_vacant() || mm > distance) continue;
     distance = mm;
     nearest = part;
   }
-  return nearest > 0 ? nearest : vacant_seat_near(at.x);
+  return nearest > 0 ? nearest : vacant;
 }
 
 std::size_t Guide::seat_at(float x) const noexcept {
@@ -220,10 +223,23 @@ std::size_t Guide::vacant_seat_near(float x) const noexcept {
   return nearest;
 }
 
+/// Who stands before a glass reaches up further than to the side.
 float Guide::millimetres(ScreenPoint a, ScreenPoint b) const noexcept {
   const float across = (a.x - b.x) * static_cast<float>(settings_.shape.width);
   const float down = (a.y - b.y) * static_cast<float>(settings_.shape.height);
-  return std::hypot(across, down) / measures_of(settings_.shape).mm;
+  return std::hypot(across, reach_up * down) / measures_of(settings_.shape).mm;
+}
+
+float Guide::column_millimetres() const noexcept {
+  return static_cast<float>(settings_.shape.width) / static_cast<float>(seats()) /
+         measures_of(settings_.shape).mm;
+}
+
+ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
+  if (part == 0) return {0.5F, 0.5F};
+  const Rect card = card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
+                            static_cast<std::uint32_t>(tours_[part].state().seat));
+  return {card.x + card.width / 2, card.y + card.height / 2};
 }
 
 /// The card of a visitor who has gone on along the glass comes after them, if there is a seat.
@@ -254,10 +270,10 @@ void Guide::tell_each_other() noexcept {
     taken = static_cast<std::uint8_t>(taken | 1U << i);
   const Glass glass = there == 0 ? Glass::Quiet : Glass::Busy;
   for (Tour& tour : seated) {
+    // Only to whom it matters: a card that changes is laid out anew.
     InterfaceState state = tour.state();
-    state.glass = glass;
-    state.taken = taken;
-    if (tour.guide()) state.taken = static_cast<std::uint8_t>(taken & ~(1U << *tour.guide()));
+    state.glass = tour.is_vacant() ? glass : Glass::Busy;
+    state.taken = tour.guide() ? 0 : taken;
     tour.show(state);
   }
   const bool is_full = there == static_cast<std::ptrdiff_t>(seated.size());

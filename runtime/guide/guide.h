@@ -116,6 +116,8 @@ class Guide {
   std::size_t seat_at(float x) const noexcept;
   std::size_t vacant_seat_near(float x) const noexcept;
   float millimetres(ScreenPoint a, ScreenPoint b) const noexcept;
+  float column_millimetres() const noexcept;
+  ScreenPoint middle_of_card(std::size_t part) const noexcept;
   void follow_territory(std::size_t part) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;

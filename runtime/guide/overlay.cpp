@@ -57,13 +57,24 @@ void note_what_stays(View& leaving, View& entering) noexcept {
   }
 }
 
+/// The control of `to` that is what that one of `from` was, for the finger that holds it.
+std::int32_t twin_of(std::int32_t control, const View& from, const View& to) noexcept {
+  if (control < 0) return -1;
+  const Control& old = from.controls[static_cast<std::size_t>(control)];
+  const auto twin = std::ranges::find_if(to.controls, [&](const Control& c) {
+    return c.enabled && c.role == old.role && c.name == old.name;
+  });
+  return twin == to.controls.end() ? -1 : static_cast<std::int32_t>(twin - to.controls.begin());
+}
+
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<View> view) noexcept {
   if (view_) note_what_stays(*view_, *view);
   leaving_ = std::exchange(view_, std::move(view));
   age_ = leaving_ ? 0 : fade_seconds;
-  for (Press& press : presses_) press.control = -1;
+  for (Press& press : presses_)
+    press.control = leaving_ ? twin_of(press.control, *leaving_, *view_) : -1;
   if (focus_ >= static_cast<std::int32_t>(view_->controls.size())) focus_ = -1;
   if (leaving_ && leaving_->state.screen != view_->state.screen && focus_ >= 0) {
     focus_ = -1;

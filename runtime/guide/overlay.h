@@ -45,6 +45,7 @@ class Overlay {
  private:
   static constexpr float fade_seconds = 0.26F;
   static constexpr float ring_seconds = 0.45F;
+  static constexpr std::size_t most_presses = 40;  ///< All hands at a shared glass.
 
   struct Ring {
     float x = 0, y = 0, age = ring_seconds;
@@ -66,8 +67,8 @@ class Overlay {
   std::unique_ptr<View> view_, leaving_;
   float age_ = 1;  ///< Seconds since view_ was entered.
   std::int32_t focus_ = -1;
-  std::array<Ring, GestureRecogniser::most_fingers> rings_{};
-  std::array<Press, GestureRecogniser::most_fingers> presses_{};
+  std::array<Ring, most_presses> rings_{};
+  std::array<Press, most_presses> presses_{};
   std::size_t next_ring_ = 0;
 };
 

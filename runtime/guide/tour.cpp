@@ -1,7 +1,6 @@
 #include "runtime/guide/tour.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 namespace docent {
@@ -9,12 +8,25 @@ namespace {
 
 constexpr double at_home = 0.3;      ///< Metres from its place that still count as home.
 constexpr float undecided_for = 20;  ///< Seconds that a seat is kept for who picks no guide.
+constexpr float left_for = 0.4F;     ///< Seconds in which a touch is still of who has just left.
+/// On a card a flick is shorter than on the whole glass: this share of its column.
+constexpr float flick_share = 0.3F;
+
+GestureRecogniser recogniser_for(const InterfaceState& state) noexcept {
+  return state.seat < 0 ? GestureRecogniser()
+                        : GestureRecogniser(flick_share / static_cast<float>(state.seats));
+}
 
 }  // namespace
 
 Tour::Tour(const House& house, std::uint32_t part, const InterfaceState& state,
            std::optional<std::uint32_t> guide)
-    : house_(house), part_(part), state_(state), vacant_(state), guide_(guide) {
+    : house_(house),
+      part_(part),
+      state_(state),
+      vacant_(state),
+      guide_(guide),
+      gestures_(recogniser_for(state)) {
   request_view();
 }
 
@@ -25,7 +37,8 @@ bool Tour::shows_its_state() const noexcept {
 bool Tour::is_out() const noexcept {
   const Avatar& avatar = companion().avatar;
   const Vec2 off = avatar.body.position - house_.homes[*guide_].position;
-  return dot(off, off) > at_home * at_home || !stands(avatar);
+  return dot(off, off) > at_home * at_home || !stands(avatar) ||
+         (companion().goal && !companion().has_arrived);
 }
 
 double Tour::remaining() const noexcept {
@@ -37,7 +50,8 @@ double Tour::remaining() const noexcept {
 // What the visitor does.
 
 bool Tour::touch(const InputEvent& event, Overlay& surface) noexcept {
-  idle_seconds_ = 0;
+  // What lies on the glass and trembles is nobody.
+  if (event.kind != InputEvent::Kind::Move) idle_seconds_ = 0;
   const std::optional<Gesture> gesture = gestures_.take(event);
   if (event.kind == InputEvent::Kind::Down) {
     overlay_.clear_focus();
@@ -50,7 +64,11 @@ bool Tour::press(const Gesture& gesture, Overlay& surface) noexcept {
   const std::int32_t control = surface.touch_up(gesture.finger);
   const View* shown = surface.view();
   if (shown == nullptr) return true;
-  if (gesture.kind != Gesture::Kind::Release && state_.screen == Screen::Choosing)
+  if (state_.seat >= 0 && is_vacant() &&
+      (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
+    return true;
+  const bool on_own = &surface == &overlay_;
+  if (gesture.kind != Gesture::Kind::Release && on_own && state_.screen == Screen::Choosing)
     swipe(gesture.kind == Gesture::Kind::SwipeLeft);
   else if (control >= 0)
     act(shown->controls[static_cast<std::size_t>(control)].action);
@@ -99,11 +117,12 @@ void Tour::press_key(Key key) noexcept {
 
 void Tour::act(Action action) noexcept {
   const InterfaceState before = state_;
-  if (action.kind == Action::Kind::Choose) pick_any();
   show(after(state_, action));
   switch (action.kind) {
     case Action::Kind::Pick:
-      if (state_.look == static_cast<int>(action.argument)) guide_ = action.argument;
+      if (state_.look != static_cast<int>(action.argument)) break;
+      guide_ = action.argument;
+      set_out();  // where they have touched an exhibit first
       break;
     case Action::Kind::Choose:
       set_out();
@@ -122,17 +141,10 @@ void Tour::act(Action action) noexcept {
   }
 }
 
-/// Who chooses an exhibit without having picked a guide gets the first that is free.
-void Tour::pick_any() noexcept {
-  if (guide_) return;
-  const auto free = static_cast<std::uint32_t>(std::countr_one(state_.taken));
-  if (free < house_.homes.size()) act({Action::Kind::Pick, free});
-}
-
 /// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
 void Tour::set_out() noexcept {
   const Errand errand{Errand::Kind::ToExhibit, state_.exhibit, state_.kind};
-  if (state_.arrived || errand.exhibit < 0) return;
+  if (!guide_ || state_.arrived || errand.exhibit < 0) return;
   if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
       errand_.route == errand.route)
     return;
@@ -166,6 +178,7 @@ void Tour::go_home() noexcept {
   guide_.reset();
   errand_ = {};
   trip_.reset();
+  vacant_seconds_ = 0;
 }
 
 void Tour::show(const InterfaceState& state) noexcept {
@@ -203,6 +216,7 @@ void Tour::step(float seconds, float absent_after) noexcept {
   take_way();
   notice_arrival();
   notice_absence(seconds, absent_after);
+  vacant_seconds_ += seconds;
   gestures_.advance(seconds);
   overlay_.advance(seconds);
 }

@@ -73,7 +73,6 @@ class Tour {
  private:
   bool press(const Gesture& gesture, Overlay& surface) noexcept;
   void swipe(bool left) noexcept;
-  void pick_any() noexcept;
   void set_out() noexcept;
   void order(const Errand& errand) noexcept;
   void go_home() noexcept;
@@ -92,7 +91,8 @@ class Tour {
   std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
   GestureRecogniser gestures_;
   Overlay overlay_;
-  float idle_seconds_ = 0;  ///< Since they last touched anything.
+  float idle_seconds_ = 0;       ///< Since they last touched anything.
+  float vacant_seconds_ = 1e9F;  ///< Since the last visitor left the seat.
   std::uint64_t last_request_ = 0, routes_ = 0;
   bool awaiting_view_ = false;
 };

@@ -6,11 +6,10 @@
 namespace docent {
 namespace {
 
-/// A flick covers this share of the glass sideways, within this time, mostly sideways.
-constexpr float flick_distance = 0.08F;
+/// A flick ends within this time, and goes mostly sideways.
 constexpr float flick_seconds = 0.6F;
 
-Gesture::Kind meaning_of(const Finger& finger) noexcept {
+Gesture::Kind meaning_of(const Finger& finger, float flick_distance) noexcept {
   const float across = finger.at.x - finger.start.x, down = finger.at.y - finger.start.y;
   const bool flicked = finger.seconds <= flick_seconds && std::abs(across) >= flick_distance &&
                        std::abs(across) > 2 * std::abs(down);
@@ -39,7 +38,7 @@ std::optional<Gesture> GestureRecogniser::take(const InputEvent& event) noexcept
       break;
     case InputEvent::Kind::Up: {
       if (finger == nullptr) break;
-      const Gesture gesture{meaning_of(*finger), *finger};
+      const Gesture gesture{meaning_of(*finger, flick_distance_), *finger};
       *finger = fingers_[--count_];
       return gesture;
     }

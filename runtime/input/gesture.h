@@ -33,6 +33,10 @@ class GestureRecogniser {
   /// A finger more than these is not followed.
   static constexpr std::size_t most_fingers = 10;
 
+  /// A flick goes at least that share of the glass sideways.
+  explicit GestureRecogniser(float flick_distance = 0.08F) noexcept
+      : flick_distance_(flick_distance) {}
+
   /// Takes an event of the glass; the gesture that it ended, if any. Keys and contacts that never
   /// came down are passed over.
   std::optional<Gesture> take(const InputEvent& event) noexcept;
@@ -43,6 +47,7 @@ class GestureRecogniser {
  private:
   Finger* find(std::uint32_t id) noexcept;
 
+  float flick_distance_;
   std::array<Finger, most_fingers> fingers_{};
   std::size_t count_ = 0;
 };

@@ -113,6 +113,7 @@ class Kiosk {
   void take_input() noexcept;
   void make_frame(Seconds passed) noexcept;
   bool is_seen() const noexcept;
+  void tell_seats();
   Result<void> frame();
   Result<void> record();
   void take_up_content();
@@ -157,10 +158,21 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
     if (!recorder) return std::unexpected(recorder.error());
     recorder_ = std::move(*recorder);
   }
+  tell_seats();
   upload(*exhibition_, renderer_);
   renderer_.warm_up(target_of(edges_));
   prepare_allocator_for(Phase::Frames);
   return {};
+}
+
+/// Fewer can be served than was asked for: somebody will wonder why.
+void Kiosk::tell_seats() {
+  const std::size_t seats = guide().seats();
+  if (seats >= static_cast<std::size_t>(config_.visitors)) return;
+  fmt::print(stderr,
+             "docent: {} of {} visitors can use the glass at the same time: it has room for no "
+             "more cards, or the floor about the kiosk for no more guides\n",
+             seats, config_.visitors);
 }
 
 bool Kiosk::is_over() const noexcept {
@@ -303,6 +315,7 @@ void Kiosk::take_up_content() {
   release(*exhibition_, renderer_);
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
+  tell_seats();
   upload(*exhibition_, renderer_);
   prepare_allocator_for(Phase::Frames);
   view_ = 0;

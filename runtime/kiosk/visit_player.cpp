@@ -75,17 +75,21 @@ void VisitPlayer::tap(float x, float y, double time, Guide& guide) {
 Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
   if (named_.empty() || !lifts_.empty()) return {};
   const VisitCommand& wanted = named_.front();
+  if (wanted.seat > guide.seats())
+    return std::unexpected(
+        Error{Errc::InvalidInput, fmt::format("line {}: this glass has {} seats, and no seat {}",
+                                              wanted.line, guide.seats(), wanted.seat)});
   const std::size_t part = guide.part_of(wanted.seat);
   if (!guide.shows_its_state(part)) return {};
-  const std::vector<Control> touches = touches_to(
-      guide.museum(), guide.state(part), exhibits_per_page(guide.shape(), guide.state(part)),
-      wanted.name, part == 0 ? most_touches : most_touches_at_seat);
+  const InterfaceState& state = guide.state(part);
+  const std::size_t most = part == 0 ? most_touches : most_touches_at_seat;
+  const std::vector<Control> touches =
+      touches_to(guide.museum(), state, exhibits_per_page(guide.shape(), state), wanted.name, most);
   if (touches.empty())
     return std::unexpected(
         Error{Errc::InvalidInput,
-              fmt::format("line {}: no visitor could touch '@{}' within three touches "
-                          "from here",
-                          wanted.line, wanted.name)});
+              fmt::format("line {}: no visitor could touch '@{}' within {} touches from here",
+                          wanted.line, wanted.name, most)});
   const Control* control = on_screen(*guide.view(part), touches.front());
   // Spots stand still only when the camera does.
   if (control == nullptr || (control->role == Role::Spot && !guide.is_settled(part))) return {};

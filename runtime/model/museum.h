@@ -31,7 +31,7 @@ struct Language {
 
 /// Strolling visitors: they walk about on the kiosk's floor and look at what they like.
 struct Ambient {
-  static constexpr std::uint32_t most = 200;
+  static constexpr std::uint32_t most = 56;    ///< With eight guides, as many as are drawn.
   static constexpr double longest_look = 600;  ///< Seconds.
 
   std::uint32_t count = 0;  ///< At most `most`. A quiet museum has none.

@@ -17,14 +17,17 @@ namespace {
 constexpr float card_margin = 2;  // units
 constexpr float row_units = 8;    // height of a row of the list
 constexpr float heading_units = 5;
+constexpr float least_invitation = 10;  // units for where the way leads
+constexpr float taken_opacity = 0.18F;  // of a guide whom somebody else has
 
 float height_of_row(const Measures& m) noexcept {
   return std::round(std::max(m.touch, row_units * m.unit));
 }
 
 /// A guide's coat with its pattern; `box` is what the pattern may cover.
-void draw_pattern(Sheet& sheet, const Look& look, const Box& box, std::int32_t control) {
-  const Colour second = srgb(look.second);
+void draw_pattern(Sheet& sheet, const Look& look, const Box& box, float opacity,
+                  std::int32_t control) {
+  const Colour second = srgb(look.second, opacity);
   const float w = box.width, h = box.height;
   const auto patch = [&](float x, float y, float width, float height, float corner) {
     sheet.fill({box.x + x * w, box.y + y * h, width * w, height * h}, second, corner, control);
@@ -63,7 +66,8 @@ void draw_pattern(Sheet& sheet, const Look& look, const Box& box, std::int32_t c
 
 /// A guide as large as the box allows, standing on its lower edge. Lengths are shares of a guide of
 /// ordinary height.
-void draw_figure(Sheet& sheet, const Look& look, const Box& box, std::int32_t control) {
+void draw_figure(Sheet& sheet, const Look& look, const Box& box, float opacity,
+                 std::int32_t control) {
   constexpr float tallest = 1.07F, widest = 0.44F;
   const float h = std::min(box.height / tallest, box.width / widest);
   const float middle = box.x + box.width / 2, floor = box.bottom();
@@ -75,19 +79,20 @@ void draw_figure(Sheet& sheet, const Look& look, const Box& box, std::int32_t co
   };
   const float wide = 0.34F * look.shoulders, leg = 0.115F * look.hips;
   for (const float side : {-0.52F, 0.52F}) {
-    part(side * leg, 0, 0.06F, leg, srgb(look.shoes), 0.02F);
-    part(side * leg, 0.04F, 0.45F, 0.95F * leg, srgb(look.trousers), 0.02F);
+    part(side * leg, 0, 0.06F, leg, srgb(look.shoes, opacity), 0.02F);
+    part(side * leg, 0.04F, 0.45F, 0.95F * leg, srgb(look.trousers, opacity), 0.02F);
   }
   const float hair = 0.1F + look.hair_volume, head = 0.88F;
-  part(0, head - hair + 0.015F, head + hair + 0.015F, 2 * hair, srgb(look.hair), hair);
-  if (look.hair_length > 0) part(0, head - look.hair_length, head, 0.2F, srgb(look.hair), 0.06F);
-  const Box coat = part(0, 0.34F, 0.79F, wide, srgb(look.coat), 0.09F);
+  part(0, head - hair + 0.015F, head + hair + 0.015F, 2 * hair, srgb(look.hair, opacity), hair);
+  if (look.hair_length > 0)
+    part(0, head - look.hair_length, head, 0.2F, srgb(look.hair, opacity), 0.06F);
+  const Box coat = part(0, 0.34F, 0.79F, wide, srgb(look.coat, opacity), 0.09F);
   const float inset = 0.045F * h;
   draw_pattern(sheet, look,
                {coat.x + inset, coat.y + inset, coat.width - 2 * inset, coat.height - 2 * inset},
-               control);
-  part(0, 0.74F, 0.82F, 0.09F, srgb(look.shirt), 0.03F);
-  part(0, head - 0.085F, head + 0.085F, 0.17F, srgb(look.skin), 0.085F);
+               opacity, control);
+  part(0, 0.74F, 0.82F, 0.09F, srgb(look.shirt, opacity), 0.03F);
+  part(0, head - 0.085F, head + 0.085F, 0.17F, srgb(look.skin, opacity), 0.085F);
 }
 
 /// A band in the guide's colour along the card's upper edge: whose card it is.
@@ -155,15 +160,15 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
                    top + static_cast<float>(row) * (height + gap), width, height};
     sheet.place(control, cell);
     const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-    if (!it.enabled) continue;  // somebody else has that guide
-    sheet.fill(cell, sheet.theme().plaster, m.corner, control);
+    if (it.enabled) sheet.fill(cell, sheet.theme().plaster, m.corner, control);
     TextStyle style = sheet.style(Letters::Small);
     const float pad = std::round(0.4F * m.unit);
     const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell.width - 2 * pad);
     const float words = std::ceil(style.size * style.line_height);
     draw_figure(sheet, looks[i],
                 {cell.x + pad, cell.y + pad, cell.width - 2 * pad, cell.height - 2 * pad - words},
-                control);
+                it.enabled ? 1 : taken_opacity, control);
+    if (!it.enabled) continue;
     sheet.piece(name, cell.x, cell.bottom() - pad - (words + name.height) / 2, cell.width,
                 Align::Centre, sheet.theme().ink, control);
   }
@@ -202,17 +207,22 @@ void lay_out_list(Sheet& sheet, const Box& content) {
     y += row + gap;
   }
   constexpr std::array<std::string_view, 4> buttons{"page:previous", "page:next", "back", "home"};
-  draw_buttons(sheet, content, buttons);
+  const float bottom = draw_buttons(sheet, content, buttons) - gap;
+  draw_languages(sheet, {content.x, bottom - m.touch, content.width, m.touch});
 }
 
 void lay_out_walk(Sheet& sheet, const Box& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit);
   constexpr std::array<std::string_view, 2> buttons{"stop", "choose"};
-  const float height = 3 * m.touch + 2 * gap;
-  const float routes = draw_buttons(sheet, content, buttons) - m.gap - height;
-  draw_routes(sheet, {content.x, routes, content.width, height}, Along::NarrowColumn);
-  const float y = draw_invitation(sheet, content, Letters::Lead);
+  const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
+  const float column = 3 * m.touch + 2 * gap;
+  const bool in_a_row = bottom - column - content.y < least_invitation * m.unit;
+  const float height = in_a_row ? m.touch : column, routes = bottom - height;
+  draw_routes(sheet, {content.x, routes, content.width, height},
+              in_a_row ? Along::Row : Along::NarrowColumn);
+  const float y = draw_invitation(
+      sheet, {content.x, content.y, content.width, routes - gap - content.y}, Letters::Lead);
   const float room = routes - m.gap - y;
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && room > 8 * m.unit)
     sheet.whole_image({content.x, y, content.width, room}, exhibit->image, m.corner);
@@ -242,7 +252,7 @@ void draw_guides(Sheet& sheet, const Box& box) {
   for (std::size_t i = 0; i < guide_look_count; ++i)
     draw_figure(sheet, looks[i],
                 {box.x + (static_cast<float>(i) + 0.08F) * width, box.y, 0.84F * width, box.height},
-                -1);
+                1, -1);
 }
 
 /// Words on a slip of paper in the middle of `box`.
@@ -255,23 +265,11 @@ void draw_slip(Sheet& sheet, const TextPiece& words, const Box& box) {
   sheet.piece(words, slip.x, slip.y + m.gap, slip.width, Align::Centre, sheet.theme().ink);
 }
 
-}  // namespace
-
-std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
-  const Measures m = measures_of(shape);
-  const float height =
-      card_of(shape, std::max(seats, 1U), 0).height * static_cast<float>(shape.height);
-  const float gap = std::round(m.unit / 2);
-  const float room = height - 2 * std::round(card_margin * m.unit) -
-                     std::round(heading_units * m.unit) - m.touch - m.gap;
-  return static_cast<std::uint32_t>(
-      std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
-}
-
-void lay_out_seat(Sheet& sheet, const Box& card) {
+/// The card with letters of that share of their size.
+void lay_out_card(Sheet& sheet, const Box& card, float letters) {
   const InterfaceState& state = sheet.request().state;
   const Measures& m = sheet.measures();
-  sheet.lie_on(card);
+  sheet.lie_on(card, letters);
   if (state.screen == Screen::Welcome) return lay_out_vacant(sheet, card);
   sheet.shadow(card, 2 * m.unit, 0.16F);
   sheet.fill(card, sheet.theme().paper, m.corner);
@@ -287,6 +285,28 @@ void lay_out_seat(Sheet& sheet, const Box& card) {
       return lay_out_walk(sheet, content);
     case Screen::Arrived:
       return lay_out_visit(sheet, content);
+  }
+}
+
+}  // namespace
+
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
+  const Measures m = measures_of(shape);
+  const float height =
+      card_of(shape, std::max(seats, 1U), 0).height * static_cast<float>(shape.height);
+  const float gap = std::round(m.unit / 2);
+  const float room = height - 2 * std::round(card_margin * m.unit) -
+                     std::round(heading_units * m.unit) - 2 * m.touch - m.gap - gap;
+  return static_cast<std::uint32_t>(
+      std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
+}
+
+void lay_out_seat(Sheet& sheet, const Box& card) {
+  // On a small glass, or in large letters, a card has little room: what does not fit is set
+  // smaller.
+  for (const float letters : {1.0F, 0.85F, 0.7F, 0.55F, 0.4F}) {
+    lay_out_card(sheet, card, letters);
+    if (!sheet.is_crowded()) return;
   }
 }
 

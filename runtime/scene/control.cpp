@@ -110,6 +110,7 @@ void add_seat_controls(const Museum& museum, const InterfaceState& state, std::u
                              {Action::Kind::Return}));
       else
         out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      add_languages(museum, state, out);
       return;
     case Screen::Walking:
       add_routes(museum, state, out);
@@ -195,7 +196,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Pick:
       if ((state.taken >> action.argument & 1U) != 0) break;
       state.look = static_cast<std::int8_t>(action.argument);
-      state.screen = Screen::Choosing;
+      state.screen = state.exhibit >= 0 ? Screen::Walking : Screen::Choosing;
       state.page = 0;
       break;
     case Action::Kind::ShowExhibits:
@@ -205,6 +206,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Choose:
       state.arrived = state.arrived && state.exhibit == static_cast<std::int32_t>(action.argument);
       state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      if (state.seat >= 0 && state.look < 0) state.screen = Screen::Picking;
       state.exhibit = static_cast<std::int32_t>(action.argument);
       break;
     case Action::Kind::TurnPage:

@@ -72,8 +72,8 @@ void PieceCache::note_what_shows(std::uint32_t part) {
   const auto rest = static_cast<std::uint16_t>(~bit);
   for (auto& [key, entry] : entries_) {
     auto& shown = entry.shown_by;
-    shown[2] = static_cast<std::uint16_t>((shown[2] & rest) | (shown[1] & bit));
-    shown[1] = static_cast<std::uint16_t>((shown[1] & rest) | (shown[0] & bit));
+    for (std::size_t i = shown.size(); --i > 0;)
+      shown[i] = static_cast<std::uint16_t>((shown[i] & rest) | (shown[i - 1] & bit));
     shown[0] = static_cast<std::uint16_t>((shown[0] & rest) | (entry.used == view_ ? bit : 0));
   }
 }
@@ -81,8 +81,9 @@ void PieceCache::note_what_shows(std::uint32_t part) {
 void PieceCache::retire_unused() {
   if (bytes_ <= budget_) return;
   for (auto entry = entries_.begin(); entry != entries_.end();) {
-    const auto& shown = entry->second.shown_by;
-    if (entry->second.used + kept_views > view_ || (shown[0] | shown[1] | shown[2]) != 0) {
+    const bool is_shown =
+        std::ranges::any_of(entry->second.shown_by, [](std::uint16_t parts) { return parts != 0; });
+    if (entry->second.used + kept_views > view_ || is_shown) {
       ++entry;
       continue;
     }

@@ -53,17 +53,24 @@ float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
   if (exhibit == nullptr) return box.y;
-  float y = sheet.text(Letters::Body, sheet.word("follow"), box.x, box.y, box.width,
-                       sheet.theme().quiet_ink);
-  y = sheet.text(title, sheet.local(exhibit->title), box.x, y, box.width, sheet.theme().ink, 2) +
-      m.unit;
-
   TextStyle style = sheet.style(Letters::Lead);
   style.tabular = true;
+  const float line = std::ceil(style.size * style.line_height);
+  const TextPiece follow =
+      sheet.fitted(sheet.style(Letters::Body), sheet.word("follow"), box.width);
+  TextPiece name = sheet.fitted(sheet.style(title, 2), sheet.local(exhibit->title), box.width);
+  // Where there is little room, the name is said, and on one line.
+  const bool tight = follow.height + name.height + m.unit + line > box.height;
+  if (tight && name.height + m.unit + line > box.height)
+    name = sheet.fitted(sheet.style(title), sheet.local(exhibit->title), box.width);
+  float y = box.y;
+  if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
+  y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
+
   const std::optional<Trip>& trip = sheet.request().trip;
   if (trip && trip->status == RouteStatus::Ok) {
     prepare_remaining(sheet, style, *trip, box.x, y, box.width);
-    return y + std::ceil(style.size * style.line_height) + m.gap;
+    return y + line + m.gap;
   }
   return sheet.text(Letters::Body, sheet.word(trip ? "no_way" : "planning"), box.x, y, box.width,
                     sheet.theme().quiet_ink, 3) +

@@ -14,7 +14,7 @@ constexpr float most_height = 0.42F;               // of the strip, as a share o
 
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept {
   const Measures m = measures_of(shape);
-  const float least = std::max(least_mm * m.mm, least_units * m.unit);
+  const float least = std::max(least_mm * m.mm, least_units * m.unit) * shape.text_scale;
   const auto room = static_cast<std::uint32_t>(static_cast<float>(shape.width) / least);
   return std::clamp(wanted, 1U, std::clamp(room, 1U, most_seats));
 }

@@ -8,8 +8,8 @@ namespace docent {
 /// How many visitors at most use a glass at the same time.
 inline constexpr std::uint32_t most_seats = 8;
 
-/// How many seats a glass has room for, of those wanted: each is at least 100 mm wide. 1: it is one
-/// visitor's.
+/// How many seats a glass has room for, of those wanted: each is at least 100 mm wide, and wider
+/// where letters are larger. 1: it is one visitor's.
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept;
 
 /// The lower edge of a shared glass, where the seats are; a share of the screen. The model keeps

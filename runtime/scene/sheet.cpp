@@ -82,7 +82,7 @@ TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept 
   style.family = serif ? Family::Serif : Family::Sans;
   style.weight = letters == Letters::Label ? 500 : 400;
   style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
-                          optical_scale(language) * request_.shape.text_scale);
+                          optical_scale(language) * request_.shape.text_scale * letters_);
   style.line_height = serif ? 1.2F : 1.4F;
   if (right_to_left_) style.line_height = serif ? 1.45F : 1.7F;
   style.max_lines = max_lines;
@@ -206,8 +206,26 @@ void Sheet::draw_panel(const Box& box) {
   for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
 }
 
-void Sheet::lie_on(const Box& card) {
+void Sheet::lie_on(const Box& card, float letters) {
   turned_ = view_.panel = share_of(card);
+  letters_ = letters;
+  view_.elements.clear();
+  view_.remaining.clear();
+}
+
+bool Sheet::is_crowded() const {
+  std::vector<Rect> texts;
+  for (const Element& element : view_.elements)
+    if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+  if (!view_.remaining.empty()) texts.push_back(view_.remaining.back().quad.rect);
+  const auto overlap = [](const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+           b.y < a.y + a.height;
+  };
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(texts[i], texts[j])) return true;
+  return false;
 }
 
 void Sheet::finish() {

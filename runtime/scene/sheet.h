@@ -75,8 +75,11 @@ class Sheet {
   Rect share_of(const Box& box) const noexcept;
   /// Marks what is drawn from now on as the panel's own.
   void draw_panel(const Box& box);
-  /// All is drawn inside this card: finish() turns it over in place.
-  void lie_on(const Box& card);
+  /// All is drawn inside this card, anew, with letters of that share of their size: finish() turns
+  /// it over in place.
+  void lie_on(const Box& card, float letters);
+  /// Does a text stand on another?
+  bool is_crowded() const;
   /// Mirrors everything where the language runs from right to left.
   void finish();
 
@@ -92,6 +95,7 @@ class Sheet {
   float width_, height_, shorter_;
   bool right_to_left_;
   Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
+  float letters_ = 1;
 };
 
 /// Fills in the view of each screen. The sheet's panel has been drawn; `content` is what is inside

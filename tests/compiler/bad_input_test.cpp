@@ -194,7 +194,7 @@ TEST(BadInput, MoreStrollingVisitorsThanThereIsRoomFor) {
               AllOf(HasSubstr("museum.toml:12:9: error[too-many-visitors]: 100000 visitors cannot "
                               "stroll here: 19 fit"),
                     HasSubstr("hint: write count = 19 or less: each wants 4 of the 79 square "
-                              "metres about the kiosk, and 200 is the most anywhere")));
+                              "metres about the kiosk, and 56 is the most anywhere")));
 }
 
 TEST(BadInput, FewerStrollingVisitorsThanNone) {

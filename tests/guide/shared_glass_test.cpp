@@ -210,7 +210,7 @@ TEST(ASharedGlass, TakesATouchOnTheModelAsThatOfTheNearestVisitor) {
   EXPECT_EQ(glass.at(7).exhibit, static_cast<std::int32_t>(right.action.argument));
 }
 
-TEST(ASharedGlass, GivesWhoeverTouchesBeyondAnArmsReachASeatAndAGuideOfTheirOwn) {
+TEST(ASharedGlass, LetsWhoeverTouchesAnExhibitAwayFromAllOthersPickAGuideWhoSetsOutAtOnce) {
   Glassful glass;
   glass.sit_down(1, "teal");
   glass.run(2);
@@ -220,9 +220,77 @@ TEST(ASharedGlass, GivesWhoeverTouchesBeyondAnArmsReachASeatAndAGuideOfTheirOwn)
   EXPECT_EQ(glass.at(1).screen, Screen::Choosing);
   const InterfaceState& other = glass.guide().state(glass.guide().part_of(0));
   EXPECT_GT(other.seat, 3);
-  EXPECT_EQ(other.screen, Screen::Walking);
+  EXPECT_EQ(other.screen, Screen::Picking);
   EXPECT_EQ(other.exhibit, static_cast<std::int32_t>(spot.action.argument));
-  EXPECT_EQ(other.look, 1);  // the first that is free
+  const auto seat = static_cast<std::uint32_t>(other.seat + 1);
+  glass.tap(seat, "look:sky");
+  glass.run(2);
+  EXPECT_EQ(glass.at(seat).screen, Screen::Walking);
+  EXPECT_EQ(glass.at(seat).exhibit, static_cast<std::int32_t>(spot.action.argument));
+  EXPECT_TRUE(glass.guide().company()[4].goal.has_value());
+}
+
+TEST(ASharedGlass, IsReachedUpwardsByWhoStandsBeforeIt) {
+  Glassful glass;
+  glass.sit_down(4, "rose");
+  glass.tap(Glassful::middle_of(4), 0.02F);
+
+  EXPECT_EQ(glass.model().glass, Glass::Busy);
+  for (std::uint32_t seat = 1; seat <= seats; ++seat)
+    EXPECT_EQ(glass.at(seat).screen, seat == 4 ? Screen::Choosing : Screen::Welcome);
+}
+
+TEST(ASharedGlass, HoldsAPressWhileOthersComeAndGo) {
+  Glassful glass;
+  glass.tap(Glassful::middle_of(3), 0.9F);
+  const Rect sky = glass.place_of(3, "look:sky");
+  glass.down(9, sky.x + sky.width / 2, sky.y + sky.height / 2);
+  glass.sit_down(1, "teal");
+  glass.up(9, sky.x + sky.width / 2, sky.y + sky.height / 2);
+  glass.run(0.1);
+
+  EXPECT_EQ(glass.at(3).look, 4);
+}
+
+TEST(ASharedGlass, DoesNotTakeASecondTapOnLeaveForANewVisitor) {
+  Glassful glass;
+  glass.sit_down(2, "rose");
+  const Rect leave = glass.place_of(2, "home");
+  for (int tap = 0; tap < 2; ++tap)
+    glass.tap(leave.x + leave.width / 2, leave.y + leave.height / 2);
+  glass.run(0.5);
+  EXPECT_EQ(glass.at(2).screen, Screen::Welcome);
+
+  glass.tap(Glassful::middle_of(2), 0.9F);
+  EXPECT_EQ(glass.at(2).screen, Screen::Picking);
+}
+
+TEST(ASharedGlass, CallsAGuideBackWhoHasNotYetSetOut) {
+  Glassful glass;
+  glass.sit_down(3, "saffron");
+  const Placement home = glass.guide().company()[2].avatar.body;
+  const Rect row = glass.place_of(3, "exhibit:" + museum().exhibits[0].id);
+  const Rect leave = glass.place_of(3, "home");
+  glass.down(1, row.x + row.width / 2, row.y + row.height / 2);
+  glass.down(2, leave.x + leave.width / 2, leave.y + leave.height / 2);
+  glass.up(1, row.x + row.width / 2, row.y + row.height / 2);
+  glass.up(2, leave.x + leave.width / 2, leave.y + leave.height / 2);
+  glass.run(15);
+
+  EXPECT_LT(distance(glass.guide().company()[2], home), 0.1);
+}
+
+TEST(ASharedGlass, IsFreedFromWhatLiesOnItAndTrembles) {
+  Glassful glass;
+  glass.sit_down(5, "rose");
+  glass.down(1, Glassful::middle_of(5), 0.6F);
+  for (int i = 0; i < 150; ++i) {
+    glass.guide().touch(
+        {.kind = InputEvent::Kind::Move,
+         .contact = {1, Glassful::middle_of(5) + 0.0005F * static_cast<float>(i % 2), 0.6F}});
+    glass.run(1);
+  }
+  EXPECT_TRUE(glass.guide().is_vacant());
 }
 
 TEST(ASharedGlass, LetsTheCardFollowAVisitorWhoGoesOnAlongIt) {

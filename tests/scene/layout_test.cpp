@@ -195,6 +195,28 @@ TEST(Card, KeepsItsTextsInside) {
   }));
 }
 
+TEST(Card, SetsNoTextOverAnother) {
+  EXPECT_TRUE(rc::check("in any language, in any size of letters", [] {
+    ViewRequest request = any_card();
+    request.shape.text_scale = *rc::gen::element(1.0F, 1.4F, 2.0F);
+    request.state.seats = static_cast<std::uint8_t>(seats_on(request.shape, request.state.seats));
+    RC_PRE(request.state.seats > 1);
+    request.state.seat = static_cast<std::int8_t>(request.state.seat % request.state.seats);
+    const auto view = laid_out(request);
+    std::vector<Rect> texts;
+    for (const Element& element : view->elements)
+      if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+    if (!view->remaining.empty()) texts.push_back(view->remaining.back().quad.rect);
+    RC_LOG() << "screen " << static_cast<int>(request.state.screen) << ", language "
+             << request.state.language << ", letters " << request.shape.text_scale << ", "
+             << request.shape.width << " x " << request.shape.height << ", "
+             << request.shape.diagonal_inches << " inches, " << int{request.state.seats}
+             << " seats\n";
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!overlap(texts[i], texts[j]));
+  }));
+}
+
 TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
   EXPECT_TRUE(rc::check("mirrored within itself", [] {
     ViewRequest request = any_card();
