@@ -218,9 +218,10 @@ bool Sheet::is_crowded() const {
   for (const Element& element : view_.elements)
     if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
   if (!view_.remaining.empty()) texts.push_back(view_.remaining.back().quad.rect);
-  const auto overlap = [](const Rect& a, const Rect& b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
-           b.y < a.y + a.height;
+  const float slack = 2 / height_;  // texts are moved to whole pixels
+  const auto overlap = [slack](const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y + slack < b.y + b.height &&
+           b.y + slack < a.y + a.height;
   };
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
