@@ -1,10 +1,13 @@
 #include "content/avatar/avatar.h"
 
+#include <algorithm>
+
 #include <glm/matrix.hpp>
 
 #include "content/avatar/layers.h"
 #include "content/avatar/occlusion.h"
 #include "content/avatar/simplify.h"
+#include "content/content_error.h"
 
 namespace docent {
 namespace {
@@ -13,6 +16,8 @@ namespace {
 constexpr float longest_edge = 3.2F;
 /// Triangles are left out where all three corners lie this deep under another layer, metres.
 constexpr float covered_depth = 0.006F;
+/// No body of ordinary stature is larger than that, metres.
+constexpr float most_extent = 5;
 
 /// Appends the visible part of a layer's surface to the mesh.
 void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& occlusion,
@@ -61,6 +66,12 @@ SkinnedMesh make_avatar(const Skeleton& skeleton) {
     whole.low = glm::min(whole.low, layer.box.low);
     whole.high = glm::max(whole.high, layer.box.high);
   }
+  const Vec3 extent = whole.high - whole.low;
+  if (!(std::max({extent.x, extent.y, extent.z}) < most_extent * body.scale))
+    throw ContentError({}, 0, 0, "no-standing-pose",
+                       "no body can be read from the clips' skeleton, which does not stand upright "
+                       "in its rest pose",
+                       "export it with a T-pose or an A-pose as the rest pose");
   const Occlusion occlusion(layers, whole, 0.026F * body.scale);
 
   SkinnedMesh mesh;

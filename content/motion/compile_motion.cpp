@@ -8,6 +8,7 @@
 #include "content/content_error.h"
 #include "content/import/motion_folder.h"
 #include "content/motion/resample.h"
+#include "content/motion/rest_pose.h"
 
 namespace docent {
 namespace {
@@ -45,7 +46,7 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
   for (const std::filesystem::path& folder : folders)
     for (FolderMotion& motion : read_motion_folder(folder, problems))
       motions.push_back(std::move(motion));
-  const Skeleton skeleton = commonest_skeleton(motions);
+  Skeleton skeleton = commonest_skeleton(motions);
   double rate = 0;
   for (const FolderMotion& m : motions)
     if (same_skeleton(m.motion.skeleton, skeleton)) rate = std::max(rate, m.motion.clip.frame_rate);
@@ -67,6 +68,11 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
                        .role_stated = m.role.has_value()});
     if (m.role) sources.back().clip.role = *m.role;
     if (!m.motion_class.empty()) sources.back().clip.motion_class = m.motion_class;
+  }
+  if (!stands_at_rest(skeleton)) {
+    std::vector<MotionClip*> clips;
+    for (SourceClip& source : sources) clips.push_back(&source.clip);
+    rest_upright(skeleton, clips);
   }
   return make_motion_graph(skeleton, std::move(sources), folders.front().string(), options,
                            problems);

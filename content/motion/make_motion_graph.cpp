@@ -8,6 +8,7 @@
 #include "content/motion/classify.h"
 #include "content/motion/enrich.h"
 #include "content/motion/foot_plants.h"
+#include "content/motion/made_stands.h"
 #include "content/motion/motion_classes.h"
 #include "content/motion/prune.h"
 #include "content/motion/quantise.h"
@@ -73,12 +74,10 @@ void report_faults(const Skeleton& skeleton, const SourceClip& source, const Stu
                                "where they show"));
 }
 
-/// Adds what can be made of the clips there are, and its study.
-void add_made_clips(MotionGraph& graph, StudiedClips& studied, std::vector<std::string>& files,
-                    const std::string& folder, Enrichment enrichment,
-                    std::vector<Diagnostic>& warnings) {
-  for (MotionClip& clip :
-       enrich(graph.skeleton, graph.clips, studied.cloud, enrichment, folder, warnings)) {
+/// Adds clips that were made, and their study.
+void add_made_clips(std::vector<MotionClip> made, MotionGraph& graph, StudiedClips& studied,
+                    std::vector<std::string>& files) {
+  for (MotionClip& clip : made) {
     quantise(graph.skeleton, clip);
     const Track track = make_track(graph.skeleton, clip);
     studied.cloud.push_back(make_pose_cloud(graph.skeleton, track));
@@ -145,7 +144,15 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
   MotionGraph graph{.skeleton = skeleton, .clips = {}, .transitions = {}};
   std::vector<std::string> files;
   StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);
-  add_made_clips(graph, studied, files, folder, options.enrichment, warnings);
+  std::vector<MotionClip> stands = made_stands(skeleton, graph.clips);
+  for (const MotionClip& clip : stands)
+    warnings.push_back(warning(folder, "made-clip",
+                               fmt::format("there was no such clip, so '{}' was made", clip.name),
+                               "a recorded one looks better: add a clip of the same person that "
+                               "starts to walk from standing, and one that stops"));
+  add_made_clips(std::move(stands), graph, studied, files);
+  add_made_clips(enrich(skeleton, graph.clips, studied.cloud, options.enrichment, folder, warnings),
+                 graph, studied, files);
   const std::vector<double> threshold = alike_thresholds(graph.clips, studied, options.transitions);
   graph.transitions =
       find_transitions(graph.clips, studied, threshold, options.transitions, options.jobs);

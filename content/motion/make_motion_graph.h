@@ -26,8 +26,9 @@ struct SourceClip {
 /// foot plants, roles and faults of capture, then transitions, and keeps what never dead-ends.
 ///
 /// Clips that neither walk nor run are left out with a warning, and so is what no transition
-/// reaches. Throws ContentError (about `folder`) where no clip starts, none stops, or no walk leads
-/// from a start to a stop. Deterministic.
+/// reaches. Where no clip starts, or none stops, such are made of walking, with a warning. Throws
+/// ContentError (about `folder`) where that cannot be, or no walk leads from a start to a stop.
+/// Deterministic.
 MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> sources,
                               const std::string& folder, const MotionOptions& options,
                               std::vector<Diagnostic>& warnings);

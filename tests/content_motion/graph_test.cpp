@@ -210,7 +210,14 @@ TEST(MotionGraph, MendsAndReportsAFrameThatLeaps) {
 TEST(MotionGraph, WithoutAStartOrAStopIsAnError) {
   for (const char* missing : {"stand-to-walk", "walk-to-stand"}) {
     ShippedClips some = shipped_clips();
-    std::erase_if(some.clips, [&](const SourceClip& s) { return s.clip.name == missing; });
+    // What is left is too short for one to be made of it.
+    std::erase_if(some.clips, [&](const SourceClip& s) {
+      return s.clip.name == missing || s.clip.role == ClipRole::Other;
+    });
+    for (SourceClip& source : some.clips) {
+      source.clip.root.resize(std::min<std::size_t>(source.clip.root.size(), 100));
+      source.clip.rotation.resize(source.clip.root.size() * source.clip.joint_count);
+    }
     std::vector<Diagnostic> warnings;
     try {
       make_motion_graph(some.skeleton, some.clips, "clips", {}, warnings);
