@@ -173,6 +173,17 @@ double turning_rate(const WalkGraph& graph) {
   return std::clamp(within_stride * most * graph.frame_rate, 1.0, 2.4);
 }
 
+/// Who stands has arrived: no search leaves a clip from there, or comes to where it still stands.
+void leave_out_standing(WalkGraph& graph) {
+  const auto& transitions = graph.motion->transitions;
+  const auto is_walking = [&](const ClipFrame& at) {
+    return at.frame >= graph.clip[at.clip].first && at.frame <= graph.clip[at.clip].last;
+  };
+  for (std::size_t t = 0; t < transitions.size(); ++t)
+    if (!is_walking(transitions[t].from) || !is_walking(transitions[t].to))
+      graph.narrowest[t] = graph.scopes;
+}
+
 void find_transition_ranges(WalkGraph& graph) {
   const auto& transitions = graph.motion->transitions;
   for (std::uint32_t c = 0; c < graph.clip.size(); ++c) {
@@ -332,6 +343,7 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   const auto rank_of = [&](std::uint32_t clip) { return graph.clip[clip].rank; };
   std::ranges::stable_sort(graph.starts, {}, rank_of);
   std::ranges::stable_sort(graph.stops, {}, rank_of);
+  leave_out_standing(graph);
   find_transition_ranges(graph);
   for (std::uint32_t scope = 0; scope < graph.scopes; ++scope) {
     measure_ways_to_stand(graph, scope);

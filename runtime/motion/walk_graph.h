@@ -48,7 +48,8 @@ struct WalkGraph {
   double speed = 1;             ///< Metres a second of the ordinary walk.
   std::uint32_t scopes = 1;
   std::vector<ClipPath> clip;
-  std::vector<std::uint32_t> narrowest;  ///< Per transition: the smallest scope that takes it.
+  /// Per transition: the smallest scope that takes it; `scopes` where it leads from or to standing.
+  std::vector<std::uint32_t> narrowest;
   /// Per scope and transition: the least metres to a standing end after it by transitions of the
   /// scope; infinite where the scope does not take it.
   std::vector<std::vector<float>> left_after;

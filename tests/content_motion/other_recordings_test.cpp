@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <glm/gtx/quaternion.hpp>
@@ -38,6 +39,44 @@ TEST(Recordings, WithoutStartsAndStopsAreWalkedAllTheSame) {
   EXPECT_LT(glm::distance(walk->body.front().position, path.front()), 0.02);
   EXPECT_LT(glm::distance(walk->body.back().position, path.back()), 0.02);
   EXPECT_LT(static_cast<double>(walk->root.size()) / walk->frame_rate, 14);
+}
+
+TEST(Recordings, MayStandForLongAndLookLikeEachOtherThere) {
+  MotionGraph graph = shipped_graph();
+  graph.foresight = {};
+  const auto clip_of = [&](ClipRole role) {
+    return static_cast<std::uint32_t>(std::ranges::find(graph.clips, role, &MotionClip::role) -
+                                      graph.clips.begin());
+  };
+  const std::uint32_t stop = clip_of(ClipRole::Stop);
+  MotionClip& standing = graph.clips[stop];
+  const std::vector<Quat> pose(standing.rotation.end() - standing.joint_count,
+                               standing.rotation.end());
+  for (int f = 0; f < 120; ++f) {
+    standing.root.push_back(standing.root.back());
+    standing.plants.push_back({true, true});
+    standing.rotation.insert(standing.rotation.end(), pose.begin(), pose.end());
+  }
+  // From the end of the stand to the beginning of another.
+  Transition again;
+  again.from = {stop, frame_count(standing) - 30};
+  again.to = {clip_of(ClipRole::Start), 20};
+  again.radius = 10;
+  const auto before = [](const Transition& t, const Transition& u) {
+    return std::tuple(t.from.clip, t.from.frame) < std::tuple(u.from.clip, u.from.frame);
+  };
+  const auto place = std::ranges::upper_bound(graph.transitions, again, before);
+  const auto index = static_cast<std::uint32_t>(place - graph.transitions.begin());
+  graph.transitions.insert(place, again);
+  for (MotionClass& motion_class : graph.classes)
+    for (std::uint32_t& t : motion_class.transition) t += t >= index ? 1 : 0;
+
+  const std::vector<Vec2> path{{0, 0}, {8, 0}};
+  WalkRequest request;
+  request.path = path;
+  const Result<Walk> walk = make_walk(graph, request);
+  ASSERT_TRUE(walk.has_value()) << walk.error().what;
+  EXPECT_GT(walk->expanded, 0U) << "it went by small steps";
 }
 
 TEST(MadeStands, StandAtOneEndWithBothFeetPlantedAndWalkAtTheOther) {
