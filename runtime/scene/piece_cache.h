@@ -55,7 +55,7 @@ class PieceCache {
     std::uint64_t used = 0;  ///< The view that last used it.
     /// A bit for each part that shows it: in its last view, in the one before, and so on. One of
     /// them is on the screen, one may still be fading, and some were out of date before they came.
-    std::array<std::uint16_t, 6> shown_by{};
+    std::array<std::uint16_t, 4> shown_by{};
   };
   const TextPiece* find(std::string_view key);
   void keep(std::string key, const TextPiece& piece, PieceUpload upload);
