@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "runtime/company/branchless.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent {
@@ -118,8 +119,8 @@ Glance glance(const Bays& floor, const std::array<Vec2, 2>& from,
       {{from[0], to[0]}, {from[1], to[1]}, {to[0], to[1]}}};
   Glance seen = Glance::Open;
   floor.visit_walls(low, high, [&](Vec2 a, Vec2 b) {
-    if (are_apart(range_of(a.x, b.x), {low.x, high.x}, 0) |
-        are_apart(range_of(a.y, b.y), {low.y, high.y}, 0))
+    if (any_holds(are_apart(range_of(a.x, b.x), {low.x, high.x}, 0),
+                  are_apart(range_of(a.y, b.y), {low.y, high.y}, 0)))
       return true;
     const Vec2 wall = b - a;
     const auto side = [&](Vec2 point) { return cross(wall, point - a); };
@@ -190,8 +191,8 @@ double clearance_at(const Bays& floor, Vec2 point, double most) noexcept {
   const Vec2 low = point - most, high = point + most;
   double nearest = most * most;
   floor.visit_walls(low, high, [&](Vec2 a, Vec2 b) {
-    if (are_apart(range_of(a.x, b.x), {low.x, high.x}, 0) |
-        are_apart(range_of(a.y, b.y), {low.y, high.y}, 0))
+    if (any_holds(are_apart(range_of(a.x, b.x), {low.x, high.x}, 0),
+                  are_apart(range_of(a.y, b.y), {low.y, high.y}, 0)))
       return true;
     const Vec2 wall = b - a, from = point - a;
     const double square = dot(wall, wall);
@@ -220,8 +221,9 @@ Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexc
   int walls = 0;
   bool is_parted = false;
   floor.visit_walls(low, high, [&](Vec2 from, Vec2 to) {
-    if (are_apart(range_of(from.x, to.x), x, skin) | are_apart(range_of(from.y, to.y), y, skin) |
-        are_apart(range_of(beside(from), beside(to)), lane, skin))
+    if (any_holds(are_apart(range_of(from.x, to.x), x, skin),
+                  are_apart(range_of(from.y, to.y), y, skin),
+                  are_apart(range_of(beside(from), beside(to)), lane, skin)))
       return true;
     const Vec2 wall = to - from;
     const auto side = [&](Vec2 point) { return cross(wall, point - from); };

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "runtime/company/branchless.h"
+
 namespace docent {
 namespace {
 
@@ -152,8 +154,8 @@ std::uint32_t Meetings::bay_of(std::uint32_t body) noexcept {
 bool Meetings::KeptCover::holds(const Body& now, Vec2 end) const noexcept {
   const Vec2 way = end - now.position;
   const double too_short = std::max(length - (most_ahead + too_long), 0.0);
-  return (bays > 0) & (now.radius <= radius) & is_near(now.position, length, skin) &
-         is_near(end, length, skin) & (dot(way, way) >= too_short * too_short);
+  return all_hold(bays > 0, now.radius <= radius, is_near(now.position, length, skin),
+                  is_near(end, length, skin), dot(way, way) >= too_short * too_short);
 }
 
 /// Those whose covers do not hold, or may not.
@@ -162,8 +164,8 @@ std::span<const std::uint32_t> Meetings::list_leavers(double horizon) noexcept {
   for (std::uint32_t i = 0; i < numbers_; ++i) {
     const KeptCover& cover = cover_[i];
     const auto& [now, edition, takes_part] = body_[i];
-    const bool holds =
-        cover.holds(now, now.position + horizon * now.velocity) & cover.is_clear_at(now.position);
+    const bool holds = all_hold(cover.holds(now, now.position + horizon * now.velocity),
+                                cover.is_clear_at(now.position));
     leaver_[count] = i;
     count += static_cast<std::size_t>(takes_part ? !holds : cover.bays > 0);
   }
@@ -353,11 +355,11 @@ bool Meetings::may_meet(const KeptCover& a, const KeptCover& b) const noexcept {
   const double slant = std::abs(cross(a.along, b.along));
   const double straight = std::abs(dot(a.along, b.along));
   const double half_a = 0.5 * a.length, half_b = 0.5 * b.length;
-  return (dot(between, between) <= far * far) &
-         (std::abs(cross(a.along, between)) <= reach + half_b * slant) &
-         (std::abs(cross(b.along, between)) <= reach + half_a * slant) &
-         (std::abs(dot(a.along, between)) <= reach + half_a + half_b * straight) &
-         (std::abs(dot(b.along, between)) <= reach + half_b + half_a * straight);
+  return all_hold(dot(between, between) <= far * far,
+                  std::abs(cross(a.along, between)) <= reach + half_b * slant,
+                  std::abs(cross(b.along, between)) <= reach + half_a * slant,
+                  std::abs(dot(a.along, between)) <= reach + half_a + half_b * straight,
+                  std::abs(dot(b.along, between)) <= reach + half_b + half_a * straight);
 }
 
 /// The one with the lower index first.
