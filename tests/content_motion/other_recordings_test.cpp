@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include <glm/gtx/quaternion.hpp>
 
+#include "content/motion/compile_motion.h"
 #include "content/motion/foot_plants.h"
 #include "content/motion/made_stands.h"
 #include "content/motion/rest_pose.h"
 #include "content/motion/track.h"
 #include "runtime/motion/walk.h"
 #include "tests/content_motion/shipped_clips.h"
+#include "tests/support/reference_data.h"
+#include "tests/support/temporary_folder.h"
 
 namespace docent::test {
 namespace {
@@ -39,6 +43,25 @@ TEST(Recordings, WithoutStartsAndStopsAreWalkedAllTheSame) {
   EXPECT_LT(glm::distance(walk->body.front().position, path.front()), 0.02);
   EXPECT_LT(glm::distance(walk->body.back().position, path.back()), 0.02);
   EXPECT_LT(static_cast<double>(walk->root.size()) / walk->frame_rate, 14);
+}
+
+TEST(Recordings, OfAnotherRigAtThirtyFramesASecondAreWalkedMoreFinely) {
+  const std::filesystem::path clip =
+      reference_data() / "mocap/cmu-varied/bandai-namco-cc-by-nc/dataset-1_walk_normal_001.bvh";
+  if (!std::filesystem::exists(clip)) GTEST_SKIP() << "the reference data is not here";
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(clip, folder.path() / clip.filename());
+  std::vector<Diagnostic> problems;
+  const MotionGraph graph = compile_motion(folder.path(), {}, problems);
+
+  EXPECT_EQ(graph.clips.front().frame_rate, 60);
+  const std::vector<Vec2> path{{0, 0}, {8, 0}};
+  WalkRequest request;
+  request.path = path;
+  const Result<Walk> walk = make_walk(graph, request);
+  ASSERT_TRUE(walk.has_value()) << walk.error().what;
+  EXPECT_GT(walk->expanded, 0U);
+  EXPECT_LT(glm::distance(walk->body.back().position, path.back()), 0.02);
 }
 
 TEST(Recordings, MayStandForLongAndLookLikeEachOtherThere) {
