@@ -7,23 +7,13 @@
 #include <numbers>
 
 #include "platform/sqlite/content_reader.h"
+#include "tests/guide/without_fonts.h"
 #include "tests/support/sample_database.h"
 
 namespace docent {
 namespace {
 
 constexpr Seconds frame{1.0F / 60};
-
-/// Letters as boxes: views without fonts.
-TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
-  TextBitmap bitmap;
-  bitmap.lines = 1;
-  bitmap.width = std::min<std::uint32_t>(static_cast<std::uint32_t>(8 * text.size() + 1),
-                                         width == 0 ? 4000 : width);
-  bitmap.height = static_cast<std::uint32_t>(style.size);
-  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
-  return bitmap;
-}
 
 const Museum& museum() {
   static const Museum it = load_museum(test::sample_database()).value();
@@ -33,7 +23,9 @@ const Museum& museum() {
 /// A guide in simulated time: the worker's answers are there in the next step.
 class Session {
  public:
-  Session() : planner_(museum(), {boxes, {}}), guide_(museum(), planner_, settings()) { run(0.1); }
+  Session() : planner_(museum(), {test::boxes, {}}), guide_(museum(), planner_, settings()) {
+    run(0.1);
+  }
 
   void run(double seconds) {
     for (long i = 0; i < std::lround(seconds * 60); ++i) {

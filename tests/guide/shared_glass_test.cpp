@@ -10,6 +10,7 @@
 #include "runtime/guide/waiting_places.h"
 #include "runtime/scene/look.h"
 #include "runtime/scene/seats.h"
+#include "tests/guide/without_fonts.h"
 #include "tests/support/sample_database.h"
 
 namespace docent {
@@ -17,16 +18,6 @@ namespace {
 
 constexpr Seconds frame{1.0F / 60};
 constexpr std::uint32_t seats = 8;
-
-TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
-  TextBitmap bitmap;
-  bitmap.lines = 1;
-  bitmap.width = std::min<std::uint32_t>(static_cast<std::uint32_t>(8 * text.size() + 1),
-                                         width == 0 ? 4000 : width);
-  bitmap.height = static_cast<std::uint32_t>(style.size);
-  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
-  return bitmap;
-}
 
 const Museum& museum() {
   static const Museum it = load_museum(test::sample_database()).value();
@@ -43,7 +34,7 @@ GuideSettings settings() {
 class Glassful {
  public:
   Glassful()
-      : planner_(museum(), {boxes, {}}, planner_size(museum(), settings()).avatars,
+      : planner_(museum(), {test::boxes, {}}, planner_size(museum(), settings()).avatars,
                  planner_size(museum(), settings()).parts),
         guide_(museum(), planner_, settings()) {
     run(0.5);
