@@ -46,9 +46,9 @@ TEST(Recordings, WithoutStartsAndStopsAreWalkedAllTheSame) {
 }
 
 TEST(Recordings, OfAnotherRigAtThirtyFramesASecondAreWalkedMoreFinely) {
-  const std::filesystem::path clip =
-      reference_data() / "mocap/cmu-varied/bandai-namco-cc-by-nc/dataset-1_walk_normal_001.bvh";
-  if (!std::filesystem::exists(clip)) GTEST_SKIP() << "the reference data is not here";
+  const char* const name = "mocap/cmu-varied/bandai-namco-cc-by-nc/dataset-1_walk_normal_001.bvh";
+  NEEDS_REFERENCE_DATA(name);
+  const std::filesystem::path clip = reference_data() / name;
   const TemporaryFolder folder;
   std::filesystem::copy_file(clip, folder.path() / clip.filename());
   std::vector<Diagnostic> problems;

@@ -7,13 +7,11 @@
 #include <numbers>
 
 #include "platform/sqlite/content_reader.h"
-#include "tests/guide/without_fonts.h"
+#include "tests/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
 namespace docent {
 namespace {
-
-constexpr Seconds frame{1.0F / 60};
 
 const Museum& museum() {
   static const Museum it = load_museum(test::sample_database()).value();
@@ -27,16 +25,7 @@ class Session {
     run(0.1);
   }
 
-  void run(double seconds) {
-    for (long i = 0; i < std::lround(seconds * 60); ++i) {
-      planner_.wait();
-      guide_.step(frame);
-      while (const auto pieces = guide_.take_pieces())
-        for (const PieceUpload& upload : pieces->uploads)
-          guide_.bind(upload.texture, upload.texture);
-      guide_.draw_list();
-    }
-  }
+  void run(double seconds) { test::run(planner_, guide_, seconds); }
   void tap(std::string_view name, Role role = Role::ListItem) {
     const auto& controls = guide_.view()->controls;
     const auto found = std::ranges::find_if(controls, [&](const Control& c) {

@@ -10,13 +10,12 @@
 #include "runtime/guide/waiting_places.h"
 #include "runtime/scene/look.h"
 #include "runtime/scene/seats.h"
-#include "tests/guide/without_fonts.h"
+#include "tests/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
 namespace docent {
 namespace {
 
-constexpr Seconds frame{1.0F / 60};
 constexpr std::uint32_t seats = 8;
 
 const Museum& museum() {
@@ -40,16 +39,7 @@ class Glassful {
     run(0.5);
   }
 
-  void run(double seconds) {
-    for (long i = 0; i < std::lround(seconds * 60); ++i) {
-      planner_.wait();
-      guide_.step(frame);
-      while (const auto pieces = guide_.take_pieces())
-        for (const PieceUpload& upload : pieces->uploads)
-          guide_.bind(upload.texture, upload.texture);
-      guide_.draw_list();
-    }
-  }
+  void run(double seconds) { test::run(planner_, guide_, seconds); }
   void down(std::uint32_t id, float x, float y) {
     guide_.touch({.kind = InputEvent::Kind::Down, .contact = {id, x, y}});
   }

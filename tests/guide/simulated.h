@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
-#include "runtime/scene/text.h"
+#include "runtime/guide/guide.h"
 
 namespace docent::test {
 
@@ -16,6 +17,18 @@ inline TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint
   bitmap.height = static_cast<std::uint32_t>(style.size);
   bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
   return bitmap;
+}
+
+/// Sixty frames a second of simulated time: the worker's answers are there in the next step.
+inline void run(Planner& planner, Guide& guide, double seconds) {
+  constexpr Seconds frame{1.0F / 60};
+  for (long i = 0; i < std::lround(seconds * 60); ++i) {
+    planner.wait();
+    guide.step(frame);
+    while (const auto pieces = guide.take_pieces())
+      for (const PieceUpload& upload : pieces->uploads) guide.bind(upload.texture, upload.texture);
+    guide.draw_list();
+  }
 }
 
 }  // namespace docent::test
