@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "config/fields.h"
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -124,7 +125,7 @@ class KioskSettings {
 }  // namespace
 
 Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return {.value = KioskConfig{}, .diagnostics = {}};
+  if (!is_there(file)) return {.value = KioskConfig{}, .diagnostics = {}};
   TomlFile toml = read_toml(file, file.string());
   if (!toml.root) return {.value = std::nullopt, .diagnostics = std::move(toml.diagnostics)};
   KioskFile written;

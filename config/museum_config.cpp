@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "config/museum_fields.h"
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -65,9 +66,10 @@ class SectionVisitor {
 /// The files of a folder that end in .toml, in the order of their names.
 std::vector<fs::path> toml_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  std::error_code ignored;  // a folder that is not there holds no files
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  std::error_code ignored;  // a folder that is not there, or goes meanwhile, holds no files
+  for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator();
+       entry.increment(ignored))
+    if (entry->path().extension() == ".toml") files.push_back(entry->path());
   std::ranges::sort(files);
   return files;
 }
@@ -137,7 +139,7 @@ class MuseumLoader {
   void read_words() {
     for (const std::string& tag : config_.languages) {
       const fs::path file = config_.folder / "words" / (tag + ".toml");
-      if (!fs::exists(file)) continue;
+      if (!is_there(file)) continue;
       Loaded<WordsFile> words = load_words(file, tag);
       diagnostics_.insert(diagnostics_.end(), words.diagnostics.begin(), words.diagnostics.end());
       const FileIndex index = add_file(file);
@@ -195,7 +197,7 @@ class MuseumLoader {
   }
 
   void check_file(const Located<std::string>& file) {
-    if (file.value.empty() || fs::exists(config_.folder / file.value)) return;
+    if (file.value.empty() || is_there(config_.folder / file.value)) return;
     error(file.place, "missing-file", fmt::format("there is no file '{}'", file.value), "not found",
           fmt::format("it is looked for in {}", config_.folder.string()));
   }

@@ -21,10 +21,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <ranges>
 #include <utility>
+
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -145,15 +145,13 @@ TomlFile parse_toml(std::string_view text, const std::string& name) {
 }
 
 TomlFile read_toml(const std::filesystem::path& file, const std::string& name) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in && !in.eof())
-    return {.root = std::nullopt,
-            .diagnostics = {{.file = name,
-                             .code = "missing-file",
-                             .message = "cannot be opened",
-                             .hint = "check that it exists and may be read"}}};
-  return parse_toml(text, name);
+  const Result<std::string> text = read_file(file);
+  if (text) return parse_toml(*text, name);
+  return {.root = std::nullopt,
+          .diagnostics = {{.file = name,
+                           .code = "missing-file",
+                           .message = without_file(text.error(), file.string()),
+                           .hint = "nothing of this file was used"}}};
 }
 
 }  // namespace docent

@@ -38,6 +38,12 @@ struct ContentError : std::runtime_error {
   Errc kind = Errc::InvalidInput;
 };
 
+/// What an edge could not do, as the compiler reports it.
+inline ContentError to_content_error(const Error& error, const std::string& file, std::string code,
+                                     std::string hint = {}) {
+  return {error.code, file, std::move(code), without_file(error, file), std::move(hint)};
+}
+
 inline Diagnostic to_diagnostic(const ContentError& error) {
   return {.file = error.file,
           .line = error.line,

@@ -42,7 +42,7 @@ no_arrow(platform "runtime/(plan|guide|kiosk)/")
 foreach(folder runtime platform config)
   no_arrow(${folder} "content/|CGAL/|boost/|gmp|mpfr|librsvg|tiny_gltf")
 endforeach()
-no_arrow(config "platform/|runtime/(${guide_parts})/")
+no_arrow(config "platform/(clock|egl|gles|headless|hid|kms|pango|png|sqlite|x11)/|runtime/(${guide_parts})/")
 # CGAL is a private matter of the files that build diagrams and triangulations.
 no_arrow(content "CGAL/" EXCEPT "content/(floor|light)/[a-z_]+\\.cpp$")
 no_arrow(content "runtime/(plan|guide|kiosk|scene)/")

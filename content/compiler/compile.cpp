@@ -15,6 +15,7 @@
 #include "content/compiler/compile_scenery.h"
 #include "content/compiler/shipped_files.h"
 #include "content/content_error.h"
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -123,12 +124,17 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
   avatar.finish(museum, report);
 }
 
+/// The folder's own name, also of "." and "museum/".
+std::string folder_name(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::weakly_canonical(folder, ignored).filename().string();
+}
+
 void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
   museum.title = plain_texts(config.museum.title.value);
   museum.welcome = plain_texts(config.museum.welcome.value);
   if (museum.title.empty())
-    for (const std::string& tag : config.languages)
-      museum.title[tag] = fs::weakly_canonical(config.folder).filename().string();
+    for (const std::string& tag : config.languages) museum.title[tag] = folder_name(config.folder);
   for (const std::string& tag : config.languages) {
     const auto own = std::ranges::find(config.words, tag, &WordsFile::tag);
     add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report);
@@ -145,7 +151,7 @@ std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const Comp
   for (std::size_t i = 0; i < floors.size(); ++i) {
     const FloorSection& section = config.floors[i];
     const std::string file = (config.folder / section.plan.value).string();
-    if (!section.plan.given || !fs::exists(file)) continue;  // already reported
+    if (!section.plan.given || !is_there(file)) continue;  // already reported
     attempt(report, [&] {
       floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
                                 report, progress, options.jobs);
@@ -189,7 +195,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
 }
 
 bool is_museum_folder(const CompileOptions& options) {
-  return options.sources.size() == 1 && fs::is_directory(options.sources.front());
+  return options.sources.size() == 1 && is_folder(options.sources.front());
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 #include "content/compiler/commands.h"
 #include "content/compiler/compile.h"
 #include "content/compiler/part_sizes.h"
+#include "content/content_error.h"
 #include "content/write/content_writer.h"
+#include "platform/file/read_file.h"
 #include "runtime/model/result.h"
 
 namespace docent {
@@ -46,8 +48,18 @@ void add_source_options(CLI::App& command, CompileRequest& request) {
   command.add_flag("--quiet", request.quiet, "No progress");
 }
 
+/// A museum's folder is a whole museum; floor plans beside it would belong to none.
+void check_sources(const std::vector<std::string>& sources) {
+  const auto folder = std::ranges::find_if(sources, is_folder);
+  if (sources.size() > 1 && folder != sources.end())
+    throw ContentError(Errc::WrongUsage, *folder, "folder-among-sources",
+                       "this folder is named beside other sources",
+                       "name one museum's folder alone, or GeoJSON files that make one floor");
+}
+
 /// Compiles and reports; empty where the sources have errors.
 std::optional<Museum> compile_and_report(CompileRequest& request, Progress& progress) {
+  check_sources(request.options.sources);
   request.options.with_motion = !request.no_motion;
   if (request.options.jobs == 0)
     request.options.jobs = std::max(1U, std::thread::hardware_concurrency());

@@ -8,6 +8,7 @@
 #include "content/compiler/load_image.h"
 #include "content/content_error.h"
 #include "content/parallel.h"
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -36,7 +37,7 @@ std::vector<WantedImage> wanted_images(const MuseumConfig& config, Museum& museu
 
 void load(const MuseumConfig& config, WantedImage& wanted, EncodedImage& image) {
   const std::filesystem::path file = config.folder / wanted.name;
-  if (!wanted.name.empty() && !std::filesystem::exists(file)) return;  // already reported
+  if (!wanted.name.empty() && !is_there(file)) return;  // already reported
   try {
     image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
   } catch (const ContentError& error) {

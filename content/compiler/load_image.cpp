@@ -7,14 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "content/content_error.h"
+#include "content/read_source.h"
 #include "platform/handle.h"
 #include "platform/png/image.h"
 
@@ -34,10 +33,9 @@ ContentError unreadable(const std::filesystem::path& file, const std::string& wh
 }
 
 std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::vector<char> chars{std::istreambuf_iterator<char>(in), {}};
-  if (!in.is_open()) throw unreadable(file, "the image cannot be opened");
-  const auto bytes = std::as_bytes(std::span(chars));
+  const std::string text =
+      read_source(file, "unreadable-image", "name a PNG, JPEG or SVG file that may be read");
+  const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
 }
 

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <span>
+#include <sstream>
 
 #include "content/content_error.h"
+#include "content/read_source.h"
 #include "content/write/replace_file.h"
 
 namespace docent {
@@ -90,8 +91,7 @@ Vec2 parse_point(std::string_view text, std::string_view option) {
 
 NumberTable read_numbers(const std::filesystem::path& file,
                          const std::vector<std::string>& columns) {
-  std::ifstream in(file);
-  if (!in) throw ContentError(Errc::NotFound, file.string(), "no-such-file", "it cannot be read");
+  std::istringstream in(read_source(file, "no-such-file"));
   std::string line;
   if (!std::getline(in, line)) line.clear();
   check_header(line, file.string(), columns);

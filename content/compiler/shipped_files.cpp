@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "platform/file/read_file.h"
+
 namespace docent {
 
 namespace {
@@ -16,7 +18,7 @@ fs::path share_folder() {
 }
 
 fs::path installed_or(const fs::path& installed, const fs::path& in_sources) {
-  return fs::exists(installed) ? installed : fs::path(DOCENT_SOURCE_DIR) / in_sources;
+  return is_there(installed) ? installed : fs::path(DOCENT_SOURCE_DIR) / in_sources;
 }
 
 }  // namespace

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "content/content_error.h"
 #include "content/import/floor_plan_json.h"
 #include "content/import/floor_plan_projection.h"
+#include "content/read_source.h"
 
 namespace docent {
 namespace {
@@ -184,15 +183,6 @@ void project(ImportedPlan& plan) {
   for_each_vertex(plan, [&](Vec2& vertex) { vertex = projection.to_floor(vertex); });
 }
 
-std::string read_whole_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  if (!stream)
-    throw ContentError(Errc::NotFound, file, "missing-file",
-                       "this floor plan cannot be read: no such file, or no permission");
-  return text;
-}
-
 }  // namespace
 
 ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates coordinates) {
@@ -210,7 +200,7 @@ ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates co
 ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coordinates) {
   std::vector<std::string> contents;
   contents.reserve(files.size());
-  for (const std::string& file : files) contents.push_back(read_whole_file(file));
+  for (const std::string& file : files) contents.push_back(read_source(file, "missing-file"));
   std::vector<GeoJsonText> texts;
   texts.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({files[i], contents[i]});

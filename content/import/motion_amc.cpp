@@ -7,6 +7,7 @@
 
 #include "content/import/motion_body.h"
 #include "content/import/motion_text.h"
+#include "content/read_source.h"
 
 namespace docent {
 namespace {
@@ -189,7 +190,7 @@ RecordedMotion parse_amc(std::string_view text, const std::string& file,
 
 RecordedMotion read_amc(const std::filesystem::path& path, const AcclaimSkeleton& skeleton,
                         const AcclaimOptions& options) {
-  return parse_amc(read_text_file(path), path.string(), skeleton, options);
+  return parse_amc(read_source(path), path.string(), skeleton, options);
 }
 
 }  // namespace docent

@@ -5,6 +5,7 @@
 
 #include "content/import/motion_amc.h"
 #include "content/import/motion_text.h"
+#include "content/read_source.h"
 
 namespace docent {
 namespace {
@@ -222,7 +223,7 @@ AcclaimSkeleton parse_asf(std::string_view text, const std::string& file) {
 }
 
 AcclaimSkeleton read_asf(const std::filesystem::path& path) {
-  return parse_asf(read_text_file(path), path.string());
+  return parse_asf(read_source(path), path.string());
 }
 
 }  // namespace docent

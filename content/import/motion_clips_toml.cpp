@@ -8,6 +8,7 @@
 
 #include "content/content_error.h"
 #include "content/import/motion_text.h"
+#include "content/read_source.h"
 
 namespace docent {
 namespace {
@@ -44,7 +45,7 @@ class ClipsToml {
 
   toml::table parse() const {
     try {
-      return toml::parse(read_text_file(file_), file_);
+      return toml::parse(read_source(file_), file_);
     } catch (const toml::parse_error& failure) {
       throw error(failure.source(), "not-toml", std::string(failure.description()));
     }
@@ -108,7 +109,7 @@ class ClipsToml {
 
 StatedClips read_clips_toml(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "clips.toml";
-  return std::filesystem::exists(file) ? ClipsToml(file.string()).read() : StatedClips{};
+  return is_there(file) ? ClipsToml(file.string()).read() : StatedClips{};
 }
 
 StatedClip stated_for(const StatedClips& stated, const std::filesystem::path& file) {

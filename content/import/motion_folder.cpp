@@ -21,8 +21,11 @@ bool has_extension(const std::filesystem::path& file, std::string_view extension
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
   std::error_code failure;
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  for (std::filesystem::directory_iterator entry(folder, failure);
+       !failure && entry != std::filesystem::directory_iterator(); entry.increment(failure)) {
+    std::error_code gone;
+    if (entry->is_regular_file(gone)) files.push_back(entry->path());
+  }
   if (failure)
     throw ContentError(Errc::NotFound, folder.string(), "unreadable-folder",
                        "this folder of clips cannot be read",

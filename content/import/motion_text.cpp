@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <optional>
 
@@ -139,17 +138,6 @@ ContentError MotionText::error_at(std::size_t place, std::string code, const std
           std::move(code),
           message,
           std::move(hint)};
-}
-
-std::string read_text_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path))
-    throw ContentError(Errc::NotFound, path.string(), "unreadable-file", "this file cannot be read",
-                       "check that it is there and that its permissions let you read it");
-  std::string text(static_cast<std::size_t>(std::filesystem::file_size(path)), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
 }
 
 bool same_word(std::string_view a, std::string_view b) {

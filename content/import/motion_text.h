@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -59,9 +58,6 @@ class MotionText {
   std::size_t at_ = 0;
   std::size_t last_ = 0;
 };
-
-/// The bytes of a file; throws ContentError (NotFound) where it cannot be read.
-std::string read_text_file(const std::filesystem::path& path);
 
 /// Are two words the same but for upper and lower case (ASCII)?
 bool same_word(std::string_view a, std::string_view b);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "content/content_error.h"
+#include "platform/file/read_file.h"
 
 namespace docent {
 
@@ -68,7 +69,7 @@ void flush_folder(const std::filesystem::path& folder) {
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder))
+  if (!is_folder(folder))
     throw ContentError(Errc::NotFound, file.string(), "missing-folder",
                        fmt::format("the folder '{}' does not exist", folder.string()),
                        "create it, or name another output with -o");

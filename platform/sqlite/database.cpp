@@ -30,7 +30,7 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& name) {
     return failure(Errc::NotFound, name,
                    "there is no such database; make it with 'docent-content compile'");
   if (std::filesystem::is_directory(name, status))
-    return failure(Errc::Environment, name, "is a folder; name a database file");
+    return failure(Errc::InvalidInput, name, "is a folder; name a database file");
   const File file(std::fopen(name.c_str(), "rb"));
   const auto size = std::filesystem::file_size(name, status);
   if (!file || status)

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "platform/file/read_file.h"
 #include "platform/hid/hid_devices.h"
 #include "platform/hid/hid_report.h"
 #include "runtime/input/decode_recording.h"
@@ -25,16 +24,16 @@ int say(const Error& error) {
 }
 
 int list(bool as_json) {
-  const std::vector<HidDevice> devices = list_hid_devices();
+  std::vector<HidDevice> devices = list_hid_devices();
+  try_to_open(devices);
   fmt::print("{}", as_json ? describe_devices_json(devices) : describe_devices(devices));
   return 0;
 }
 
 int decode(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return say({Errc::NotFound, file + ": there is no such recording"});
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const Result<HidRecording> recording = parse_hid_recording(text, file);
+  const Result<std::string> text = read_file(file);
+  if (!text) return say(text.error());
+  const Result<HidRecording> recording = parse_hid_recording(*text, file);
   if (!recording) return say(recording.error());
   const Result<std::string> csv = decode_recording(*recording);
   if (!csv) return say({csv.error().code, file + ": " + csv.error().what});

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <system_error>
 
+#include "platform/file/read_file.h"
 #include "runtime/kiosk/statistics.h"
 
 namespace docent {
@@ -32,7 +33,7 @@ std::string_view name_of(AvatarState state) noexcept {
 Result<Recorder> Recorder::open(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder))
+  if (error || !is_folder(folder))
     return std::unexpected(
         Error{Errc::Environment, folder.string() + ": this folder cannot be made"});
   return Recorder(folder);

@@ -6,11 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <span>
 
+#include "platform/file/read_file.h"
 #include "runtime/scene/seats.h"
 
 namespace docent {
@@ -234,15 +233,13 @@ Visit parse_visit(std::string_view text, std::string_view file) {
 }
 
 Visit load_visit(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (stream.bad() || !stream.is_open()) {
-    Visit visit;
-    visit.mistakes.push_back(
-        {.file = file.string(), .code = "missing-file", .message = "this visit cannot be read"});
-    return visit;
-  }
-  return parse_visit(text, file.string());
+  const Result<std::string> text = read_file(file);
+  if (text) return parse_visit(*text, file.string());
+  Visit visit;
+  visit.mistakes.push_back({.file = file.string(),
+                            .code = "missing-file",
+                            .message = without_file(text.error(), file.string())});
+  return visit;
 }
 
 }  // namespace docent

@@ -21,6 +21,11 @@ struct Error {
   std::string what;
 };
 
+/// An error's sentence without the file it begins with, for where the file is named apart.
+inline std::string without_file(const Error& error, const std::string& file) {
+  return error.what.starts_with(file + ": ") ? error.what.substr(file.size() + 2) : error.what;
+}
+
 template <typename T>
 using Result = std::expected<T, Error>;
 

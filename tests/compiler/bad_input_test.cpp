@@ -298,6 +298,45 @@ TEST(BadInput, AllMistakesOfAllFilesInOneRun) {
                                               "exhibit-outside-floor"));
 }
 
+TEST(BadInput, AnImageThatIsAFolder) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "image = \"images/disc.svg\"", "image = \"images\"");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("hall.toml:5:9: error[unreadable-image]: is a folder; name a file"),
+                    HasSubstr("hint: name a PNG, JPEG or SVG file")));
+}
+
+TEST(BadInput, APlanThatIsAFolder) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "plan = \"ground.geojson\"", "plan = \"images\"");
+
+  EXPECT_THAT(failing_compile(museum).err, HasSubstr("images: error[missing-file]: is a folder"));
+}
+
+TEST(BadInput, AMuseumFolderBesideAnotherSource) {
+  const MuseumFolder museum;
+
+  const ProgramRun run =
+      run_program("docent-content", "check '" + museum.path().string() + "' extra.geojson --quiet");
+
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, AllOf(HasSubstr(museum.path().string() + ": error[folder-among-sources]"),
+                             HasSubstr("hint: name one museum's folder alone")));
+}
+
+TEST(BadInput, AFolderWhereAFileOfPointsIsWanted) {
+  const MuseumFolder museum;
+  ASSERT_EQ(museum.compile().exit_code, 0);
+
+  const ProgramRun run =
+      run_program("docent-content", "at '" + museum.database().string() + "' --points '" +
+                                        museum.path().string() + "' -o a.csv");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("is a folder; name a file"));
+}
+
 TEST(BadInput, AnOutputFolderThatIsNotThere) {
   const MuseumFolder museum;
 
