@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "content/parallel.h"
+
 namespace docent {
 namespace {
 
@@ -320,14 +322,10 @@ void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
 
   // Every row is computed from the field alone, so how rows are shared out does not matter.
   const std::uint32_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-  std::vector<std::jthread> threads;
-  threads.reserve(workers);
-  for (std::uint32_t w = 0; w < workers; ++w)
-    threads.emplace_back([&, w] {
-      for (std::uint32_t y = w; y < field.height(); y += workers)
-        light.bake_row(y, std::span(scenery.lightmap).subspan(y * stride, stride));
-    });
-  threads.clear();
+  for_each_index(field.height(), workers, [&](std::size_t y) {
+    light.bake_row(static_cast<std::uint32_t>(y),
+                   std::span(scenery.lightmap).subspan(y * stride, stride));
+  });
   smooth_sun(field, scenery);
   fill_under_solids(field, scenery);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/model/last_catch.h"
 #include "runtime/path/make_hub_labels.h"
 #include "runtime/path/make_tangent_graph.h"
 
@@ -54,9 +55,11 @@ void RadiusMaps::make_wanted(const std::stop_token& stop) const {
     const double radius = *wanted_;
     lock.unlock();
     Known made{radius, nullptr};
-    if (const auto owned = std::make_shared<const Owned>(floor_, search_, radius, stop);
-        can_meet(owned->graph, owned->labels))
-      made.map = {owned, &owned->map};
+    guarded("preparing ways of another radius", [&] {  // without, each is searched for
+      if (const auto owned = std::make_shared<const Owned>(floor_, search_, radius, stop);
+          can_meet(owned->graph, owned->labels))
+        made.map = {owned, &owned->map};
+    });
     lock.lock();
     if (stop.stop_requested()) return;
     if (made_.size() == kept_radii) made_.erase(made_.begin());

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "runtime/model/last_catch.h"
+
 namespace docent {
 namespace {
 
@@ -64,15 +66,19 @@ void Planner::work() {
   while (true) {
     letters_.acquire();
     if (stop_) return;
-    if (const auto box = round_.take()) {
-      if (*box < orders_.size()) {
-        if (const auto order = orders_[*box].take()) answer(*order);
-      } else if (const auto request = requests_[*box - orders_.size()].take()) {
-        answer(*request);
-      }
-    }
+    guarded("planning", [this] { answer_next(); });  // an answer is lost, and not the worker
     answered_.fetch_add(1, std::memory_order_release);
     answered_.notify_all();
+  }
+}
+
+void Planner::answer_next() {
+  const auto box = round_.take();
+  if (!box) return;
+  if (*box < orders_.size()) {
+    if (const auto order = orders_[*box].take()) answer(*order);
+  } else if (const auto request = requests_[*box - orders_.size()].take()) {
+    answer(*request);
   }
 }
 

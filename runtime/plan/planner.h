@@ -49,6 +49,7 @@ class Planner {
   static constexpr std::size_t belt_length = 512;
 
   void work();
+  void answer_next();
   void answer(const WalkOrder& order);
   void answer(const ViewRequest& request);
   void announce(std::size_t box) noexcept;

@@ -1,0 +1,40 @@
+#include "runtime/plan/planner.h"
+
+#include <gmock/gmock.h>
+
+#include <new>
+
+#include "tests/support/sample_museum.h"
+
+namespace docent {
+namespace {
+
+ViewRequest welcome(std::uint64_t id) {
+  return {.id = id, .state = {}, .shape = {.width = 640, .height = 360}, .trip = {}};
+}
+
+TEST(APlanner, WhoseTypeSetterRunsOutOfMemoryOnceGoesOnWithTheNextView) {
+  const Museum museum = test::sample_museum_without_walls();
+  bool has_memory = false;
+  const SetText set_text = [&](const TextStyle&, std::string_view, std::uint32_t width) {
+    if (!has_memory) throw std::bad_alloc();
+    return TextBitmap{.width = width, .height = 8, .lines = 1, .coverage = {}};
+  };
+  Planner planner(museum, {set_text, {}});
+
+  testing::internal::CaptureStderr();
+  planner.ask(welcome(1));
+  planner.wait();
+  EXPECT_EQ(planner.take_view(), nullptr);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("planning failed"));
+
+  has_memory = true;
+  planner.ask(welcome(2));
+  planner.wait();
+  const std::unique_ptr<View> view = planner.take_view();
+  ASSERT_NE(view, nullptr);
+  EXPECT_EQ(view->request, 2U);
+}
+
+}  // namespace
+}  // namespace docent
