@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <memory>
+#include <span>
 
+#include "platform/file/read_file.h"
 #include "platform/handle.h"
+#include "platform/hid/touch_device.h"
 
 namespace docent {
 namespace {
@@ -44,20 +46,29 @@ HidDevice describe(const hid_device_info& info) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> read_report_descriptor(const std::string& path) {
+void try_to_open(std::span<HidDevice> devices) {
+  for (HidDevice& device : devices)
+    if (const auto opened = TouchDevice::open(device.path); !opened)
+      device.closed = without_file(opened.error(), device.path);
+}
+
+bool is_for_visitors(const HidDevice& device) noexcept {
+  const bool pad = device.kind.touch && device.kind.touch->surface == TouchLayout::Surface::Pad;
+  return (device.kind.touch && !pad) || !device.kind.keys.empty();
+}
+
+Result<std::vector<std::byte>> read_report_descriptor(const std::string& path,
+                                                      const std::filesystem::path& sysfs) {
   const auto node = std::filesystem::path(path).filename();
-  const auto file = std::filesystem::path("/sys/class/hidraw") / node / "device/report_descriptor";
-  std::ifstream in(file, std::ios::binary);
-  if (!in)
-    return std::unexpected(Error{
-        Errc::Environment, fmt::format("{}: cannot read its report descriptor at {}; is the device "
-                                       "still plugged in?",
-                                       path, file.string())});
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  std::vector<std::byte> bytes(text.size());
-  std::transform(text.begin(), text.end(), bytes.begin(),
-                 [](char c) { return static_cast<std::byte>(c); });
-  return bytes;
+  const Result<std::string> text = read_file(sysfs / node / "device/report_descriptor");
+  if (!text)
+    return std::unexpected(
+        Error{Errc::Environment,
+              fmt::format("{}: its report descriptor cannot be read ({}); is the device still "
+                          "plugged in?",
+                          path, text.error().what)});
+  const auto bytes = std::as_bytes(std::span(*text));
+  return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
 std::vector<HidDevice> list_hid_devices() {

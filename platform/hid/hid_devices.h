@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,12 +20,21 @@ struct HidDevice {
   ReportDescriptor descriptor;
   HidDeviceKind kind;
   std::string unreadable;  ///< Why its descriptor could not be read; empty otherwise.
+  std::string closed;      ///< Why it cannot be opened; empty where it can, or was not tried.
 };
+
+/// Tries to open each device and notes in `closed` why one cannot be. Takes up to 50 ms for each.
+void try_to_open(std::span<HidDevice> devices);
+
+/// Is it a touch screen or a keypad, that is a device for visitors?
+bool is_for_visitors(const HidDevice& device) noexcept;
 
 /// The hidraw devices present, one entry a device, in the order of their paths. Does not open them.
 std::vector<HidDevice> list_hid_devices();
 
 /// The report descriptor of a hidraw node, from sysfs; needs no permission on the node itself.
-Result<std::vector<std::byte>> read_report_descriptor(const std::string& path);
+/// A device that goes meanwhile is a sentence: its files fail between opening and reading.
+Result<std::vector<std::byte>> read_report_descriptor(
+    const std::string& path, const std::filesystem::path& sysfs = "/sys/class/hidraw");
 
 }  // namespace docent

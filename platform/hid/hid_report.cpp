@@ -13,7 +13,8 @@ std::string kind_of(const HidDevice& device) {
 }
 
 std::string reason_of(const HidDevice& device) {
-  return device.unreadable.empty() ? device.kind.ignored : device.unreadable;
+  if (!device.unreadable.empty()) return device.unreadable;
+  return device.closed.empty() || !is_for_visitors(device) ? device.kind.ignored : device.closed;
 }
 
 std::string field_name(Usage usage) {
@@ -40,7 +41,7 @@ std::string field_name(Usage usage) {
 }
 
 /// JSON's rules for strings; names are plain ASCII here.
-std::string quoted(std::string_view text) {
+std::string json_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out.push_back('\\');
@@ -74,15 +75,15 @@ std::string describe_devices_json(std::span<const HidDevice> devices) {
     fmt::format_to(std::back_inserter(out),
                    "{}\n  {{\"path\": {}, \"name\": {}, \"vendor\": {}, \"product\": {}, "
                    "\"kind\": {}, \"reason\": {}, \"fields\": [",
-                   out.size() > 1 ? "," : "", quoted(d.path), quoted(d.name), d.vendor, d.product,
-                   quoted(kind_of(d)), quoted(reason_of(d)));
+                   out.size() > 1 ? "," : "", json_text(d.path), json_text(d.name), d.vendor,
+                   d.product, json_text(kind_of(d)), json_text(reason_of(d)));
     bool first = true;
     for (const ReportField& f : d.descriptor.inputs) {
       fmt::format_to(std::back_inserter(out),
                      "{}{{\"report\": {}, \"bit\": {}, \"size\": {}, \"usage\": {}, "
                      "\"logical_min\": {}, \"logical_max\": {}}}",
                      first ? "" : ", ", f.report_id, f.bit_offset, f.bit_size,
-                     quoted(field_name(f.usage)), f.logical_min, f.logical_max);
+                     json_text(field_name(f.usage)), f.logical_min, f.logical_max);
       first = false;
     }
     out += "]}";

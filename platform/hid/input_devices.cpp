@@ -10,17 +10,21 @@
 #include <optional>
 #include <thread>
 
+#include "platform/hid/device_log.h"
 #include "platform/hid/hid_devices.h"
 #include "platform/hid/touch_device.h"
 #include "platform/hid/uevents.h"
 #include "runtime/input/event_queue.h"
+#include "runtime/model/last_catch.h"
 
 namespace docent {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto patience = 50ms;    // how long a thread may overlook that it should stop
-constexpr auto rescan_every = 2s;  // in case an uevent was missed
+constexpr auto patience = 50ms;  // how long a thread may overlook that it should stop
+constexpr std::chrono::milliseconds rescan_every = 2s;           // in case an uevent was missed
+constexpr std::chrono::milliseconds rescan_of_failures = 250ms;  // while udev gives permissions
+constexpr auto node_appears = 20ms;                              // after its uevent
 constexpr std::size_t max_devices = 16;
 constexpr std::uint32_t ids_per_device = 1U << 16U;
 
@@ -88,24 +92,27 @@ struct Slot {
   std::jthread reader;
 };
 
-bool is_wanted(const HidDevice& device) {
-  const bool pad = device.kind.touch && device.kind.touch->surface == TouchLayout::Surface::Pad;
-  return (device.kind.touch && !pad) || !device.kind.keys.empty();
-}
-
-void deliver(Slot& slot, std::span<const InputEvent> events, const std::stop_token& stop) {
+void deliver(Slot& slot, std::span<const InputEvent> events, const std::stop_token& stop) noexcept {
   for (const InputEvent& event : events)
     while (!slot.queue.push(event) && !stop.stop_requested()) std::this_thread::sleep_for(1ms);
 }
 
-void read_until_gone(const std::stop_token& stop, Slot& slot, TouchDevice device,
-                     EventMaker maker) {
-  while (!stop.stop_requested() && device.is_present()) {
-    const auto report = device.read(patience);
-    if (!report.empty()) deliver(slot, maker.take(report), stop);
-  }
+/// The life of a reader thread. When it ends, for whatever reason, the supervisor takes the device
+/// up again if it is still there.
+void read_until_gone(const std::stop_token& stop, Slot& slot, TouchDevice& device,
+                     EventMaker& maker) noexcept {
+  guarded("reading an input device", [&] {
+    while (!stop.stop_requested() && device.is_present()) {
+      const auto report = device.read(patience);
+      if (!report.empty()) deliver(slot, maker.take(report), stop);
+    }
+  });
   deliver(slot, maker.lift_all(), stop);
   slot.reading = false;
+}
+
+void say(std::string_view sentence) {
+  fmt::print(stderr, "docent: {}\n", sentence);
 }
 
 }  // namespace
@@ -113,6 +120,7 @@ void read_until_gone(const std::stop_token& stop, Slot& slot, TouchDevice device
 struct InputDevices::State {
   std::vector<std::string> only;  ///< Paths asked for; all devices when empty.
   std::array<Slot, max_devices> slots;
+  DeviceLog log;  ///< The supervisor's.
   std::jthread supervisor;
 
   bool is_asked_for(const std::string& path) const {
@@ -123,47 +131,75 @@ struct InputDevices::State {
     for (Slot& slot : slots)
       if (!slot.path.empty() && !slot.reading) {
         slot.reader = {};
+        say(slot.path + ": is gone");
         slot.path.clear();
       }
   }
 
-  void take_up(const HidDevice& device) {
-    const auto in_use = [&](const Slot& s) { return s.path == device.path; };
-    if (std::any_of(slots.begin(), slots.end(), in_use)) return;
-    const auto free =
-        std::find_if(slots.begin(), slots.end(), [](const Slot& s) { return s.path.empty(); });
-    if (free == slots.end()) return;
+  bool is_taken_up(const HidDevice& device) const {
+    return std::ranges::any_of(slots, [&](const Slot& s) { return s.path == device.path; });
+  }
+
+  /// Why it cannot be used, where it cannot.
+  Result<void> take_up(const HidDevice& device) {
+    if (!device.unreadable.empty())
+      return std::unexpected(Error{Errc::Environment, device.unreadable});
+    const auto free = std::ranges::find_if(slots, [](const Slot& s) { return s.path.empty(); });
+    if (free == slots.end())
+      return std::unexpected(Error{
+          Errc::Environment,
+          fmt::format("{}: is not used, because {} devices are; unplug one that is not needed",
+                      device.path, max_devices)});
     auto opened = TouchDevice::open(device.path);
-    if (!opened) return;  // not ready yet, or not ours: the next look tries again
-    Slot& slot = *free;
-    slot.path = device.path;
-    slot.reading = true;
-    const auto number = static_cast<std::uint32_t>(free - slots.begin());
+    if (!opened) return std::unexpected(opened.error());
+    start_reading(*free, device, std::move(*opened));
+    return {};
+  }
+
+  void start_reading(Slot& slot, const HidDevice& device, TouchDevice opened) {
+    const auto number = static_cast<std::uint32_t>(&slot - slots.data());
     EventMaker maker(device, (number + 1) * ids_per_device);
-    slot.reader = std::jthread(
-        [&slot, maker, device_file = std::move(*opened)](const std::stop_token& stop) mutable {
-          read_until_gone(stop, slot, std::move(device_file), maker);
+    slot.reading = true;
+    slot.reader =
+        std::jthread([&slot, maker, file = std::move(opened)](const std::stop_token& stop) mutable {
+          read_until_gone(stop, slot, file, maker);
         });
+    slot.path = device.path;
+    say(fmt::format("{}: {} is read as a {}", device.path, device.name,
+                    device.kind.touch ? "touch screen" : "keypad"));
   }
 
   void look() {
     free_slots_of_gone_devices();
-    for (const HidDevice& device : list_hid_devices())
-      if (is_asked_for(device.path) && is_wanted(device)) take_up(device);
+    std::vector<std::string> present;
+    for (const HidDevice& device : list_hid_devices()) {
+      present.push_back(device.path);
+      const bool is_for_us = is_for_visitors(device) || !device.unreadable.empty();
+      if (!is_asked_for(device.path) || !is_for_us || is_taken_up(device)) continue;
+      if (const Result<void> taken = take_up(device))
+        log.works(device.path);
+      else if (const auto news =
+                   log.failed(device.path, taken.error().what, std::chrono::steady_clock::now()))
+        say(*news);
+    }
+    log.keep(present);
   }
 
   void supervise(const std::stop_token& stop) {
     auto uevents = Uevents::open();
+    if (!uevents) say(uevents.error().what);
     auto next_look = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
       if (std::chrono::steady_clock::now() >= next_look) {
         look();
-        next_look = std::chrono::steady_clock::now() + rescan_every;
+        next_look = std::chrono::steady_clock::now() +
+                    (log.has_failures() ? rescan_of_failures : rescan_every);
       }
       if (!uevents)
         std::this_thread::sleep_for(patience);
       else if (uevents->hidraw_changed(patience))
-        next_look = std::chrono::steady_clock::now() + 20ms;  // the node appears a little later
+        // The node appears a little later. Devices that come and go all the time put off no look.
+        next_look = std::min(next_look, std::chrono::steady_clock::now() + node_appears);
     }
   }
 };
@@ -188,8 +224,9 @@ Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths) {
   }
   auto state = std::make_unique<State>();
   state->only = paths;
-  state->supervisor =
-      std::jthread([s = state.get()](const std::stop_token& stop) { s->supervise(stop); });
+  state->supervisor = std::jthread([s = state.get()](const std::stop_token& stop) {
+    keep_running("looking for input devices", stop, [&] { s->supervise(stop); });
+  });
   return InputDevices(std::move(state));
 }
 

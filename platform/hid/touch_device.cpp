@@ -18,9 +18,10 @@ Result<TouchDevice> TouchDevice::open(const std::string& path) {
   if (!handle)
     return std::unexpected(Error{
         Errc::Environment,
-        fmt::format("{}: cannot open the input device ({}); see that the user may read it (the "
-                    "udev rule in deploy/) and that it is plugged in",
-                    path, errno != 0 ? std::strerror(errno) : "no such device")});
+        fmt::format(
+            "{}: cannot open the input device ({}); its user must be allowed to read and to "
+            "write it: install docent's udev rule, and DeviceAllow=char-hidraw rw in the unit",
+            path, errno != 0 ? std::strerror(errno) : "no such device")});
   return TouchDevice(std::move(handle));
 }
 
