@@ -14,6 +14,7 @@
 #include "config/diagnostic_text.h"
 #include "config/kiosk_config.h"
 #include "platform/clock/monotonic_clock.h"
+#include "platform/file/read_file.h"
 #include "platform/gles/gpu_timer.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
@@ -21,6 +22,7 @@
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
+#include "runtime/model/last_catch.h"
 
 namespace docent {
 namespace {
@@ -32,13 +34,16 @@ constexpr double after_visit_seconds = 10;
 volatile std::sig_atomic_t stop_requested = 0;
 volatile std::sig_atomic_t reload_requested = 0;
 
-void handle_signals() {
+void handle(int signal, void (*handler)(int)) noexcept {
   struct sigaction action{};
-  action.sa_handler = [](int) { stop_requested = 1; };
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGINT, &action, nullptr);
-  action.sa_handler = [](int) { reload_requested = 1; };
-  sigaction(SIGHUP, &action, nullptr);
+  action.sa_handler = handler;
+  sigaction(signal, &action, nullptr);
+}
+
+/// Until here nothing would be left behind, and a signal ends the program by itself.
+void expect_end() noexcept {
+  handle(SIGTERM, [](int) { stop_requested = 1; });
+  handle(SIGINT, [](int) { stop_requested = 1; });
 }
 
 int say(const Error& error) {
@@ -301,7 +306,10 @@ void Kiosk::take_up_content() {
   if (reload_requested != 0 && !loading_.valid()) {
     reload_requested = 0;
     loading_ = std::async(std::launch::async, [file = database_, settings = guide_settings()] {
-      return load_exhibition(file, settings);
+      Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
+          Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
+      guarded("reading a database", [&] { loaded = load_exhibition(file, settings); });
+      return loaded;
     });
   }
   if (!loading_.valid() || !guide().is_vacant()) return;
@@ -323,6 +331,10 @@ void Kiosk::take_up_content() {
 
 }  // namespace
 
+void expect_reloads() noexcept {
+  handle(SIGHUP, [](int) { reload_requested = 1; });
+}
+
 int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   std::optional<Visit> visit;
   if (!options.visit.empty()) {
@@ -330,13 +342,13 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
     say(visit->mistakes);
     if (!visit->mistakes.empty()) return 1;
   }
-  if (options.config_given && !std::filesystem::exists(options.config))
+  if (options.config_given && !is_there(options.config))
     return say({Errc::NotFound, options.config.string() + ": there is no such settings file"});
   const Loaded<KioskConfig> config = load_kiosk_config(options.config);
   say(config.diagnostics);
   if (has_error(config.diagnostics) || !config.value) return 1;
 
-  handle_signals();
+  expect_end();
   Result<Edges> edges = open_edges(edge_settings(options, *config.value));
   if (!edges) return say(edges.error());
   Result<Renderer> renderer = make_renderer();

@@ -7,6 +7,10 @@
 
 namespace docent {
 
+/// From here on SIGHUP asks for a new database. The first thing in main(): a hang-up of the console
+/// comes as soon as another program takes it, and must not end this one without a word.
+void expect_reloads() noexcept;
+
 /// Runs the guide on the screen and glass that the options name until it is told to stop (SIGTERM,
 /// SIGINT, the window's close button, a visit's quit, --seconds). Returns CONTRACT's exit code;
 /// every problem has been said on standard error. `started`: when the program began.

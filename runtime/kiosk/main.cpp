@@ -1,3 +1,5 @@
+#include <cstdio>
+#include <exception>
 #include <span>
 #include <string_view>
 
@@ -7,12 +9,25 @@
 #include "runtime/kiosk/kiosk.h"
 #include "runtime/kiosk/options.h"
 
-int main(int argc, char** argv) {
-  const auto started = docent::monotonic_now();
+namespace {
+
+int run(int argc, char** argv, std::chrono::nanoseconds started) {
   if (argc > 1 && std::string_view(argv[1]) == "hid")
     return docent::run_hid_command(std::span<const char* const>(argv, argv + argc).subspan(2));
   docent::prepare_allocator_for(docent::Phase::Start);
   const docent::CommandLine line = docent::parse_command_line(argc, argv);
   if (line.exit) return *line.exit;
   return docent::run_kiosk(line.options, started);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  docent::expect_reloads();
+  try {
+    return run(argc, argv, docent::monotonic_now());
+  } catch (const std::exception& error) {  // no memory, or a library's exception
+    std::fprintf(stderr, "docent: it cannot go on (%s)\n", error.what());
+    return docent::exit_code(docent::Errc::Environment);
+  }
 }

@@ -1,7 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
 #include "tests/support/kiosk_run.h"
+#include "tests/support/started_program.h"
 
 namespace docent::test {
 namespace {
@@ -55,6 +62,46 @@ TEST(ADisplay, ThatCannotBeOpenedIsAnEnvironmentFault) {
   }
   if (has_desktop && std::filesystem::exists("/dev/dri"))
     GTEST_SKIP() << "this machine can open every display";
+}
+
+TEST(AFolder, InPlaceOfAFileIsAFaultWithASentence) {
+  const TemporaryFolder folder;
+  const std::string name = "'" + folder.path().string() + "'";
+  const std::string content = "--content '" + sample_database().string() + "' --display headless ";
+
+  const ProgramRun config = run_program("docent", content + "--config " + name);
+  EXPECT_EQ(config.exit_code, 1);
+  EXPECT_THAT(config.err, HasSubstr("is a folder; name a file"));
+
+  const ProgramRun visit = run_program("docent", content + "--visit " + name);
+  EXPECT_EQ(visit.exit_code, 1);
+  EXPECT_THAT(visit.err, HasSubstr("is a folder; name a file"));
+
+  const ProgramRun recording = run_program("docent", "hid decode " + name);
+  EXPECT_EQ(recording.exit_code, 1);
+  EXPECT_THAT(recording.err, HasSubstr("is a folder; name a file"));
+
+  const ProgramRun database = run_program("docent", "--display headless --content " + name);
+  EXPECT_EQ(database.exit_code, 1);
+  EXPECT_THAT(database.err, HasSubstr("is a folder"));
+}
+
+// The console hangs up as soon as another program takes it, which may be while this one still reads
+// its settings: here out of a pipe, so that the test knows when that is.
+TEST(AHangUp, WhileTheSettingsAreReadDoesNotEndTheProgram) {
+  const TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "kiosk.toml").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const StartedProgram run(
+      "docent", {"--content", sample_database().string(), "--display", "headless", "--size",
+                 "64x64", "--seconds", "0.1", "--config", pipe});
+
+  const int settings = open(pipe.c_str(), O_WRONLY | O_CLOEXEC);  // waits until it is being read
+  ASSERT_GE(settings, 0);
+  kill(run.process(), SIGHUP);
+  close(settings);
+
+  EXPECT_EQ(run.wait(), 0);
 }
 
 TEST(HidCommands, SayWhatIsWrongWithARecording) {
