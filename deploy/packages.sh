@@ -8,13 +8,18 @@ packages_build=(
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
 packages_content=(libboost-dev libcgal-dev librsvg2-dev nlohmann-json3-dev)
+# All that a docent which was built elsewhere needs to run.
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
-  libegl-mesa0 libegl1 libgl1-mesa-dri libgles2 libhidapi-hidraw0
+  libcairo2 libdrm2 libegl-mesa0 libegl1 libfmt9 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
+  libjpeg62-turbo libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libstdc++6
+  libxcb-icccm4 libxcb-keysyms1 libxcb1
 )
 packages_test=(
   libgmock-dev libgtest-dev librapidcheck-dev python3 x11-utils xdotool xvfb
 )
+# For tests/kiosk/booted, which boots a Debian and installs docent in it; that test is skipped without them.
+packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)

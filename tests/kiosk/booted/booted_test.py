@@ -1,0 +1,352 @@
+#!/usr/bin/env python3
+"""Does a kiosk work as installed? A stock Debian is booted, the commands of deploy/README.md, "On a device", are run in it,
+and from then on everything is judged by pictures of its screen, taken from outside.
+
+What is proved, with the unit and the udev rule unchanged:
+ - a screen that was plugged in before the installation is opened by the user docent, and its touch is shown; so is one
+   that is plugged in later, the first HID device of the machine;
+ - the service takes the first console over from getty, keeps it quiet, and getty is not there after a reboot either;
+ - killed or restarted, the service draws again, and takes touches again;
+ - touch screens that come and go every few hundredths of a second do it no harm;
+ - who wants the console gets it by starting getty, and the guide comes back by starting docent;
+ - nobody ends it by a hang-up.
+
+It needs amd64, root rights, the packages of `packages_booted` (deploy/packages.sh) and, the first time, a Debian mirror;
+without them it is skipped and says why. There is no hardware acceleration, so it judges order and not speed: about three minutes
+on two cores, and a minute and a half more the first time. What it saw is in a folder that it names when it fails.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import tarfile
+import time
+import traceback
+from dataclasses import dataclass
+
+sys.dont_write_bytecode = True
+
+from machine import Failure, Machine
+from picture import Picture, read_png
+from root_image import NotHere, require_tools, root_image
+
+SKIPPED = 77
+SIZE = (320, 200)  # small: every pixel is drawn by a processor that is itself simulated
+TO_BOOT = TO_DRAW = 400.0  # seconds; a busy machine may need as much
+TO_OPEN = 60.0
+STORM_SECONDS = 20
+ALTOGETHER = 1400.0  # less than ctest's patience, so that there is time to keep the evidence
+SAME_SCREEN = 2.0  # the mean difference of a channel: of one screen 0.01, of two of them 8
+RIBBON_PIXELS = 150  # the way on the floor has at least 399; welcome and choosing have at most 7 of that colour
+CHECKOUT = "/root/docent"  # in the machine
+GLASS = "/run/glass"
+
+started = time.monotonic()
+
+
+def say(sentence: str) -> None:
+    print(f"{time.monotonic() - started:6.1f} s  {sentence}", flush=True)
+
+
+# ------------------------------------------------------------------ on this machine
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Where to touch, and what the screen then shows, as the same program says that runs here without a display."""
+
+    touch: tuple[float, float]
+    welcome: Picture
+    choosing: Picture
+    way: Picture
+
+
+def expected(docent: pathlib.Path, database: pathlib.Path, config: pathlib.Path, scratch: pathlib.Path) -> Expected:
+    """Looks for a place on the welcome screen where a touch begins, and a second one chooses an exhibit."""
+    rows, columns = (0.48, 0.38, 0.58, 0.68, 0.32), [0.40 + 0.02 * i for i in range(28)]
+    for at in ((x, y) for y in rows for x in columns):
+        visit, stats = scratch / "touch.visit", scratch / "stats.json"
+        x, y = at
+        visit.write_text(
+            f"0.5 shot {scratch}/welcome.png\n1 tap {x:.3f} {y:.3f}\n2.5 shot {scratch}/choosing.png\n"
+            f"3 tap {x:.3f} {y:.3f}\n4.5 shot {scratch}/way.png\n4.6 quit\n"
+        )
+        # fmt: off
+        subprocess.run([docent, "--display", "headless", "--size", f"{SIZE[0]}x{SIZE[1]}", "--content", database,
+                        "--config", config, "--visit", visit, "--stats", stats], check=True)
+        # fmt: on
+        if json.loads(stats.read_text())["routes"] == 1:
+            break
+    else:
+        raise Failure("no place was found on the welcome screen where two touches lead to an exhibit: has its layout changed?")
+    found = Expected(at, *(read_png(scratch / f"{name}.png") for name in ("welcome", "choosing", "way")))
+    if found.way.ribbon() < 2 * RIBBON_PIXELS or found.welcome.difference(found.choosing) < 2 * SAME_SCREEN:
+        raise Failure("the screens of the kiosk cannot be told apart any more: look at picture.py's colour of the way")
+    return found
+
+
+def luggage(source: pathlib.Path, docent: pathlib.Path, database: pathlib.Path, out: pathlib.Path) -> None:
+    """What an integrator carries to the device: a checkout that was built, and a museum's database. An archive, which the
+    machine sees as a disk."""
+    with tarfile.open(out, "w") as archive:
+        archive.add(docent, "build/release/bin/docent")
+        archive.add(database, "museum.db")
+        for name in ("config/kiosk.toml", "deploy/udev", "deploy/systemd"):
+            archive.add(source / name, name)
+        archive.add(pathlib.Path(__file__).parent / "glass.py", "glass.py")
+
+
+def install_commands(readme: pathlib.Path) -> list[str]:
+    """The commands of "On a device", but for the build."""
+    section = re.search(r"^## On a device\n(.*?)^## ", readme.read_text(), re.MULTILINE | re.DOTALL)
+    lines = re.findall(r"^    (.*)$", section[1], re.MULTILINE) if section else []
+    commands = [line for line in lines if not line.startswith("cmake ")]
+    if not any("systemctl enable" in command for command in commands):
+        raise Failure(f'{readme}: "On a device" has no command that enables the service')
+    return commands
+
+
+def recorded_descriptor(reference: pathlib.Path) -> str:
+    """The report descriptor of a touch screen that somebody had; the test's own where there are no recordings."""
+    recording = reference / "hid/mt/win7_elo-touchsystems_04e7_0022.hid"
+    if not recording.exists():
+        return ""
+    return re.search(r"^R: \d+ (.*)$", recording.read_text(), re.MULTILINE)[1]
+
+
+def packages_kiosk(source: pathlib.Path) -> list[str]:
+    script = f'. {shlex.quote(str(source / "deploy/packages.sh"))}; printf "%s\\n" "${{packages_kiosk[@]}}"'
+    return subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split()
+
+
+# ------------------------------------------------------------------ in the booted one
+
+
+class Kiosk:
+    """The machine as somebody sees it who stands before it."""
+
+    def __init__(self, machine: Machine, expect: Expected) -> None:
+        self.machine, self.expect = machine, expect
+
+    def property(self, unit: str, name: str) -> str:
+        return self.machine.must(f"systemctl show -P {name} {unit}")
+
+    def shows_welcome(self) -> bool:
+        return self.machine.picture().difference(self.expect.welcome) < SAME_SCREEN
+
+    def shows_choosing(self) -> bool:
+        return self.machine.picture().difference(self.expect.choosing) < SAME_SCREEN
+
+    def shows_way(self) -> bool:
+        now = self.machine.picture()
+        return now.ribbon() >= RIBBON_PIXELS and now.panel().difference(self.expect.way.panel()) < SAME_SCREEN
+
+    def plug_in_glass(self, descriptor: str) -> None:
+        self.machine.must(
+            f"rm -f {GLASS}; systemd-run --quiet --unit=glass python3 {CHECKOUT}/glass.py {GLASS} {shlex.quote(descriptor)}; "
+            f"until [ -p {GLASS} ] && [ -e /dev/hidraw0 ]; do systemctl -q is-active glass || exit 1; sleep 0.1; done"
+        )
+
+    def has_glass(self) -> bool:
+        return "/dev/hidraw0" in self.machine.must("ls -l /proc/$(systemctl show -P MainPID docent)/fd")
+
+    def touch(self) -> None:
+        x, y = self.expect.touch
+        self.machine.must(f"echo {x:.4f} {y:.4f} >{GLASS}")
+
+    def draws(self, when: str) -> None:
+        took = self.machine.wait_until(f"{when}: the welcome screen", self.shows_welcome, TO_DRAW)
+        self.machine.keep_picture(f"{when}-welcome")
+        say(f"{when}: the welcome screen is there ({took:.0f} s)")
+
+    def leads_the_way(self, when: str) -> None:
+        """Two touches of the same exhibit: the first begins, the second chooses."""
+        self.touch()
+        self.machine.wait_until(f"{when}: a touch begins, and the choice is shown", self.shows_choosing, TO_DRAW)
+        self.machine.keep_picture(f"{when}-choosing")
+        self.touch()
+        self.machine.wait_until(f"{when}: a touch of an exhibit, and its way is shown", self.shows_way, TO_DRAW)
+        self.machine.keep_picture(f"{when}-way")
+        say(f"{when}: two touches, and the guide shows the way")
+
+    def console_is_quiet(self, when: str) -> None:
+        """KD_GRAPHICS and K_OFF (linux/kd.h): no letters over the picture, no typed keys in a shell behind it."""
+        ask = (
+            "import array, fcntl, os; tty = os.open('/dev/tty1', os.O_RDONLY | os.O_NOCTTY); state = array.array('i', [0, 0]); "
+            "fcntl.ioctl(tty, 0x4B3B, state, True); mode = state[0]; fcntl.ioctl(tty, 0x4B44, state, True); print(mode, state[0])"
+        )
+        mode = self.machine.must(f'python3 -c "{ask}"')
+        if mode != "1 4":
+            raise Failure(f"{when}: the console is not quiet: its display and keyboard modes are {mode} instead of 1 4")
+
+    def owns_console(self, when: str) -> None:
+        for unit, wanted in (("docent", "active"), ("getty@tty1", "inactive")):
+            state = self.property(unit, "ActiveState")
+            if state != wanted:
+                raise Failure(f"{when}: {unit} is {state} and not {wanted}")
+        self.console_is_quiet(when)
+
+
+def unpack(machine: Machine) -> None:
+    machine.must(f"mkdir -p {CHECKOUT} && tar -xf /dev/vdb -C {CHECKOUT}")
+
+
+def is_stock(kiosk: Kiosk) -> None:
+    kiosk.machine.wait_until("getty on the first console", lambda: kiosk.property("getty@tty1", "ActiveState") == "active", TO_BOOT)
+    say("a stock Debian: getty has the first console")
+
+
+def install(kiosk: Kiosk, commands: list[str]) -> None:
+    for command in commands:
+        kiosk.machine.must(f"cd {CHECKOUT} && {command}")
+    say(f"installed by the {len(commands)} commands of deploy/README.md")
+
+
+def glass_is_open(kiosk: Kiosk, when: str) -> None:
+    said = kiosk.machine.must("runuser -u docent -G input -- docent hid list")
+    if "touch screen" not in said or "cannot open" in said:
+        raise Failure(f"{when}: `docent hid list`, as the user docent, says: {said}")
+    kiosk.machine.wait_until(f"{when}: the service has /dev/hidraw0 open", kiosk.has_glass, TO_OPEN)
+    say(f"{when}: the user docent has opened the touch screen")
+
+
+def killed(kiosk: Kiosk) -> None:
+    before = kiosk.property("docent", "MainPID")
+    kiosk.machine.must(f"kill -KILL {before}")
+    kiosk.machine.wait_until("systemd starts it again", lambda: kiosk.property("docent", "MainPID") not in ("0", before), TO_DRAW)
+    say("killed: systemd has started it again")
+
+
+def console_and_back(kiosk: Kiosk) -> None:
+    kiosk.machine.must("systemctl restart getty@tty1")
+    if kiosk.property("docent", "ActiveState") != "inactive":
+        raise Failure("getty was started on the first console, and docent is still there")
+    kiosk.machine.keep_picture("console")
+    say("getty was started: the console is there, and docent has ended")
+    kiosk.machine.must("systemctl start docent")
+
+
+def storm(kiosk: Kiosk) -> None:
+    """Devices that come and go all the time cost the kiosk no more than a look at each."""
+    before = kiosk.property("docent", "MainPID")
+    kiosk.machine.must(f"python3 {CHECKOUT}/glass.py storm {STORM_SECONDS}")
+    if kiosk.property("docent", "MainPID") != before:
+        raise Failure(f"after {STORM_SECONDS} s of touch screens that came and went, the service was another: see journal.log")
+    say(f"{STORM_SECONDS} s of touch screens that come and go: the service is still the same")
+
+
+def reboot(kiosk: Kiosk) -> None:
+    kiosk.machine.run("systemctl --no-block reboot")
+    kiosk.machine.wait_for_shell(TO_BOOT)
+    say("rebooted")
+
+
+def no_hang_up(kiosk: Kiosk) -> None:
+    journal = kiosk.machine.must("journalctl -b --no-pager -u docent")
+    ends = [line for line in journal.splitlines() if "status=1/HUP" in line or "status=208" in line]
+    if ends:
+        raise Failure(f"the service was ended by its terminal: {ends[0]}")
+
+
+def play(kiosk: Kiosk, commands: list[str], descriptor: str) -> None:
+    kiosk.machine.wait_for_shell(TO_BOOT)
+    is_stock(kiosk)
+    unpack(kiosk.machine)
+    kiosk.plug_in_glass(descriptor)
+    install(kiosk, commands)
+    kiosk.draws("installed")
+    kiosk.owns_console("installed")
+    glass_is_open(kiosk, "installed")
+    kiosk.leads_the_way("installed")
+
+    killed(kiosk)
+    kiosk.draws("killed")
+    kiosk.owns_console("killed")
+    kiosk.leads_the_way("killed")
+
+    kiosk.machine.must("systemctl restart docent")
+    kiosk.draws("restarted")
+    kiosk.owns_console("restarted")
+    storm(kiosk)
+    kiosk.leads_the_way("after-the-storm")
+
+    console_and_back(kiosk)
+    kiosk.draws("back-again")
+    kiosk.owns_console("back-again")
+    no_hang_up(kiosk)
+
+    reboot(kiosk)
+    kiosk.draws("rebooted")
+    kiosk.owns_console("rebooted")
+    kiosk.plug_in_glass(descriptor)
+    glass_is_open(kiosk, "plugged-in-later")
+    kiosk.leads_the_way("rebooted")
+    no_hang_up(kiosk)
+
+
+def keep_evidence(machine: Machine) -> None:
+    """As much as the machine still says."""
+    machine.keep_picture("last")
+    for name, command in {
+        "journal.log": "journalctl --no-pager -o short-monotonic",
+        "units.log": "systemctl status --no-pager docent getty@tty1; ls -l /dev/hidraw* /dev/dri; docent hid list",
+    }.items():
+        (machine.logs / name).write_text(machine.run(command, patience=60)[1])
+
+
+def test(options: argparse.Namespace) -> None:
+    require_tools()
+    image = root_image(options.cache, packages_kiosk(options.source))
+    say("a Debian to boot is there")
+    shutil.rmtree(options.work, ignore_errors=True)
+    options.work.mkdir(parents=True)
+    database, disk = options.work / "museum.db", options.work / "luggage.tar"
+    subprocess.run([options.docent_content, "compile", options.source / "config/museum", "-o", database, "--quiet"], check=True)
+    expect = expected(options.docent, database, options.source / "config/kiosk.toml", options.work)
+    luggage(options.source, options.docent, database, disk)
+    commands = install_commands(options.source / "deploy/README.md")
+    say(f"an exhibit can be touched at {expect.touch[0]:.2f} {expect.touch[1]:.2f}; the machine is switched on")
+    with Machine(image, disk, SIZE, options.work, deadline=started + ALTOGETHER) as machine:
+        try:
+            play(Kiosk(machine, expect), commands, recorded_descriptor(options.reference))
+        except BaseException:
+            try:
+                keep_evidence(machine)
+            except Exception as silent:
+                print(f"the machine says no more: {silent}")
+            raise
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--docent", type=pathlib.Path, required=True)
+    parser.add_argument("--docent-content", type=pathlib.Path, required=True)
+    parser.add_argument("--source", type=pathlib.Path, required=True, help="the tree that holds deploy/ and config/")
+    parser.add_argument("--cache", type=pathlib.Path, required=True, help="where the Debian is kept that is booted")
+    parser.add_argument("--work", type=pathlib.Path, required=True, help="an own folder: pictures and logs; is emptied")
+    parser.add_argument("--reference", type=pathlib.Path, default=pathlib.Path("/nonexistent"), help="recordings, where there are some")
+    options = parser.parse_args()
+    try:
+        test(options)
+    except NotHere as reason:
+        print(f"skipped: {reason}")
+        return SKIPPED
+    except Failure as failure:
+        say(f"FAILED: {failure}")
+    except Exception:
+        traceback.print_exc()
+    else:
+        shutil.rmtree(options.work)
+        say("a kiosk works as installed")
+        return 0
+    print(f"pictures and logs are in {options.work}")
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

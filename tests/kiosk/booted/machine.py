@@ -1,0 +1,131 @@
+"""A machine in QEMU: switched on, asked, looked at and switched off."""
+
+import json
+import pathlib
+import socket
+import subprocess
+import time
+from collections.abc import Callable
+
+from picture import Picture, read_ppm
+from root_image import RootImage
+
+
+class Failure(Exception):
+    """What is not as it should be, in one sentence."""
+
+
+class Line:
+    """One end of a pair of sockets, the other end of which is QEMU's."""
+
+    def __init__(self) -> None:
+        self.mine, self.theirs = socket.socketpair()
+        self.read = b""
+
+    def send(self, data: bytes) -> None:
+        self.mine.sendall(data)
+
+    def until(self, end: bytes, patience: float) -> str:
+        """Waits for `end`; what came before it, without it."""
+        deadline = time.monotonic() + patience
+        while end not in self.read:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise TimeoutError
+            self.mine.settimeout(left)
+            data = self.mine.recv(65536)
+            if not data:
+                raise Failure("the machine has gone away")
+            self.read += data
+        before, self.read = self.read.split(end, 1)
+        return before.decode(errors="replace")
+
+
+class Machine:
+    """A running machine with a screen of the given size. What it says is kept under `logs`. Nobody waits for anything on
+    its screen beyond `deadline`, a time of the monotonic clock."""
+
+    def __init__(self, image: RootImage, luggage: pathlib.Path, size: tuple[int, int], logs: pathlib.Path, deadline: float) -> None:
+        self.logs, self.deadline = logs, deadline
+        self.shell, self.monitor = Line(), Line()
+        ends = {line: line.theirs.fileno() for line in (self.shell, self.monitor)}
+        # fmt: off
+        command = [
+            "setpriv", "--pdeathsig", "KILL",  # ends with this test, however that ends
+            "qemu-system-x86_64", "-accel", "tcg,thread=multi,tb-size=512",  # a KVM that is there and gets nowhere has been seen
+            "-smp", "2", "-cpu", "Nehalem", "-m", "1536",
+            "-nodefaults", "-display", "none", "-vga", "none", "-nic", "none",
+            "-kernel", str(image.kernel), "-initrd", str(image.initial_root),
+            "-append", "console=ttyS0 quiet mitigations=off nokaslr systemd.show_status=0",
+            "-device", f"virtio-gpu-pci,id=screen,xres={size[0]},yres={size[1]}",
+            "-drive", f"file={image.disk},if=virtio,format=raw,snapshot=on",  # what is written is forgotten
+            "-drive", f"file={luggage},if=virtio,format=raw,readonly=on",
+            "-device", "virtio-serial-pci", "-chardev", f"socket,id=shell,fd={ends[self.shell]}",
+            "-device", "virtserialport,chardev=shell,name=shell",
+            "-chardev", f"socket,id=monitor,fd={ends[self.monitor]}", "-mon", "chardev=monitor,mode=control",
+            "-serial", f"file:{logs / 'serial.log'}",
+        ]
+        # fmt: on
+        with open(logs / "qemu.log", "wb") as log:
+            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=list(ends.values()))
+        for line in ends:
+            line.theirs.close()
+        self.monitor.until(b"\n", patience=60)  # its greeting
+        self.ask_monitor("qmp_capabilities")
+
+    def __enter__(self) -> "Machine":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.process.kill()
+        self.process.wait()
+
+    def ask_monitor(self, command: str, **arguments: object) -> None:
+        self.monitor.send(json.dumps({"execute": command, "arguments": arguments}).encode() + b"\n")
+        while True:  # events come in between
+            reply = json.loads(self.monitor.until(b"\n", patience=60))
+            if "error" in reply:
+                raise Failure(f"QEMU: {reply['error']['desc']}")
+            if "return" in reply:
+                return
+
+    def wait_for_shell(self, patience: float) -> None:
+        """After power-on or a reboot."""
+        try:
+            self.shell.until(b"a shell is there\n", patience)
+        except TimeoutError:
+            serial = (self.logs / "serial.log").read_text(errors="replace")
+            raise Failure(f"the machine did not start within {patience:.0f} s; its last words: {serial[-500:]}") from None
+
+    def run(self, command: str, patience: float = 240) -> tuple[int, str]:
+        """Runs a command as root; what it printed, and its exit status."""
+        self.shell.send(f"{{ {command}\n}} </dev/null 2>&1; printf '\\1%d\\n' $?\n".encode())
+        try:
+            said = self.shell.until(b"\1", patience)
+            status = int(self.shell.until(b"\n", patience))
+        except TimeoutError:
+            raise Failure(f"`{command}` was not done after {patience:.0f} s") from None
+        return status, said.strip()
+
+    def must(self, command: str) -> str:
+        status, said = self.run(command)
+        if status != 0:
+            raise Failure(f"`{command}` ended with {status}: {said}")
+        return said
+
+    def picture(self) -> Picture:
+        file = self.logs / "now.ppm"
+        self.ask_monitor("screendump", filename=str(file), device="screen", head=0)
+        return read_ppm(file)
+
+    def keep_picture(self, name: str) -> None:
+        self.ask_monitor("screendump", filename=str(self.logs / f"{name}.png"), format="png", device="screen", head=0)
+
+    def wait_until(self, what: str, is_so: Callable[[], bool], patience: float) -> float:
+        """Waits for what is slow here and quick on a device; returns how many seconds it took."""
+        begun = time.monotonic()
+        while not is_so():
+            if time.monotonic() > min(begun + patience, self.deadline):
+                raise Failure(f"{what}: not seen for {time.monotonic() - begun:.0f} s")
+            time.sleep(0.5)
+        return time.monotonic() - begun
