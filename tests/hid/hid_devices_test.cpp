@@ -58,7 +58,9 @@ TEST_F(ASysfs, WithoutTheDeviceGivesASentence) {
 }
 
 HidDevice keypad(const std::string& path) {
-  HidDevice device{.path = path, .name = "Keypad"};
+  HidDevice device;
+  device.path = path;
+  device.name = "Keypad";
   device.kind.keys.resize(1);
   return device;
 }
