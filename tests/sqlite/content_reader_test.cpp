@@ -129,7 +129,7 @@ TEST(ContentReader, SaysThatAFolderIsNoDatabase) {
   const auto museum = load_museum(std::filesystem::temp_directory_path());
 
   ASSERT_FALSE(museum.has_value());
-  EXPECT_EQ(museum.error().code, Errc::Environment);
+  EXPECT_EQ(museum.error().code, Errc::InvalidInput);
 }
 
 /// Spoils one thing in a museum, so that its database is sound and its content is not.
