@@ -18,7 +18,7 @@ packages_kiosk=(
 packages_test=(
   libgmock-dev libgtest-dev librapidcheck-dev python3 x11-utils xdotool xvfb
 )
-# For tests/kiosk/booted, which boots a Debian and installs docent in it; that test is skipped without them.
+# For tests/kiosk, which boots a Debian and installs docent in it; that test is skipped without them.
 packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)

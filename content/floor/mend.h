@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "content/import/imported_plan.h"
+#include "content/import/floor/imported_plan.h"
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/geometry/floor_plan.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "content/import/motion_file.h"
+#include "content/import/motion/motion_file.h"
 
 namespace docent {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "content/import/motion_body.h"
+#include "content/import/motion/body.h"
 #include "content/motion/extract_root_motion.h"
 
 namespace docent {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "content/content_error.h"
-#include "content/import/motion_folder.h"
+#include "content/import/motion/motion_folder.h"
 #include "content/motion/resample.h"
 #include "content/motion/rest_pose.h"
 

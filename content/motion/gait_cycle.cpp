@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "content/import/motion_body.h"
+#include "content/import/motion/body.h"
 #include "content/motion/extract_root_motion.h"
 
 namespace docent {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "content/content_error.h"
-#include "content/import/motion_body.h"
+#include "content/import/motion/body.h"
 #include "content/motion/track.h"
 
 namespace docent {

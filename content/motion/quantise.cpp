@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "content/import/motion_file.h"
+#include "content/import/motion/motion_file.h"
 #include "runtime/model/motion/motion_grid.h"
 
 namespace docent {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "content/import/motion_body.h"
-#include "content/import/motion_file.h"
+#include "content/import/motion/body.h"
+#include "content/import/motion/motion_file.h"
 
 namespace docent {
 

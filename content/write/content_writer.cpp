@@ -15,8 +15,8 @@
 #include "content/write/replace_file.h"
 #include "platform/sqlite/checksum.h"
 #include "platform/sqlite/database.h"
-#include "runtime/model/schema/rows.h"
-#include "runtime/model/schema/schema.h"
+#include "runtime/schema/rows.h"
+#include "runtime/schema/schema.h"
 #include "schema_sql.h"
 
 namespace docent {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "platform/gles/body_detail.h"
+#include "runtime/scene/body_detail.h"
 #include "platform/gles/shaders.h"
 #include "runtime/scene/look.h"
 

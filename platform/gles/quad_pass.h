@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 #include "platform/gles/program.h"
 #include "platform/gles/textures.h"
 

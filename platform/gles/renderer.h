@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "platform/egl/display.h"
-#include "platform/png/image.h"
+#include "platform/display.h"
+#include "platform/image/image.h"
 #include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/model/result.h"
 #include "runtime/model/scenery.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 #include "platform/gles/gl_names.h"
 
 namespace docent {

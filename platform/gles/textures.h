@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "platform/gles/gl_names.h"
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "platform/gles/program.h"
-#include "platform/gles/ribbon_mesh.h"
+#include "runtime/scene/ribbon_mesh.h"
 #include "runtime/scene/theme.h"
 
 namespace docent {

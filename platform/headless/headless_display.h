@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "platform/egl/display.h"
-#include "platform/png/image.h"
+#include "platform/display.h"
+#include "platform/image/image.h"
 #include "runtime/model/result.h"
 
 namespace docent {

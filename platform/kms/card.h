@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 #include "platform/handle.h"
 #include "runtime/model/result.h"
 

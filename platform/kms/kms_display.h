@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 #include "runtime/model/result.h"
 
 namespace docent {

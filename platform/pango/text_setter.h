@@ -1,7 +1,7 @@
 #pragma once
 
 #include "runtime/model/result.h"
-#include "runtime/scene/text.h"
+#include "runtime/interface/text.h"
 
 namespace docent {
 

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "platform/sqlite/invariants.h"
-#include "runtime/model/schema/rows.h"
+#include "runtime/schema/invariants.h"
+#include "runtime/schema/rows.h"
 
 namespace docent {
 

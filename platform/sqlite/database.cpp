@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "platform/sqlite/checksum.h"
-#include "runtime/model/schema/schema.h"
+#include "runtime/schema/schema.h"
 
 namespace docent {
 

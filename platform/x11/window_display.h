@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 #include "runtime/input/contact.h"
 #include "runtime/model/result.h"
 

@@ -7,7 +7,7 @@
 
 #include "runtime/guide/waiting_places.h"
 #include "runtime/scene/look.h"
-#include "runtime/scene/seats.h"
+#include "runtime/interface/seats.h"
 
 namespace docent {
 namespace {

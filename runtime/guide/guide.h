@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/company/meetings.h"
+#include "runtime/crowd/meetings.h"
 #include "runtime/guide/company.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
@@ -16,7 +16,7 @@
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/draw_list.h"
-#include "runtime/scene/layout.h"
+#include "runtime/interface/layout.h"
 
 namespace docent {
 

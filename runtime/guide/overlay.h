@@ -8,7 +8,7 @@
 #include "runtime/input/gesture.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/draw_list.h"
-#include "runtime/scene/view.h"
+#include "runtime/interface/view.h"
 
 namespace docent {
 

@@ -7,7 +7,7 @@
 #include "runtime/guide/company.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/camera.h"
-#include "runtime/scene/control.h"
+#include "runtime/interface/control.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent {

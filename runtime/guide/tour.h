@@ -11,7 +11,7 @@
 #include "runtime/input/gesture.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
-#include "runtime/scene/layout.h"
+#include "runtime/interface/layout.h"
 
 namespace docent {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "platform/pango/text_setter.h"
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 #include "platform/sqlite/content_reader.h"
 
 namespace docent {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "platform/egl/display.h"
+#include "platform/display.h"
 
 namespace docent {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "platform/handle.h"
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 #include "runtime/guide/guide.h"
 #include "runtime/model/result.h"
 

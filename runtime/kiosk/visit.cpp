@@ -10,7 +10,7 @@
 #include <span>
 
 #include "platform/file/read_file.h"
-#include "runtime/scene/seats.h"
+#include "runtime/interface/seats.h"
 
 namespace docent {
 namespace {

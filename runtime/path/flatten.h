@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "runtime/path/reflex_corner.h"
+#include "runtime/path/shortest/reflex_corner.h"
 
 namespace docent {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/path/make_tangent_graph.h"
-#include "runtime/path/predicates.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
+#include "runtime/path/index/predicates.h"
 
 namespace docent {
 

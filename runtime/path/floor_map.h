@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
-#include "runtime/path/medial_axis_map.h"
-#include "runtime/path/radius_maps.h"
+#include "runtime/path/medial_axis/medial_axis_map.h"
+#include "runtime/path/shortest/radius_maps.h"
 #include "runtime/path/route.h"
-#include "runtime/path/wall_grid.h"
+#include "runtime/path/index/wall_grid.h"
 
 namespace docent {
 

@@ -5,9 +5,9 @@
 
 #include "runtime/path/floor_map.h"
 #include "runtime/path/join_ways.h"
-#include "runtime/path/make_tangent_graph.h"
-#include "runtime/path/medial_axis_way.h"
-#include "runtime/path/offset_way.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
+#include "runtime/path/medial_axis/medial_axis_way.h"
+#include "runtime/path/offset/offset_way.h"
 #include "runtime/path/round_corners.h"
 
 namespace docent {

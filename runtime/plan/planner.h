@@ -10,8 +10,8 @@
 #include "runtime/plan/mailbox.h"
 #include "runtime/plan/plan.h"
 #include "runtime/plan/traffic.h"
-#include "runtime/scene/layout.h"
-#include "runtime/scene/piece_cache.h"
+#include "runtime/interface/layout.h"
+#include "runtime/interface/piece_cache.h"
 
 namespace docent {
 

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/company/find_detour.h"
-#include "runtime/company/find_passage.h"
-#include "runtime/company/find_refuge.h"
+#include "runtime/crowd/find_detour.h"
+#include "runtime/crowd/find_passage.h"
+#include "runtime/crowd/find_refuge.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/stretch.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/company/timetable.h"
+#include "runtime/crowd/timetable.h"
 #include "runtime/plan/plan.h"
 
 namespace docent {

@@ -41,7 +41,7 @@ struct Look {
 inline constexpr std::size_t guide_look_count = 8;
 
 /// Guides' colours lie at least 15 apart (CIE 1976 Lab) for everybody, whatever cones they have,
-/// and as far from oak and stone (tests/scene/look_test.cpp).
+/// and as far from oak and stone (tests/runtime/scene/look_test.cpp).
 inline constexpr std::array<Look, 12> looks{{
     {.name = "teal",
      .coat = 0x1D7874,

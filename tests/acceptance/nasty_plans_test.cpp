@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/acceptance/run.h"
-#include "tests/floor/plans.h"
+#include "tests/content/floor/plans.h"
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 

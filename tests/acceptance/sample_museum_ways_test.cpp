@@ -2,7 +2,7 @@
 
 #include "platform/sqlite/content_reader.h"
 #include "tests/acceptance/run.h"
-#include "tests/path/oracles.h"
+#include "tests/runtime/path/oracles.h"
 
 namespace docent::test {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "runtime/path/route.h"
 #include "tests/bench/orca.h"
-#include "tests/guide/situations.h"
-#include "tests/path/floors.h"
+#include "tests/runtime/guide/situations.h"
+#include "tests/runtime/path/floors.h"
 
 namespace docent::bench {
 namespace {

@@ -19,7 +19,7 @@
 
 #include "content/floor/medial_axis.h"
 #include "content/floor/voronoi.h"
-#include "runtime/company/meetings.h"
+#include "runtime/crowd/meetings.h"
 #include "runtime/path/floor_map.h"
 #include "tests/bench/bench_floor.h"
 #include "tests/bench/generated_floors.h"

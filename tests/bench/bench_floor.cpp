@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "content/compiler/compile_floor.h"
+#include "content/compile/compile_floor.h"
 #include "tests/bench/measure.h"
 #include "tests/support/temporary_folder.h"
 

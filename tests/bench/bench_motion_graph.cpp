@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "content/draw/svg.h"
-#include "content/import/motion_bvh_write.h"
+#include "content/import/motion/bvh_write.h"
 #include "content/motion/compile_motion.h"
 #include "content/motion/foot_plants.h"
 #include "tests/bench/made_motion.h"

@@ -11,7 +11,7 @@
 #include <functional>
 #include <numbers>
 
-#include "content/compiler/paper_walk.h"
+#include "content/motion/paper_walk.h"
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
 #include "runtime/motion/make_foresight.h"

@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "platform/headless/headless_display.h"
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 #include "runtime/guide/stage.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/camera.h"

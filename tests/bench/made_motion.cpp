@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "content/import/motion_folder.h"
+#include "content/import/motion/motion_folder.h"
 
 namespace docent::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-#include "runtime/path/predicates.h"
+#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/path/predicates.h"
+#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "runtime/path/predicates.h"
+#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 namespace {

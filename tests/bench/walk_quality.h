@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "content/compiler/path_deviation.h"
+#include "content/motion/path_deviation.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/motion/walk.h"
 

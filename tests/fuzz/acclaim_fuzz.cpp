@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "content/content_error.h"
-#include "content/import/motion_amc.h"
+#include "content/import/motion/amc.h"
 
 /// An ASF, a line of four minus signs, and an AMC.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

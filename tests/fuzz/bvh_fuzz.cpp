@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "content/content_error.h"
-#include "content/import/motion_bvh.h"
+#include "content/import/motion/bvh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

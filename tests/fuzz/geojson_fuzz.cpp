@@ -5,7 +5,7 @@
 
 #include "content/content_error.h"
 #include "content/floor/mend.h"
-#include "content/import/floor_plan_geojson.h"
+#include "content/import/floor/geojson.h"
 
 using namespace docent;
 

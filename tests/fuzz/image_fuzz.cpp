@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <span>
 
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 
 /// Any bytes as a picture file: refused, or whole.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

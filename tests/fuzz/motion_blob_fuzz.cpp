@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <span>
 
-#include "runtime/model/schema/motion_blob.h"
+#include "runtime/schema/motion_blob.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   docent::MotionClip clip;

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "platform/png/image.h"
+#include "platform/image/image.h"
 #include "tests/support/run_program.h"
 
 namespace docent::test {

@@ -7,7 +7,7 @@
 #include "runtime/model/geometry/vec2.h"
 
 /// The grid on which the motion of a compiled clip lies, so that a database holds it as small whole
-/// numbers and still exactly (runtime/model/schema/motion_blob.h).
+/// numbers and still exactly (runtime/schema/motion_blob.h).
 ///
 /// A root's place is a whole number of steps of 1/16384 m (0.06 mm) along each axis. Of a rotation
 /// three parts are whole numbers of steps of 2^-(bits - 1), and the fourth, the derived part,

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "content/command/commands.h"
+#include "content/command/open_museum.h"
+#include "content/content_error.h"
+#include "content/draw/graph/motion_graph_drawing.h"
+#include "content/draw/picture_file.h"
+#include "content/motion/classify.h"
+
+namespace docent {
+namespace {
+
+struct GraphOptions {
+  std::string database, output;
+  bool json = false;
+};
+
+nlohmann::ordered_json to_json(const MotionClip& clip) {
+  return {{"name", clip.name},
+          {"role", name_of(clip.role)},
+          {"class", clip.motion_class},
+          {"frames", frame_count(clip)},
+          {"frame_rate", clip.frame_rate}};
+}
+
+nlohmann::ordered_json to_json(const Transition& t) {
+  return {{"from", {t.from.clip, t.from.frame}},
+          {"to", {t.to.clip, t.to.frame}},
+          {"radius", t.radius},
+          {"distance", t.distance}};
+}
+
+nlohmann::ordered_json to_json(const MotionClass& motion_class) {
+  return {{"name", motion_class.name}, {"coefficients", motion_class.coefficient}};
+}
+
+std::string to_json(const MotionGraph& graph) {
+  nlohmann::ordered_json json{{"classes", nlohmann::ordered_json::array()},
+                              {"clips", nlohmann::ordered_json::array()},
+                              {"transitions", nlohmann::ordered_json::array()}};
+  for (const MotionClass& c : graph.classes) json["classes"].push_back(to_json(c));
+  for (const MotionClip& clip : graph.clips) json["clips"].push_back(to_json(clip));
+  for (const Transition& t : graph.transitions) json["transitions"].push_back(to_json(t));
+  return json.dump();
+}
+
+void run_graph(const GraphOptions& options) {
+  const Museum museum = load_or_throw(options.database);
+  if (museum.motion.clips.empty())
+    throw ContentError(options.database, 0, 0, "no-motion", "this database holds no motion",
+                       "compile it without --no-motion");
+  write_picture(options.output, draw_motion_graph(museum.motion));
+  if (options.json) fmt::print("{}\n", to_json(museum.motion));
+}
+
+}  // namespace
+
+void add_graph_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<GraphOptions>();
+  CLI::App* command = app.add_subcommand("graph", "Draws the motion graph of a database");
+  command->add_option("DB", options->database, "The museum's database")->required();
+  command->add_option("-o,--output", options->output, "The picture: FILE.svg or FILE.png")
+      ->required();
+  command->add_flag("--json", options->json, "Print classes, clips and transitions as JSON");
+  command->callback([options, &exit_code] {
+    run_graph(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace docent

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "content/command/commands.h"
+#include "content/command/open_museum.h"
+#include "content/command/query_io.h"
+#include "content/content_error.h"
+#include "runtime/path/reach.h"
+
+namespace docent {
+namespace {
+
+struct NearOptions {
+  std::string database, from, exhibit, floor;
+  std::optional<double> within, radius;
+  double speed = 1.3;
+  bool json = false;
+};
+
+/// Where somebody stands and what they could walk to.
+struct Surroundings {
+  std::uint32_t floor = 0;
+  Vec2 from{};
+  std::vector<const Exhibit*> exhibits{};  ///< Of that floor; without the one they stand at.
+};
+
+Surroundings surroundings(const Museum& museum, const NearOptions& options) {
+  Surroundings around{.floor = floor_named(museum, options.floor)};
+  if (options.exhibit.empty()) {
+    around.from = parse_point(options.from, "--from");
+  } else {
+    const Exhibit& exhibit = exhibit_named(museum, options.exhibit, "--exhibit");
+    if (!options.floor.empty() && exhibit.floor != around.floor)
+      throw ContentError(Errc::WrongUsage, "--exhibit", "other-floor",
+                         fmt::format("exhibit '{}' is on another floor, '{}'", exhibit.id,
+                                     museum.floors[exhibit.floor].plan.name),
+                         "leave --floor out");
+    around.floor = exhibit.floor;
+    around.from = exhibit.view.position;
+  }
+  for (const Exhibit& exhibit : museum.exhibits)
+    if (exhibit.floor == around.floor && exhibit.id != options.exhibit)
+      around.exhibits.push_back(&exhibit);
+  return around;
+}
+
+std::string to_json(bool blocked, const Surroundings& around, const std::vector<Reached>& reached,
+                    double speed) {
+  std::string rows;
+  for (const Reached& r : reached)
+    rows += fmt::format(R"({}{{"id": "{}", "length": {}, "seconds": {}}})",
+                        rows.empty() ? "" : ", ", around.exhibits[r.place]->id,
+                        json_number(r.length), json_number(r.length / speed));
+  return fmt::format(R"({{"status": "{}", "exhibits": [{}]}})", blocked ? "start_blocked" : "ok",
+                     rows);
+}
+
+std::string to_lines(bool blocked, const Surroundings& around, const std::vector<Reached>& reached,
+                     double speed) {
+  if (blocked) return "start_blocked";
+  if (reached.empty()) return "no exhibit in reach";
+  std::string lines;
+  for (const Reached& r : reached)
+    lines += fmt::format("{}{}: {:.3f} m, {:.0f} s", lines.empty() ? "" : "\n",
+                         around.exhibits[r.place]->id, r.length, r.length / speed);
+  return lines;
+}
+
+void run_near(const NearOptions& options) {
+  if (options.from.empty() == options.exhibit.empty())
+    throw ContentError(Errc::WrongUsage, "near", "no-start", "say from where, once",
+                       "give --from X,Y or --exhibit ID");
+  const Museum museum = load_or_throw(options.database);
+  const Surroundings around = surroundings(museum, options);
+  std::vector<Vec2> places;
+  places.reserve(around.exhibits.size());
+  for (const Exhibit* exhibit : around.exhibits) places.push_back(exhibit->view.position);
+
+  const auto map = make_floor_map(museum.floors[around.floor]);
+  const double radius = options.radius.value_or(museum.body_radius);
+  const double limit =
+      options.within ? *options.within * options.speed : std::numeric_limits<double>::infinity();
+  const RouteQuery standing{.from = around.from, .to = around.from, .radius = radius};
+  const bool blocked = route(*map, standing).status != RouteStatus::Ok;
+  const auto reached = places_in_reach(*map, around.from, places, radius, limit);
+  fmt::print("{}\n", options.json ? to_json(blocked, around, reached, options.speed)
+                                  : to_lines(blocked, around, reached, options.speed));
+}
+
+}  // namespace
+
+void add_near_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<NearOptions>();
+  CLI::App* command =
+      app.add_subcommand("near", "Lists the exhibits in reach, nearest on foot first");
+  command->add_option("DB", options->database, "The museum's database")->required();
+  command->add_option("--from", options->from, "X,Y in metres");
+  command->add_option("--exhibit", options->exhibit, "Id: from its viewing point");
+  command
+      ->add_option("--within", options->within, "Seconds of walking; default as long as it takes")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--speed", options->speed, "Metres a second; default 1.3")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--radius", options->radius, "Metres, of the body; default the museum's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
+  command->add_flag("--json", options->json, "Print the list as JSON");
+  command->callback([options, &exit_code] {
+    run_near(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace docent

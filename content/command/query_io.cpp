@@ -1,0 +1,138 @@
+#include "content/command/query_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "content/content_error.h"
+#include "content/read_source.h"
+#include "content/write/replace_file.h"
+
+namespace docent {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return {};
+  return value;
+}
+
+std::uint32_t column_of(std::string_view line, std::string_view part) {
+  return static_cast<std::uint32_t>(part.data() - line.data()) + 1;
+}
+
+void check_header(std::string_view line, const std::string& file,
+                  const std::vector<std::string>& columns) {
+  const auto names = split(line, ',');
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (i >= names.size() || trimmed(names[i]) != columns[i])
+      throw ContentError(file, 1, i < names.size() ? column_of(line, names[i]) : 0, "csv-header",
+                         fmt::format("column {} should be '{}'", i + 1, columns[i]),
+                         fmt::format("the first line should be {}", fmt::join(columns, ",")));
+}
+
+}  // namespace
+
+std::uint32_t floor_named(const Museum& museum, std::string_view name) {
+  if (name.empty()) return museum.kiosk_floor < museum.floors.size() ? museum.kiosk_floor : 0;
+  std::vector<std::string_view> names;
+  for (std::uint32_t i = 0; i < museum.floors.size(); ++i) {
+    names.push_back(museum.floors[i].plan.name);
+    if (names.back() == name) return i;
+  }
+  throw ContentError(Errc::WrongUsage, "--floor", "unknown-floor",
+                     fmt::format("there is no floor '{}'", name),
+                     fmt::format("the floors are: {}", fmt::join(names, ", ")));
+}
+
+const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option) {
+  const auto found = std::ranges::find(museum.exhibits, id, &Exhibit::id);
+  if (found == museum.exhibits.end())
+    throw ContentError(Errc::WrongUsage, std::string(option), "unknown-exhibit",
+                       fmt::format("there is no exhibit '{}'", id),
+                       "`docent-content info DB --json` lists them");
+  return *found;
+}
+
+Vec2 parse_point(std::string_view text, std::string_view option) {
+  const auto parts = split(text, ',');
+  if (parts.size() == 2) {
+    const auto x = parse_number(parts[0]), y = parse_number(parts[1]);
+    if (x && y) return {*x, *y};
+  }
+  throw ContentError(Errc::WrongUsage, std::string(option), "not-a-point",
+                     fmt::format("'{}' is not a point", text), "write X,Y in metres: 12.5,3.25");
+}
+
+NumberTable read_numbers(const std::filesystem::path& file,
+                         const std::vector<std::string>& columns) {
+  std::istringstream in(read_source(file, "no-such-file"));
+  std::string line;
+  if (!std::getline(in, line)) line.clear();
+  check_header(line, file.string(), columns);
+  NumberTable table;
+  for (std::uint32_t number = 2; std::getline(in, line); ++number) {
+    if (trimmed(line).empty()) continue;
+    const auto parts = split(line, ',');
+    std::vector<double> row;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (i >= parts.size())
+        throw ContentError(
+            file.string(), number, 0, "csv-row",
+            fmt::format("the row has {} columns of {}", parts.size(), columns.size()));
+      const auto value = parse_number(parts[i]);
+      if (!value)
+        throw ContentError(file.string(), number, column_of(line, parts[i]), "csv-number",
+                           fmt::format("'{}' is not a number", trimmed(parts[i])));
+      row.push_back(*value);
+    }
+    const std::string_view last = trimmed(parts[columns.size() - 1]);
+    table.written.emplace_back(std::string_view(line).substr(
+        0, static_cast<std::size_t>(last.data() + last.size() - line.data())));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+void write_text(const std::filesystem::path& file, std::string_view text) {
+  replace_file(file, std::as_bytes(std::span(text)));
+}
+
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+std::string json_points(const std::vector<Vec2>& points) {
+  std::string text = "[";
+  for (const Vec2 point : points)
+    text += fmt::format("{}[{}, {}]", text.size() > 1 ? ", " : "", json_number(point.x),
+                        json_number(point.y));
+  return text + "]";
+}
+
+}  // namespace docent

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <random>
+
+#include "content/command/commands.h"
+#include "content/command/open_museum.h"
+#include "content/command/plan_sketch.h"
+#include "content/command/query_io.h"
+#include "content/content_error.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+namespace {
+
+struct RouteOptions {
+  std::string database;
+  RouteKind kind = RouteKind::Shortest;
+  std::optional<double> radius;
+  double offset = 1;
+  Hand hand = Hand::Shorter;
+  bool widest = false, smooth = false;
+  std::string from, to, floor;
+  std::vector<std::string> exhibits;
+  bool json = false;
+  std::string svg, queries, output;
+  int repeat = 1;
+};
+
+const char* name_of(RouteStatus status) {
+  switch (status) {
+    case RouteStatus::Ok:
+      return "ok";
+    case RouteStatus::StartBlocked:
+      return "start_blocked";
+    case RouteStatus::GoalBlocked:
+      return "goal_blocked";
+    case RouteStatus::NoRoute:
+      break;
+  }
+  return "no_route";
+}
+
+RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
+  return {.kind = options.kind,
+          .radius = options.radius.value_or(museum.body_radius),
+          .offset = options.offset,
+          .hand = options.hand,
+          .widest = options.widest,
+          .smooth = options.smooth};
+}
+
+std::string to_json(const Way& way) {
+  const bool ok = way.status == RouteStatus::Ok;
+  return fmt::format(R"({{"status": "{}", "length": {}, "clearance_min": {}, "points": {}}})",
+                     name_of(way.status), ok ? json_number(way.length) : "null",
+                     ok ? json_number(way.clearance_min) : "null", json_points(way.points));
+}
+
+std::string to_sentence(const Way& way) {
+  if (way.status != RouteStatus::Ok) return name_of(way.status);
+  return fmt::format("ok: {:.3f} m, never nearer than {:.3f} m to a wall, {} points", way.length,
+                     way.clearance_min, way.points.size());
+}
+
+/// The viewing points of the exhibits, which must share a floor; `floor` is set to it.
+std::vector<Vec2> stops_at_exhibits(const Museum& museum, const RouteOptions& options,
+                                    std::uint32_t& floor) {
+  std::vector<Vec2> stops;
+  for (const std::string& id : options.exhibits) {
+    const Exhibit& exhibit = exhibit_named(museum, id, "--exhibits");
+    if (stops.empty() && options.floor.empty()) floor = exhibit.floor;
+    if (exhibit.floor != floor)
+      throw ContentError(Errc::WrongUsage, "--exhibits", "other-floor",
+                         fmt::format("exhibit '{}' is on another floor, '{}'", id,
+                                     museum.floors[exhibit.floor].plan.name),
+                         "a route stays on one floor");
+    stops.push_back(exhibit.view.position);
+  }
+  return stops;
+}
+
+void answer_one(const Museum& museum, const RouteOptions& options) {
+  std::uint32_t floor = floor_named(museum, options.floor);
+  std::vector<Vec2> stops;
+  if (options.exhibits.empty()) {
+    stops = {parse_point(options.from, "--from"), parse_point(options.to, "--to")};
+  } else {
+    if (options.exhibits.size() < 2)
+      throw ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
+                         "a route needs two exhibits", "write --exhibits A,B");
+    stops = stops_at_exhibits(museum, options, floor);
+  }
+  const auto map = make_floor_map(museum.floors[floor]);
+  const Way way = tour(*map, base_query(options, museum), stops);
+  if (!options.svg.empty())
+    write_text(options.svg, sketch_plan(museum.floors[floor].plan, {{way.points, false}}));
+  fmt::print("{}\n", options.json ? to_json(way) : to_sentence(way));
+}
+
+/// Answers every query once a round, each round in a new order, and times each on its own: the way,
+/// without how wide it is, which is found in a last round that is not timed.
+class TimedRounds {
+ public:
+  TimedRounds(const FloorMap& map, std::vector<RouteQuery> queries)
+      : map_(map), queries_(std::move(queries)), ways_(queries_.size()), times_(queries_.size()) {}
+
+  void run(int rounds) {
+    std::vector<std::size_t> order(queries_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::mt19937 random(20250101);  // NOLINT: the same orders every time
+    for (int round = 0; round < rounds; ++round) {
+      std::ranges::shuffle(order, random);
+      for (const std::size_t i : order) {
+        RouteQuery timed = queries_[i];
+        timed.tell_clearance = false;
+        const auto start = std::chrono::steady_clock::now();
+        ways_[i] = route(map_, timed);
+        const std::chrono::duration<double, std::micro> took =
+            std::chrono::steady_clock::now() - start;
+        times_[i].push_back(took.count());
+      }
+    }
+    for (std::size_t i = 0; i < queries_.size(); ++i) ways_[i] = route(map_, queries_[i]);
+  }
+  const Way& way(std::size_t i) const { return ways_[i]; }
+  double median_microseconds(std::size_t i) {
+    auto& times = times_[i];
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::ranges::nth_element(times, middle);
+    return *middle;
+  }
+
+ private:
+  const FloorMap& map_;
+  std::vector<RouteQuery> queries_;
+  std::vector<Way> ways_;
+  std::vector<std::vector<double>> times_;
+};
+
+void answer_table(const Museum& museum, const RouteOptions& options) {
+  if (options.output.empty())
+    throw ContentError(Errc::WrongUsage, "--queries", "no-output", "the answers need a file",
+                       "add -o A.csv");
+  const std::uint32_t floor = floor_named(museum, options.floor);
+  const NumberTable table = read_numbers(options.queries, {"x0", "y0", "x1", "y1", "r"});
+  std::vector<RouteQuery> queries;
+  for (const auto& row : table.rows) {
+    RouteQuery query = base_query(options, museum);
+    query.from = {row[0], row[1]};
+    query.to = {row[2], row[3]};
+    query.radius = row[4];
+    queries.push_back(query);
+  }
+  const auto map = make_floor_map(museum.floors[floor]);
+  TimedRounds rounds(*map, std::move(queries));
+  rounds.run(options.repeat);
+  std::string text = "x0,y0,x1,y1,r,status,length,clearance_min,microseconds\n";
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Way& way = rounds.way(i);
+    const auto number = [&](double value) {
+      return way.status == RouteStatus::Ok ? fmt::format("{}", value) : std::string();
+    };
+    text +=
+        fmt::format("{},{},{},{},{:.3f}\n", table.written[i], name_of(way.status),
+                    number(way.length), number(way.clearance_min), rounds.median_microseconds(i));
+  }
+  write_text(options.output, text);
+}
+
+void run_route(const RouteOptions& options) {
+  const int ways_to_ask = (options.queries.empty() ? 0 : 1) + (options.exhibits.empty() ? 0 : 1) +
+                          (options.from.empty() && options.to.empty() ? 0 : 1);
+  if (ways_to_ask != 1 || options.from.empty() != options.to.empty())
+    throw ContentError(Errc::WrongUsage, "route", "no-ends", "say from where to where, once",
+                       "give --from X,Y --to X,Y, or --exhibits A,B, or --queries Q.csv -o A.csv");
+  const Museum museum = load_or_throw(options.database);
+  if (options.queries.empty())
+    answer_one(museum, options);
+  else
+    answer_table(museum, options);
+}
+
+}  // namespace
+
+void add_route_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RouteOptions>();
+  CLI::App* command = app.add_subcommand("route", "Finds the way between points or exhibits");
+  command->add_option("DB", options->database, "The museum's database")->required();
+  command->add_option("--kind", options->kind, "shortest, skeleton or offset")
+      ->required()
+      ->transform(CLI::CheckedTransformer(
+          std::vector<std::pair<std::string, RouteKind>>{{"shortest", RouteKind::Shortest},
+                                                         {"skeleton", RouteKind::Skeleton},
+                                                         {"offset", RouteKind::Offset}}));
+  command->add_option("--radius", options->radius, "Metres, of the body; default the museum's")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--offset", options->offset, "Metres to keep from the wall; default 1")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--hand", options->hand, "left or right: where the wall is; default shorter")
+      ->transform(CLI::CheckedTransformer(
+          std::vector<std::pair<std::string, Hand>>{{"left", Hand::Left}, {"right", Hand::Right}}));
+  command->add_flag("--widest", options->widest,
+                    "skeleton: the way whose narrowest place is the widest possible");
+  command->add_flag("--smooth", options->smooth,
+                    "skeleton, offset: with rounded corners, as the guide walks it");
+  command->add_option("--from", options->from, "X,Y in metres");
+  command->add_option("--to", options->to, "X,Y in metres");
+  command->add_option("--exhibits", options->exhibits, "Ids, to be passed in order")
+      ->delimiter(',');
+  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
+  command->add_flag("--json", options->json, "Print the way as JSON");
+  command->add_option("--svg", options->svg, "Draw the way into this file");
+  command->add_option("--queries", options->queries, "CSV file x0,y0,x1,y1,r");
+  command->add_option("-o,--output", options->output, "CSV file for the answers");
+  command->add_option("--repeat", options->repeat, "Rounds of which the median time is told")
+      ->check(CLI::Range(1, 100000));
+  command->callback([options, &exit_code] {
+    run_route(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace docent

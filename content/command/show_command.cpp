@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "content/command/commands.h"
+#include "content/command/open_museum.h"
+#include "content/command/query_io.h"
+#include "content/content_error.h"
+#include "content/draw/picture_file.h"
+#include "content/draw/plan/plan_drawing.h"
+#include "runtime/path/offset/offset_curve.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+namespace {
+
+struct ShowOptions {
+  std::string database, output, floor;
+  std::vector<std::string> layers{"walls", "regions", "skeleton", "exhibits"};
+};
+
+[[noreturn]] void refuse_layer(std::string_view layer, const std::string& why) {
+  throw ContentError(Errc::WrongUsage, "--layers", "unknown-layer",
+                     fmt::format("'{}': {}", layer, why),
+                     "layers are walls, exhibits, sites, regions, skeleton, clearance, "
+                     "offset=METRES and route=EXHIBIT:EXHIBIT:KIND, with commas between");
+}
+
+/// Turns the words of --layers into what is drawn.
+class LayerReader {
+ public:
+  LayerReader(const Museum& museum, std::uint32_t floor)
+      : museum_(museum), floor_(floor), map_(make_floor_map(museum.floors[floor])) {}
+
+  void read(const std::string& layer) {
+    if (layer == "walls")
+      layers.walls = true;
+    else if (layer == "exhibits")
+      layers.exhibits = true;
+    else if (layer == "sites")
+      layers.sites = true;
+    else if (layer == "regions")
+      layers.regions = true;
+    else if (layer == "skeleton")
+      layers.skeleton = true;
+    else if (layer == "clearance")
+      add_levels();
+    else if (layer.starts_with("offset="))
+      add_offset(layer);
+    else if (layer.starts_with("route="))
+      add_route(layer);
+    else
+      refuse_layer(layer, "there is no such layer");
+  }
+
+  PlanLayers layers;
+  std::vector<DrawnLine> lines;
+
+ private:
+  void add_curve(double distance, LineKind kind) {
+    for (OffsetRing& ring : offset_curve(*map_, distance).rings)
+      lines.push_back({kind, std::move(ring.points), true, distance});
+  }
+
+  /// Lines of equal clearance, at most twenty of them.
+  void add_levels() {
+    const auto& clearance = museum_.floors[floor_].diagram.clearance;
+    const double widest = clearance.empty() ? 0 : *std::ranges::max_element(clearance);
+    double step = 0.25;
+    while (widest > 20 * step) step *= 2;
+    for (int i = 1; i * step < widest; ++i) add_curve(i * step, LineKind::Level);
+  }
+
+  void add_offset(const std::string& layer) {
+    const std::string_view digits = std::string_view(layer).substr(layer.find('=') + 1);
+    double distance = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), distance);
+    if (error != std::errc{} || end != digits.data() + digits.size() || !(distance > 0))
+      refuse_layer(layer, "an offset is a number of metres above zero");
+    add_curve(distance, LineKind::Offset);
+  }
+
+  [[nodiscard]] Vec2 viewing_point(const std::string& layer, const std::string& id) const {
+    const auto found = std::ranges::find(museum_.exhibits, id, &Exhibit::id);
+    if (found == museum_.exhibits.end())
+      refuse_layer(layer, fmt::format("there is no exhibit '{}'", id));
+    if (found->floor != floor_)
+      refuse_layer(layer, fmt::format("exhibit '{}' is on another floor", id));
+    return found->view.position;
+  }
+
+  void add_route(const std::string& layer) {
+    const std::vector<std::string> words =
+        CLI::detail::split(layer.substr(layer.find('=') + 1), ':');
+    if (words.size() != 3) refuse_layer(layer, "a route is written EXHIBIT:EXHIBIT:KIND");
+    RouteQuery query{.radius = museum_.body_radius};
+    query.from = viewing_point(layer, words[0]);
+    query.to = viewing_point(layer, words[1]);
+    LineKind kind = LineKind::Shortest;
+    if (words[2] == "skeleton") {
+      query.kind = RouteKind::Skeleton;
+      kind = LineKind::Skeleton;
+    } else if (words[2] == "offset") {
+      query.kind = RouteKind::Offset;
+      kind = LineKind::Offset;
+    } else if (words[2] != "shortest") {
+      refuse_layer(layer, "the kind of a route is shortest, skeleton or offset");
+    }
+    Way way = route(*map_, query);
+    if (way.status != RouteStatus::Ok)
+      throw ContentError(
+          "--layers", 0, 0, "no-route",
+          fmt::format("there is no {} way from '{}' to '{}'", words[2], words[0], words[1]));
+    lines.push_back({kind, std::move(way.points), false, 0});
+  }
+
+  const Museum& museum_;
+  std::uint32_t floor_;
+  std::shared_ptr<const FloorMap> map_;
+};
+
+void run_show(const ShowOptions& options) {
+  const Museum museum = load_or_throw(options.database);
+  const std::uint32_t floor = floor_named(museum, options.floor);
+  LayerReader reader(museum, floor);
+  for (const std::string& layer : options.layers) reader.read(layer);
+  write_picture(options.output, draw_plan(museum, floor, reader.layers, reader.lines));
+}
+
+}  // namespace
+
+void add_show_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ShowOptions>();
+  CLI::App* command = app.add_subcommand("show", "Draws what a database knows about a floor");
+  command->add_option("DB", options->database, "The museum's database")->required();
+  command->add_option("-o,--output", options->output, "The picture: FILE.svg or FILE.png")
+      ->required();
+  command
+      ->add_option("--layers", options->layers,
+                   "walls, exhibits, sites, regions, skeleton, clearance, offset=D, "
+                   "route=A:B:KIND; default walls,regions,skeleton,exhibits")
+      ->delimiter(',');
+  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
+  command->callback([options, &exit_code] {
+    run_show(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace docent

@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "config/diagnostic_text.h"
+#include "content/command/commands.h"
+#include "content/command/open_museum.h"
+#include "content/motion/paper_walk.h"
+#include "content/motion/path_deviation.h"
+#include "content/command/query_io.h"
+#include "content/content_error.h"
+#include "content/import/motion/bvh_write.h"
+#include "runtime/motion/path_track.h"
+#include "runtime/motion/pose.h"
+#include "runtime/motion/walk.h"
+#include "runtime/motion/walk_graph.h"
+
+namespace docent {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+
+struct WalkOptions {
+  std::string database, path, output;
+  std::string search = "docent";
+  std::optional<double> lookahead, use_rate, time_limit;
+  std::vector<double> start;  ///< X, Y, heading in degrees.
+  double fps = 0;             ///< 0: the clips' own.
+  bool exact = false, raw = false, json = false;
+};
+
+[[noreturn]] void misuse(const char* option, const std::string& message, const char* hint) {
+  throw ContentError(Errc::WrongUsage, option, "walk-options", message, hint);
+}
+
+void check_options(const WalkOptions& options) {
+  const bool is_paper = options.search == "paper";
+  if (is_paper && options.exact)
+    misuse("--exact", "the paper's search gives the motion graph's own track and warps nothing",
+           "leave --exact out");
+  if (!is_paper && (options.lookahead || options.use_rate || options.time_limit))
+    misuse("--lookahead", "--lookahead, --use-rate and --time-limit belong to --search paper",
+           "leave them out");
+  if (!options.start.empty() && options.start.size() != 3)
+    misuse("--start", "a start has three numbers", "write --start X,Y,HEADING (metres, degrees)");
+}
+
+std::vector<Vec2> read_path(const std::string& file) {
+  std::vector<Vec2> path;
+  for (const auto& row : read_numbers(file, {"x", "y"}).rows) {
+    const Vec2 point{row[0], row[1]};
+    if (!std::isfinite(point.x) || !std::isfinite(point.y))
+      throw ContentError(file, static_cast<std::uint32_t>(path.size()) + 2, 1, "not-a-point",
+                         "a path's points must be finite");
+    path.push_back(point);
+  }
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) length += glm::distance(path[i - 1], path[i]);
+  if (!(length > 0)) throw ContentError(file, 0, 0, "no-path", "a path needs two different points");
+  return path;
+}
+
+/// The walk at another frame rate.
+Walk resampled(const Walk& walk, double frame_rate) {
+  Walk out;
+  out.frame_rate = frame_rate;
+  out.joint_count = walk.joint_count;
+  const double seconds = static_cast<double>(frame_count(walk) - 1) / walk.frame_rate;
+  const auto frames = static_cast<std::size_t>(std::floor(seconds * frame_rate + 1e-6)) + 1;
+  out.rotation.resize(frames * walk.joint_count);
+  for (std::size_t f = 0; f < frames; ++f) {
+    PoseView pose{{}, std::span(out.rotation).subspan(f * walk.joint_count, walk.joint_count)};
+    sample(walk, static_cast<double>(f) / frame_rate, pose);
+    out.root.push_back(pose.root);
+  }
+  return out;
+}
+
+struct Outcome {
+  Walk walk;
+  PathDeviation deviation;
+  double path_length = 0, total_seconds = 0;
+};
+
+std::optional<Placement> start_of(const WalkOptions& options) {
+  if (options.start.empty()) return std::nullopt;
+  return Placement{{options.start[0], options.start[1]}, options.start[2] * radians_per_degree};
+}
+
+Walk walk_by_docent(const WalkGraph& graph, const std::vector<Vec2>& path,
+                    const WalkOptions& options) {
+  WalkRequest request;
+  request.path = path;
+  request.start = start_of(options);
+  request.fidelity = options.raw ? Fidelity::Raw : Fidelity::Exact;
+  Result<Walk> walk = make_walk(graph, request);
+  if (!walk) throw ContentError(walk.error().code, options.path, "cannot-walk", walk.error().what);
+  return std::move(*walk);
+}
+
+/// Says on standard error where a search was stopped, and goes on with what it has.
+void report_early_end(const PaperWalk& found, double path_length, const WalkOptions& options) {
+  const Diagnostic warning{
+      .file = options.path,
+      .severity = Severity::Warning,
+      .code = "search-stopped",
+      .message = fmt::format(
+          "the paper's search had kept {:.2f} of {:.2f} m when it stopped after {:.1f} s: the walk "
+          "ends there",
+          found.length, path_length, found.walk.search_seconds),
+      .hint =
+          "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
+  fmt::print(stderr, "{}", options.json ? to_json(warning) + "\n" : to_text(warning));
+}
+
+Walk walk_by_paper(const WalkGraph& graph, const std::vector<Vec2>& path,
+                   const WalkOptions& options) {
+  PaperWalkRequest request;
+  request.path = path;
+  request.start = start_of(options);
+  request.lookahead = options.lookahead.value_or(request.lookahead);
+  request.use_rate = options.use_rate.value_or(request.use_rate);
+  request.time_limit = options.time_limit.value_or(request.time_limit);
+  PaperWalk found = make_paper_walk(graph, request);
+  if (!found.reaches_end) report_early_end(found, polyline_length(path), options);
+  return std::move(found.walk);
+}
+
+Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
+                   const WalkOptions& options) {
+  const auto graph = make_walk_graph(motion);
+  if (!graph)
+    throw ContentError(graph.error().code, options.database, "cannot-walk", graph.error().what);
+
+  Outcome outcome;
+  const auto began = std::chrono::steady_clock::now();
+  outcome.walk = options.search == "paper" ? walk_by_paper(*graph, path, options)
+                                           : walk_by_docent(*graph, path, options);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  outcome.total_seconds = took.count();
+
+  std::vector<Vec2> roots;
+  for (const Vec3& root : outcome.walk.root) roots.push_back(to_floor(root));
+  outcome.deviation = measure_deviation(roots, outcome.walk.frame_rate, path);
+  outcome.path_length = polyline_length(path);
+  return outcome;
+}
+
+std::string to_json(const Outcome& outcome, std::uint32_t frames) {
+  const Walk& walk = outcome.walk;
+  return fmt::format(
+      R"({{"search_seconds": {}, "total_seconds": {}, "frames": {}, "path_length": {}, )"
+      R"("reached": {}, "deviation_mean": {}, "deviation_max": {}, "transitions": {}, )"
+      R"("expanded": {}}})",
+      json_number(walk.search_seconds), json_number(outcome.total_seconds), frames,
+      json_number(outcome.path_length), json_number(outcome.deviation.reached),
+      json_number(outcome.deviation.mean), json_number(outcome.deviation.largest), walk.transitions,
+      walk.expanded);
+}
+
+std::string to_sentence(const Outcome& outcome, std::uint32_t frames) {
+  return fmt::format(
+      "{} frames along {:.3f} m, {} transitions, {:.1f} ms; deviation {:.1f} cm on average, {:.1f} "
+      "cm at most",
+      frames, outcome.path_length, outcome.walk.transitions, outcome.total_seconds * 1e3,
+      outcome.deviation.mean * 100, outcome.deviation.largest * 100);
+}
+
+void run_walk(const WalkOptions& options) {
+  check_options(options);
+  const std::vector<Vec2> path = read_path(options.path);
+  const Museum museum = load_or_throw(options.database);
+  Outcome outcome = walk_along(museum.motion, path, options);
+  const bool same_rate = options.fps == 0 || options.fps == outcome.walk.frame_rate;
+  const Walk other = same_rate ? Walk{} : resampled(outcome.walk, options.fps);
+  const Walk& walk = same_rate ? outcome.walk : other;
+  write_bvh(museum.motion.skeleton, {walk.frame_rate, walk.root, walk.rotation}, options.output);
+  const std::uint32_t frames = frame_count(walk);
+  fmt::print("{}\n", options.json ? to_json(outcome, frames) : to_sentence(outcome, frames));
+}
+
+}  // namespace
+
+void add_walk_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<WalkOptions>();
+  CLI::App* command = app.add_subcommand("walk", "Walks along a path and writes the motion as BVH");
+  command->add_option("DB", options->database, "The museum's database")->required();
+  command->add_option("--path", options->path, "CSV file x,y: a polyline in metres")->required();
+  command->add_option("-o,--output", options->output, "BVH file for the walk")->required();
+  command->add_option("--search", options->search, "docent (default) or paper")
+      ->check(CLI::IsMember({"docent", "paper"}));
+  command->add_option("--lookahead", options->lookahead, "paper: metres looked ahead in a step")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--use-rate", options->use_rate, "paper: share of a step that is kept")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--time-limit", options->time_limit,
+                   "paper: seconds of search, then the walk ends where it is (default 600)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--start", options->start, "X,Y,HEADING in metres and degrees")
+      ->delimiter(',');
+  command->add_option("--fps", options->fps, "Frames a second; default the clips' own")
+      ->check(CLI::Range(1.0, 1000.0));
+  auto* exact = command->add_flag("--exact", options->exact,
+                                  "Warp the walk onto the path and pin the feet (default)");
+  command->add_flag("--raw", options->raw, "Leave the motion graph's own track")->excludes(exact);
+  command->add_flag("--json", options->json, "Print the figures as JSON");
+  command->callback([options, &exit_code] {
+    run_walk(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace docent

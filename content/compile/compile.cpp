@@ -1,0 +1,214 @@
+#include "content/compile/compile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <future>
+#include <span>
+
+#include "config/museum_config.h"
+#include "content/compile/compile_avatar.h"
+#include "content/compile/compile_exhibits.h"
+#include "content/compile/compile_floor.h"
+#include "content/compile/compile_images.h"
+#include "content/compile/compile_scenery.h"
+#include "content/compile/shipped_files.h"
+#include "content/content_error.h"
+#include "platform/file/read_file.h"
+
+namespace docent {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs a step; what it throws goes into the report.
+bool attempt(Report& report, const std::function<void()>& step) {
+  try {
+    step();
+    return true;
+  } catch (const ContentError& error) {
+    if (exit_code(error.kind) != exit_code(Errc::InvalidInput)) throw;
+    report.add(to_diagnostic(error));
+    return false;
+  }
+}
+
+/// 0, the body's radius and those asked for, ascending.
+std::vector<double> radius_classes(double body_radius, const std::vector<double>& asked) {
+  std::vector<double> radii = asked;
+  radii.insert(radii.end(), {0, body_radius});
+  std::ranges::sort(radii);
+  const auto repeated = std::ranges::unique(radii);
+  radii.erase(repeated.begin(), repeated.end());
+  return radii;
+}
+
+/// Adds the interface's words in a language, from the museum's own file or else the shipped one.
+void add_language(const std::string& tag, const WordsFile* own, Museum& museum, Report& report) {
+  Language language;
+  language.tag = language.name = tag;
+  Loaded<WordsFile> shipped;
+  if (own == nullptr) {
+    shipped = load_words(shipped_words(tag), tag);
+    if (!shipped.value) {
+      Diagnostic missing;
+      missing.file = "words/" + tag + ".toml";
+      missing.code = "missing-translation";
+      missing.message = fmt::format("there are no words of the interface in '{}'", tag);
+      missing.hint = "write this file in the museum's folder, with the keys of another language";
+      report.add(std::move(missing));
+      return;
+    }
+    own = &*shipped.value;
+  }
+  if (!own->name.value.empty()) language.name = own->name.value;
+  language.right_to_left = own->direction.value == "right-to-left";
+  for (const auto& [key, word] : own->words.value) language.words[key] = word.value;
+  museum.languages.push_back(std::move(language));
+}
+
+/// The avatar, compiled beside everything else where there are threads for it.
+class AvatarTask {
+ public:
+  AvatarTask(const CompileOptions& options, std::vector<fs::path> folders, Progress& progress) {
+    if (!options.with_motion) return;
+    plan_avatar_stages(progress);
+    const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
+    task_ = std::async(when, [folders = std::move(folders), &options, &progress] {
+      return compile_avatar(folders, options.enrichment, options.jobs, progress);
+    });
+  }
+
+  void finish(Museum& museum, Report& report) {
+    if (!task_.valid()) return;
+    CompiledAvatar compiled = task_.get();
+    report.add(compiled.problems);
+    museum.motion = std::move(compiled.motion);
+    museum.avatar = std::move(compiled.mesh);
+  }
+
+ private:
+  std::future<CompiledAvatar> task_;
+};
+
+/// Where clips come from: the command line, else the museum's own, else those that docent ships.
+std::vector<fs::path> clip_folders(const CompileOptions& options, const MuseumConfig* config) {
+  if (!options.clips.empty()) return {options.clips.begin(), options.clips.end()};
+  if (config != nullptr && config->motion.clips.given)
+    return {config->folder / config->motion.clips.value};
+  return {shipped_clips()};
+}
+
+/// A floor as GeoJSON files alone: a museum without exhibits.
+void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
+                  Progress& progress) {
+  const std::string name = fs::path(options.sources.front()).stem().string();
+  report.set_file_order(options.sources);
+  plan_floor_stages(progress);
+  if (options.with_motion) progress.plan("scenery", 8);
+  AvatarTask avatar(options, clip_folders(options, nullptr), progress);
+  museum.title["en"] = name;
+  add_language("en", nullptr, museum, report);
+  attempt(report, [&] {
+    CompiledFloor compiled = compile_floor(name, options.sources, options.coordinates,
+                                           radius_classes(museum.body_radius, options.radii),
+                                           report, progress, options.jobs);
+    museum.floors.push_back(std::move(compiled.floor));
+    museum.kiosk = most_open_place(museum.floors.front());
+    if (!options.with_motion) return museum.scenery.resize(1);  // the plan alone: nothing to draw
+    const auto stage = progress.start("scenery");
+    compile_scenery(nullptr, museum);
+  });
+  avatar.finish(museum, report);
+}
+
+/// The folder's own name, also of "." and "museum/".
+std::string folder_name(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::weakly_canonical(folder, ignored).filename().string();
+}
+
+void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
+  museum.title = plain_texts(config.museum.title.value);
+  museum.welcome = plain_texts(config.museum.welcome.value);
+  if (museum.title.empty())
+    for (const std::string& tag : config.languages) museum.title[tag] = folder_name(config.folder);
+  for (const std::string& tag : config.languages) {
+    const auto own = std::ranges::find(config.words, tag, &WordsFile::tag);
+    add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report);
+  }
+}
+
+/// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
+std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const CompileOptions& options,
+                                          Report& report, Progress& progress) {
+  std::vector<double> asked = options.radii;
+  asked.push_back(config.avatar.radius.value + Museum::walking_room);
+  const std::vector<double> radii = radius_classes(config.avatar.radius.value, asked);
+  std::vector<CompiledFloor> floors(config.floors.size());
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    const FloorSection& section = config.floors[i];
+    const std::string file = (config.folder / section.plan.value).string();
+    if (!section.plan.given || !is_there(file)) continue;  // already reported
+    attempt(report, [&] {
+      floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
+                                report, progress, options.jobs);
+    });
+    floors[i].floor.plan.height = section.height.value;
+  }
+  return floors;
+}
+
+/// A museum's folder.
+void compile_folder(const CompileOptions& options, Museum& museum, Report& report,
+                    Progress& progress) {
+  Loaded<MuseumConfig> loaded = load_museum_config(options.sources.front());
+  report.add(loaded.diagnostics);
+  if (!loaded.value) return;
+  const MuseumConfig& config = *loaded.value;
+  report.set_file_order(config.files);
+  plan_floor_stages(progress);
+  progress.plan("exhibits", 5);
+  progress.plan("images", 60);
+  progress.plan("scenery", 40);
+  AvatarTask avatar(options, clip_folders(options, &config), progress);
+
+  take_texts(config, museum, report);
+  museum.body_radius = config.avatar.radius.value;
+  {
+    const std::vector<CompiledFloor> floors = compile_floors(config, options, report, progress);
+    for (const CompiledFloor& compiled : floors) museum.floors.push_back(compiled.floor);
+    const auto stage = progress.start("exhibits");
+    compile_exhibits(config, floors, museum, report);
+  }
+  {
+    const auto stage = progress.start("images");
+    compile_images(config, options.jobs, museum, report);
+  }
+  if (!report.has_errors()) {
+    const auto stage = progress.start("scenery");
+    compile_scenery(&config, museum);
+  }
+  avatar.finish(museum, report);
+}
+
+bool is_museum_folder(const CompileOptions& options) {
+  return options.sources.size() == 1 && is_folder(options.sources.front());
+}
+
+}  // namespace
+
+std::optional<Museum> compile(const CompileOptions& options, Report& report, Progress& progress) {
+  Museum museum;
+  museum.motion.skeleton.part.fill(JointIndex::None);
+  if (is_museum_folder(options))
+    compile_folder(options, museum, report, progress);
+  else
+    compile_plan(options, museum, report, progress);
+  if (report.has_errors()) return {};
+  return museum;
+}
+
+}  // namespace docent

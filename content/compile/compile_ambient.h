@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "config/museum_config.h"
+#include "content/compile/report.h"
+#include "runtime/model/museum.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+/// The kiosk's floor, where strolling visitors would be.
+struct AmbientFloor {
+  const FloorMap& map;
+  std::optional<Vec2> kiosk;  ///< If somebody can stand there.
+  double body_radius = 0.25;
+};
+
+/// The strolling visitors as staff want them. Into the report: more than there is room for, and
+/// entrances where nobody can stand or from where nobody gets to the kiosk.
+Ambient compile_ambient(const MuseumConfig& config, const AmbientFloor& floor, Report& report);
+
+}  // namespace docent

@@ -1,0 +1,52 @@
+#include "content/compile/compile_avatar.h"
+
+#include "content/avatar/avatar.h"
+#include "content/content_error.h"
+#include "content/motion/compile_motion.h"
+#include "content/parallel.h"
+#include "runtime/motion/make_foresight.h"
+
+namespace docent {
+namespace {
+
+/// Nothing where the clips cannot walk; the walk says why.
+Foresight foresee(const MotionGraph& motion, unsigned jobs) {
+  const Result<WalkGraph> graph = make_walk_graph(motion);
+  if (!graph) return {};
+  Foresight foresight = begin_foresight(*graph);
+  for_each_index(bend_axis.count, jobs,
+                 [&](std::size_t bend) { add_bend(*graph, bend, foresight); });
+  return foresight;
+}
+
+}  // namespace
+
+void plan_avatar_stages(Progress& progress) {
+  progress.plan("motion", 40);
+  progress.plan("foresight", 40);
+  progress.plan("avatar", 15);
+}
+
+CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
+                              Enrichment enrichment, unsigned jobs, Progress& progress) {
+  CompiledAvatar compiled;
+  try {
+    {
+      const auto stage = progress.start("motion");
+      compiled.motion =
+          compile_motion(clip_folders, {.transitions = {}, .enrichment = enrichment, .jobs = jobs},
+                         compiled.problems);
+    }
+    {
+      const auto stage = progress.start("foresight");
+      compiled.motion.foresight = foresee(compiled.motion, jobs);
+    }
+    const auto stage = progress.start("avatar");
+    compiled.mesh = make_avatar(compiled.motion.skeleton);
+  } catch (const ContentError& error) {
+    compiled.problems.push_back(to_diagnostic(error));
+  }
+  return compiled;
+}
+
+}  // namespace docent

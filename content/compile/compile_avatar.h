@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "content/compile/progress.h"
+#include "content/motion/enrich.h"
+#include "runtime/model/diagnostic.h"
+#include "runtime/model/motion/motion_graph.h"
+#include "runtime/model/motion/skinned_mesh.h"
+
+namespace docent {
+
+/// What walks: the motion graph of some clips and a body made to measure for their skeleton.
+struct CompiledAvatar {
+  MotionGraph motion;
+  SkinnedMesh mesh;
+  std::vector<Diagnostic> problems;
+};
+
+void plan_avatar_stages(Progress& progress);
+
+/// Compiles the clips of the folders. What is wrong with them is in `problems`; where any of it is
+/// an error, the rest is empty.
+CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
+                              Enrichment enrichment, unsigned jobs, Progress& progress);
+
+}  // namespace docent

@@ -1,0 +1,68 @@
+#include "content/compile/compile_floor.h"
+
+#include <fmt/core.h>
+
+#include "content/floor/medial_axis.h"
+#include "content/floor/mend.h"
+#include "content/floor/sight.h"
+#include "content/floor/voronoi.h"
+#include "content/parallel.h"
+#include "runtime/path/shortest/make_hub_labels.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
+
+namespace docent {
+
+namespace {
+
+void report_left_out(const ImportedPlan& plan, Report& report) {
+  for (const LeftOut& left_out : plan.left_out) {
+    Diagnostic diagnostic;
+    diagnostic.file = plan.files[left_out.place.file];
+    diagnostic.line = left_out.place.line;
+    diagnostic.column = left_out.place.column;
+    diagnostic.severity = Severity::Warning;
+    diagnostic.code = "left-out";
+    diagnostic.message = fmt::format("a {} is no area and was left out", left_out.what);
+    report.add(std::move(diagnostic));
+  }
+}
+
+}  // namespace
+
+void plan_floor_stages(Progress& progress) {
+  progress.plan("plan", 1);
+  progress.plan("voronoi", 6);
+  progress.plan("paths", 3);
+}
+
+CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
+                            Coordinates coordinates, std::span<const double> radii, Report& report,
+                            Progress& progress, unsigned jobs) {
+  CompiledFloor compiled;
+  Floor& floor = compiled.floor;
+  {
+    const auto stage = progress.start("plan");
+    compiled.drawn = read_floor_plan(files, coordinates);
+    report_left_out(compiled.drawn, report);
+    std::vector<Diagnostic> mendings;
+    floor.plan = mend(compiled.drawn, mendings);
+    floor.plan.name = name;
+    report.add(mendings);
+  }
+  {
+    const auto stage = progress.start("voronoi");
+    floor.diagram = voronoi_diagram(floor.plan);
+    floor.roadmap = medial_axis(floor.plan, floor.diagram);
+  }
+  const auto stage = progress.start("paths");
+  floor.sight = make_sight_map(floor.plan);
+  floor.tangent_graphs.resize(radii.size());
+  floor.hub_labels.resize(radii.size());
+  for_each_index(radii.size(), jobs, [&](std::size_t i) {
+    floor.tangent_graphs[i] = make_tangent_graph(floor.plan, floor.sight, radii[i]);
+    floor.hub_labels[i] = make_hub_labels(floor.plan, floor.tangent_graphs[i]);
+  });
+  return compiled;
+}
+
+}  // namespace docent

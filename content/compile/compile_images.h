@@ -1,0 +1,13 @@
+#pragma once
+
+#include "config/museum_config.h"
+#include "content/compile/report.h"
+#include "runtime/model/museum.h"
+
+namespace docent {
+
+/// Reads the exhibits' images, each file once, and ties the exhibits to them. The museum's exhibits
+/// are those of the config, in its order. Problems go into the report, with the place of `image`.
+void compile_images(const MuseumConfig& config, unsigned jobs, Museum& museum, Report& report);
+
+}  // namespace docent

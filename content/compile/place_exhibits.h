@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "content/import/floor/imported_plan.h"
+#include "runtime/model/exhibit/exhibit.h"
+#include "runtime/path/route.h"
+
+namespace docent {
+
+/// A floor as placing needs it.
+struct PlacingFloor {
+  const FloorMap& map;
+  std::string name;
+  /// Cases and plinths as they were drawn, for those that mending joined to a wall.
+  std::span<const ImportedPolygon> drawn;
+  /// Where visitors come from; empty where the kiosk stands on another floor.
+  std::optional<Vec2> entrance;
+  double body_radius = 0.25;
+};
+
+/// What somebody wants to stand somewhere.
+struct WantedPlace {
+  Vec2 position{};
+  double heading = 0;        ///< Radians: where the object looks.
+  std::optional<Vec2> view;  ///< Where a visitor should stand, if staff said so.
+};
+
+/// A place that cannot be: what is wrong with it, in words for a diagnostic.
+struct PlaceProblem {
+  enum class Kind : std::uint8_t { Outside, NoView, ViewBlocked, Unreachable };
+  Kind kind = Kind::Outside;
+  std::string label, hint;
+};
+
+/// An exhibit's place and viewing point, or why there is none.
+struct PlacedExhibit {
+  ExhibitPlace place = ExhibitPlace::OnFloor;
+  Placement view;
+  std::optional<PlaceProblem> problem;
+};
+
+/// Finds out what an exhibit stands on and where a visitor stands to look at it: in front of it,
+/// 0.8 to 2 m away, clear of walls by the body radius and 5 cm, with nothing between, and where the
+/// way from the entrance is wide enough for the body.
+PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted);
+
+/// Why nobody whose body has this radius can stand at a point, as `ViewBlocked`; empty where one
+/// can.
+std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, double body_radius);
+
+/// Is there a way for a body?
+bool can_walk(const FloorMap& map, Vec2 from, Vec2 to, double body_radius);
+
+/// The nearest point that is clear of walls by `clearance`, in whole centimetres; empty where there
+/// is none within 20 m.
+std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance);
+
+/// "[12.40, 3.45]"
+std::string point_text(Vec2 point);
+
+}  // namespace docent

@@ -1,0 +1,58 @@
+#include "content/draw/plan/plan_style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "content/draw/svg.h"
+
+namespace docent {
+
+std::string region_colour(std::size_t tint) {
+  constexpr std::array<std::pair<std::string_view, double>, region_tints> tints = {
+      {{ink::teal, 0.16},
+       {ink::ochre, 0.22},
+       {ink::stone, 0.36},
+       {ink::vermilion, 0.13},
+       {ink::oak, 0.30},
+       {ink::teal, 0.28},
+       {ink::ochre, 0.11},
+       {ink::vermilion, 0.21}}};
+  const auto [colour, part] = tints[tint % region_tints];
+  return mixed(ink::floor, colour, part);
+}
+
+std::string axis_stroke(double wide) {
+  return fmt::format(R"(stroke="{}" stroke-width="{:.2f}")",
+                     mixed(ink::ochre, ink::teal, std::min(1.0, 1.6 * wide)),
+                     std::lerp(1.6, 7.0, wide));
+}
+
+std::string way_stroke(LineKind kind, double width) {
+  std::string_view colour = ink::vermilion;
+  std::string dashes;
+  if (kind == LineKind::Skeleton) {
+    colour = ink::teal;
+    dashes = fmt::format(R"( stroke-dasharray="{:.1f} {:.1f}")", 3 * width, 1.8 * width);
+  } else if (kind == LineKind::Offset) {
+    colour = ink::ochre;
+    dashes = fmt::format(R"( stroke-dasharray="0 {:.1f}")", 1.7 * width);
+  }
+  return fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.2f}" stroke-linejoin="round" )"
+                     R"(stroke-linecap="round"{})",
+                     colour, width, dashes);
+}
+
+std::string level_style(std::size_t levels) {
+  constexpr double darkest = 0.28;  // Where all levels lie one upon another.
+  const double each = 1 - std::pow(1 - darkest, 1.0 / static_cast<double>(std::max(levels, 1UL)));
+  return fmt::format(R"(fill="{0}" fill-opacity="{1:.4f}" fill-rule="evenodd" stroke="{0}" )"
+                     R"(stroke-opacity="0.5" stroke-width="0.9")",
+                     ink::teal, each);
+}
+
+}  // namespace docent

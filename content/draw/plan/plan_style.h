@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "content/draw/plan/plan_drawing.h"
+
+namespace docent {
+
+/// How many soft tints there are for Voronoi regions.
+constexpr std::size_t region_tints = 8;
+/// The colour of a tint, "#RRGGBB".
+std::string region_colour(std::size_t tint);
+
+/// Attributes of a piece of the medial axis, `wide` from 0 to 1: thicker and greener where the room
+/// is wider.
+std::string axis_stroke(double wide);
+
+/// Attributes of a way: its colour and its pattern, which tell the kinds apart without colours,
+/// too.
+std::string way_stroke(LineKind kind, double width);
+
+/// Attributes of the edge of all that is at least so far from the walls, when there are that many
+/// such areas one within another: each darkens what lies below a little.
+std::string level_style(std::size_t levels);
+
+}  // namespace docent

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "content/gait/body_motion.h"
+#include "content/gait/gait_figures.h"
+#include "content/gait/gait_skeleton.h"
+#include "content/gait/variation.h"
+
+namespace docent {
+namespace {
+
+constexpr double degree = 0.017453292519943295;
+/// Distance from hip to ankle with the knee at its straightest, 3.5 degrees: it never locks.
+const double longest_reach = std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
+                                       2 * walker::thigh * walker::shin * std::cos(3.5 * degree));
+
+double reach_at(double knee) {
+  return std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
+                   2 * walker::thigh * walker::shin * std::cos(knee));
+}
+
+/// The knee of a foot in stance, radians.
+double normative_knee(const Footstep& step, double time) {
+  const double cycle =
+      std::clamp((step.toe_off - step.strike) / gait_figures::stance_share, 0.9, 1.5);
+  const double loading = through(gait_figures::knee_loading(), (time - step.strike) / cycle);
+  const double release = through(gait_figures::knee_release(), (time - step.toe_off) / cycle);
+  return degree * (gait_figures::knee_at_ease + loading * std::min(step.length_in, 1.1) +
+                   release * std::min(step.length_out, 1.1));
+}
+
+const Footstep& placing_at(std::span<const Footstep> placings, double time) {
+  std::size_t k = 0;
+  while (k + 1 < placings.size() && placings[k + 1].strike <= time) ++k;
+  return placings[k];
+}
+
+/// Heights of the root that a leg holds it at and that it cannot go beyond.
+struct Support {
+  double held, highest;
+};
+Support support_of(const glm::dvec3& hip_from_root, GroundPoint root, const FootPose& foot,
+                   double knee) {
+  const double dx = root.x + hip_from_root.x - foot.ankle.x;
+  const double dz = root.y + hip_from_root.z - foot.ankle.z;
+  const double across = dx * dx + dz * dz;
+  const auto over_ankle = [&](double length) {
+    return foot.ankle.y - hip_from_root.y + std::sqrt(std::max(length * length - across, 0.04));
+  };
+  return {over_ankle(reach_at(knee)), over_ankle(longest_reach)};
+}
+
+/// Lowers a track wherever it exceeds a limit, and eases it down to there and up again over `sigma`
+/// seconds on either side.
+void keep_below(std::vector<double>& track, const std::vector<double>& limit, double rate,
+                double sigma) {
+  for (int pass = 0; pass < 4; ++pass) {
+    std::vector<double> excess(track.size());
+    double worst = 0;
+    for (std::size_t f = 0; f < track.size(); ++f) {
+      excess[f] = std::max(track[f] - limit[f], 0.0);
+      worst = std::max(worst, excess[f]);
+    }
+    if (worst < 1e-5) return;
+    // The widest excess in reach, so that smoothing does not let the peak through.
+    const auto width = static_cast<std::size_t>(sigma * rate);
+    std::vector<double> widened(track.size());
+    for (std::size_t f = 0; f < track.size(); ++f)
+      for (std::size_t g = f < width ? 0 : f - width; g <= std::min(f + width, track.size() - 1);
+           ++g)
+        widened[f] = std::max(widened[f], excess[g]);
+    smooth(widened, rate, 0.5 * sigma);
+    for (std::size_t f = 0; f < track.size(); ++f) track[f] -= widened[f];
+  }
+}
+
+}  // namespace
+
+Leg reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading) {
+  constexpr double thigh = walker::thigh;
+  constexpr double shin = walker::shin;
+  const glm::dvec3 line = foot.ankle - hip;
+  const double length = std::clamp(glm::length(line), std::abs(thigh - shin) + 0.02, longest_reach);
+  const double knee_cosine = (length * length - thigh * thigh - shin * shin) / (2 * thigh * shin);
+  const double knee = std::acos(std::clamp(knee_cosine, -1.0, 1.0));
+  const double lead = std::atan2(shin * std::sin(knee), thigh + shin * std::cos(knee));
+
+  // The hinge of the knee lies across the way it points: between pelvis and toes.
+  const double yaw = pelvis_heading + 0.55 * (foot.yaw - pelvis_heading);
+  const glm::dvec3 down = line / glm::length(line);
+  const glm::dvec3 forward{std::sin(yaw), 0, std::cos(yaw)};
+  const glm::dvec3 hinge = glm::normalize(glm::cross(-down, forward));
+  const glm::dvec3 ahead = glm::cross(hinge, -down);
+  const glm::dquat straight = glm::quat_cast(glm::dmat3(hinge, -down, ahead));
+  Leg leg;
+  leg.knee = knee;
+  leg.thigh = straight * glm::angleAxis(-lead, glm::dvec3{1, 0, 0});
+  leg.shin = leg.thigh * glm::angleAxis(knee, glm::dvec3{1, 0, 0});
+  const glm::dquat turned = glm::angleAxis(foot.yaw, glm::dvec3{0, 1, 0});
+  leg.foot = turned * glm::angleAxis(-foot.pitch, glm::dvec3{1, 0, 0});
+  leg.toes = turned * glm::angleAxis(-foot.toe_pitch, glm::dvec3{1, 0, 0});
+  return leg;
+}
+
+std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace& pace,
+                                    std::uint32_t seed) {
+  // Standing, the body's mass is a little before the hips; a walker holds the hips ahead of it.
+  constexpr double mass_ahead_standing = 0.020, mass_ahead_walking = -0.038;
+  const FrameTimes& times = pace.times;
+  const std::vector<GroundPoint> mass = balanced_mass(centre_of_pressure(steps, times), times.rate);
+  const std::vector<Footstep> placings[2] = {placings_of(steps, Foot::Left),
+                                             placings_of(steps, Foot::Right)};
+  std::vector<double> height(times.count), highest(times.count, 2.0);
+  std::vector<GroundPoint> ground(times.count);
+  for (std::size_t f = 0; f < times.count; ++f) {
+    const double time = times.at(f);
+    const double mass_ahead =
+        mass_ahead_standing + pace.vigour[f] * (mass_ahead_walking - mass_ahead_standing);
+    ground[f] = mass[f] - forward_of(pace.heading[f]) * mass_ahead;
+    const glm::dquat pelvis = upper_body_at(pace, f, seed).pelvis;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const double out = side == 0 ? 1 : -1;
+      const glm::dvec3 hip = pelvis * glm::dvec3{out * walker::hip_half, -walker::hip_drop, 0};
+      const double share = side == 0 ? pace.loading.left[f] : pace.loading.right[f];
+      const double knee = normative_knee(placing_at(placings[side], time), time);
+      const Support support = support_of(hip, ground[f], foot_at(placings[side], time), knee);
+      height[f] += share * support.held;
+      highest[f] = std::min(highest[f], support.highest);
+    }
+  }
+  smooth(height, times.rate, 0.032);
+  keep_below(height, highest, times.rate, 0.028);
+  std::vector<glm::dvec3> places;
+  places.reserve(times.count);
+  for (std::size_t f = 0; f < times.count; ++f)
+    places.emplace_back(ground[f].x, height[f], ground[f].y);
+  return places;
+}
+
+}  // namespace docent

@@ -1,0 +1,29 @@
+// Writes the seven default clips as BVH files into a folder: make_clips content/clips
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "content/gait/gait.h"
+#include "content/gait/gait_skeleton.h"
+#include "content/content_error.h"
+#include "content/import/motion/bvh_write.h"
+
+int main(int count, char** arguments) {
+  if (count != 2) {
+    fmt::print(stderr, "usage: make_clips FOLDER\n");
+    return 2;
+  }
+  try {
+    const docent::Skeleton skeleton = docent::gait_skeleton();
+    for (const docent::GaitRecipe& recipe : docent::default_clips()) {
+      const docent::MotionClip clip = docent::make_gait_clip(recipe);
+      docent::write_bvh(skeleton, {clip.frame_rate, clip.root, clip.rotation},
+                        std::filesystem::path(arguments[1]) / (recipe.name + ".bvh"));
+    }
+  } catch (const docent::ContentError& error) {
+    fmt::print(stderr, "{}: {}\n", error.file, error.what());
+    return 3;
+  }
+  return 0;
+}

@@ -1,0 +1,210 @@
+#include "content/import/floor/geojson.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "content/content_error.h"
+#include "content/import/floor/json.h"
+#include "content/import/floor/projection.h"
+#include "content/read_source.h"
+
+namespace docent {
+namespace {
+
+using Kind = JsonValue::Kind;
+
+/// Reads one file's areas into a plan.
+class GeoJsonReader {
+ public:
+  GeoJsonReader(const GeoJsonText& source, Coordinates coordinates, ImportedPlan& plan)
+      : file_(source.file),
+        lines_(source.text),
+        coordinates_(coordinates),
+        file_index_(static_cast<std::uint32_t>(plan.files.size())),
+        plan_(plan) {
+    plan_.files.push_back(file_);
+  }
+
+  /// A geometry, a Feature or a FeatureCollection.
+  void read_object(const JsonValue& object) {
+    const std::string& type = type_of(object);
+    if (type == "FeatureCollection") {
+      read_all(array_member(object, "features"));
+    } else if (type == "Feature") {
+      const JsonValue* geometry = find_member(object, "geometry");
+      if (geometry == nullptr) fail(object, "this Feature has no geometry");
+      if (geometry->kind != Kind::Null) read_object(*geometry);
+    } else if (type == "GeometryCollection") {
+      read_all(array_member(object, "geometries"));
+    } else if (type == "Polygon") {
+      read_polygon(array_member(object, "coordinates"));
+    } else if (type == "MultiPolygon") {
+      for (const JsonValue& polygon : array_member(object, "coordinates").items)
+        read_polygon(polygon);
+    } else if (is_thin_geometry(type)) {
+      plan_.left_out.push_back({type, place(object)});
+    } else {
+      fail(object, fmt::format("'{}' is not a type of GeoJSON", type));
+    }
+  }
+
+ private:
+  static bool is_thin_geometry(const std::string& type) {
+    return type == "Point" || type == "MultiPoint" || type == "LineString" ||
+           type == "MultiLineString";
+  }
+
+  [[noreturn]] void fail(const JsonValue& where, const std::string& message,
+                         std::string hint = {}) const {
+    const auto [line, column] = lines_.at(where.offset);
+    throw ContentError(file_, line, column, "invalid-geojson", message, std::move(hint));
+  }
+
+  [[nodiscard]] SourcePlace place(const JsonValue& value) const {
+    const auto [line, column] = lines_.at(value.offset);
+    return {file_index_, line, column};
+  }
+
+  [[nodiscard]] const std::string& type_of(const JsonValue& object) const {
+    if (object.kind != Kind::Object) fail(object, "a GeoJSON object belongs here");
+    const JsonValue* type = find_member(object, "type");
+    if (type == nullptr) fail(object, "this object has no \"type\", so it is not GeoJSON");
+    if (type->kind != Kind::String) fail(*type, "a \"type\" must be a string");
+    return type->string;
+  }
+
+  [[nodiscard]] const JsonValue& array_member(const JsonValue& object, const char* name) const {
+    const JsonValue* member = find_member(object, name);
+    if (member == nullptr)
+      fail(object, fmt::format("this {} has no \"{}\"", type_of(object), name));
+    if (member->kind != Kind::Array) fail(*member, fmt::format("\"{}\" must be an array", name));
+    return *member;
+  }
+
+  void read_all(const JsonValue& objects) {
+    for (const JsonValue& object : objects.items) read_object(object);
+  }
+
+  void read_polygon(const JsonValue& rings) {
+    if (rings.kind != Kind::Array) fail(rings, "a polygon must be an array of rings");
+    if (rings.items.empty()) return;  // RFC 7946, 3.1: an empty array is a null geometry.
+    ImportedPolygon polygon{.outer = read_ring(rings.items.front()), .holes = {}};
+    if (distinct_vertices(polygon.outer) < 3)
+      fail(rings.items.front(),
+           fmt::format("the outer ring has {} different points, and an area needs three",
+                       distinct_vertices(polygon.outer)),
+           "draw the floor's outline, or remove this polygon");
+    for (std::size_t i = 1; i < rings.items.size(); ++i)
+      polygon.holes.push_back(read_ring(rings.items[i]));
+    plan_.polygons.push_back(std::move(polygon));
+  }
+
+  /// Counts to three.
+  static std::size_t distinct_vertices(const ImportedRing& ring) {
+    std::vector<Vec2> seen;
+    for (const Vec2 vertex : ring.vertex) {
+      if (std::ranges::find(seen, vertex) == seen.end()) seen.push_back(vertex);
+      if (seen.size() == 3) break;
+    }
+    return seen.size();
+  }
+
+  [[nodiscard]] ImportedRing read_ring(const JsonValue& positions) const {
+    if (positions.kind != Kind::Array) fail(positions, "a ring must be an array of positions");
+    if (positions.items.empty()) fail(positions, "this ring has no points");
+    ImportedRing ring;
+    ring.vertex.reserve(positions.items.size());
+    ring.place.reserve(positions.items.size());
+    for (const JsonValue& position : positions.items) {
+      ring.vertex.push_back(read_position(position));
+      ring.place.push_back(place(position));
+    }
+    if (ring.vertex.size() > 1 && ring.vertex.front() == ring.vertex.back()) {
+      ring.vertex.pop_back();
+      ring.place.pop_back();
+    }
+    return ring;
+  }
+
+  [[nodiscard]] Vec2 read_position(const JsonValue& position) const {
+    if (position.kind != Kind::Array) fail(position, "a position must be an array of two numbers");
+    if (position.items.size() < 2)
+      fail(position, "a position needs two numbers: x and y, or longitude and latitude");
+    const Vec2 point{read_coordinate(position.items[0]), read_coordinate(position.items[1])};
+    if (coordinates_ == Coordinates::Wgs84 && (std::abs(point.x) > 180 || std::abs(point.y) > 90))
+      fail(position, fmt::format("[{}, {}] is no longitude and latitude", point.x, point.y),
+           "is the plan in metres? Then leave --coordinates wgs84 away");
+    return point;
+  }
+
+  [[nodiscard]] double read_coordinate(const JsonValue& value) const {
+    if (value.kind != Kind::Number || !std::isfinite(value.number))
+      fail(value, "a coordinate must be a finite number");
+    // Beyond this, squares of distances lose the millimetre: no floor on Earth is there.
+    constexpr double farthest = 1e8;
+    if (std::abs(value.number) > farthest)
+      fail(value, fmt::format("the coordinate {} is farther away than any floor", value.number));
+    return value.number;
+  }
+
+  std::string file_;
+  LineIndex lines_;
+  Coordinates coordinates_;
+  std::uint32_t file_index_;
+  ImportedPlan& plan_;
+};
+
+template <typename Function>
+void for_each_vertex(ImportedPlan& plan, const Function& function) {
+  for (ImportedPolygon& polygon : plan.polygons) {
+    std::ranges::for_each(polygon.outer.vertex, function);
+    for (ImportedRing& hole : polygon.holes) std::ranges::for_each(hole.vertex, function);
+  }
+}
+
+/// Lays the plan flat about the centre of the box that holds it.
+void project(ImportedPlan& plan) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+  const Vec2 first = plan.polygons.front().outer.vertex.front();
+  // Longitudes near the first one, so that a floor may lie across the 180th meridian.
+  const auto unwrapped = [first](Vec2 p) {
+    return Vec2{first.x + std::remainder(p.x - first.x, 360.0), p.y};
+  };
+  for_each_vertex(plan, [&](Vec2& vertex) {
+    low = glm::min(low, unwrapped(vertex));
+    high = glm::max(high, unwrapped(vertex));
+  });
+  const LocalProjection projection((low + high) / 2.0);
+  for_each_vertex(plan, [&](Vec2& vertex) { vertex = projection.to_floor(vertex); });
+}
+
+}  // namespace
+
+ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates coordinates) {
+  ImportedPlan plan;
+  for (const GeoJsonText& source : texts)
+    GeoJsonReader(source, coordinates, plan).read_object(parse_json(source.file, source.text));
+  if (plan.polygons.empty())
+    throw ContentError(plan.files.empty() ? "" : plan.files.front(), 0, 0, "no-floor",
+                       "there is no Polygon or MultiPolygon, so there is no floor to walk on",
+                       "draw the walkable floor as areas, not as lines");
+  if (coordinates == Coordinates::Wgs84) project(plan);
+  return plan;
+}
+
+ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coordinates) {
+  std::vector<std::string> contents;
+  contents.reserve(files.size());
+  for (const std::string& file : files) contents.push_back(read_source(file, "missing-file"));
+  std::vector<GeoJsonText> texts;
+  texts.reserve(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({files[i], contents[i]});
+  return parse_floor_plan(texts, coordinates);
+}
+
+}  // namespace docent

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "content/import/motion/motion_file.h"
+
+namespace docent {
+
+/// Fills `skeleton.part`: from the joints' names where they say it (CMU, Mixamo, Bandai Namco,
+/// Biped and ASF names, upper or lower case, side before or behind), else from the body's shape in
+/// motion: legs are the two branches that end lowest, the head's ends highest. `clip` gives the
+/// poses to judge by. Parts that the skeleton does not have stay None; the hips are always joint 0.
+void find_body_parts(Skeleton& skeleton, const MotionClip& clip);
+
+/// Do these names call the same part of the two sides, or both the same part of neither? So do
+/// "LeftUpLeg" and "RightUpLeg", and "Spine" and "Spine1"; digits do not count.
+bool are_counterparts(std::string_view name, std::string_view other);
+
+/// Length of the leg from hip to ankle in the skeleton's units, 0 where no leg was found.
+double leg_length(const Skeleton& skeleton);
+
+/// The unit that makes this skeleton (in file units, parts found) an adult: millimetres,
+/// centimetres, inches, CMU's units or metres. Throws ContentError about `file` where none does.
+double judge_metres_per_unit(const Skeleton& skeleton, const std::string& file);
+
+/// Scales skeleton and motion to metres.
+void scale_to_metres(RecordedMotion& motion, double metres_per_unit);
+
+}  // namespace docent

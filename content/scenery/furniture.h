@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "content/scenery/mesh_builder.h"
+#include "runtime/model/exhibit/exhibit.h"
+#include "runtime/model/geometry/floor_plan.h"
+
+namespace docent {
+
+/// What a hole of the plan stands for.
+enum class HoleKind : std::uint8_t {
+  Wall,      ///< A partition or a block of building: as high as the walls.
+  Column,    ///< Round or square, cut like a wall.
+  Pedestal,  ///< Open, with an object on it.
+  Case,      ///< A body with glass on it.
+};
+
+/// One per ring, by size, shape and what stands in it; rings that are no holes count as Wall.
+std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit> exhibits);
+
+/// Something that keeps light away: everything over `outline` up to `height` metres.
+struct Blocker {
+  Outline outline;
+  double height = 0;
+};
+
+/// What stands in a room: adds its faces to `mesh` and what they keep light away with to
+/// `blockers`.
+void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
+                std::vector<Blocker>& blockers);
+
+/// An exhibit as a picture: hung on its wall, or standing up on its case, pedestal or the floor.
+struct Stand {
+  std::int32_t exhibit = -1;
+  Placement placement;
+  float aspect = 1;  ///< Width over height of the picture.
+  HoleKind on = HoleKind::Wall;
+  const Outline* hole = nullptr;  ///< What it stands on; null on a wall or the floor.
+  bool on_wall = false;
+};
+void build_stand(const Stand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers);
+
+/// The ring as an outline: counter-clockwise.
+Outline outline_of(const FloorPlan& plan, const Ring& ring);
+
+bool contains(const Outline& outline, Vec2 point);
+
+/// Metres above the floor at which walls and columns are cut.
+constexpr double cut_height = 1.45;
+
+}  // namespace docent

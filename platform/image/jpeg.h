@@ -1,0 +1,16 @@
+#pragma once
+
+#include "platform/image/image.h"
+
+namespace docent {
+
+enum class JpegPart : std::uint8_t { Header, Pixels };
+
+/// Decodes a JPEG file, or only its size.
+Result<Pixels> decode_jpeg(std::span<const std::byte> file, const ImageLimits& limits,
+                           JpegPart part);
+
+/// The sentence for a picture that is larger than the limits; empty where it is not.
+std::string too_large(std::uint64_t width, std::uint64_t height, const ImageLimits& limits);
+
+}  // namespace docent

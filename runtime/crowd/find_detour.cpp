@@ -1,0 +1,56 @@
+#include "runtime/crowd/find_detour.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "runtime/crowd/line_distance.h"
+#include "runtime/path/floor_map.h"
+
+namespace docent {
+namespace {
+
+constexpr double spare = 0.1;             // metres kept from who stands
+constexpr std::size_t most_places = 400;  // that are tried
+
+}  // namespace
+
+Way find_detour(const FloorMap& map, const Timetable& timetable, std::uint32_t body,
+                const RouteQuery& query, double seconds) {
+  std::vector<Vec2> standing;
+  for (const Timetable::Entry& entry : timetable.entries())
+    if (entry.body != body && entry.course.end() <= seconds)
+      standing.push_back(entry.course.place.back());
+  const double apart = 2 * timetable.body_radius() + spare;
+  const auto is_free = [&](const Way& way) {
+    return std::ranges::all_of(standing,
+                               [&](Vec2 place) { return distance_to(way.points, place) >= apart; });
+  };
+
+  const Roadmap& roads = map.floor().roadmap;
+  std::vector<std::pair<double, Vec2>> places;
+  for (std::size_t i = 0; i < roads.position.size(); ++i)
+    if (const Vec2 place = roads.position[i]; roads.clearance[i] >= query.radius)
+      places.emplace_back(glm::distance(query.from, place) + glm::distance(place, query.to), place);
+  std::ranges::sort(places, {}, &std::pair<double, Vec2>::first);
+  if (places.size() > most_places) places.resize(most_places);
+
+  Way best;
+  for (const auto& [at_least, place] : places) {
+    if (best.status == RouteStatus::Ok && at_least >= best.length) break;
+    RouteQuery first = query, second = query;
+    first.to = second.from = place;
+    Way there = route(map, first);
+    if (there.status != RouteStatus::Ok || !is_free(there)) continue;
+    const Way on = route(map, second);
+    if (on.status != RouteStatus::Ok || !is_free(on)) continue;
+    there.length += on.length;
+    if (best.status == RouteStatus::Ok && there.length >= best.length) continue;
+    there.clearance_min = std::min(there.clearance_min, on.clearance_min);
+    there.points.insert(there.points.end(), on.points.begin() + 1, on.points.end());
+    best = std::move(there);
+  }
+  return best;
+}
+
+}  // namespace docent

@@ -1,0 +1,356 @@
+/// What stands on the shared glass: the words on the model, and the card of each visitor.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "runtime/scene/look.h"
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/seats.h"
+#include "runtime/interface/sheet.h"
+
+namespace docent {
+namespace {
+
+constexpr float card_margin = 2;  // units
+constexpr float row_units = 8;    // height of a row of the list
+constexpr float heading_units = 5;
+constexpr float least_invitation = 10;  // units for where the way leads
+constexpr float taken_opacity = 0.18F;  // of a guide whom somebody else has
+
+float height_of_row(const Measures& m) noexcept {
+  return std::round(std::max(m.touch, row_units * m.unit));
+}
+
+/// A guide's coat with its pattern; `box` is what the pattern may cover.
+void draw_pattern(Sheet& sheet, const Look& look, const Box& box, float opacity,
+                  std::int32_t control) {
+  const Colour second = srgb(look.second, opacity);
+  const float w = box.width, h = box.height;
+  const auto patch = [&](float x, float y, float width, float height, float corner) {
+    sheet.fill({box.x + x * w, box.y + y * h, width * w, height * h}, second, corner, control);
+  };
+  switch (look.pattern) {
+    case CoatPattern::Plain:
+      return;
+    case CoatPattern::Hoops:
+      for (const float y : {0.12F, 0.44F, 0.76F}) patch(0, y, 1, 0.16F, 0);
+      return;
+    case CoatPattern::Stripes:
+      for (const float x : {0.12F, 0.44F, 0.76F}) patch(x, 0, 0.12F, 1, 0);
+      return;
+    case CoatPattern::Yoke:
+      return patch(0, 0, 1, 0.32F, 0.1F * h);
+    case CoatPattern::Skirt:
+      return patch(0, 0.55F, 1, 0.45F, 0);
+    case CoatPattern::Sash:
+      for (int i = 0; i < 9; ++i) {
+        const float at = static_cast<float>(i) / 9;
+        patch(at, at, 0.18F, 0.14F, 0.05F * w);
+      }
+      return;
+    case CoatPattern::Diamonds:
+      for (const float y : {0.1F, 0.42F, 0.74F})
+        for (const float x : {0.14F, 0.44F, 0.74F}) patch(x, y, 0.14F, 0.14F * w / h, 0.05F * w);
+      return;
+    case CoatPattern::Checks:
+      for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 5; ++j)
+          if ((i + j) % 2 == 0)
+            patch(static_cast<float>(i) / 5, static_cast<float>(j) / 5, 0.2F, 0.2F, 0);
+      return;
+  }
+}
+
+/// A guide as large as the box allows, standing on its lower edge. Lengths are shares of a guide of
+/// ordinary height.
+void draw_figure(Sheet& sheet, const Look& look, const Box& box, float opacity,
+                 std::int32_t control) {
+  constexpr float tallest = 1.07F, widest = 0.44F;
+  const float h = std::min(box.height / tallest, box.width / widest);
+  const float middle = box.x + box.width / 2, floor = box.bottom();
+  const auto part = [&](float x, float from, float to, float width, Colour colour, float corner) {
+    const Box at{middle + (x - width / 2) * h, floor - to * look.height * h, width * h,
+                 (to - from) * look.height * h};
+    sheet.fill(at, colour, corner * h, control);
+    return at;
+  };
+  const float wide = 0.34F * look.shoulders, leg = 0.115F * look.hips;
+  for (const float side : {-0.52F, 0.52F}) {
+    part(side * leg, 0, 0.06F, leg, srgb(look.shoes, opacity), 0.02F);
+    part(side * leg, 0.04F, 0.45F, 0.95F * leg, srgb(look.trousers, opacity), 0.02F);
+  }
+  const float hair = 0.1F + look.hair_volume, head = 0.88F;
+  part(0, head - hair + 0.015F, head + hair + 0.015F, 2 * hair, srgb(look.hair, opacity), hair);
+  if (look.hair_length > 0)
+    part(0, head - look.hair_length, head, 0.2F, srgb(look.hair, opacity), 0.06F);
+  const Box coat = part(0, 0.34F, 0.79F, wide, srgb(look.coat, opacity), 0.09F);
+  const float inset = 0.045F * h;
+  draw_pattern(sheet, look,
+               {coat.x + inset, coat.y + inset, coat.width - 2 * inset, coat.height - 2 * inset},
+               opacity, control);
+  part(0, 0.74F, 0.82F, 0.09F, srgb(look.shirt, opacity), 0.03F);
+  part(0, head - 0.085F, head + 0.085F, 0.17F, srgb(look.skin, opacity), 0.085F);
+}
+
+/// A band in the guide's colour along the card's upper edge: whose card it is.
+void draw_band(Sheet& sheet, const Box& card) {
+  const Measures& m = sheet.measures();
+  const std::int8_t look = sheet.request().state.look;
+  if (look < 0) return;
+  draw_stroke(sheet,
+              {card.x + m.corner, card.y, card.width - 2 * m.corner, std::round(0.8F * m.unit)},
+              trail_colour(static_cast<std::size_t>(look)), 0, -1);
+}
+
+/// Buttons side by side on the lowest row, those that this state has; returns its top.
+float draw_buttons(Sheet& sheet, const Box& content, std::span<const std::string_view> names) {
+  const Measures& m = sheet.measures();
+  const float top = content.bottom() - m.touch, gap = std::round(m.unit);
+  const auto is_there = [&](std::string_view name) { return sheet.control(name) >= 0; };
+  const auto count = static_cast<float>(std::ranges::count_if(names, is_there));
+  const float width = std::floor((content.width + gap) / count - gap);
+  float x = content.x;
+  for (const std::string_view name : names) {
+    if (!is_there(name)) continue;
+    sheet.button(sheet.control(name), {x, top, width, m.touch},
+                 name == "stop" ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft);
+    x += width + gap;
+  }
+  return top;
+}
+
+/// Nobody is here: where others are, whoever comes is invited.
+void lay_out_vacant(Sheet& sheet, const Box& card) {
+  const Measures& m = sheet.measures();
+  const std::int32_t join = sheet.control("begin");
+  sheet.place(join, card);
+  if (sheet.request().state.glass == Glass::Quiet) return;
+  sheet.fill(card, with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
+  const Box inside = card.inset(card_margin * m.unit);
+  const TextPiece words =
+      sheet.fitted(sheet.style(Letters::Label, 3), sheet.word("join"), inside.width);
+  sheet.piece(words, inside.x, card.y + (card.height - words.height) / 2, inside.width,
+              Align::Centre, sheet.theme().quiet_ink, join);
+}
+
+void lay_out_picking(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const float gap = std::round(m.unit);
+  float bottom = content.bottom() - m.touch;
+  sheet.button(sheet.control("home"), {content.x, bottom, content.width, m.touch},
+               Sheet::Emphasis::Soft);
+  if (sheet.museum().languages.size() > 1) {
+    bottom -= gap + m.touch;
+    draw_languages(sheet, {content.x, bottom, content.width, m.touch});
+  }
+  const float top = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
+                               content.width, sheet.theme().ink, 2) +
+                    gap;
+  constexpr std::uint32_t columns = 4, rows = guide_look_count / columns;
+  const float width = std::floor((content.width - (columns - 1) * gap / 2) / columns);
+  const float height = std::floor((bottom - gap - top - (rows - 1) * gap) / rows);
+  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
+    const std::int32_t control = sheet.control("look:" + std::string(looks[i].name));
+    if (control < 0) continue;
+    const std::uint32_t column = i % columns, row = i / columns;
+    const Box cell{content.x + static_cast<float>(column) * (width + gap / 2),
+                   top + static_cast<float>(row) * (height + gap), width, height};
+    sheet.place(control, cell);
+    const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+    if (it.enabled) sheet.fill(cell, sheet.theme().plaster, m.corner, control);
+    TextStyle style = sheet.style(Letters::Small);
+    const float pad = std::round(0.4F * m.unit);
+    const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell.width - 2 * pad);
+    const float words = std::ceil(style.size * style.line_height);
+    draw_figure(sheet, looks[i],
+                {cell.x + pad, cell.y + pad, cell.width - 2 * pad, cell.height - 2 * pad - words},
+                it.enabled ? 1 : taken_opacity, control);
+    if (!it.enabled) continue;
+    sheet.piece(name, cell.x, cell.bottom() - pad - (words + name.height) / 2, cell.width,
+                Align::Centre, sheet.theme().ink, control);
+  }
+}
+
+void draw_row(Sheet& sheet, std::int32_t control, const Box& box) {
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  sheet.place(control, box);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  const Box picture{box.x, box.y, box.height, box.height};
+  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
+  sheet.image(picture, museum.exhibits[it.action.argument].image, m.corner, control);
+  const float x = picture.right() + m.unit;
+  TextStyle style = sheet.style(Letters::Body, 2);
+  style.line_height = style.right_to_left ? 1.4F : 1.2F;
+  const std::string number =
+      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1);
+  const TextPiece title = sheet.fitted(style, number + "  " + std::string(sheet.local(it.label)),
+                                       box.right() - x - m.unit / 2);
+  sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
+              sheet.theme().ink, control);
+}
+
+void lay_out_list(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const float gap = std::round(m.unit / 2), row = height_of_row(m);
+  const TextStyle style = sheet.style(Letters::Lead);
+  sheet.piece(sheet.fitted(style, sheet.word("choose_title"), content.width), content.x, content.y,
+              content.width, Align::Start, sheet.theme().ink);
+  float y = content.y + std::round(heading_units * m.unit);
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
+    if (sheet.view().controls[i].role != Role::ListItem) continue;
+    draw_row(sheet, static_cast<std::int32_t>(i), {content.x, y, content.width, row});
+    y += row + gap;
+  }
+  constexpr std::array<std::string_view, 4> buttons{"page:previous", "page:next", "back", "home"};
+  const float bottom = draw_buttons(sheet, content, buttons) - gap;
+  draw_languages(sheet, {content.x, bottom - m.touch, content.width, m.touch});
+}
+
+void lay_out_walk(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const float gap = std::round(m.unit);
+  constexpr std::array<std::string_view, 2> buttons{"stop", "choose"};
+  const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
+  const float column = 3 * m.touch + 2 * gap;
+  const bool in_a_row = bottom - column - content.y < least_invitation * m.unit;
+  const float height = in_a_row ? m.touch : column, routes = bottom - height;
+  draw_routes(sheet, {content.x, routes, content.width, height},
+              in_a_row ? Along::Row : Along::NarrowColumn);
+  const float y = draw_invitation(
+      sheet, {content.x, content.y, content.width, routes - gap - content.y}, Letters::Lead);
+  const float room = routes - m.gap - y;
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && room > 8 * m.unit)
+    sheet.whole_image({content.x, y, content.width, room}, exhibit->image, m.corner);
+}
+
+void lay_out_visit(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const Exhibit* exhibit = chosen_exhibit(sheet);
+  constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
+  const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
+  if (exhibit == nullptr) return;
+  float y = sheet.text(Letters::Heading, sheet.local(exhibit->title), content.x, content.y,
+                       content.width, sheet.theme().ink, 2) +
+            m.unit;
+  const float picture = std::min(0.4F * (bottom - y), 0.75F * content.width);
+  y += sheet.whole_image({content.x, y, content.width, picture}, exhibit->image, m.corner) + m.unit;
+  TextStyle style = sheet.style(Letters::Body);
+  const float line = style.size * style.line_height;
+  style.max_lines = static_cast<std::uint16_t>(std::clamp((bottom - y) / line, 1.0F, 40.0F));
+  sheet.piece(sheet.fitted(style, sheet.local(exhibit->text), content.width), content.x, y,
+              content.width, Align::Start, sheet.theme().ink);
+}
+
+/// All the guides side by side.
+void draw_guides(Sheet& sheet, const Box& box) {
+  const float width = box.width / guide_look_count;
+  for (std::size_t i = 0; i < guide_look_count; ++i)
+    draw_figure(sheet, looks[i],
+                {box.x + (static_cast<float>(i) + 0.08F) * width, box.y, 0.84F * width, box.height},
+                1, -1);
+}
+
+/// Words on a slip of paper in the middle of `box`.
+void draw_slip(Sheet& sheet, const TextPiece& words, const Box& box) {
+  const Measures& m = sheet.measures();
+  const float width = words.width + 2 * m.margin, height = words.height + 2 * m.gap;
+  const Box slip{box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
+  sheet.shadow(slip, 2 * m.unit, 0.16F);
+  sheet.fill(slip, sheet.theme().paper, m.corner);
+  sheet.piece(words, slip.x, slip.y + m.gap, slip.width, Align::Centre, sheet.theme().ink);
+}
+
+/// The card with letters of that share of their size.
+void lay_out_card(Sheet& sheet, const Box& card, float letters) {
+  const InterfaceState& state = sheet.request().state;
+  const Measures& m = sheet.measures();
+  sheet.lie_on(card, letters);
+  if (state.screen == Screen::Welcome) return lay_out_vacant(sheet, card);
+  sheet.shadow(card, 2 * m.unit, 0.16F);
+  sheet.fill(card, sheet.theme().paper, m.corner);
+  draw_band(sheet, card);
+  const Box content = card.inset(std::round(card_margin * m.unit));
+  switch (state.screen) {
+    case Screen::Welcome:
+    case Screen::Picking:
+      return lay_out_picking(sheet, content);
+    case Screen::Choosing:
+      return lay_out_list(sheet, content);
+    case Screen::Walking:
+      return lay_out_walk(sheet, content);
+    case Screen::Arrived:
+      return lay_out_visit(sheet, content);
+  }
+}
+
+}  // namespace
+
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
+  const Measures m = measures_of(shape);
+  const float height =
+      card_of(shape, std::max(seats, 1U), 0).height * static_cast<float>(shape.height);
+  const float gap = std::round(m.unit / 2);
+  const float room = height - 2 * std::round(card_margin * m.unit) -
+                     std::round(heading_units * m.unit) - 2 * m.touch - m.gap - gap;
+  return static_cast<std::uint32_t>(
+      std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
+}
+
+void lay_out_seat(Sheet& sheet, const Box& card) {
+  // On a small glass, or in large letters, a card has little room: what does not fit is set
+  // smaller.
+  for (const float letters : {1.0F, 0.85F, 0.7F, 0.55F, 0.4F}) {
+    lay_out_card(sheet, card, letters);
+    if (!sheet.is_crowded()) return;
+  }
+}
+
+void lay_out_model(Sheet& sheet) {
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const ViewRequest& request = sheet.request();
+  const auto width = static_cast<float>(request.shape.width);
+  const auto height = static_cast<float>(request.shape.height);
+  const float strip = strip_of(request.shape).y * height;
+  switch (request.state.glass) {
+    case Glass::Whole:
+    case Glass::Busy:
+      return;
+    case Glass::Quiet: {
+      const Box paper{0, strip, width, height - strip};
+      sheet.shadow(paper, 4 * m.unit, 0.16F);
+      sheet.fill(paper, sheet.theme().paper, 0);
+      Box content = paper.inset(m.margin);
+      Box guides = content;
+      guides.x = content.x + content.width * 0.4F;
+      guides.width = content.right() - guides.x;
+      content.width = guides.x - m.margin - content.x;
+      float y = sheet.text(Letters::Label, sheet.local(museum.title), content.x, content.y,
+                           content.width, sheet.theme().quiet_ink, 2);
+      y = sheet.text(Letters::Welcome, sheet.word("welcome"), content.x, y + m.gap, content.width,
+                     sheet.theme().ink);
+      y = sheet.text(Letters::Lead, sheet.local(museum.welcome), content.x, y + m.gap,
+                     content.width, sheet.theme().quiet_ink, 2);
+      sheet.text(Letters::Lead, sheet.word("join_where"), content.x, y + m.gap, content.width,
+                 sheet.theme().ink, 2);
+      return draw_guides(sheet, guides);
+    }
+    case Glass::Full:
+    case Glass::Told: {
+      const bool told = request.state.glass == Glass::Told;
+      const Box box =
+          told ? Box{0, 0, width, strip} : Box{m.margin, m.margin, 0.2F * width, 0.15F * height};
+      const TextPiece words =
+          sheet.fitted(sheet.style(told ? Letters::Lead : Letters::Body, 4),
+                       sheet.word("all_taken"), std::min(box.width, 0.6F * width) - 2 * m.margin);
+      return draw_slip(sheet, words, box);
+    }
+  }
+}
+
+}  // namespace docent

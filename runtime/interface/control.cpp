@@ -1,0 +1,369 @@
+#include "runtime/interface/control.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <numeric>
+
+#include "runtime/scene/look.h"
+
+namespace docent {
+namespace {
+
+constexpr std::array route_kinds{RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset};
+
+/// A word in every language that has it.
+LocalText word_in_all(const Museum& museum, std::string_view key) {
+  LocalText label;
+  for (std::uint32_t i = 0; i < museum.languages.size(); ++i)
+    label[museum.languages[i].tag] = word(museum, i, key);
+  return label;
+}
+
+Control button(const Museum& museum, std::string name, std::string_view key, Action action) {
+  return {.name = std::move(name), .label = word_in_all(museum, key), .action = action, .rect = {}};
+}
+
+Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
+                        const InterfaceState& state) {
+  const Exhibit& it = museum.exhibits[exhibit];
+  return {.name = "exhibit:" + it.id,
+          .role = role,
+          .label = it.title,
+          .action = {Action::Kind::Choose, exhibit},
+          .selected = state.exhibit == static_cast<std::int32_t>(exhibit),
+          .rect = {}};
+}
+
+void add_languages(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  if (museum.languages.size() < 2) return;
+  for (std::uint32_t i = 0; i < museum.languages.size(); ++i) {
+    Control control{.name = "language:" + museum.languages[i].tag,
+                    .role = Role::Choice,
+                    .label = {},
+                    .action = {Action::Kind::Speak, i},
+                    .selected = state.language == i,
+                    .rect = {}};
+    for (const Language& reader : museum.languages)  // each language is named in itself
+      control.label[reader.tag] = museum.languages[i].name;
+    out.push_back(std::move(control));
+  }
+}
+
+void add_routes(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  for (const RouteKind kind : route_kinds) {
+    const std::string name(name_of(kind));
+    Control control = button(museum, "route:" + name, "route_" + name,
+                             {Action::Kind::TakeRoute, static_cast<std::uint32_t>(kind)});
+    control.role = Role::Choice;
+    control.selected = state.kind == kind;
+    out.push_back(std::move(control));
+  }
+}
+
+/// The guides, of whom those that others have cannot be picked.
+void add_looks(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
+    const std::string name(looks[i].name);
+    Control control = button(museum, "look:" + name, "look_" + name, {Action::Kind::Pick, i});
+    control.role = Role::Choice;
+    control.selected = state.look == static_cast<int>(i);
+    control.enabled = (state.taken >> i & 1U) == 0;
+    out.push_back(std::move(control));
+  }
+}
+
+void add_list(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
+              std::vector<Control>& out) {
+  const std::uint32_t pages = page_count(museum, per_page);
+  const std::uint32_t page = std::min(state.page, pages - 1);
+  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  for (std::uint32_t i = page * per_page; i < std::min((page + 1) * per_page, count); ++i)
+    out.push_back(exhibit_control(museum, i, Role::ListItem, state));
+  if (pages == 1) return;
+
+  Control previous = button(museum, "page:previous", "page_previous",
+                            {Action::Kind::TurnPage, page == 0 ? 0 : page - 1});
+  previous.enabled = page > 0;
+  Control next = button(museum, "page:next", "page_next", {Action::Kind::TurnPage, page + 1});
+  next.enabled = page + 1 < pages;
+  out.push_back(std::move(previous));
+  out.push_back(std::move(next));
+}
+
+/// What stands on a visitor's card at a shared glass.
+void add_seat_controls(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
+                       std::vector<Control>& out) {
+  switch (state.screen) {
+    case Screen::Welcome:
+      out.push_back(button(museum, "begin", "join", {Action::Kind::Begin}));
+      return;
+    case Screen::Picking:
+      add_looks(museum, state, out);
+      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      add_languages(museum, state, out);
+      return;
+    case Screen::Choosing:
+      add_list(museum, state, per_page, out);
+      if (state.exhibit >= 0)
+        out.push_back(button(museum, "back", state.arrived ? "back_to_exhibit" : "back",
+                             {Action::Kind::Return}));
+      else
+        out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      add_languages(museum, state, out);
+      return;
+    case Screen::Walking:
+      add_routes(museum, state, out);
+      out.push_back(button(museum, "stop", "stop", {Action::Kind::Stop}));
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      return;
+    case Screen::Arrived:
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
+      return;
+  }
+}
+
+void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
+    out.push_back(exhibit_control(museum, i, Role::Spot, state));
+}
+
+/// A seat whose visitor has left.
+InterfaceState vacated(const InterfaceState& state) noexcept {
+  InterfaceState vacant;
+  vacant.glass = state.glass;
+  vacant.seats = state.seats;
+  vacant.seat = state.seat;
+  vacant.taken = state.taken;
+  return vacant;
+}
+
+/// A state reached while searching, and how.
+struct Reached {
+  InterfaceState state;
+  std::size_t parent = 0;
+  Control by;
+};
+
+std::vector<Control> touches_back_from(const std::deque<Reached>& reached, std::size_t last) {
+  std::vector<Control> touches;
+  for (; last != 0; last = reached[last].parent) touches.push_back(reached[last].by);
+  std::ranges::reverse(touches);
+  return touches;
+}
+
+/// Which touches a search may use.
+enum class Reach : std::uint8_t {
+  Panel,     ///< The panel's controls, without sending the guide anywhere on the way.
+  Model,     ///< Also exhibits on the model.
+  Anything,  ///< Also setting out, where the wanted control is only there while walking.
+};
+
+/// Breadth first over the control graph, so the answer has the fewest touches.
+std::vector<Control> search(const Museum& museum, const InterfaceState& from,
+                            std::uint32_t per_page, std::string_view name, std::size_t most,
+                            Reach reach) {
+  std::deque<Reached> reached{{from, 0, {}}};
+  std::vector<std::size_t> depth{0};
+  for (std::size_t at = 0; at < reached.size(); ++at) {
+    if (depth[at] == most) break;
+    for (Control& control : controls_of(museum, reached[at].state, per_page)) {
+      if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
+      const bool found = control.name == name;
+      const InterfaceState state = after(reached[at].state, control.action);
+      const bool sets_out = control.action.kind == Action::Kind::Choose;
+      if (!found && sets_out && reach != Reach::Anything) continue;
+      if (!found &&
+          std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
+        continue;
+      depth.push_back(depth[at] + 1);
+      reached.push_back({state, at, std::move(control)});
+      if (found) return touches_back_from(reached, reached.size() - 1);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+InterfaceState after(InterfaceState state, Action action) noexcept {
+  switch (action.kind) {
+    case Action::Kind::Begin:
+      state.screen = state.seat >= 0 && state.look < 0 ? Screen::Picking : Screen::Choosing;
+      state.page = 0;
+      break;
+    case Action::Kind::Pick:
+      if ((state.taken >> action.argument & 1U) != 0) break;
+      state.look = static_cast<std::int8_t>(action.argument);
+      state.screen = state.exhibit >= 0 ? Screen::Walking : Screen::Choosing;
+      state.page = 0;
+      break;
+    case Action::Kind::ShowExhibits:
+      state.screen = Screen::Choosing;
+      state.page = 0;
+      break;
+    case Action::Kind::Choose:
+      state.arrived = state.arrived && state.exhibit == static_cast<std::int32_t>(action.argument);
+      state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      if (state.seat >= 0 && state.look < 0) state.screen = Screen::Picking;
+      state.exhibit = static_cast<std::int32_t>(action.argument);
+      break;
+    case Action::Kind::TurnPage:
+      state.page = action.argument;
+      break;
+    case Action::Kind::Speak:
+      state.language = action.argument;
+      break;
+    case Action::Kind::TakeRoute:
+      state.kind = static_cast<RouteKind>(action.argument);
+      break;
+    case Action::Kind::Return:
+      if (state.exhibit < 0)
+        state.screen = Screen::Welcome;
+      else
+        state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      break;
+    case Action::Kind::Stop:
+      state.screen = Screen::Choosing;
+      state.page = 0;
+      state.exhibit = -1;
+      state.arrived = false;
+      break;
+    case Action::Kind::Home:
+      if (state.seat >= 0) return vacated(state);
+      state.screen = Screen::Welcome;
+      state.page = 0;
+      state.exhibit = -1;
+      state.arrived = false;
+      break;
+  }
+  return state;
+}
+
+std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
+                                 std::uint32_t per_page) {
+  std::vector<Control> out;
+  if (state.seat >= 0) {
+    add_seat_controls(museum, state, per_page, out);
+    return out;
+  }
+  if (state.glass != Glass::Whole) {
+    add_spots(museum, state, out);
+    return out;
+  }
+  switch (state.screen) {
+    case Screen::Welcome:
+    case Screen::Picking:
+      out.push_back(button(museum, "begin", "begin", {Action::Kind::Begin}));
+      break;
+    case Screen::Choosing:
+      add_list(museum, state, per_page, out);
+      add_routes(museum, state, out);
+      if (state.exhibit >= 0)
+        out.push_back(button(museum, "back", state.arrived ? "back_to_exhibit" : "back",
+                             {Action::Kind::Return}));
+      else
+        out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
+      break;
+    case Screen::Walking:
+      add_routes(museum, state, out);
+      out.push_back(button(museum, "stop", "stop", {Action::Kind::Stop}));
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
+      break;
+    case Screen::Arrived:
+      if (state.exhibit >= 0)
+        for (const std::uint32_t next :
+             neighbours(museum, static_cast<std::uint32_t>(state.exhibit), suggestion_count))
+          out.push_back(exhibit_control(museum, next, Role::ListItem, state));
+      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+      out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
+      break;
+  }
+  add_languages(museum, state, out);
+  if (state.screen == Screen::Choosing) add_spots(museum, state, out);
+  return out;
+}
+
+std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibit,
+                                      std::size_t count) {
+  const Exhibit& from = museum.exhibits[exhibit];
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
+    if (i != exhibit && museum.exhibits[i].floor == from.floor) others.push_back(i);
+  const auto distance = [&](std::uint32_t i) {
+    const Vec2 d = museum.exhibits[i].view.position - from.view.position;
+    return dot(d, d);
+  };
+  std::ranges::stable_sort(others, {}, distance);
+  others.resize(std::min(count, others.size()));
+  return others;
+}
+
+std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept {
+  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  return std::max(1U, (count + per_page - 1) / std::max(1U, per_page));
+}
+
+std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
+                                std::uint32_t per_page, std::string_view name, std::size_t most) {
+  for (const Reach reach : {Reach::Panel, Reach::Model, Reach::Anything})
+    if (auto touches = search(museum, state, per_page, name, most, reach); !touches.empty())
+      return touches;
+  return {};
+}
+
+bool is_control_name(const Museum& museum, std::string_view name) {
+  const std::uint32_t per_page = 1;  // the paging controls exist where there are two exhibits
+  const auto has_it = [&](const InterfaceState& state) {
+    const std::vector<Control> controls = controls_of(museum, state, per_page);
+    return std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; });
+  };
+  for (const Screen screen : {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived})
+    for (const std::int32_t exhibit : {-1, 0}) {
+      if (exhibit >= static_cast<std::int32_t>(museum.exhibits.size())) continue;
+      InterfaceState state;
+      state.screen = screen;
+      state.exhibit = exhibit;
+      if (has_it(state)) return true;
+    }
+  InterfaceState picking;
+  picking.screen = Screen::Picking;
+  picking.glass = Glass::Busy;
+  picking.seat = 0;
+  return has_it(picking);
+}
+
+std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept {
+  for (const std::uint32_t candidate : {language, 0U}) {
+    if (candidate >= museum.languages.size()) continue;
+    const auto& words = museum.languages[candidate].words;
+    if (const auto found = words.find(key); found != words.end()) return found->second;
+  }
+  return key;
+}
+
+std::string_view in_language(const Museum& museum, std::uint32_t language,
+                             const LocalText& text) noexcept {
+  for (const std::uint32_t candidate : {language, 0U}) {
+    if (candidate >= museum.languages.size()) continue;
+    if (const auto found = text.find(museum.languages[candidate].tag); found != text.end())
+      return found->second;
+  }
+  return text.empty() ? std::string_view{} : std::string_view(text.begin()->second);
+}
+
+std::string_view name_of(RouteKind kind) noexcept {
+  switch (kind) {
+    case RouteKind::Skeleton:
+      return "skeleton";
+    case RouteKind::Offset:
+      return "offset";
+    case RouteKind::Shortest:
+      break;
+  }
+  return "shortest";
+}
+
+}  // namespace docent

@@ -1,0 +1,171 @@
+#include "runtime/interface/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "runtime/scene/look.h"
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/seats.h"
+#include "runtime/interface/sheet.h"
+
+namespace docent {
+namespace {
+
+/// The panel in pixels, left to right.
+Box panel_box(const ScreenShape& shape) noexcept {
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  constexpr float most = 0.44F;  // the model keeps at least 55 %
+  if (!is_landscape(shape)) {
+    const float panel = std::round(height * most);
+    return {0, height - panel, width, panel};
+  }
+  const float unit = measures_of(shape).unit;
+  const float panel =
+      std::round(std::clamp(width * 0.37F, std::min(80 * unit, width * most), width * most));
+  return {0, 0, panel, height};
+}
+
+/// Where each exhibit stands and each gallery is called, for the choosing screen.
+void add_floor_labels(Sheet& sheet) {
+  const Museum& museum = sheet.museum();
+  View& view = sheet.view();
+  const std::uint32_t language = sheet.request().state.language;
+
+  for (const Room& room : museum.rooms) {
+    if (room.floor != museum.kiosk_floor) continue;
+    TextStyle style = sheet.style(Letters::Small);
+    style.weight = 500;
+    const TextPiece name = sheet.fitted(style, sheet.local(room.title), 1e4F);
+    view.labels.push_back({.position = room.label,
+                           .texture = name.texture,
+                           .width_px = name.width,
+                           .height_px = name.height,
+                           .rect = {}});
+  }
+  for (std::size_t i = 0; i < view.controls.size(); ++i) {
+    const Control& control = view.controls[i];
+    if (control.role != Role::Spot) continue;
+    const Exhibit& exhibit = museum.exhibits[control.action.argument];
+    if (exhibit.floor != museum.kiosk_floor) continue;
+    TextStyle style = sheet.style(Letters::Small);
+    style.weight = 600;
+    const TextPiece number = sheet.fitted(
+        style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), 1e4F);
+    view.labels.push_back({.position = exhibit.placement.position,
+                           .height = 2.3F,
+                           .texture = number.texture,
+                           .width_px = number.width,
+                           .height_px = number.height,
+                           .control = static_cast<std::int32_t>(i),
+                           .on_disc = true,
+                           .rect = {}});
+  }
+}
+
+/// The model of a shared glass, or one of the cards below it.
+void lay_out_shared(Sheet& sheet) {
+  View& view = sheet.view();
+  const ViewRequest& request = sheet.request();
+  view.free = {0, 0, 1, strip_of(request.shape).y};
+  if (request.state.seat < 0) {
+    lay_out_model(sheet);
+    add_floor_labels(sheet);
+    return;
+  }
+  const Rect card =
+      card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+  lay_out_seat(sheet, {card.x * view.pixel_width, card.y * view.pixel_height,
+                       card.width * view.pixel_width, card.height * view.pixel_height});
+}
+
+}  // namespace
+
+bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept {
+  return language < museum.languages.size() && museum.languages[language].right_to_left;
+}
+
+Rect panel_of(const ScreenShape& shape) noexcept {
+  const Box box = panel_box(shape);
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  return {box.x / width, box.y / height, box.width / width, box.height / height};
+}
+
+Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept {
+  const Rect panel = panel_of(shape);
+  if (!is_landscape(shape)) return {0, 0, 1, panel.y};
+  return {right_to_left ? 0 : panel.width, 0, 1 - panel.width, 1};
+}
+
+std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
+  const ListShape list = list_shape(shape);
+  return list.columns * list.rows;
+}
+
+std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
+  return state.seat < 0 ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
+}
+
+ListShape list_shape(const ScreenShape& shape) noexcept {
+  const Measures m = measures_of(shape);
+  const float content_height = panel_box(shape).height - 2 * m.margin;
+  ListShape list;
+  list.columns = is_landscape(shape) ? 1 : 2;
+  list.row_height = std::round(std::max(m.touch, 9.8F * m.unit * (0.6F + 0.4F * shape.text_scale)));
+  list.row_gap = std::round(m.unit);
+  list.heading_height = std::round(9.5F * m.unit * shape.text_scale);
+  list.foot_height = 3 * (m.touch + m.gap);
+  const float room = content_height - list.heading_height - list.foot_height + list.row_gap;
+  list.rows = static_cast<std::uint32_t>(
+      std::clamp(std::floor(room / (list.row_height + list.row_gap)), 1.0F, 12.0F));
+  return list;
+}
+
+std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
+                                PieceCache& pieces) {
+  auto view = std::make_unique<View>();
+  view->request = request.id;
+  view->part = request.part;
+  view->state = request.state;
+  view->controls =
+      controls_of(museum, request.state, exhibits_per_page(request.shape, request.state));
+  view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
+  view->pixel_width = static_cast<float>(request.shape.width);
+  view->pixel_height = static_cast<float>(request.shape.height);
+  const Measures measures = measures_of(request.shape);
+  view->spot_px = measures.touch;
+  view->unit_px = measures.unit;
+
+  Sheet sheet(museum, request, pieces, *view);
+  view->accent = request.state.look < 0
+                     ? sheet.theme().shortest
+                     : trail_colour(static_cast<std::size_t>(request.state.look));
+  if (request.state.glass != Glass::Whole) {
+    lay_out_shared(sheet);
+    sheet.finish();
+    return view;
+  }
+  const Box panel = panel_box(request.shape);
+  sheet.draw_panel(panel);
+  const Box content = panel.inset(sheet.measures().margin);
+  switch (request.state.screen) {
+    case Screen::Welcome:
+    case Screen::Picking:
+      lay_out_welcome(sheet, content);
+      break;
+    case Screen::Choosing:
+      lay_out_choosing(sheet, content);
+      add_floor_labels(sheet);
+      break;
+    case Screen::Walking:
+      lay_out_walking(sheet, content);
+      break;
+    case Screen::Arrived:
+      lay_out_arrived(sheet, content);
+      break;
+  }
+  sheet.finish();
+  return view;
+}
+
+}  // namespace docent

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "runtime/model/museum.h"
+#include "runtime/path/way.h"
+#include "runtime/interface/measures.h"
+#include "runtime/interface/piece_cache.h"
+#include "runtime/interface/view.h"
+
+namespace docent {
+
+/// What is known of the way that the guide is about to take.
+struct Trip {
+  RouteStatus status = RouteStatus::Ok;
+  double metres = 0;
+  double seconds = 0;
+
+  bool operator==(const Trip&) const = default;
+};
+
+/// Everything that decides what a view looks like.
+struct ViewRequest {
+  std::uint64_t id = 0;
+  InterfaceState state;
+  ScreenShape shape;
+  std::optional<Trip> trip;  ///< Absent while the way is still being planned.
+  std::uint32_t part = 0;    ///< Of the glass: the whole of it, or the model, is 0; then the seats.
+};
+
+/// Lays out one view: where everything stands on the glass, in which words. One panel, at the side
+/// where text begins in landscape (so Arabic is the mirror image), along the lower edge in
+/// portrait. Pure but for the pieces it adds to the cache; runs on the worker.
+std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
+                                PieceCache& pieces);
+
+/// How many exhibits a page of the list shows on such a screen.
+std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
+/// The same for a state, which may be that of a card.
+std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept;
+
+/// The panel and what it leaves free, left to right; a share of the screen.
+Rect panel_of(const ScreenShape& shape) noexcept;
+Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept;
+
+/// Does the language at this index run from right to left?
+bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept;
+
+}  // namespace docent

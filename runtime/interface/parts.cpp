@@ -1,0 +1,179 @@
+/// The parts that several screens share: cards, route kinds, the lowest row.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/scene/look.h"
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/sheet.h"
+
+namespace docent {
+
+void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control) {
+  constexpr float pale = 0.6F;  // linear light, from where paper is no ground for it
+  if (colour.g > pale)
+    sheet.fill(box.inset(-std::max(1.0F, 0.12F * sheet.measures().unit)), sheet.theme().quiet_ink,
+               corner, control);
+  sheet.fill(box, colour, corner, control);
+}
+
+namespace {
+
+/// A sample of a route kind's ribbon: solid, long dashes, round dots.
+void draw_pattern(Sheet& sheet, RouteKind kind, const Box& box, std::int32_t control) {
+  const InterfaceState& state = sheet.request().state;
+  const Colour colour = state.look >= 0 ? trail_colour(static_cast<std::size_t>(state.look))
+                                        : route_colour(sheet.theme(), kind);
+  const float thick = box.height;
+  switch (kind) {
+    case RouteKind::Shortest:
+      draw_stroke(sheet, box, colour, thick / 2, control);
+      break;
+    case RouteKind::Skeleton: {
+      const float dash = (box.width - thick) / 2;
+      for (const float x : {box.x, box.x + dash + thick})
+        draw_stroke(sheet, {x, box.y, dash, thick}, colour, thick / 2, control);
+      break;
+    }
+    case RouteKind::Offset: {
+      constexpr int dots = 4;
+      const float step = (box.width - thick) / (dots - 1);
+      for (int i = 0; i < dots; ++i)
+        draw_stroke(sheet, {box.x + step * static_cast<float>(i), box.y, thick, thick}, colour,
+                    thick / 2, control);
+      break;
+    }
+  }
+}
+
+void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along) {
+  const Measures& m = sheet.measures();
+  sheet.place(control, box);
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  const auto kind = static_cast<RouteKind>(it.action.argument);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+
+  const bool narrow = along != Along::Column;
+  TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
+  style.weight = it.selected ? 600 : 400;
+  style.line_height = style.right_to_left ? 1.25F : 1.1F;
+  const Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
+  const float pad = std::round(1.5F * m.unit), thick = std::round(0.9F * m.unit);
+  const float sample = std::round((narrow ? 4.5F : 7) * m.unit);
+  draw_pattern(sheet, kind,
+               {box.x + pad, std::round(box.y + (box.height - thick) / 2), sample, thick}, control);
+  const float x = box.x + pad + sample + pad;
+  const TextPiece label = sheet.fitted(style, sheet.local(it.label), box.right() - x - pad / 2);
+  sheet.piece(label, x, box.y + (box.height - label.height) / 2, box.right() - x, Align::Start, ink,
+              control);
+}
+
+/// A language's own name, in its own letters.
+TextPiece language_name(Sheet& sheet, const Control& control, float width) {
+  const Language& language = sheet.museum().languages[control.action.argument];
+  TextStyle style = sheet.style(Letters::Label);
+  style.weight = control.selected ? 600 : 400;
+  style.language = language.tag;
+  style.right_to_left = language.right_to_left;
+  style.line_height = 1.5F;
+  return sheet.fitted(style, sheet.local(control.label), width);
+}
+
+}  // namespace
+
+/// Languages side by side, each as wide as its name; in equal shares where that is too much.
+void draw_languages(Sheet& sheet, const Box& box) {
+  const Measures& m = sheet.measures();
+  std::vector<std::int32_t> controls;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].action.kind == Action::Kind::Speak)
+      controls.push_back(static_cast<std::int32_t>(i));
+  if (controls.empty()) return;
+
+  const auto of = [&](std::int32_t i) -> const Control& {
+    return sheet.view().controls[static_cast<std::size_t>(i)];
+  };
+  const float pad = m.unit;
+  std::vector<float> widths;
+  float whole = 0;
+  for (const std::int32_t i : controls) {
+    widths.push_back(std::max(m.touch, language_name(sheet, of(i), box.width).width + 2 * pad));
+    whole += widths.back() + m.unit;
+  }
+  const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
+  float x = box.x;
+  for (std::size_t n = 0; n < controls.size(); ++n) {
+    const Control& it = of(controls[n]);
+    const Box cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
+    x = cell.right() + m.unit;
+    sheet.place(controls[n], cell);
+    if (it.selected) sheet.fill(cell, sheet.theme().plaster, m.corner, controls[n]);
+    const TextPiece name = language_name(sheet, it, cell.width - pad);
+    sheet.piece(name, cell.x, cell.y + (cell.height - name.height) / 2, cell.width, Align::Centre,
+                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, controls[n]);
+  }
+}
+
+void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
+  if (control < 0) return;
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  const Exhibit& exhibit = museum.exhibits[it.action.argument];
+  sheet.place(control, box);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+
+  const Box picture{box.x, box.y, box.height, box.height};
+  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
+  sheet.image(picture, exhibit.image, m.corner, control);
+
+  const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
+  TextStyle title_style = sheet.style(Letters::Label);
+  title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
+  const TextPiece title = sheet.fitted(title_style, sheet.local(exhibit.title), width);
+  const std::string_view room =
+      exhibit.room < museum.rooms.size() ? sheet.local(museum.rooms[exhibit.room].title) : "";
+  const std::string line =
+      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1) +
+      (room.empty() ? "" : "  ·  ") + std::string(room);
+  TextStyle room_style = sheet.style(Letters::Small);
+  room_style.line_height = title_style.line_height;
+  const TextPiece second = sheet.fitted(room_style, line, width);
+  const float top = box.y + (box.height - title.height - second.height) / 2;
+  sheet.piece(title, x, top, width, Align::Start, sheet.theme().ink, control);
+  sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
+}
+
+float draw_routes(Sheet& sheet, const Box& box, Along along) {
+  const Measures& m = sheet.measures();
+  constexpr std::array names{"route:shortest", "route:skeleton", "route:offset"};
+  const float gap = std::round(m.unit);
+  const bool row = along == Along::Row;
+  const float width = row ? std::floor((box.width - 2 * gap) / 3) : box.width;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::int32_t control = sheet.control(names[i]);
+    if (control < 0) continue;
+    const auto n = static_cast<float>(i);
+    draw_route(sheet, control,
+               {box.x + (row ? n * (width + gap) : 0), box.y + (row ? 0 : n * (m.touch + gap)),
+                width, m.touch},
+               along);
+  }
+  return box.y + (row ? m.touch : 3 * m.touch + 2 * gap);
+}
+
+float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name) {
+  const Measures& m = sheet.measures();
+  const float top = content.bottom() - m.touch;
+  const std::int32_t end_button = sheet.control(button_name);
+  const float button_width = end_button < 0 ? 0 : std::round(content.width * 0.36F);
+  if (end_button >= 0)
+    sheet.button(end_button, {content.right() - button_width, top, button_width, m.touch},
+                 Sheet::Emphasis::Soft);
+
+  draw_languages(sheet, {content.x, top,
+                         content.width - button_width - (end_button < 0 ? 0 : m.gap), m.touch});
+  return top;
+}
+
+}  // namespace docent

@@ -1,0 +1,109 @@
+#include "runtime/interface/piece_cache.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace docent {
+namespace {
+
+std::string key_of(const TextStyle& s, std::string_view text, std::uint32_t width) {
+  return fmt::format("text|{}|{}|{}|{}|{}|{}{}|{}|{}|{}", static_cast<int>(s.family), s.weight,
+                     s.size, s.line_height, s.max_lines, s.right_to_left ? 'r' : 'l',
+                     s.tabular ? 't' : 'p', s.language, width, text);
+}
+
+std::string key_of(std::uint32_t image, std::uint32_t width, std::uint32_t height) {
+  return fmt::format("picture|{}|{}|{}", image, width, height);
+}
+
+}  // namespace
+
+PieceCache::PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget)
+    : makers_(std::move(makers)), first_(first), budget_(budget) {}
+
+const TextPiece* PieceCache::find(std::string_view key) {
+  const auto known = entries_.find(key);
+  if (known == entries_.end()) return nullptr;
+  known->second.used = view_;
+  return &known->second.piece;
+}
+
+void PieceCache::keep(std::string key, const TextPiece& piece, PieceUpload upload) {
+  const std::size_t bytes = upload.text.coverage.size() + upload.picture.rgba.size();
+  bytes_ += bytes;
+  entries_.emplace(std::move(key), Entry{piece, bytes, view_, {}});
+  changes_.uploads.push_back(std::move(upload));
+}
+
+TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  std::string key = key_of(style, text, width);
+  if (const TextPiece* known = find(key)) return *known;
+  TextBitmap bitmap = makers_.set_text(style, text, width);
+  if (bitmap.coverage.empty()) return {};
+  const TextPiece piece{free_texture(), static_cast<float>(bitmap.width),
+                        static_cast<float>(bitmap.height), bitmap.lines, bitmap.cut};
+  keep(std::move(key), piece, {.texture = piece.texture, .text = std::move(bitmap), .picture = {}});
+  return piece;
+}
+
+TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width, std::uint32_t height) {
+  std::string key = key_of(image, width, height);
+  if (const TextPiece* known = find(key)) return known->texture;
+  if (!makers_.set_picture) return TextureId::None;
+  Pixels pixels = makers_.set_picture(image, width, height);
+  if (pixels.rgba.empty()) return TextureId::None;
+  const TextureId texture = free_texture();
+  keep(std::move(key), {.texture = texture},
+       {.texture = texture, .text = {}, .picture = std::move(pixels)});
+  return texture;
+}
+
+TextureId PieceCache::free_texture() {
+  if (free_.empty()) return static_cast<TextureId>(first_ + count_++);
+  const TextureId texture = free_.back();
+  free_.pop_back();
+  return texture;
+}
+
+void PieceCache::note_what_shows(std::uint32_t part) {
+  const auto bit = static_cast<std::uint16_t>(1U << part % most_parts);
+  const auto rest = static_cast<std::uint16_t>(~bit);
+  for (auto& [key, entry] : entries_) {
+    auto& shown = entry.shown_by;
+    for (std::size_t i = shown.size(); --i > 0;)
+      shown[i] = static_cast<std::uint16_t>((shown[i] & rest) | (shown[i - 1] & bit));
+    shown[0] = static_cast<std::uint16_t>((shown[0] & rest) | (entry.used == view_ ? bit : 0));
+  }
+}
+
+void PieceCache::retire_unused() {
+  if (bytes_ <= budget_) return;
+  for (auto entry = entries_.begin(); entry != entries_.end();) {
+    const bool is_shown =
+        std::ranges::any_of(entry->second.shown_by, [](std::uint16_t parts) { return parts != 0; });
+    if (entry->second.used + kept_views > view_ || is_shown) {
+      ++entry;
+      continue;
+    }
+    bytes_ -= entry->second.bytes;
+    changes_.retired.push_back(entry->second.piece.texture);
+    entry = entries_.erase(entry);
+  }
+}
+
+std::unique_ptr<PieceChanges> PieceCache::end_view(std::uint32_t part) {
+  note_what_shows(part);
+  ++view_;
+  const std::size_t before = changes_.retired.size();
+  retire_unused();
+  // Free again only from the next view on: these changes must reach texture memory first.
+  free_.insert(free_.end(), changes_.retired.begin() + static_cast<std::ptrdiff_t>(before),
+               changes_.retired.end());
+  std::ranges::sort(free_, std::greater<>{});
+  if (changes_.uploads.empty() && changes_.retired.empty()) return nullptr;
+  return std::make_unique<PieceChanges>(std::exchange(changes_, {}));
+}
+
+}  // namespace docent

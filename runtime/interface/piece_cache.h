@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/interface/picture.h"
+#include "runtime/interface/text.h"
+#include "runtime/interface/view.h"
+
+namespace docent {
+
+/// A text in texture memory.
+struct TextPiece {
+  TextureId texture = TextureId::None;
+  float width = 0, height = 0;  ///< Pixels.
+  std::uint32_t lines = 0;
+  bool cut = false;
+};
+
+/// Who makes the pieces of a view. A view without pictures is made by leaving `set_picture` empty.
+struct PieceMakers {
+  SetText set_text;
+  SetPicture set_picture;
+};
+
+/// Makes each text and each picture of the views once, in the size in which it is drawn, and
+/// remembers in which texture it is: so texture memory depends on what views show and not on how
+/// much a museum owns. Lives on the worker; what changes in texture memory is carried to the frame
+/// thread as PieceChanges.
+class PieceCache {
+ public:
+  /// Hands out textures from `first` upwards, the lowest free one first. Once all pieces together
+  /// exceed `budget` bytes, those are retired that neither the `kept_views` views last made use nor
+  /// the last ones of any part of the glass, of which there are at most `most_parts`.
+  PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
+
+  TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
+  /// The middle of an image of the museum, `width` by `height` pixels.
+  TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
+
+  /// Ends a view of a part of the glass: what changed since the last one, or nothing.
+  std::unique_ptr<PieceChanges> end_view(std::uint32_t part = 0);
+
+  static constexpr std::uint32_t most_parts = 16;
+
+ private:
+  struct Entry {
+    TextPiece piece;
+    std::size_t bytes = 0;
+    std::uint64_t used = 0;  ///< The view that last used it.
+    /// A bit for each part that shows it: in its last view, in the one before, and so on. One of
+    /// them is on the screen, one may still be fading, and some were out of date before they came.
+    std::array<std::uint16_t, 4> shown_by{};
+  };
+  const TextPiece* find(std::string_view key);
+  void keep(std::string key, const TextPiece& piece, PieceUpload upload);
+  void note_what_shows(std::uint32_t part);
+  void retire_unused();
+  TextureId free_texture();
+
+  /// Going back to one of these is quick.
+  static constexpr std::uint64_t kept_views = 4;
+
+  PieceMakers makers_;
+  std::uint32_t first_, count_ = 0;
+  std::size_t budget_, bytes_ = 0;
+  std::uint64_t view_ = 0;
+  std::map<std::string, Entry, std::less<>> entries_;
+  std::vector<TextureId> free_;  ///< Descending.
+  PieceChanges changes_;
+};
+
+}  // namespace docent

@@ -1,0 +1,233 @@
+/// What stands on the panel of each screen.
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/sheet.h"
+
+namespace docent {
+namespace {
+
+/// In portrait the wide panel has two columns.
+std::pair<Box, Box> halves(const Box& content, float gap, float share) noexcept {
+  const float left = std::round((content.width - gap) * share);
+  return {{content.x, content.y, left, content.height},
+          {content.x + left + gap, content.y, content.width - left - gap, content.height}};
+}
+
+/// The metres still to go, ready for every moment of the walk: every metre when near, every five
+/// when far.
+void prepare_remaining(Sheet& sheet, const TextStyle& style, const Trip& trip, float x, float y,
+                       float width) {
+  const Museum& museum = sheet.museum();
+  const std::uint32_t language = sheet.request().state.language;
+  constexpr double near = 10, coarse = 5;
+  double metres = 1;
+  while (metres < trip.metres) {
+    const std::string text = metres < 3 ? std::string(sheet.word("nearly_there"))
+                                        : filled_in(sheet.word("remaining"), "distance",
+                                                    distance_in(museum, language, metres));
+    sheet.view().remaining.push_back(
+        {static_cast<float>(metres), sheet.quad_of(sheet.fitted(style, text, width), x, y, width,
+                                                   Align::Start, sheet.theme().ink)});
+    metres += metres < near ? 1 : coarse;
+  }
+  std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
+                                distance_in(museum, language, trip.metres));
+  whole = filled_in(whole, "time", time_in(museum, language, trip.seconds));
+  sheet.view().remaining.push_back({1e9F, sheet.quad_of(sheet.fitted(style, whole, width), x, y,
+                                                        width, Align::Start, sheet.theme().ink)});
+}
+
+}  // namespace
+
+const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
+  const std::int32_t exhibit = sheet.request().state.exhibit;
+  const auto& all = sheet.museum().exhibits;
+  return exhibit >= 0 && static_cast<std::size_t>(exhibit) < all.size()
+             ? &all[static_cast<std::size_t>(exhibit)]
+             : nullptr;
+}
+
+float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
+  const Measures& m = sheet.measures();
+  const Exhibit* exhibit = chosen_exhibit(sheet);
+  if (exhibit == nullptr) return box.y;
+  TextStyle style = sheet.style(Letters::Lead);
+  style.tabular = true;
+  const float line = std::ceil(style.size * style.line_height);
+  const TextPiece follow =
+      sheet.fitted(sheet.style(Letters::Body), sheet.word("follow"), box.width);
+  TextPiece name = sheet.fitted(sheet.style(title, 2), sheet.local(exhibit->title), box.width);
+  // Where there is little room, the name is said, and on one line.
+  const bool tight = follow.height + name.height + m.unit + line > box.height;
+  if (tight && name.height + m.unit + line > box.height)
+    name = sheet.fitted(sheet.style(title), sheet.local(exhibit->title), box.width);
+  float y = box.y;
+  if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
+  y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
+
+  const std::optional<Trip>& trip = sheet.request().trip;
+  if (trip && trip->status == RouteStatus::Ok) {
+    prepare_remaining(sheet, style, *trip, box.x, y, box.width);
+    return y + line + m.gap;
+  }
+  return sheet.text(Letters::Body, sheet.word(trip ? "no_way" : "planning"), box.x, y, box.width,
+                    sheet.theme().quiet_ink, 3) +
+         m.gap;
+}
+
+void lay_out_welcome(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const float foot = draw_foot(sheet, content, "");
+
+  const bool landscape = is_landscape(sheet.request().shape);
+  float y = content.y;
+  y = sheet.text(Letters::Label, sheet.local(museum.title), content.x, y, content.width,
+                 sheet.theme().quiet_ink, 2);
+  y = landscape ? std::max(y + m.gap, content.y + content.height * 0.2F) : y + m.gap;
+  y = sheet.text(Letters::Welcome, sheet.word("welcome"), content.x, y, content.width,
+                 sheet.theme().ink, 2);
+  y += m.gap;
+  sheet.text(Letters::Lead, sheet.local(museum.welcome), content.x, y, content.width,
+             sheet.theme().quiet_ink, 4);
+
+  const float height = std::round(m.touch * 1.35F);
+  const float width = std::round(std::min(content.width, 54 * m.unit));
+  sheet.button(sheet.control("begin"), {content.x, foot - 2 * m.gap - height, width, height},
+               Sheet::Emphasis::Strong);
+}
+
+void lay_out_choosing(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const ListShape list = list_shape(sheet.request().shape);
+  const std::uint32_t per_page = list.columns * list.rows;
+  sheet.text(Letters::Heading, sheet.word("choose_title"), content.x, content.y, content.width,
+             sheet.theme().ink);
+
+  const float column_gap = 2 * m.gap;
+  const auto columns = static_cast<float>(list.columns);
+  const float width = std::floor((content.width - (columns - 1) * column_gap) / columns);
+  std::uint32_t shown = 0;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
+    if (sheet.view().controls[i].role != Role::ListItem) continue;
+    const std::uint32_t in_column = shown / list.rows;
+    const auto column = static_cast<float>(in_column);
+    const auto row = static_cast<float>(shown % list.rows);
+    draw_card(sheet, static_cast<std::int32_t>(i),
+              {content.x + column * (width + column_gap),
+               content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
+               list.row_height});
+    ++shown;
+  }
+
+  const bool can_go_back = sheet.control("back") >= 0;
+  const float foot = draw_foot(sheet, content, can_go_back ? "back" : "home");
+  const float routes = foot - m.gap - m.touch;
+  draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
+
+  const std::uint32_t pages = page_count(sheet.museum(), per_page);
+  if (pages == 1) return;
+  const float y = routes - m.gap - m.touch;
+  const float third = std::floor((content.width - 2 * m.gap) / 3);
+  sheet.button(sheet.control("page:previous"), {content.x, y, third, m.touch},
+               Sheet::Emphasis::Soft);
+  sheet.button(sheet.control("page:next"), {content.right() - third, y, third, m.touch},
+               Sheet::Emphasis::Soft);
+  const std::uint32_t language = sheet.request().state.language;
+  const std::uint32_t page = std::min(sheet.request().state.page, pages - 1);
+  std::string text = filled_in(sheet.word("page_of"), "n",
+                               number_in(sheet.museum(), language, static_cast<long>(page) + 1));
+  text = filled_in(text, "total", number_in(sheet.museum(), language, static_cast<long>(pages)));
+  const TextPiece count = sheet.fitted(sheet.style(Letters::Small), text, third);
+  sheet.piece(count, content.x, y + (m.touch - count.height) / 2, content.width, Align::Centre,
+              sheet.theme().quiet_ink);
+}
+
+void lay_out_walking(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const float foot = draw_foot(sheet, content, "home");
+  const bool landscape = is_landscape(sheet.request().shape);
+  const float buttons = foot - m.gap - m.touch;
+  const float bottom = buttons - m.gap;
+
+  Box first = content, second = content;
+  if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
+  const float half = std::floor((content.width - m.gap) / 2);
+  sheet.button(sheet.control("stop"), {content.x, buttons, half, m.touch}, Sheet::Emphasis::Strong);
+  sheet.button(sheet.control("choose"), {content.right() - half, buttons, half, m.touch},
+               Sheet::Emphasis::Soft);
+
+  const float routes_height = 3 * m.touch + 2 * std::round(m.unit);
+  const float routes_top = bottom - m.gap - routes_height;
+  const TextPiece question =
+      sheet.fitted(sheet.style(Letters::Body), sheet.word("route_title"), second.width);
+  sheet.piece(question, second.x, routes_top - question.height - m.unit, second.width, Align::Start,
+              sheet.theme().quiet_ink);
+  draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
+
+  const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
+  const float y = draw_invitation(sheet, first, Letters::Title);
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && end - y > 12 * m.unit)
+    sheet.whole_image({first.x, y, first.width, end - y}, exhibit->image, m.corner);
+}
+
+void lay_out_arrived(Sheet& sheet, const Box& content) {
+  const Measures& m = sheet.measures();
+  const Exhibit* exhibit = chosen_exhibit(sheet);
+  const bool landscape = is_landscape(sheet.request().shape);
+  const float foot = draw_foot(sheet, content, "home");
+  if (exhibit == nullptr) return;
+
+  Box first = content, second = content;
+  if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
+  const float row = list_shape(sheet.request().shape).row_height;
+  float bottom = foot - m.gap - m.touch;
+  sheet.button(sheet.control("choose"), {second.x, bottom, second.width, m.touch},
+               Sheet::Emphasis::Soft);
+
+  std::vector<std::int32_t> cards;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].role == Role::ListItem)
+      cards.push_back(static_cast<std::int32_t>(i));
+  if (!cards.empty()) bottom -= m.unit;
+  for (std::size_t i = cards.size(); i-- > 0;) {
+    bottom -= row + std::round(m.unit);
+    draw_card(sheet, cards[i], {second.x, bottom, second.width, row});
+  }
+  if (!cards.empty()) {
+    const TextPiece next =
+        sheet.fitted(sheet.style(Letters::Small), sheet.word("next_title"), second.width);
+    bottom -= next.height + std::round(m.unit / 2);
+    sheet.piece(next, second.x, bottom, second.width, Align::Start, sheet.theme().quiet_ink);
+  }
+  bottom -= m.gap;
+
+  // The words come first; the picture takes what they leave.
+  const float text_width = second.width;
+  const TextPiece title =
+      sheet.fitted(sheet.style(Letters::Title, 2), sheet.local(exhibit->title), text_width);
+  TextStyle body_style = sheet.style(Letters::Body);
+  const float line = body_style.size * body_style.line_height;
+  const float least_picture = landscape ? 30 * m.unit : 0;
+  const float room_for_text = bottom - second.y - title.height - m.gap - least_picture;
+  body_style.max_lines =
+      static_cast<std::uint16_t>(std::clamp(std::floor(room_for_text / line), 1.0F, 40.0F));
+  const TextPiece body = sheet.fitted(body_style, sheet.local(exhibit->text), text_width);
+
+  float y = second.y;
+  if (landscape) {
+    const float room = bottom - second.y - title.height - body.height - 2 * m.gap;
+    y += sheet.whole_image({content.x, y, content.width, std::max(room, 0.0F)}, exhibit->image,
+                           m.corner) +
+         m.gap;
+  } else {
+    sheet.whole_image({first.x, first.y, first.width, foot - m.gap - first.y}, exhibit->image,
+                      m.corner);
+  }
+  y = sheet.piece(title, second.x, y, text_width, Align::Start, sheet.theme().ink) + m.unit;
+  sheet.piece(body, second.x, y, text_width, Align::Start, sheet.theme().ink);
+}
+
+}  // namespace docent

@@ -1,0 +1,241 @@
+#include "runtime/interface/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace docent {
+namespace {
+
+/// Capitals of Inter and Noto are this share of the letter size high.
+constexpr float capital_share = 0.72F;
+
+float capitals_mm(Letters letters) noexcept {
+  switch (letters) {
+    case Letters::Small:
+      return 4;
+    case Letters::Body:
+      return 5;
+    case Letters::Label:
+      return 5.4F;
+    case Letters::Lead:
+      return 7;
+    case Letters::Heading:
+      return 8;
+    case Letters::Title:
+      return 11;
+    case Letters::Welcome:
+      return 18;
+  }
+  return 5;
+}
+
+/// Arabic letters are small in their em square: this makes them look as large as others of the same
+/// size.
+float optical_scale(std::string_view language) noexcept {
+  if (language.starts_with("ar") || language.starts_with("fa") || language.starts_with("ur"))
+    return 1.12F;
+  return 1;
+}
+
+std::string_view tag_of(const Museum& museum, std::uint32_t language) noexcept {
+  return language < museum.languages.size() ? std::string_view(museum.languages[language].tag)
+                                            : std::string_view("en");
+}
+
+/// Turns over what is inside `all`.
+void mirror(Rect& rect, const Rect& all) noexcept {
+  rect.x = 2 * all.x + all.width - rect.x - rect.width;
+}
+
+}  // namespace
+
+Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view)
+    : museum_(museum),
+      request_(request),
+      pieces_(pieces),
+      view_(view),
+      measures_(measures_of(request.shape)),
+      width_(static_cast<float>(request.shape.width)),
+      height_(static_cast<float>(request.shape.height)),
+      shorter_(std::min(width_, height_)),
+      right_to_left_(runs_right_to_left(museum, request.state.language)) {}
+
+std::int32_t Sheet::control(std::string_view name) const noexcept {
+  const auto found = std::ranges::find(view_.controls, name, &Control::name);
+  return found == view_.controls.end() ? -1
+                                       : static_cast<std::int32_t>(found - view_.controls.begin());
+}
+
+std::string_view Sheet::word(std::string_view key) const noexcept {
+  return docent::word(museum_, request_.state.language, key);
+}
+
+std::string_view Sheet::local(const LocalText& text) const noexcept {
+  return in_language(museum_, request_.state.language, text);
+}
+
+TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept {
+  const std::string_view language = tag_of(museum_, request_.state.language);
+  const bool serif =
+      letters == Letters::Heading || letters == Letters::Title || letters == Letters::Welcome;
+  TextStyle style;
+  style.family = serif ? Family::Serif : Family::Sans;
+  style.weight = letters == Letters::Label ? 500 : 400;
+  style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
+                          optical_scale(language) * request_.shape.text_scale * letters_);
+  style.line_height = serif ? 1.2F : 1.4F;
+  if (right_to_left_) style.line_height = serif ? 1.45F : 1.7F;
+  style.max_lines = max_lines;
+  style.right_to_left = right_to_left_;
+  style.language = language;
+  return style;
+}
+
+TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
+  const auto most = static_cast<std::uint32_t>(std::max(1.0F, std::floor(width)));
+  const float whole = style.size;
+  TextPiece piece;
+  for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
+    style.size = std::round(whole * scale);
+    piece = pieces_.text(style, text, most);
+    if (!piece.cut) break;
+  }
+  return piece;
+}
+
+Rect Sheet::share_of(const Box& box) const noexcept {
+  return {box.x / width_, box.y / height_, box.width / width_, box.height / height_};
+}
+
+void Sheet::add(Quad quad, std::int32_t control) {
+  view_.elements.push_back({quad, control});
+}
+
+void Sheet::fill(const Box& box, Colour colour, float corner, std::int32_t control) {
+  add({.rect = share_of(box), .colour = colour, .corner = corner / shorter_}, control);
+}
+
+void Sheet::shadow(const Box& box, float reach, float opacity) {
+  add({.rect = share_of(box),
+       .fill = QuadFill::Shadow,
+       .colour = with_opacity(theme_.ink, opacity),
+       .corner = measures_.corner / shorter_,
+       .softness = reach / shorter_},
+      -1);
+}
+
+void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_t control) {
+  if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
+  const float x = std::round(box.x), y = std::round(box.y);
+  const Box whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
+  const TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
+                                            static_cast<std::uint32_t>(whole.height));
+  if (texture == TextureId::None) return;
+  add({.rect = share_of(whole),
+       .fill = QuadFill::Image,
+       .colour = {1, 1, 1, 1},
+       .texture = texture,
+       .corner = corner / shorter_},
+      control);
+}
+
+float Sheet::whole_image(const Box& box, std::uint32_t image, float corner) {
+  if (image >= museum_.images.size() || museum_.images[image].height == 0) return 0;
+  const EncodedImage& picture = museum_.images[image];
+  constexpr float most_crop = 0.1F;
+  const float shape = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+  const float widest = box.height * shape / (1 - most_crop);
+  const float width = std::round(std::min(box.width, widest));
+  const float height = std::round(std::min(box.height, width / shape));
+  this->image({box.x, box.y, width, height}, image, corner);
+  return height;
+}
+
+Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
+                    Colour colour) const {
+  const float spare = width - piece.width;
+  if (align == Align::Centre) x += spare / 2;
+  if (align == Align::End) x += spare;
+  const Box box{std::round(x), std::round(y), piece.width, piece.height};
+  return {
+      .rect = share_of(box), .fill = QuadFill::Text, .colour = colour, .texture = piece.texture};
+}
+
+float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align align,
+                   Colour colour, std::int32_t control) {
+  if (piece.texture != TextureId::None) add(quad_of(piece, x, y, width, align, colour), control);
+  return y + piece.height;
+}
+
+float Sheet::text(Letters letters, std::string_view text, float x, float y, float width,
+                  Colour colour, std::uint16_t max_lines) {
+  return piece(fitted(style(letters, max_lines), text, width), x, y, width, Align::Start, colour);
+}
+
+void Sheet::place(std::int32_t control, const Box& box) {
+  if (control >= 0) view_.controls[static_cast<std::size_t>(control)].rect = share_of(box);
+}
+
+void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
+  if (control < 0) return;
+  place(control, box);
+  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  const bool strong = emphasis == Emphasis::Strong;
+  if (emphasis != Emphasis::Plain && it.enabled)
+    fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
+  Colour colour = strong ? theme_.paper : theme_.ink;
+  if (!it.enabled) colour = with_opacity(theme_.quiet_ink, 0.35F);
+  TextStyle look = style(Letters::Label);
+  const float pad = measures_.unit * 1.5F;
+  TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
+  if (label.cut) {
+    look.max_lines = 2;
+    look.size = std::round(look.size * 0.8F);
+    look.line_height = 1.1F;
+    label = fitted(look, local(it.label), box.width - 2 * pad);
+  }
+  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
+        Align::Centre, colour, control);
+}
+
+void Sheet::draw_panel(const Box& box) {
+  view_.panel = share_of(box);
+  const std::size_t first = view_.elements.size();
+  shadow(box, 4 * measures_.unit, 0.16F);
+  fill(box, theme_.paper, 0);
+  for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
+}
+
+void Sheet::lie_on(const Box& card, float letters) {
+  turned_ = view_.panel = share_of(card);
+  letters_ = letters;
+  view_.elements.clear();
+  view_.remaining.clear();
+}
+
+bool Sheet::is_crowded() const {
+  std::vector<Rect> texts;
+  for (const Element& element : view_.elements)
+    if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+  if (!view_.remaining.empty()) texts.push_back(view_.remaining.back().quad.rect);
+  const float slack = 2 / height_;  // texts are moved to whole pixels
+  const auto overlap = [slack](const Rect& a, const Rect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y + slack < b.y + b.height &&
+           b.y + slack < a.y + a.height;
+  };
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(texts[i], texts[j])) return true;
+  return false;
+}
+
+void Sheet::finish() {
+  if (!right_to_left_) return;
+  mirror(view_.panel, turned_);
+  for (Control& control : view_.controls)
+    if (control.rect.width > 0) mirror(control.rect, turned_);
+  for (Element& element : view_.elements) mirror(element.quad.rect, turned_);
+  for (CountedText& text : view_.remaining) mirror(text.quad.rect, turned_);
+}
+
+}  // namespace docent

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <string_view>
+
+#include "runtime/interface/layout.h"
+#include "runtime/scene/theme.h"
+
+namespace docent {
+
+enum class Align : std::uint8_t { Start, Centre, End };
+
+/// How letters are used, each with its size on the glass (millimetres of capitals).
+enum class Letters : std::uint8_t {
+  Small,    ///< Names of galleries, numbers: 4.
+  Body,     ///< What an exhibit has to say: 5.
+  Label,    ///< Controls: 5.4, medium.
+  Lead,     ///< A sentence that leads on: 7.
+  Heading,  ///< A question: 8, serif.
+  Title,    ///< An exhibit's name: 11, serif.
+  Welcome,  ///< 18, serif.
+};
+
+/// Pixels, left to right, origin top left.
+struct Box {
+  float x = 0, y = 0, width = 0, height = 0;
+
+  float right() const noexcept { return x + width; }
+  float bottom() const noexcept { return y + height; }
+  Box inset(float by) const noexcept { return {x + by, y + by, width - 2 * by, height - 2 * by}; }
+};
+
+/// What a view is drawn on while it is laid out, as if every language ran from left to right;
+/// finish() turns it over for those that do not.
+class Sheet {
+ public:
+  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
+
+  const Measures& measures() const noexcept { return measures_; }
+  const Theme& theme() const noexcept { return theme_; }
+  const Museum& museum() const noexcept { return museum_; }
+  const ViewRequest& request() const noexcept { return request_; }
+  View& view() noexcept { return view_; }
+
+  /// Index of the control of that name; -1 where this view has none. List items before spots.
+  std::int32_t control(std::string_view name) const noexcept;
+  std::string_view word(std::string_view key) const noexcept;
+  std::string_view local(const LocalText& text) const noexcept;
+
+  TextStyle style(Letters letters, std::uint16_t max_lines = 1) const noexcept;
+  /// A text that is at most `width` wide, set smaller, down to 7/10, where it does not fit.
+  TextPiece fitted(TextStyle style, std::string_view text, float width);
+
+  void fill(const Box& box, Colour colour, float corner, std::int32_t control = -1);
+  void shadow(const Box& box, float reach, float opacity);
+  /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
+  void image(const Box& box, std::uint32_t image, float corner, std::int32_t control = -1);
+  /// Shows the whole picture at the box's start, as large as fits; at most a tenth of its height is
+  /// given up for width. Returns its height.
+  float whole_image(const Box& box, std::uint32_t image, float corner);
+  /// Draws a piece with its top at `y`; returns its bottom.
+  float piece(const TextPiece& piece, float x, float y, float width, Align align, Colour colour,
+              std::int32_t control = -1);
+  /// Sets and draws; returns the bottom.
+  float text(Letters letters, std::string_view text, float x, float y, float width, Colour colour,
+             std::uint16_t max_lines = 1);
+
+  /// Gives a control its rectangle.
+  void place(std::int32_t control, const Box& box);
+  /// Fills of buttons.
+  enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
+  void button(std::int32_t control, const Box& box, Emphasis emphasis);
+
+  Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
+               Colour colour) const;
+  Rect share_of(const Box& box) const noexcept;
+  /// Marks what is drawn from now on as the panel's own.
+  void draw_panel(const Box& box);
+  /// All is drawn inside this card, anew, with letters of that share of their size: finish() turns
+  /// it over in place.
+  void lie_on(const Box& card, float letters);
+  /// Does a text stand on another?
+  bool is_crowded() const;
+  /// Mirrors everything where the language runs from right to left.
+  void finish();
+
+ private:
+  void add(Quad quad, std::int32_t control);
+
+  const Museum& museum_;
+  const ViewRequest& request_;
+  PieceCache& pieces_;
+  View& view_;
+  Measures measures_;
+  Theme theme_;
+  float width_, height_, shorter_;
+  bool right_to_left_;
+  Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
+  float letters_ = 1;
+};
+
+/// Fills in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
+/// its margins.
+void lay_out_welcome(Sheet& sheet, const Box& content);
+void lay_out_choosing(Sheet& sheet, const Box& content);
+void lay_out_walking(Sheet& sheet, const Box& content);
+void lay_out_arrived(Sheet& sheet, const Box& content);
+
+/// The shared glass: the model, and the cards of those who stand at it.
+void lay_out_model(Sheet& sheet);
+void lay_out_seat(Sheet& sheet, const Box& card);
+/// How many exhibits a page of a card's list shows.
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
+
+/// "Follow me to", the name, and how far it is, from `y`; returns its bottom.
+float draw_invitation(Sheet& sheet, const Box& box, Letters title);
+/// What the visitor goes to or is at; null where there is nothing.
+const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
+
+/// Columns and rows of the exhibits' list inside the choosing panel's content.
+struct ListShape {
+  std::uint32_t columns = 1, rows = 1;
+  float row_height = 0, row_gap = 0;
+  float heading_height = 0;  ///< Above the list.
+  float foot_height = 0;     ///< Pages, routes and the bottom row, with the gaps before them.
+};
+ListShape list_shape(const ScreenShape& shape) noexcept;
+
+/// A stroke in a way's colour, outlined where paper would swallow it.
+void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control);
+
+/// Exhibit `i` on a card: its picture, title and gallery.
+void draw_card(Sheet& sheet, std::int32_t control, const Box& box);
+/// The three route kinds, side by side or one above the other.
+enum class Along : std::uint8_t { Row, Column, NarrowColumn };
+float draw_routes(Sheet& sheet, const Box& box, Along along);
+/// Languages in a row.
+void draw_languages(Sheet& sheet, const Box& box);
+/// Languages at the start and the given button at the end of the lowest row; returns its top.
+float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name);
+
+}  // namespace docent

@@ -1,0 +1,69 @@
+#include "runtime/path/index/predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace docent {
+namespace {
+
+/// A number as a sum of doubles that do not overlap, smallest first (Shewchuk's expansion). Room
+/// for the twelve terms of an orientation.
+struct Expansion {
+  std::array<double, 12> term{};
+  std::size_t count = 0;
+
+  void add(double value) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {  // two-sum, Knuth
+      const double sum = value + term[i];
+      const double virtual_part = sum - value;
+      const double error = (value - (sum - virtual_part)) + (term[i] - virtual_part);
+      if (error != 0) term[kept++] = error;
+      value = sum;
+    }
+    if (value != 0) term[kept++] = value;
+    count = kept;
+  }
+  void add_product(double a, double b) {
+    const double product = a * b;
+    add(std::fma(a, b, -product));
+    add(product);
+  }
+  int sign() const { return count == 0 ? 0 : (term[count - 1] > 0 ? 1 : -1); }
+};
+
+}  // namespace
+
+int exact_orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
+  Expansion determinant;
+  determinant.add_product(a.x, b.y);
+  determinant.add_product(-a.x, c.y);
+  determinant.add_product(-c.x, b.y);
+  determinant.add_product(-a.y, b.x);
+  determinant.add_product(a.y, c.x);
+  determinant.add_product(c.y, b.x);
+  return determinant.sign();
+}
+
+NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
+  const Vec2 along = b - a;
+  const double squared = dot(along, along);
+  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  const Vec2 apart = t == 1 ? p - b : p - a - t * along;
+  return {dot(apart, apart), t};
+}
+
+double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept {
+  const Vec2 pq = q - p, ab = b - a;
+  const double a_side = cross(pq, a - p), b_side = cross(pq, b - p);
+  const double p_side = cross(ab, p - a), q_side = cross(ab, q - a);
+  if (((a_side < 0) != (b_side < 0)) && ((p_side < 0) != (q_side < 0))) return 0;
+  return std::min(
+      {nearest_on_segment(p, a, b).distance_squared, nearest_on_segment(q, a, b).distance_squared,
+       nearest_on_segment(a, p, q).distance_squared, nearest_on_segment(b, p, q).distance_squared});
+}
+
+}  // namespace docent

@@ -1,0 +1,254 @@
+#include "runtime/path/medial_axis/medial_axis_way.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <ranges>
+#include <utility>
+
+#include "runtime/path/flatten.h"
+#include "runtime/path/index/stamped_array.h"
+
+namespace docent {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t none = MedialAxisMap::none;
+
+using Place = RoadGraph::Place;
+
+/// How a query's end point gets to the roadmap.
+struct Entry {
+  Place place;
+  std::vector<Vec2> points;  ///< From the end point to the place, both included.
+  double length = 0;
+  double clearance = 0;
+};
+
+/// Goes straight away from the nearest wall until the axis, and on along it to the roadmap where
+/// that leaves this part of the axis out.
+std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
+  const MedialAxisMap& axis = map.medial_axis();
+  const auto place = axis.place_above(map.site_at(point), point);
+  if (!place) return {};
+  const VoronoiDiagram& voronoi = axis.diagram();
+  Entry entry{{}, {point}, 0, map.clearance_at(point)};
+  std::uint32_t edge = place->voronoi_edge;
+  double at = place->at;
+  const Vec2 reached = axis.curve(edge).point_at(at);
+  entry.length = glm::length(reached - point);
+  append_point(reached, entry.points);
+  if (axis.roadmap_edge(edge) != none) {
+    entry.place = axis.roads().place_on(axis.roadmap_edge(edge), at);
+    return entry;
+  }
+  // Of the two ends, the road lies beyond the one that does not lead back over this edge.
+  bool forward = axis.edge_to_road(voronoi.edge[edge].to) != edge;
+  for (;;) {
+    const EdgeCurve& curve = axis.curve(edge);
+    const double end = forward ? curve.end() : curve.begin();
+    entry.length += curve.length_between(at, end);
+    entry.clearance = std::min(entry.clearance, curve.clearance_between(at, end));
+    curve.append_points(at, end, entry.points);
+    const std::uint32_t vertex = forward ? voronoi.edge[edge].to : voronoi.edge[edge].from;
+    if (axis.node_at(vertex) != none) {
+      entry.place = axis.roads().place_at(axis.node_at(vertex));
+      return entry;
+    }
+    edge = axis.edge_to_road(vertex);
+    if (edge == none) return {};
+    forward = voronoi.edge[edge].from == vertex;
+    at = forward ? axis.curve(edge).begin() : axis.curve(edge).end();
+  }
+}
+
+/// The nearest place of the roadmap that a straight line reaches which keeps the radius.
+std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double radius) {
+  const double least = radius - touching, here = map.clearance_at(point);
+  double clearance = 0;
+  Vec2 reached;
+  const auto place = map.medial_axis().nearest_road(point, [&](const Place&, Vec2 there) {
+    if (!map.walls().segment_clear(point, there)) return false;
+    reached = there;
+    clearance =
+        map.walls().segment_clearance(point, there, std::min(here, map.clearance_at(there)));
+    return clearance >= least;
+  });
+  if (place) {
+    Entry entry{*place, {point}, glm::length(reached - point), clearance};
+    append_point(reached, entry.points);
+    return entry;
+  }
+  auto entry = climb(map, point);
+  if (entry && entry->clearance < least) entry.reset();
+  return entry;
+}
+
+/// The largest clearance that some way on the roads keeps; negative where there is none.
+double widest_clearance(const RoadGraph& roads, const Place& from, const Place& to) {
+  double widest = -1;
+  if (const auto direct = roads.between(from, to)) widest = direct->clearance;
+  for (const auto& leave : roads.exits_of(from))
+    for (const auto& arrive : roads.exits_of(to))
+      if (leave.junction != none && arrive.junction != none)
+        widest = std::max(widest, std::min({leave.clearance, arrive.clearance,
+                                            roads.widest(leave.junction, arrive.junction)}));
+  return widest;
+}
+
+/// What a search knows of a junction: the shortest way to it yet, and the road that it came by, as
+/// `RoadGraph::roads_at` counts; none for those beside the start.
+struct Visit {
+  double length = infinity;
+  double least_rest = 0;  ///< No way on to the goal is shorter.
+  std::uint32_t by = none;
+  bool by_end = false;  ///< Beside the start: reached by the end of its road, not by the begin.
+};
+
+/// A* over the junctions, with the landmarks' bounds, along the roads that keep a clearance.
+class RoadSearch {
+ public:
+  RoadSearch(const RoadGraph& roads, const Place& from, const Place& to, double clearance)
+      : roads_(roads),
+        from_(from),
+        to_(to),
+        least_(clearance - touching),
+        to_goal_(roads.distances_of(to)),
+        arrival_(roads.exits_of(to)),
+        visit_(notes()) {
+    visit_.forget(roads.junctions());
+  }
+
+  /// False where there is no way.
+  bool find() {
+    if (const auto direct = roads_.between(from_, to_); direct && direct->clearance >= least_)
+      length_ = direct->length;
+    const auto departures = roads_.exits_of(from_);
+    for (const auto& departure : departures)
+      if (departure.junction != none && departure.clearance >= least_)
+        shorten(departure.junction, departure.length, none, &departure == &departures[1]);
+    while (!queue_.empty()) {
+      std::ranges::pop_heap(queue_, std::greater{});
+      const auto [bound, junction] = queue_.back();
+      queue_.pop_back();
+      if (bound >= length_) break;
+      const Visit& here = visit_[junction];
+      if (bound > here.length + here.least_rest) continue;
+      arrive(junction, here.length);
+      leave(junction, here.length);
+    }
+    return length_ < infinity;
+  }
+
+  /// Appends the way that `find` found.
+  void append_way(Way& way) const {
+    way.length += length_;
+    if (last_ == none) {
+      way.clearance_min = std::min(way.clearance_min, roads_.between(from_, to_)->clearance);
+      return roads_.append_between(from_, to_, way.points);
+    }
+    std::vector<std::uint32_t> back;  // The roads from the last junction to the first.
+    std::uint32_t first = last_;
+    while (visit_[first].by != none) {
+      back.push_back(visit_[first].by);
+      first = far_end(back.back() ^ 1U);
+    }
+    append_end_piece(from_, visit_[first].by_end, true, way);
+    for (const std::uint32_t by : std::views::reverse(back)) {
+      const Place begin = roads_.begin_of(by / 2), end = roads_.end_of(by / 2);
+      by % 2 == 0 ? roads_.append_between(begin, end, way.points)
+                  : roads_.append_between(end, begin, way.points);
+      way.clearance_min = std::min(way.clearance_min, roads_.roads()[by / 2].clearance);
+    }
+    append_end_piece(to_, arrives_by_end_, false, way);
+  }
+
+ private:
+  /// Kept per thread, so that no search has to make or clear them.
+  static StampedArray<Visit>& notes() {
+    thread_local StampedArray<Visit> kept;
+    return kept;
+  }
+  /// The junction that a road, as `roads_at` counts, leads to.
+  std::uint32_t far_end(std::uint32_t way) const {
+    const RoadGraph::Road& road = roads_.roads()[way / 2];
+    return way % 2 == 0 ? road.to : road.from;
+  }
+  void shorten(std::uint32_t junction, double length, std::uint32_t by, bool by_end = false) {
+    const bool is_new = !visit_.has(junction);
+    Visit& visit = visit_[junction];
+    if (length >= visit.length) return;
+    const double rest = is_new ? roads_.least_distance(junction, to_goal_) : visit.least_rest;
+    visit = {length, rest, by, by_end};
+    if (length + rest >= length_) return;
+    queue_.emplace_back(length + rest, junction);
+    std::ranges::push_heap(queue_, std::greater{});
+  }
+  void arrive(std::uint32_t junction, double length) {
+    for (const auto& arrival : arrival_) {
+      if (arrival.junction != junction || arrival.clearance < least_) continue;
+      if (length + arrival.length >= length_) continue;
+      length_ = length + arrival.length;
+      last_ = junction;
+      arrives_by_end_ = &arrival == &arrival_[1];
+    }
+  }
+  void leave(std::uint32_t junction, double length) {
+    for (const std::uint32_t way : roads_.roads_at(junction)) {
+      const RoadGraph::Road& road = roads_.roads()[way / 2];
+      if (road.clearance >= least_) shorten(far_end(way), length + road.length, way);
+    }
+  }
+  /// The piece of road between the start or goal and the begin or the end of its road.
+  void append_end_piece(const Place& place, bool by_end, bool leaving, Way& way) const {
+    const std::uint32_t road = roads_.road_of(place);
+    if (road == none) return append_point(roads_.point_at(place), way.points);
+    const Place side = by_end ? roads_.end_of(road) : roads_.begin_of(road);
+    leaving ? roads_.append_between(place, side, way.points)
+            : roads_.append_between(side, place, way.points);
+    way.clearance_min =
+        std::min(way.clearance_min, roads_.exits_of(place)[by_end ? 1 : 0].clearance);
+  }
+
+  const RoadGraph& roads_;
+  Place from_, to_;
+  double least_;
+  RoadGraph::Distances to_goal_;
+  std::array<RoadGraph::Exit, 2> arrival_;
+  StampedArray<Visit>& visit_;
+  std::vector<std::pair<double, std::uint32_t>> queue_;
+  double length_ = infinity;
+  std::uint32_t last_ = none;  ///< The last junction; none on a way along one road.
+  bool arrives_by_end_ = false;
+};
+
+Way way_between(const FloorMap& map, const RouteQuery& query, double clearance) {
+  const auto from = nearest_entry(map, query.from, clearance);
+  const auto to = nearest_entry(map, query.to, clearance);
+  if (!from || !to) return {};
+  const RoadGraph& roads = map.medial_axis().roads();
+  if (widest_clearance(roads, from->place, to->place) < clearance - touching) return {};
+  RoadSearch search(roads, from->place, to->place, clearance);
+  if (!search.find()) return {};
+  Way way{RouteStatus::Ok, from->length, std::min(from->clearance, to->clearance), from->points};
+  search.append_way(way);
+  for (const Vec2 point : std::views::reverse(to->points)) append_point(point, way.points);
+  way.length += to->length;
+  return way;
+}
+
+}  // namespace
+
+Way medial_axis_way(const FloorMap& map, const RouteQuery& query) {
+  if (!query.widest) return way_between(map, query, query.radius);
+  const auto from = climb(map, query.from), to = climb(map, query.to);
+  if (!from || !to) return {};
+  const double width =
+      std::min({from->clearance, to->clearance,
+                widest_clearance(map.medial_axis().roads(), from->place, to->place)});
+  if (width < query.radius - touching || width < 0) return {};
+  return way_between(map, query, width);
+}
+
+}  // namespace docent

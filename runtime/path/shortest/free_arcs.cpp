@@ -1,0 +1,78 @@
+#include "runtime/path/shortest/free_arcs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/path/index/predicates.h"
+
+namespace docent {
+namespace {
+
+/// Directions, as angles in (-pi, pi], in which the circle of `radius` about `centre` may come to
+/// or leave the places nearer than `reach` to the wall a b: where it meets the two circles about
+/// the wall's ends and the two lines beside it.
+void add_crossings(Vec2 centre, double radius, Vec2 a, Vec2 b, double reach,
+                   std::vector<Vec2>& directions) {
+  for (const Vec2 end : {a, b}) {
+    const Vec2 to = end - centre;
+    const double distance = std::sqrt(dot(to, to));
+    if (distance == 0 || distance > radius + reach || distance < std::abs(radius - reach)) continue;
+    const double along =
+        (radius * radius - reach * reach + distance * distance) / (2 * distance * radius);
+    const double across = std::sqrt(std::max(0.0, 1 - along * along));
+    const Vec2 unit = to / distance;
+    for (const double side : {-1.0, 1.0})
+      directions.push_back(along * unit + side * across * left_of(unit));
+  }
+  const Vec2 wall = b - a;
+  const double length = std::sqrt(dot(wall, wall));
+  if (length == 0) return;
+  const Vec2 unit = wall / length;
+  const double height = cross(unit, centre - a);  // of the circle's centre above the wall
+  for (const double line : {-reach, reach}) {
+    const double sine = (line - height) / radius;
+    if (std::abs(sine) > 1) continue;
+    const double cosine = std::sqrt(1 - sine * sine);
+    for (const double side : {-1.0, 1.0})
+      directions.push_back(side * cosine * unit + sine * left_of(unit));
+  }
+}
+
+}  // namespace
+
+std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
+                                   const ReflexCorner& corner, std::uint32_t before,
+                                   double radius) {
+  if (radius == 0) return {{0, corner.extent}};
+  const double reach = radius - touching;
+  std::vector<double> cuts{0, corner.extent};
+  std::vector<std::uint32_t> near = walls.walls_about(corner.position, 2 * radius - walls.radius());
+  std::erase(near, corner.vertex);
+  std::erase(near, before);
+  std::vector<Vec2> directions;
+  for (const std::uint32_t wall : near)
+    add_crossings(corner.position, radius, wall_start(plan, wall), wall_end(plan, wall), reach,
+                  directions);
+  for (const Vec2 direction : directions) {
+    const double angle = corner.angle_of(direction);
+    if (angle > 0 && angle < corner.extent) cuts.push_back(angle);
+  }
+  std::ranges::sort(cuts);
+
+  std::vector<ArcInterval> free;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Vec2 middle = corner.point_at((cuts[i] + cuts[i + 1]) / 2, radius);
+    const bool blocked = std::ranges::any_of(near, [&](std::uint32_t wall) {
+      return nearest_on_segment(middle, wall_start(plan, wall), wall_end(plan, wall))
+                 .distance_squared < reach * reach;
+    });
+    if (blocked) continue;
+    if (!free.empty() && free.back().end == cuts[i])
+      free.back().end = cuts[i + 1];
+    else
+      free.push_back({cuts[i], cuts[i + 1]});
+  }
+  return free;
+}
+
+}  // namespace docent

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "runtime/path/shortest/reflex_corner.h"
+#include "runtime/path/index/wall_grid.h"
+
+namespace docent {
+
+/// A part of a corner's circle, in the corner's own angles.
+struct ArcInterval {
+  double begin = 0, end = 0;
+};
+
+/// The parts of the circle of `radius` about a corner that keep the radius from every wall,
+/// ascending. `before` is the wall that ends at the corner; `walls` a grid of any radius.
+std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
+                                   const ReflexCorner& corner, std::uint32_t before, double radius);
+
+}  // namespace docent

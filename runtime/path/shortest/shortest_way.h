@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/model/geometry/floor.h"
+#include "runtime/path/shortest/reflex_corner.h"
+#include "runtime/path/shortest/tangent_search.h"
+#include "runtime/path/index/wall_grid.h"
+#include "runtime/path/way.h"
+
+namespace docent {
+
+/// The straight way between a query's end point and a side of the tangent graph that it touches.
+struct EndTangent {
+  std::uint32_t side = 0;
+  double length = 0;  ///< Metres.
+  Vec2 touch{};
+};
+
+/// A tangent graph with its labels made ready for queries. Immutable, so any thread may ask.
+/// Borrows what it is made from.
+class ShortestWayMap {
+ public:
+  ShortestWayMap(const FloorPlan& plan, const SightMap& sight, const TangentGraph& tangents,
+                 const HubLabels& labels, const TangentSearchMap& search);
+
+  const TangentGraph& graph() const noexcept { return graph_; }
+  const HubLabels& labels() const noexcept { return labels_; }
+  const WallGrid& walls() const noexcept { return walls_; }  ///< For the graph's radius.
+  const TangentSearchMap& search() const noexcept { return search_; }
+  const ReflexCorner& corner(std::uint32_t side) const noexcept { return corner_[side / 2]; }
+
+  std::size_t hubs() const noexcept { return hubs_; }
+  /// The corner of a side in the sight map.
+  std::uint32_t sight_corner(std::uint32_t side) const noexcept { return arc_[side / 2].corner; }
+
+  /// Begin to fetch what a query will read of a side. Memory is what a query in a new place waits
+  /// for most.
+  void prefetch_arc(std::uint32_t side) const noexcept { __builtin_prefetch(&arc_[side / 2]); }
+  void prefetch_candidate(std::uint32_t side) const noexcept {
+    __builtin_prefetch(&search_.landmarks().of(arc_[side / 2].corner));
+    __builtin_prefetch(&labels_.leaving.first[side]);
+    __builtin_prefetch(&labels_.arriving.first[side]);
+  }
+  static void prefetch(std::span<const HubCost> label) noexcept {
+    for (std::size_t i = 0; i < label.size(); i += 8) __builtin_prefetch(&label[i]);
+  }
+
+  std::span<const HubCost> leaving(std::uint32_t side) const noexcept {
+    return labels_.leaving.of(side);
+  }
+  std::span<const HubCost> arriving(std::uint32_t side) const noexcept {
+    return labels_.arriving.of(side);
+  }
+
+  /// Does the disc certainly have room here? Quick, and never wrongly yes.
+  bool surely_has_room(Vec2 point) const noexcept {
+    const auto cell = walls_.cell_at(point);
+    return cell && is_room_[*cell];
+  }
+
+  /// The sides that a way from this point may touch first, and perhaps some more.
+  std::span<const std::uint32_t> sides_about(Vec2 point) const noexcept;
+
+  /// The tangent from a point to a side, if it touches the side's arc; not tested against walls.
+  /// Walked backwards it is the tangent from the arc's other side to the point.
+  std::optional<EndTangent> tangent_to(std::uint32_t side, Vec2 point) const noexcept;
+  /// Where on its side's arc a tangent touches: an angle; with radius 0, where arcs are points,
+  /// any.
+  double angle_at(const EndTangent& tangent) const noexcept;
+
+  /// How far along a side's arc an angle is, from where the side is entered. Radians.
+  double turn_along(std::uint32_t side, double angle) const noexcept {
+    const TangentArc& arc = graph_.arc[side / 2];
+    return side % 2 == 0 ? angle - arc.begin : arc.end - angle;
+  }
+
+ private:
+  /// An arc as a query's tangents see it: one line of the cache.
+  struct alignas(64) ArcOfEnds {
+    Vec2 centre, begin, end;  ///< `begin` and `end` are unit directions from the centre.
+    double begin_angle;
+    std::uint32_t corner;  ///< In the sight map.
+  };
+  bool may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept;
+
+  const TangentGraph& graph_;
+  const HubLabels& labels_;
+  const SightMap& sight_;
+  const TangentSearchMap& search_;
+  WallGrid walls_;
+  std::vector<bool> is_room_;         ///< One per cell of the walls.
+  std::vector<ReflexCorner> corner_;  ///< One per arc of the graph.
+  std::vector<ArcOfEnds> arc_;        ///< One per arc.
+  std::vector<std::uint32_t> cell_first_, cell_side_;
+  std::size_t hubs_ = 0;
+};
+
+/// The shortest way of a disc of the map's radius between two points that keep that radius from all
+/// walls (the caller has checked): Ok with length and points, or NoRoute. `clearance_min` is left
+/// 0 on a straight way and is the radius on one with bends.
+Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to);
+
+}  // namespace docent

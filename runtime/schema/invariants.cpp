@@ -1,0 +1,355 @@
+#include "runtime/schema/invariants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace docent {
+
+namespace {
+
+bool finite(double v) {
+  return std::isfinite(v);
+}
+bool finite(Vec2 v) {
+  return finite(v.x) && finite(v.y);
+}
+bool finite(Vec3 v) {
+  return finite(v.x) && finite(v.y) && finite(v.z);
+}
+bool finite(Quat q) {
+  return finite(q.x) && finite(q.y) && finite(q.z) && finite(q.w);
+}
+bool finite(const Placement& p) {
+  return finite(p.position) && finite(p.heading);
+}
+
+template <typename T>
+bool all_finite(const std::vector<T>& values) {
+  return std::ranges::all_of(values, [](const T& v) { return finite(v); });
+}
+
+bool all_below(const std::vector<std::uint32_t>& indices, std::size_t count) {
+  return std::ranges::all_of(indices, [=](std::uint32_t i) { return i < count; });
+}
+
+/// Are these whole triangles of `vertices` vertices?
+bool are_triangles(const std::vector<std::uint32_t>& indices, std::size_t vertices) {
+  return indices.size() % 3 == 0 && all_below(indices, vertices);
+}
+
+template <typename Enum>
+bool exists(Enum value, Enum count) {
+  return value >= Enum{} && value < count;
+}
+
+bool keeps_rings(const FloorPlan& plan) {
+  std::size_t end = 0;
+  for (const Ring& ring : plan.ring) {
+    if (ring.first != end || ring.count < 3 || ring.count > plan.vertex.size() - end) return false;
+    end += ring.count;
+    for (std::uint32_t i = ring.first; i < end; ++i)
+      if (plan.next[i] != (i + 1 < end ? i + 1 : ring.first)) return false;
+  }
+  return end == plan.vertex.size();
+}
+
+bool keeps(const FloorPlan& plan) {
+  return plan.next.size() == plan.vertex.size() && all_finite(plan.vertex) && finite(plan.height) &&
+         keeps_rings(plan) && std::ranges::all_of(plan.doors, [](const Door& door) {
+           return finite(door.a) && finite(door.b);
+         });
+}
+
+bool keeps(const VoronoiDiagram& diagram, std::size_t walls) {
+  const std::size_t sites = diagram.site.size();
+  const std::size_t vertices = diagram.vertex.size();
+  const auto sound_site = [=](const Site& s) {
+    return s.kind <= Site::Kind::Corner && s.index < walls;
+  };
+  const auto sound_edge = [=](const VoronoiEdge& e) {
+    return e.from < vertices && e.to < vertices && e.left < sites && e.right < sites;
+  };
+  const auto& first = diagram.region_first;
+  return std::ranges::all_of(diagram.site, sound_site) &&
+         std::ranges::all_of(diagram.edge, sound_edge) && all_finite(diagram.vertex) &&
+         diagram.clearance.size() == vertices && all_finite(diagram.clearance) &&
+         first.size() == sites + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
+         first.back() == diagram.region_edge.size() &&
+         all_below(diagram.region_edge, diagram.edge.size());
+}
+
+bool keeps(const Roadmap& roadmap, const VoronoiDiagram& diagram) {
+  const std::size_t nodes = roadmap.position.size();
+  const auto sound_edge = [&](const RoadmapEdge& e) {
+    return e.from < nodes && e.to < nodes && e.voronoi_edge < diagram.edge.size() &&
+           finite(e.length) && finite(e.clearance);
+  };
+  return all_finite(roadmap.position) && roadmap.clearance.size() == nodes &&
+         all_finite(roadmap.clearance) && roadmap.voronoi_vertex.size() == nodes &&
+         all_below(roadmap.voronoi_vertex, diagram.vertex.size()) &&
+         std::ranges::all_of(roadmap.edges, sound_edge);
+}
+
+bool keeps(const TangentGraph& graph, std::size_t vertices) {
+  const auto& first = graph.side_first;
+  const std::size_t sides = 2 * graph.arc.size();
+  const auto sound_arc = [=](const TangentArc& a) {
+    return a.vertex < vertices && finite(a.begin) && finite(a.end);
+  };
+  const auto leads_onward = [&](const Tangent& t) {
+    return t.onward == TangentGraph::no_tangent ||
+           (t.onward >= first[t.arrive_side] && t.onward < first[t.arrive_side + 1]);
+  };
+  const auto sound_tangent = [&](const Tangent& t) {
+    return finite(t.leave) && finite(t.leave_angle) && finite(t.arrive_angle) && finite(t.length) &&
+           t.arrive_side < sides && leads_onward(t);
+  };
+  return finite(graph.radius) && graph.radius >= 0 && std::ranges::all_of(graph.arc, sound_arc) &&
+         first.size() == sides + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
+         first.back() == graph.tangent.size() && std::ranges::all_of(graph.tangent, sound_tangent);
+}
+
+bool keeps(const std::vector<TangentGraph>& graphs, std::size_t vertices) {
+  return !graphs.empty() && graphs.front().radius == 0 &&
+         std::ranges::is_sorted(graphs, {}, &TangentGraph::radius) &&
+         std::ranges::all_of(graphs, [=](const TangentGraph& g) { return keeps(g, vertices); });
+}
+
+/// Is `first` where each of `lists` lists begins among `values`, and one more?
+bool are_lists(const std::vector<std::uint32_t>& first, std::size_t lists, std::size_t values) {
+  return first.size() == lists + 1 && first.front() == 0 && std::ranges::is_sorted(first) &&
+         first.back() == values;
+}
+
+bool keeps(const SightMap& sight, std::size_t vertices) {
+  const std::size_t corners = sight.corner.size();
+  return all_below(sight.corner, vertices) && std::ranges::is_sorted(sight.corner) &&
+         are_lists(sight.pair_first, corners, sight.pair_other.size()) &&
+         all_below(sight.pair_other, corners) && finite(sight.origin) && finite(sight.cell_size) &&
+         sight.cell_size > 0 &&
+         are_lists(sight.cell_first, std::size_t{sight.columns} * sight.rows,
+                   sight.cell_corner.size()) &&
+         all_below(sight.cell_corner, corners);
+}
+
+/// Every entry leads to its station in as many steps as the station has entries.
+bool lead_home(const LabelTable& table) {
+  for (std::size_t s = 0; s + 1 < table.first.size(); ++s) {
+    const std::uint32_t begin = table.first[s], end = table.first[s + 1];
+    for (std::uint32_t e = begin; e < end; ++e) {
+      std::uint32_t at = e, steps = begin;
+      for (; at != LabelTable::no_parent && steps <= end; ++steps) {
+        if (at < begin || at >= end) return false;
+        at = table.parent[at];
+      }
+      if (at != LabelTable::no_parent) return false;
+    }
+  }
+  return true;
+}
+
+bool keeps(const HubLabels& labels, const TangentGraph& graph, double diagonal) {
+  const std::size_t tangents = graph.tangent.size();
+  const auto& parts = labels.link_part;
+  const auto is_link = [&](std::uint32_t link, std::size_t shortcuts) {
+    return link == HubLabels::roll || link < tangents + shortcuts;
+  };
+  const auto sound_table = [&](const LabelTable& table) {
+    const std::size_t entries = table.hub.size();
+    const auto sound_hub = [=](const HubCost& h) {
+      return h.hub < tangents && h.cost <= HubLabels::most_cost;
+    };
+    return are_lists(table.first, 2 * graph.arc.size(), entries) &&
+           std::ranges::all_of(table.hub, sound_hub) && table.link.size() == entries &&
+           table.parent.size() == entries &&
+           std::ranges::all_of(table.link,
+                               [&](std::uint32_t l) { return is_link(l, parts.size() / 2); }) &&
+           lead_home(table);
+  };
+  if (!labels.has_labels()) return labels.leaving.hub.empty() && labels.arriving.hub.empty();
+  // A shortcut is made of earlier ones, so taking it apart ends.
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!is_link(parts[i], i / 2)) return false;
+  return parts.size() % 2 == 0 && finite(labels.unit) && labels.unit > 0 &&
+         labels.unit * HubLabels::most_cost >= diagonal * (1 - 1e-9) &&
+         sound_table(labels.leaving) && sound_table(labels.arriving);
+}
+
+bool keeps(const std::vector<HubLabels>& labels, const std::vector<TangentGraph>& graphs,
+           double diagonal) {
+  if (labels.size() != graphs.size()) return false;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (!keeps(labels[i], graphs[i], diagonal)) return false;
+  return true;
+}
+
+bool keeps(const Scenery& scenery, std::size_t exhibits) {
+  const std::size_t indices = scenery.indices.size();
+  const auto sound_part = [=](const SceneryPart& p) {
+    return exists(p.surface, Surface::Count) && p.exhibit >= -1 &&
+           p.exhibit < static_cast<std::int64_t>(exhibits) && p.first_index <= indices &&
+           p.index_count <= indices - p.first_index && p.index_count % 3 == 0;
+  };
+  const auto sound_vertex = [](const SceneryVertex& v) {
+    return finite(v.position) && finite(v.normal) && finite(v.uv[0]) && finite(v.uv[1]);
+  };
+  const std::uint64_t texels = std::uint64_t{scenery.lightmap_width} * scenery.lightmap_height;
+  return std::ranges::all_of(scenery.vertices, sound_vertex) &&
+         are_triangles(scenery.indices, scenery.vertices.size()) &&
+         std::ranges::all_of(scenery.parts, sound_part) && texels <= scenery.lightmap.size() &&
+         scenery.lightmap.size() == Scenery::lightmap_channels * texels &&
+         finite(scenery.lightmap_min) && finite(scenery.lightmap_max) && finite(scenery.sun);
+}
+
+bool keeps(const Exhibit& exhibit, const Museum& museum) {
+  return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
+         exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
+         finite(exhibit.placement) && finite(exhibit.view);
+}
+
+bool keeps(const Ambient& ambient) {
+  // Written so that a time that is not a number fails too.
+  return ambient.count <= Ambient::most && all_finite(ambient.entrances) &&
+         ambient.look_least > 0 && ambient.look_least <= ambient.look_most &&
+         ambient.look_most <= Ambient::longest_look;
+}
+
+bool keeps(const Skeleton& skeleton) {
+  const auto joints = static_cast<std::int32_t>(skeleton.joint.size());
+  for (std::int32_t i = 0; i < joints; ++i) {
+    const Joint& joint = skeleton.joint[static_cast<std::size_t>(i)];
+    const auto parent = static_cast<std::int32_t>(joint.parent);
+    const bool is_root = parent == static_cast<std::int32_t>(JointIndex::None);
+    if (is_root != (i == 0) || parent < -1 || parent >= i || !finite(joint.offset)) return false;
+  }
+  if (joints == 0) return skeleton.has_rotation.empty();  // compiled without motion
+  return skeleton.has_rotation.size() == skeleton.joint.size() &&
+         std::ranges::all_of(skeleton.part, [=](JointIndex j) {
+           const auto index = static_cast<std::int32_t>(j);
+           return index >= -1 && index < joints;
+         });
+}
+
+bool keeps(const MotionClip& clip, std::size_t joints) {
+  return clip.joint_count == joints && !clip.root.empty() && clip.role <= ClipRole::Other &&
+         clip.rotation.size() == clip.root.size() * joints &&
+         clip.plants.size() == clip.root.size() && finite(clip.frame_rate) && clip.frame_rate > 0 &&
+         all_finite(clip.root) && all_finite(clip.rotation);
+}
+
+bool keeps(const Foresight& foresight, std::size_t transitions) {
+  const auto fits = [&](const std::vector<std::uint16_t>& table, std::size_t each) {
+    return table.empty() || table.size() == transitions * each;
+  };
+  return fits(foresight.warped, bend_axis.count * warped_slice) &&
+         fits(foresight.raw, bend_axis.count * raw_slice) &&
+         fits(foresight.ending, room_axis.count);
+}
+
+/// A class's own graph: transitions among its clips, in ascending order.
+bool keeps_own_graph(const MotionGraph& graph, const MotionClass& motion_class) {
+  const std::vector<std::uint32_t>& own = motion_class.transition;
+  const auto joins_own_clips = [&](std::uint32_t t) {
+    if (t >= graph.transitions.size()) return false;
+    const Transition& way = graph.transitions[t];
+    return graph.clips[way.from.clip].motion_class == motion_class.name &&
+           graph.clips[way.to.clip].motion_class == motion_class.name;
+  };
+  return std::ranges::adjacent_find(own, std::ranges::greater_equal{}) == own.end() &&
+         std::ranges::all_of(own, joins_own_clips);
+}
+
+bool keeps_classes(const MotionGraph& graph) {
+  const std::vector<MotionClass>& classes = graph.classes;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i].coefficient.size() != classes.size() || classes[i].coefficient[i] != 0 ||
+        !keeps_own_graph(graph, classes[i]))
+      return false;
+    for (std::size_t j = 0; j < i; ++j) {
+      const float coefficient = classes[i].coefficient[j];
+      if (!(coefficient >= 0) || !finite(static_cast<double>(coefficient)) ||
+          coefficient != classes[j].coefficient[i] || classes[i].name == classes[j].name)
+        return false;
+    }
+  }
+  return std::ranges::all_of(graph.clips, [&](const MotionClip& clip) {
+    return classes.empty() || std::ranges::any_of(classes, [&](const MotionClass& motion_class) {
+             return motion_class.name == clip.motion_class;
+           });
+  });
+}
+
+bool keeps(const MotionGraph& graph) {
+  const auto sound_frame = [&](const ClipFrame& f) {
+    return f.clip < graph.clips.size() && f.frame < graph.clips[f.clip].root.size();
+  };
+  const auto has_window = [&](const ClipFrame& f, std::uint32_t radius) {
+    return sound_frame(f) && f.frame >= radius &&
+           radius < graph.clips[f.clip].root.size() - f.frame;
+  };
+  const auto sound_transition = [&](const Transition& t) {
+    return has_window(t.from, t.radius) && has_window(t.to, t.radius) && finite(t.distance) &&
+           finite(t.alignment);
+  };
+  const std::size_t joints = graph.skeleton.joint.size();
+  return keeps(graph.skeleton) &&
+         std::ranges::all_of(graph.clips,
+                             [=](const MotionClip& clip) { return keeps(clip, joints); }) &&
+         std::ranges::all_of(graph.transitions, sound_transition) &&
+         keeps(graph.foresight, graph.transitions.size());
+}
+
+bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
+  const auto sound_matrix = [](const Mat4& m) {
+    return finite(Vec3(m[0])) && finite(Vec3(m[1])) && finite(Vec3(m[2])) && finite(Vec3(m[3]));
+  };
+  const auto sound_vertex = [=](const SkinnedVertex& v) {
+    return finite(v.position) && finite(v.normal) && exists(v.material, Material::Count) &&
+           std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < joints; });
+  };
+  if (mesh.vertices.empty()) return mesh.indices.empty();
+  return joints <= 64 && mesh.inverse_bind.size() == joints &&
+         std::ranges::all_of(mesh.inverse_bind, sound_matrix) &&
+         std::ranges::all_of(mesh.vertices, sound_vertex) &&
+         are_triangles(mesh.indices, mesh.vertices.size());
+}
+
+std::string broken_floor(const Floor& floor) {
+  if (!keeps(floor.plan)) return "its walls";
+  if (!keeps(floor.diagram, floor.plan.vertex.size())) return "its Voronoi diagram";
+  if (!keeps(floor.roadmap, floor.diagram)) return "its roadmap";
+  if (!keeps(floor.sight, floor.plan.vertex.size())) return "its sight map";
+  if (!keeps(floor.tangent_graphs, floor.plan.vertex.size())) return "its tangent graphs";
+  if (!keeps(floor.hub_labels, floor.tangent_graphs, diagonal(floor.plan))) return "its hub labels";
+  return {};
+}
+
+}  // namespace
+
+std::string broken_invariant(const Museum& museum) {
+  if (museum.floors.empty()) return "it has no floor";
+  if (museum.languages.empty()) return "it has no language";
+  for (const Floor& floor : museum.floors)
+    if (const std::string part = broken_floor(floor); !part.empty())
+      return part + " on floor '" + floor.plan.name + "'";
+  if (museum.scenery.size() != museum.floors.size()) return "its scenery";
+  for (const Scenery& scenery : museum.scenery)
+    if (!keeps(scenery, museum.exhibits.size())) return "its scenery";
+  for (const Room& room : museum.rooms)
+    if (room.floor >= museum.floors.size() || !finite(room.label) || !all_finite(room.outline))
+      return "room '" + room.id + "'";
+  for (const Exhibit& exhibit : museum.exhibits)
+    if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
+  if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
+  if (!finite(museum.body_radius) || museum.body_radius <= 0) return "the body's radius";
+  if (!keeps(museum.ambient)) return "its strolling visitors";
+  if (!keeps(museum.motion)) return "its motion";
+  if (!keeps_classes(museum.motion)) return "its classes of motion";
+  if (!keeps(museum.avatar, museum.motion.skeleton.joint.size())) return "its avatar";
+  return {};
+}
+
+}  // namespace docent

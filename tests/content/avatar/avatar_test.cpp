@@ -1,0 +1,175 @@
+#include "content/avatar/avatar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numeric>
+#include <set>
+
+#include "content/gait/gait.h"
+#include "content/gait/gait_skeleton.h"
+#include "content/import/motion/bvh.h"
+#include "tests/support/reference_data.h"
+
+namespace docent {
+namespace {
+
+const SkinnedMesh& avatar() {
+  static const SkinnedMesh mesh = make_avatar(gait_skeleton());
+  return mesh;
+}
+
+/// Where the vertices are in a frame of a clip, by linear blend skinning.
+std::vector<Vec3> posed(const SkinnedMesh& mesh, const Skeleton& skeleton, const MotionClip& clip,
+                        std::size_t frame) {
+  std::vector<Mat4> palette;
+  std::vector<Mat4> world;
+  for (std::size_t j = 0; j < skeleton.joint.size(); ++j) {
+    const Mat4 turn = glm::mat4_cast(clip.rotation[frame * clip.joint_count + j]);
+    const Joint& joint = skeleton.joint[j];
+    world.push_back(joint.parent == JointIndex::None
+                        ? glm::translate(Mat4(1.0F), clip.root[frame]) * turn
+                        : world[index_of(joint.parent)] * glm::translate(Mat4(1.0F), joint.offset) *
+                              turn);
+    palette.push_back(world[j] * mesh.inverse_bind[j]);
+  }
+  std::vector<Vec3> places;
+  for (const SkinnedVertex& vertex : mesh.vertices) {
+    Vec4 place{0};
+    for (std::size_t k = 0; k < 4; ++k)
+      place += static_cast<float>(vertex.weight[k]) / 255.0F *
+               (palette[vertex.joint[k]] * Vec4(vertex.position, 1));
+    places.emplace_back(place);
+  }
+  return places;
+}
+
+float lowest(const std::vector<Vec3>& places) {
+  return std::ranges::min_element(places, {}, &Vec3::y)->y;
+}
+
+/// Share of the edges that are more than twice and a half as long as where the body was modelled.
+double torn_share(const SkinnedMesh& mesh, const std::vector<Vec3>& places) {
+  std::size_t torn = 0;
+  for (std::size_t t = 0; t < mesh.indices.size(); t += 3)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.indices[t + k];
+      const std::uint32_t b = mesh.indices[t + (k + 1) % 3];
+      const float before = glm::length(mesh.vertices[a].position - mesh.vertices[b].position);
+      torn += glm::length(places[a] - places[b]) > 2.5F * before + 0.002F ? 1 : 0;
+    }
+  return static_cast<double>(torn) / static_cast<double>(mesh.indices.size());
+}
+
+void expect_sound(const SkinnedMesh& mesh, const Skeleton& skeleton) {
+  EXPECT_GT(mesh.indices.size() / 3, 8000U);
+  EXPECT_LT(mesh.indices.size() / 3, 20000U);
+  ASSERT_EQ(mesh.inverse_bind.size(), skeleton.joint.size());
+  for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+  std::set<Material> materials;
+  for (const SkinnedVertex& vertex : mesh.vertices) {
+    EXPECT_EQ(std::accumulate(vertex.weight.begin(), vertex.weight.end(), 0), 255);
+    for (const std::uint8_t joint : vertex.joint) EXPECT_LT(joint, skeleton.joint.size());
+    EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-3);
+    materials.insert(vertex.material);
+  }
+  EXPECT_EQ(materials.size(), static_cast<std::size_t>(Material::Count));
+}
+
+TEST(Avatar, IsASoundMeshOfEveryMaterial) {
+  expect_sound(avatar(), gait_skeleton());
+}
+
+TEST(Avatar, IsAPersonOfTheSkeletonsStature) {
+  float top = 0;
+  float chin = 9;
+  for (const SkinnedVertex& vertex : avatar().vertices) {
+    top = std::max(top, vertex.position.y);
+    const bool face = vertex.material == Material::Skin && std::abs(vertex.position.x) < 0.02F &&
+                      vertex.position.z > 0.06F && vertex.position.y > 1.4F;
+    if (face) chin = std::min(chin, vertex.position.y);
+  }
+  EXPECT_NEAR(top, 1.71F, 0.02F);
+  EXPECT_NEAR(top - chin, 1.7F / 7.5F, 0.03F);
+}
+
+TEST(Avatar, LooksWhereItsFeetPoint) {
+  Vec3 eyes{0};
+  Vec3 hair{0};
+  float eye_count = 0;
+  float hair_count = 0;
+  for (const SkinnedVertex& vertex : avatar().vertices) {
+    if (vertex.material == Material::Eye) eyes += vertex.position, eye_count += 1;
+    if (vertex.material == Material::Hair) hair += vertex.position, hair_count += 1;
+  }
+  EXPECT_GT(eyes.z / eye_count, hair.z / hair_count + 0.05F);
+}
+
+TEST(Avatar, FacesOutward) {
+  std::size_t outward = 0;
+  for (std::size_t t = 0; t < avatar().indices.size(); t += 3) {
+    const SkinnedVertex& a = avatar().vertices[avatar().indices[t]];
+    const SkinnedVertex& b = avatar().vertices[avatar().indices[t + 1]];
+    const SkinnedVertex& c = avatar().vertices[avatar().indices[t + 2]];
+    const Vec3 face = glm::cross(b.position - a.position, c.position - a.position);
+    outward += glm::dot(face, a.normal + b.normal + c.normal) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(outward * 3, avatar().indices.size() * 99 / 100);
+}
+
+TEST(Avatar, IsDarkerUnderItsCoatThanOnItsShoulders) {
+  const auto mean = [](Material material, float low, float high) {
+    double sum = 0;
+    double count = 0;
+    for (const SkinnedVertex& vertex : avatar().vertices)
+      if (vertex.material == material && vertex.position.y > low && vertex.position.y < high) {
+        sum += vertex.occlusion;
+        count += 1;
+      }
+    return sum / count;
+  };
+  EXPECT_LT(mean(Material::Trousers, 0.56F, 0.62F), 0.7 * mean(Material::Coat, 1.38F, 1.45F));
+}
+
+TEST(Avatar, FollowsFromTheSkeletonAlone) {
+  const SkinnedMesh again = make_avatar(gait_skeleton());
+
+  EXPECT_EQ(again.indices, avatar().indices);
+  ASSERT_EQ(again.vertices.size(), avatar().vertices.size());
+  for (std::size_t v = 0; v < again.vertices.size(); ++v) {
+    EXPECT_EQ(again.vertices[v].position, avatar().vertices[v].position);
+    EXPECT_EQ(again.vertices[v].weight, avatar().vertices[v].weight);
+  }
+}
+
+TEST(Avatar, WalksOnItsSolesWithoutTearing) {
+  for (const GaitRecipe& recipe : default_clips()) {
+    const MotionClip clip = make_gait_clip(recipe);
+    for (std::size_t frame = 0; frame < clip.root.size(); frame += 40) {
+      const std::vector<Vec3> places = posed(avatar(), gait_skeleton(), clip, frame);
+      EXPECT_GT(lowest(places), -0.015F) << recipe.name << " frame " << frame;
+      EXPECT_LT(lowest(places), 0.006F) << recipe.name << " frame " << frame;
+      EXPECT_LT(torn_share(avatar(), places), 0.01) << recipe.name << " frame " << frame;
+    }
+  }
+}
+
+TEST(Avatar, FitsTheRecordedSkeletonToo) {
+  NEEDS_REFERENCE_DATA("mocap/cmu-walk/16_15-walk-forward.bvh");
+  const RecordedMotion recorded =
+      read_bvh(test::reference_data() / "mocap/cmu-walk/16_15-walk-forward.bvh");
+  const SkinnedMesh mesh = make_avatar(recorded.skeleton);
+
+  expect_sound(mesh, recorded.skeleton);
+  for (std::size_t frame = 20; frame < recorded.clip.root.size(); frame += 50) {
+    const std::vector<Vec3> places = posed(mesh, recorded.skeleton, recorded.clip, frame);
+    EXPECT_NEAR(lowest(places), 0, 0.04F) << frame;
+    EXPECT_LT(torn_share(mesh, places), 0.01) << frame;
+  }
+}
+
+}  // namespace
+}  // namespace docent

@@ -1,0 +1,265 @@
+#include "content/floor/mend.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "content/content_error.h"
+#include "tests/content/floor/plans.h"
+#include "tests/support/reference_data.h"
+
+namespace docent::test {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const Points hall = rectangle({0, 0}, {20, 12});
+const Points plinth = {{5, 4}, {5, 6}, {8, 6}, {8, 4}};
+
+struct Mended {
+  FloorPlan plan;
+  std::vector<Diagnostic> mendings;
+};
+
+Mended mend_all(const ImportedPlan& plan) {
+  Mended result;
+  result.plan = mend(plan, result.mendings);
+  return result;
+}
+
+void expect_invariants(const FloorPlan& plan) {
+  ASSERT_EQ(plan.next.size(), plan.vertex.size());
+  std::size_t counted = 0;
+  for (const Ring& ring : plan.ring) {
+    EXPECT_EQ(ring.first, counted);
+    EXPECT_GE(ring.count, 3U);
+    for (std::uint32_t i = 0; i < ring.count; ++i) {
+      const std::uint32_t v = ring.first + i;
+      EXPECT_EQ(plan.next[v], ring.first + (i + 1) % ring.count);
+      EXPECT_GT(glm::distance(plan.vertex[v], plan.vertex[plan.next[v]]), 1e-4);
+    }
+    counted += ring.count;
+  }
+  EXPECT_EQ(counted, plan.vertex.size());
+}
+
+TEST(Mend, LeavesACleanPlanAsItWasDrawnToTheLastBit) {
+  const Points outer = {{0.1, 0.2}, {1e6 / 3, 0.30000000000000004}, {1e6 / 7, 12.7}, {0.1, 9.1}};
+  ImportedPlan plan = drawn(outer, {{{5.05, 4.1}, {5.15, 6.3}, {8.2, 4.7}}});
+  for (ImportedRing* ring : {&plan.polygons[0].outer, &plan.polygons[0].holes[0]})
+    for (Vec2& vertex : ring->vertex) vertex.x /= 1e4;  // No coordinate is a round number.
+  const auto [mended_plan, mendings] = mend_all(plan);
+  EXPECT_THAT(mendings, IsEmpty());
+  Points all = plan.polygons[0].outer.vertex;
+  all.insert(all.end(), plan.polygons[0].holes[0].vertex.begin(),
+             plan.polygons[0].holes[0].vertex.end());
+  EXPECT_EQ(mended_plan.vertex, all);
+  expect_invariants(mended_plan);
+}
+
+TEST(Mend, DropsCornersThatAreExactlyStraightWithoutAWord) {
+  const auto [plan, mendings] =
+      mend_all(drawn({{0, 0}, {5, 0}, {10, 0}, {20, 0}, {20, 12}, {10, 12}, {0, 12}, {0, 6}}));
+  EXPECT_THAT(mendings, IsEmpty());
+  EXPECT_EQ(plan.vertex.size(), 4U);
+}
+
+TEST(Mend, TurnsRingsRoundSoThatTheFloorIsOnTheLeft) {
+  const auto [plan, mendings] =
+      mend_all(drawn({{0, 12}, {20, 12}, {20, 0}, {0, 0}}, {{{8, 4}, {8, 6}, {5, 6}, {5, 4}}}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("ring-runs-backwards", "ring-runs-backwards"));
+  EXPECT_DOUBLE_EQ(floor_area(plan), 234);
+  EXPECT_GT(signed_area({plan.vertex.begin(), plan.vertex.begin() + 4}), 0);
+  EXPECT_LT(signed_area({plan.vertex.begin() + 4, plan.vertex.end()}), 0);
+}
+
+TEST(Mend, MakesOneOfCornersCloserThanAMillimetre) {
+  const auto [plan, mendings] =
+      mend_all(drawn({{0, 0}, {20, 0}, {20, 0.0005}, {20, 12}, {0, 12}, {0, 12}}, {plinth}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("nearly-coincident-corners", "repeated-corner"));
+  EXPECT_EQ(mendings[0].line, 1U);
+  EXPECT_EQ(mendings[0].column, 3U);
+  EXPECT_THAT(mendings[0].message, HasSubstr("0.5 mm"));
+  EXPECT_EQ(plan.vertex.size(), 8U);
+}
+
+TEST(Mend, KeepsCornersThatAreAMillimetreApart) {
+  const Points speck = {{5, 4}, {5, 4.001}, {5.001, 4.001}, {5.001, 4}};
+  const auto [plan, mendings] = mend_all(drawn(hall, {speck}));
+  EXPECT_THAT(mendings, IsEmpty());
+  EXPECT_EQ(plan.vertex.size(), 8U);
+}
+
+TEST(Mend, CutsSpikesOffAndSaysWhere) {
+  const auto [plan, mendings] =
+      mend_all(drawn({{0, 0}, {20, 0}, {20, 6}, {25, 6}, {20, 6}, {20, 12}, {0, 12}}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("spike"));
+  EXPECT_EQ(mendings[0].column, 4U);
+  EXPECT_EQ(plan.vertex, hall);
+}
+
+TEST(Mend, LeavesOutAWallWithoutThickness) {
+  for (const Points& wall : {Points{{5, 4}, {8, 4}, {5, 4}}, Points{{5, 2}, {5, 8}}}) {
+    const auto [plan, mendings] = mend_all(drawn(hall, {wall}));
+    EXPECT_THAT(codes_of(mendings), Contains("ring-without-area"));
+    EXPECT_EQ(plan.vertex, hall);
+  }
+}
+
+TEST(Mend, CountsBothHalvesOfABowTie) {
+  const auto [plan, mendings] = mend_all(drawn({{0, 0}, {20, 12}, {20, 0}, {0, 12}}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("ring-crosses-itself"));
+  EXPECT_THAT(mendings[0].message, HasSubstr("[10.000, 6.000]"));
+  EXPECT_EQ(plan.ring.size(), 2U);
+  EXPECT_DOUBLE_EQ(floor_area(plan), 120);
+}
+
+TEST(Mend, CountsWhatARingWindsAboutTwice) {
+  // A pentagram: even-odd filling would leave a hole in the middle.
+  Points star = regular_polygon({10, 10}, 5, 5);
+  star = {star[0], star[2], star[4], star[1], star[3]};
+  const auto [plan, mendings] = mend_all(drawn(star));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("ring-crosses-itself"));
+  EXPECT_EQ(plan.ring.size(), 1U);
+  EXPECT_EQ(plan.vertex.size(), 10U);
+  expect_invariants(plan);
+}
+
+TEST(Mend, MakesACaseAgainstTheWallPartOfTheWall) {
+  const auto [plan, mendings] = mend_all(drawn(hall, {{{5, 0}, {5, 3}, {8, 3}, {8, 0}}}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("hole-meets-wall"));
+  EXPECT_EQ(mendings[0].line, 2U);
+  EXPECT_EQ(plan.ring.size(), 1U);
+  EXPECT_DOUBLE_EQ(floor_area(plan), 231);
+}
+
+TEST(Mend, LetsNobodyThroughWhereTwoCasesTouchInACorner) {
+  const auto [plan, mendings] = mend_all(drawn(hall, {plinth, {{8, 6}, {8, 8}, {11, 8}, {11, 6}}}));
+  EXPECT_THAT(codes_of(mendings), ElementsAre("holes-meet"));
+  // One ring goes round both and comes by the shared corner twice.
+  ASSERT_EQ(plan.ring.size(), 2U);
+  EXPECT_EQ(plan.ring[1].count, 8U);
+  EXPECT_EQ(std::ranges::count(plan.vertex, Vec2{8, 6}), 2);
+  EXPECT_EQ(count_holes(plan), 2);
+}
+
+TEST(Mend, UnitesRoomsOfSeveralFilesAtTheirSharedBorder) {
+  ImportedPlan plan = drawn(rectangle({0, 0}, {5, 4}));
+  const ImportedPlan other = drawn(rectangle({5, 1}, {9, 3}));
+  plan.files.push_back("other.geojson");
+  plan.polygons.push_back(other.polygons[0]);
+  const auto [united, mendings] = mend_all(plan);
+  EXPECT_THAT(mendings, IsEmpty());
+  EXPECT_EQ(united.ring.size(), 1U);
+  EXPECT_EQ(united.vertex.size(), 8U);
+  EXPECT_DOUBLE_EQ(floor_area(united), 28);
+}
+
+TEST(Mend, SaysWhichHolesHaveNoEffect) {
+  const auto [plan, mendings] = mend_all(drawn(
+      hall, {rectangle({4, 3}, {12, 9}), rectangle({6, 5}, {8, 7}), rectangle({30, 4}, {33, 6})}));
+  EXPECT_THAT(codes_of(mendings),
+              ElementsAre("ring-runs-backwards", "ring-runs-backwards", "ring-runs-backwards",
+                          "hole-without-effect", "hole-outside-floor"));
+  EXPECT_DOUBLE_EQ(floor_area(plan), 192);
+}
+
+TEST(Mend, RefusesAPlanWithoutFloor) {
+  std::vector<Diagnostic> mendings;
+  EXPECT_THROW(mend(drawn(hall, {hall}), mendings), ContentError);
+  EXPECT_THROW(mend(drawn({{0, 0}, {10, 0}}), mendings), ContentError);
+}
+
+TEST(Mend, RefusesDegreesThatPoseAsMetres) {
+  std::vector<Diagnostic> mendings;
+  try {
+    mend(drawn(rectangle({-122.38, 37.61}, {-122.37977, 37.6101})), mendings);
+    FAIL() << "compiled a plan of 0.0002 m";
+  } catch (const ContentError& error) {
+    EXPECT_EQ(error.code, "not-in-metres");
+    EXPECT_THAT(error.hint, HasSubstr("wgs84"));
+  }
+}
+
+TEST(Mend, LeavesNoTraceOfASpeckThatTouchesAWall) {
+  // A wedge of 15 square centimetres, whose tip lies on the hall's wall.
+  ImportedPlan plan = drawn(hall);
+  plan.polygons.push_back(drawn({{20, 5}, {23, 5}, {23, 5.001}}).polygons[0]);
+  const auto [mended_plan, mendings] = mend_all(plan);
+  EXPECT_THAT(codes_of(mendings), ElementsAre("speck-of-floor"));
+  EXPECT_EQ(mended_plan.vertex, hall);
+}
+
+TEST(Mend, KeepsACaseThatASpeckOfFloorTouchesFromWithin) {
+  ImportedPlan plan = drawn(hall, {{{5, 5}, {6, 6}, {7, 5}, {6, 4}}});
+  plan.polygons.push_back(drawn({{5, 5}, {5.06, 4.97}, {5.06, 5.03}}).polygons[0]);
+  const auto [mended_plan, mendings] = mend_all(plan);
+  EXPECT_THAT(codes_of(mendings), Contains("speck-of-floor"));
+  EXPECT_DOUBLE_EQ(floor_area(mended_plan), 238);
+}
+
+TEST(Mend, SettlesWhenRoundedCrossingsCrossAgain) {
+  // Fifty thin needles through one point: every rounded crossing lies beside other needles.
+  std::vector<Points> needles;
+  for (int i = 0; i < 50; ++i) {
+    const double angle = 0.0625 * i;
+    const Vec2 along = 5.0 * Vec2{std::cos(angle), std::sin(angle)};
+    const Vec2 across = 0.001 * left_of(along);
+    const Vec2 centre{10 + 1e-9 * i, 6};
+    needles.push_back({centre - along, centre + across, centre + along, centre - across});
+  }
+  const auto [plan, mendings] = mend_all(drawn(hall, needles));
+  expect_invariants(plan);
+  // Mending what is mended changes nothing.
+  ImportedPlan again;
+  again.files = {"again.geojson"};
+  again.polygons.resize(1);
+  for (const Ring& ring : plan.ring) {
+    ImportedRing copy;
+    copy.vertex.assign(plan.vertex.begin() + ring.first,
+                       plan.vertex.begin() + ring.first + ring.count);
+    copy.place.resize(copy.vertex.size());
+    if (signed_area(copy.vertex) > 0)
+      again.polygons[0].outer = copy;
+    else
+      again.polygons[0].holes.push_back(copy);
+  }
+  EXPECT_EQ(mended(again).vertex.size(), plan.vertex.size());
+}
+
+/// The reference data's malformed plans, each with what is to become of it.
+TEST(Mend, DoesWhatIsExpectedOfEveryMalformedPlan) {
+  NEEDS_REFERENCE_DATA("floorplans/nasty");
+  int checked = 0;
+  for (const auto& file : plan_files("floorplans/nasty")) {
+    if (file.stem() == "d30-nan-coordinate") continue;  // Never gets past the reader.
+    SCOPED_TRACE(file.filename().string());
+    const Polymap map = read_polymap(file);
+    std::vector<Diagnostic> mendings;
+    try {
+      const FloorPlan plan = mend(map.plan, mendings);
+      EXPECT_FALSE(map.must_fail);
+      expect_invariants(plan);
+      if (map.free_area >= 0) {
+        EXPECT_NEAR(floor_area(plan), map.free_area, 1e-6);
+      }
+      if (map.components >= 0) {
+        EXPECT_EQ(count_components(plan), map.components);
+      }
+      if (map.holes >= 0) {
+        EXPECT_EQ(count_holes(plan), map.holes);
+      }
+    } catch (const ContentError& error) {
+      EXPECT_FALSE(map.accept) << error.what();
+    }
+    ++checked;
+  }
+  EXPECT_GE(checked, 30);
+}
+
+}  // namespace
+}  // namespace docent::test

@@ -1,0 +1,294 @@
+#include "runtime/guide/guide.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "platform/sqlite/content_reader.h"
+#include "tests/runtime/guide/simulated.h"
+#include "tests/support/sample_database.h"
+
+namespace docent {
+namespace {
+
+const Museum& museum() {
+  static const Museum it = load_museum(test::sample_database()).value();
+  return it;
+}
+
+/// A guide in simulated time: the worker's answers are there in the next step.
+class Session {
+ public:
+  Session() : planner_(museum(), {test::boxes, {}}), guide_(museum(), planner_, settings()) {
+    run(0.1);
+  }
+
+  void run(double seconds) { test::run(planner_, guide_, seconds); }
+  void tap(std::string_view name, Role role = Role::ListItem) {
+    const auto& controls = guide_.view()->controls;
+    const auto found = std::ranges::find_if(controls, [&](const Control& c) {
+      return c.name == name && (c.role != Role::Spot) == (role != Role::Spot);
+    });
+    ASSERT_NE(found, controls.end()) << name;
+    const float x = found->rect.x + found->rect.width / 2;
+    const float y = found->rect.y + found->rect.height / 2;
+    touch(InputEvent::Kind::Down, 1, x, y);
+    run(0.05);
+    touch(InputEvent::Kind::Up, 1, x, y);
+    run(0.05);
+  }
+  void touch(InputEvent::Kind kind, std::uint32_t id, float x, float y) {
+    guide_.touch({.kind = kind, .contact = {id, x, y}});
+  }
+  void key(Key key) {
+    guide_.touch({.kind = InputEvent::Kind::KeyDown, .contact = {}, .key = key});
+  }
+  Guide& guide() { return guide_; }
+
+ private:
+  static GuideSettings settings() {
+    return {.shape = {.width = 1920, .height = 1080}, .idle_reset = Seconds{20}};
+  }
+  Planner planner_;
+  Guide guide_;
+};
+
+std::string first_exhibit() {
+  return "exhibit:" + museum().exhibits.front().id;
+}
+
+std::size_t rings(Session& session) {
+  return static_cast<std::size_t>(
+      std::ranges::count(session.guide().draw_list().quads, QuadFill::Ring, &Quad::fill));
+}
+
+TEST(Guide, WelcomesFirst) {
+  Session session;
+
+  EXPECT_EQ(session.guide().state(), InterfaceState{});
+  ASSERT_NE(session.guide().view(), nullptr);
+  EXPECT_FALSE(session.guide().draw_list().quads.empty());
+  EXPECT_EQ(session.guide().draw_list().avatars.size(), 1U);
+}
+
+TEST(Guide, BeginsWhereverTheWelcomeIsTouched) {
+  Session session;
+  session.touch(InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+  session.touch(InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+  session.run(0.1);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+TEST(Guide, AnswersATouchByARingInTheNextFrame) {
+  Session session;
+  EXPECT_EQ(rings(session), 0U);
+
+  session.touch(InputEvent::Kind::Down, 1, 0.5F, 0.5F);
+  session.touch(InputEvent::Kind::Down, 2, 0.7F, 0.5F);
+  session.run(1.0 / 60);
+
+  EXPECT_EQ(rings(session), 2U);
+}
+
+TEST(Guide, SetsOutInTheFrameAfterAnExhibitIsChosen) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+  EXPECT_EQ(session.guide().draw_list().ribbons.size(), 1U);
+  EXPECT_NE(session.guide().state_of(0), AvatarState::Idle);
+}
+
+TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  session.tap("exhibit:" + museum().exhibits.back().id, Role::Spot);
+
+  EXPECT_EQ(session.guide().state().exhibit,
+            static_cast<std::int32_t>(museum().exhibits.size()) - 1);
+}
+
+TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(16);
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Arrived);
+  EXPECT_TRUE(session.guide().state().arrived);
+  const Vec2 off =
+      session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
+  EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, LooksIntoABendBeforeItWalksIt) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  session.tap("exhibit:" + museum().exhibits[8].id, Role::Spot);
+  int led = 0, bends = 0;
+  double gaze = 0;
+  for (int i = 0; i < 60 * 20; ++i) {
+    const Avatar& avatar = session.guide().company()[0].avatar;
+    const double heading = avatar.body.heading;
+    const double looked = avatar.gaze;
+    session.run(1.0 / 60);
+    const double turned = std::remainder(session.guide().company()[0].avatar.body.heading - heading,
+                                         2 * std::numbers::pi);
+    EXPECT_LE(std::abs(looked), 0.8);
+    EXPECT_LE(std::abs(looked - gaze), 0.08) << "the head jerks";
+    gaze = looked;
+    if (std::abs(turned) < 0.01) continue;
+    ++bends;
+    if (looked * turned > 0) ++led;
+  }
+  ASSERT_GT(bends, 50);
+  EXPECT_GT(led, bends * 3 / 4);
+}
+
+TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
+  Session session;
+  session.tap("begin");
+  session.tap("language:ar");
+  session.tap(first_exhibit());
+  session.run(80);
+
+  EXPECT_EQ(session.guide().state(), InterfaceState{});
+  const Vec2 off = session.guide().company()[0].avatar.body.position - museum().kiosk.position;
+  EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
+  Session session;
+  session.tap("begin");
+  session.tap("page:next");
+  session.tap("page:next");
+  session.tap("exhibit:" + museum().exhibits[18].id);
+  session.run(22);  // longer than the idle time, shorter than the way
+
+  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+}
+
+TEST(Guide, StopsWhereItIs) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(2.5);
+  session.tap("stop");
+  session.run(6);
+
+  const Vec2 at = session.guide().company()[0].avatar.body.position;
+  session.run(2);
+  EXPECT_EQ(session.guide().company()[0].avatar.body.position, at);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+/// Room for a trail of so many points.
+DrawList list_with_room(std::size_t ribbons, std::size_t points) {
+  DrawList list;
+  list.ribbons.reserve(ribbons);
+  list.ribbon_point.reserve(points);
+  return list;
+}
+
+TEST(ATrail, HasTheColourOfItsGuideAndIsAsLongAsTheWay) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(4);
+  const Avatar& guide = session.guide().company()[0].avatar;
+  DrawList list = list_with_room(2, 4096);
+  list.ribbon_point.resize(7);  // another's
+
+  draw_trail(guide, 0, list);
+
+  ASSERT_EQ(list.ribbons.size(), 1U);
+  const RibbonDraw& trail = list.ribbons.front();
+  EXPECT_EQ(trail.look, static_cast<std::int32_t>(guide.look));
+  EXPECT_EQ(trail.first, 7U);
+  EXPECT_EQ(trail.first + trail.count, list.ribbon_point.size());
+  EXPECT_FLOAT_EQ(trail.length, static_cast<float>(guide.plan->reach.back()));
+  EXPECT_FLOAT_EQ(trail.walked, static_cast<float>(guide.along));
+  EXPECT_GT(trail.walked, 0);
+}
+
+TEST(ATrail, IsLeftOutWhereTheDrawListHasNoMoreRoom) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(4);
+  const Avatar& guide = session.guide().company()[0].avatar;
+  DrawList no_ribbon = list_with_room(0, 4096);
+  DrawList no_points = list_with_room(1, 1);
+
+  draw_trail(guide, 0, no_ribbon);
+  draw_trail(guide, 0, no_points);
+
+  EXPECT_TRUE(no_ribbon.ribbons.empty());
+  EXPECT_TRUE(no_points.ribbons.empty());
+}
+
+TEST(Guide, AloneHasAWayInTheColourThatThePanelGivesItsKind) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_LT(session.guide().draw_list().ribbons.front().look, 0);
+}
+
+TEST(Guide, CanBeUsedByKeysAlone) {
+  Session session;
+  session.key(Key::Enter);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+  session.key(Key::Down);
+  session.key(Key::Down);
+  session.key(Key::Enter);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().exhibit, 1);
+
+  session.key(Key::Back);
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+}
+
+TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
+  Session session;
+  session.tap("begin");
+  session.touch(InputEvent::Kind::Down, 1, 0.3F, 0.4F);
+  session.touch(InputEvent::Kind::Move, 1, 0.1F, 0.4F);
+  session.run(0.1);
+  session.touch(InputEvent::Kind::Up, 1, 0.1F, 0.4F);
+  session.run(0.1);
+
+  EXPECT_EQ(session.guide().state().page, 1U);
+}
+
+TEST(Guide, DoesTheSameTwice) {
+  const auto visit = [](Session& session) {
+    session.tap("begin");
+    session.tap(first_exhibit());
+    session.run(3);
+    session.tap("route:skeleton");
+    session.run(4);
+  };
+  Session one, two;
+  visit(one);
+  visit(two);
+
+  const DrawList &a = one.guide().draw_list(), &b = two.guide().draw_list();
+  ASSERT_EQ(a.palette.size(), b.palette.size());
+  EXPECT_EQ(std::memcmp(a.palette.data(), b.palette.data(), a.palette.size() * sizeof(Mat4)), 0);
+  EXPECT_EQ(a.camera.view, b.camera.view);
+  EXPECT_EQ(a.quads.size(), b.quads.size());
+}
+
+}  // namespace
+}  // namespace docent

@@ -1,0 +1,132 @@
+#include "runtime/interface/control.h"
+
+#include <gmock/gmock.h>
+#include <rapidcheck.h>
+
+#include <set>
+
+#include "tests/support/sample_museum.h"
+
+namespace docent {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> names(const std::vector<Control>& controls) {
+  std::vector<std::string> out;
+  out.reserve(controls.size());
+  for (const Control& control : controls) out.push_back(control.name);
+  return out;
+}
+
+TEST(ControlGraph, ReachesAnExhibitOfTheFirstPageFromTheWelcomeByTwoTouches) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  const auto touches = touches_to(museum, {}, 8, "exhibit:" + museum.exhibits[3].id);
+
+  EXPECT_THAT(names(touches), ElementsAre("begin", "exhibit:" + museum.exhibits[3].id));
+  EXPECT_EQ(touches.back().role, Role::ListItem);
+}
+
+TEST(ControlGraph, TurnsPagesToAnExhibitFurtherOn) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  const auto touches = touches_to(museum, {}, 8, "exhibit:" + museum.exhibits[9].id);
+
+  EXPECT_THAT(names(touches),
+              ElementsAre("begin", "page:next", "exhibit:" + museum.exhibits[9].id));
+}
+
+TEST(ControlGraph, TouchesTheModelWhereThePageIsTooFarOn) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  const auto touches = touches_to(museum, {}, 8, "exhibit:" + museum.exhibits.back().id);
+
+  EXPECT_THAT(names(touches), ElementsAre("begin", "exhibit:" + museum.exhibits.back().id));
+  EXPECT_EQ(touches.back().role, Role::Spot);
+}
+
+TEST(ControlGraph, ReachesEveryNamedControlWithinThreeTouchesFromEveryScreen) {
+  const Museum museum = test::sample_museum_without_walls();
+  std::vector<std::string> wanted{"home",        "stop",           "choose",
+                                  "begin",       "route:shortest", "route:offset",
+                                  "language:zh", "route:skeleton"};
+  for (const Exhibit& exhibit : museum.exhibits) wanted.push_back("exhibit:" + exhibit.id);
+  for (const Screen screen :
+       {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived}) {
+    InterfaceState state;
+    state.screen = screen;
+    state.exhibit = screen == Screen::Welcome ? -1 : 0;
+    state.arrived = screen == Screen::Arrived;
+    for (const std::string& name : wanted) {
+      const auto touches = touches_to(museum, state, 8, name);
+      ASSERT_FALSE(touches.empty()) << name << " from screen " << static_cast<int>(screen);
+      EXPECT_LE(touches.size(), 3U);
+      EXPECT_EQ(touches.back().name, name);
+    }
+  }
+}
+
+TEST(ControlGraph, DoesNotSendTheGuideAwayOnTheWayToARouteKind) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  EXPECT_THAT(names(touches_to(museum, {}, 8, "route:offset")),
+              ElementsAre("begin", "route:offset"));
+}
+
+TEST(ControlGraph, KnowsWhichNamesExist) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  EXPECT_TRUE(is_control_name(museum, "home"));
+  EXPECT_TRUE(is_control_name(museum, "exhibit:" + museum.exhibits.back().id));
+  EXPECT_FALSE(is_control_name(museum, "exhibit:mona-lisa"));
+  EXPECT_FALSE(is_control_name(museum, ""));
+}
+
+TEST(ControlGraph, EveryEnabledControlLeadsToAStateWithControls) {
+  const Museum museum = test::sample_museum_without_walls();
+  std::vector<InterfaceState> open{{}};
+  std::vector<InterfaceState> seen{{}};
+  std::set<std::string> met;
+  while (!open.empty() && seen.size() < 5000) {
+    const InterfaceState state = open.back();
+    open.pop_back();
+    const auto controls = controls_of(museum, state, 12);
+    ASSERT_FALSE(controls.empty());
+    for (const Control& control : controls) {
+      met.insert(control.name);
+      if (!control.enabled) continue;
+      const InterfaceState next = after(state, control.action);
+      ASSERT_LT(next.page, page_count(museum, 12));
+      if (std::ranges::find(seen, next) != seen.end()) continue;
+      seen.push_back(next);
+      open.push_back(next);
+    }
+  }
+
+  for (const Exhibit& exhibit : museum.exhibits)
+    EXPECT_TRUE(met.contains("exhibit:" + exhibit.id)) << exhibit.id;
+  EXPECT_TRUE(met.contains("stop"));
+}
+
+TEST(ControlGraph, NamesAreUniqueButForSpots) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  EXPECT_TRUE(rc::check("no two controls of a panel share a name", [&] {
+    InterfaceState state;
+    state.screen =
+        *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
+    state.exhibit = *rc::gen::inRange(-1, static_cast<int>(museum.exhibits.size()));
+    state.page = *rc::gen::inRange(0U, 9U);
+    std::set<std::string> names;
+    for (const Control& control : controls_of(museum, state, *rc::gen::inRange(1U, 30U))) {
+      if (control.role == Role::Spot) continue;
+      RC_ASSERT(names.insert(control.name).second);
+      for (const Language& language : museum.languages)
+        RC_ASSERT(!control.label.at(language.tag).empty());
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace docent

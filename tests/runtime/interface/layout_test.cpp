@@ -1,0 +1,373 @@
+#include "runtime/interface/layout.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "runtime/interface/seats.h"
+#include "tests/support/sample_museum.h"
+
+namespace docent {
+namespace {
+
+/// Letters as boxes of six tenths of their size: layout without fonts, quick enough for properties.
+TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  std::size_t letters = 0;
+  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  const float line = std::round(style.size * style.line_height);
+  const float whole = static_cast<float>(letters) * style.size * 0.6F;
+  const float wide = width == 0 ? whole : static_cast<float>(width);
+  const auto lines = static_cast<std::uint32_t>(std::max(1.0F, std::ceil(whole / wide)));
+  TextBitmap bitmap;
+  bitmap.cut = lines > style.max_lines;
+  bitmap.lines = std::min<std::uint32_t>(lines, style.max_lines);
+  bitmap.width = static_cast<std::uint32_t>(std::max(1.0F, std::min(whole, wide)));
+  bitmap.height = bitmap.lines * static_cast<std::uint32_t>(line);
+  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
+  return bitmap;
+}
+
+Pixels plain(std::uint32_t /*image*/, std::uint32_t width, std::uint32_t height) {
+  return {width, height, std::vector<std::byte>(std::size_t{4} * width * height, std::byte{255})};
+}
+
+const Museum& museum() {
+  static const Museum it = test::sample_museum_without_walls();
+  return it;
+}
+
+std::unique_ptr<View> laid_out(const ViewRequest& request) {
+  PieceCache cache({boxes, plain}, 1, 1 << 20);
+  return make_view(museum(), request, cache);
+}
+
+/// Any state on any screen a museum might hang up: 4:3 to 21:9, either way up, 720 lines and more,
+/// 19 inches and more.
+ViewRequest any_request() {
+  ViewRequest request;
+  const auto shorter = *rc::gen::inRange(720U, 2161U);
+  const double ratio = *rc::gen::element(4.0 / 3, 1.6, 16.0 / 9, 21.0 / 9);
+  const auto longer = static_cast<std::uint32_t>(std::lround(shorter * ratio));
+  const bool landscape = *rc::gen::arbitrary<bool>();
+  request.shape.width = landscape ? longer : shorter;
+  request.shape.height = landscape ? shorter : longer;
+  request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(24, 66));
+  request.state.screen =
+      *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
+  request.state.language = *rc::gen::inRange(0U, 3U);
+  request.state.exhibit = *rc::gen::inRange(0, static_cast<int>(museum().exhibits.size()));
+  request.state.page = *rc::gen::inRange(0U, 2U);
+  request.state.kind =
+      *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
+  if (*rc::gen::arbitrary<bool>()) request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+  return request;
+}
+
+/// Any card of any glass that is large enough to be shared.
+ViewRequest any_card() {
+  ViewRequest request = any_request();
+  request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(32, 86));
+  const std::uint32_t seats = seats_on(request.shape, *rc::gen::inRange(2U, 9U));
+  RC_PRE(seats > 1);
+  request.state.screen = *rc::gen::element(Screen::Welcome, Screen::Picking, Screen::Choosing,
+                                           Screen::Walking, Screen::Arrived);
+  request.state.glass = *rc::gen::element(Glass::Quiet, Glass::Busy);
+  request.state.seats = static_cast<std::uint8_t>(seats);
+  request.state.seat = static_cast<std::int8_t>(*rc::gen::inRange(0U, seats));
+  request.state.taken = static_cast<std::uint8_t>(*rc::gen::inRange(0, 256));
+  if (request.state.screen > Screen::Picking)
+    request.state.look = static_cast<std::int8_t>(*rc::gen::inRange(0, 8));
+  return request;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  constexpr float slack = 1e-5F;
+  return a.x + slack < b.x + b.width && b.x + slack < a.x + a.width &&
+         a.y + slack < b.y + b.height && b.y + slack < a.y + a.height;
+}
+
+TEST(Layout, PutsEveryControlOnTheScreenAndApartFromAllOthers) {
+  EXPECT_TRUE(rc::check("inside and apart", [] {
+    const auto view = laid_out(any_request());
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      const Control& control = view->controls[i];
+      if (control.role == Role::Spot) continue;
+      const Rect& r = control.rect;
+      RC_ASSERT(r.width > 0 && r.height > 0);
+      RC_ASSERT(r.x >= 0 && r.y >= 0 && r.x + r.width <= 1.00001F && r.y + r.height <= 1.00001F);
+      for (std::size_t j = 0; j < i; ++j)
+        if (view->controls[j].role != Role::Spot) RC_ASSERT(!overlap(r, view->controls[j].rect));
+    }
+  }));
+}
+
+TEST(Layout, MakesEveryTargetAtLeastFifteenMillimetres) {
+  EXPECT_TRUE(rc::check("a fingertip fits", [] {
+    const ViewRequest request = any_request();
+    const auto view = laid_out(request);
+    const float pixels = std::hypot(view->pixel_width, view->pixel_height);
+    const float mm = pixels / (request.shape.diagonal_inches * 25.4F);
+    for (const Control& control : view->controls) {
+      if (control.role == Role::Spot) continue;
+      RC_ASSERT(control.rect.height * view->pixel_height >= 15 * mm - 1);
+      RC_ASSERT(control.rect.width * view->pixel_width >= 15 * mm - 1);
+    }
+    RC_ASSERT(view->spot_px >= 15 * mm - 1);
+  }));
+}
+
+TEST(Layout, LeavesTheModelMostOfTheScreen) {
+  EXPECT_TRUE(rc::check("at least 55 %", [] {
+    const auto view = laid_out(any_request());
+    RC_ASSERT(view->free.width * view->free.height >= 0.55F);
+    RC_ASSERT(!overlap(view->free, view->panel));
+  }));
+}
+
+TEST(Layout, IsMirroredInArabic) {
+  EXPECT_TRUE(rc::check("the panel changes sides, and nothing is lost", [] {
+    ViewRequest request = any_request();
+    request.state.language = 0;
+    const auto english = laid_out(request);
+    request.state.language = 2;
+    const auto arabic = laid_out(request);
+    RC_ASSERT(english->controls.size() == arabic->controls.size());
+    RC_ASSERT(std::abs(arabic->panel.x - (1 - english->panel.x - english->panel.width)) < 1e-5F);
+    for (std::size_t i = 0; i < english->controls.size(); ++i) {
+      const Control &e = english->controls[i], &a = arabic->controls[i];
+      RC_ASSERT(e.name == a.name);
+      if (e.role == Role::Spot || e.action.kind == Action::Kind::Speak) continue;
+      RC_ASSERT(std::abs(a.rect.x - (1 - e.rect.x - e.rect.width)) < 1e-5F);
+      RC_ASSERT(std::abs(a.rect.y - e.rect.y) < 1e-5F);
+    }
+  }));
+}
+
+TEST(Layout, SetsTextOnWholePixels) {
+  EXPECT_TRUE(rc::check("texel for pixel", [] {
+    const auto view = laid_out(any_request());
+    for (const Element& element : view->elements) {
+      if (element.quad.fill != QuadFill::Text) continue;
+      const float x = element.quad.rect.x * view->pixel_width;
+      const float y = element.quad.rect.y * view->pixel_height;
+      RC_ASSERT(std::abs(x - std::round(x)) < 0.02F);
+      RC_ASSERT(std::abs(y - std::round(y)) < 0.02F);
+    }
+  }));
+}
+
+TEST(Card, KeepsItsControlsApartAndFingertipsWide) {
+  EXPECT_TRUE(rc::check("inside, apart, 15 mm", [] {
+    const ViewRequest request = any_card();
+    const auto view = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    const float mm =
+        std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      const Control& control = view->controls[i];
+      const Rect& r = control.rect;
+      if (!control.enabled && r.width <= 0) continue;
+      RC_ASSERT(r.x >= card.x - 1e-4F && r.x + r.width <= card.x + card.width + 1e-4F);
+      RC_ASSERT(r.y >= card.y - 1e-4F && r.y + r.height <= card.y + card.height + 1e-4F);
+      RC_ASSERT(r.width * view->pixel_width >= 15 * mm - 1);
+      RC_ASSERT(r.height * view->pixel_height >= 15 * mm - 1);
+      for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!overlap(r, view->controls[j].rect));
+    }
+  }));
+}
+
+TEST(Card, KeepsItsTextsInside) {
+  EXPECT_TRUE(rc::check("no text leaves its card", [] {
+    const ViewRequest request = any_card();
+    const auto view = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    for (const Element& element : view->elements) {
+      if (element.quad.fill != QuadFill::Text) continue;
+      const Rect& r = element.quad.rect;
+      RC_ASSERT(r.x >= card.x - 1e-3F && r.x + r.width <= card.x + card.width + 1e-3F);
+      RC_ASSERT(r.y >= card.y - 1e-3F && r.y + r.height <= card.y + card.height + 1e-3F);
+    }
+  }));
+}
+
+TEST(Card, SetsNoTextOverAnother) {
+  EXPECT_TRUE(rc::check("in any language, in any size of letters", [] {
+    ViewRequest request = any_card();
+    request.shape.text_scale = *rc::gen::element(1.0F, 1.4F, 2.0F);
+    request.state.seats = static_cast<std::uint8_t>(seats_on(request.shape, request.state.seats));
+    RC_PRE(request.state.seats > 1);
+    request.state.seat = static_cast<std::int8_t>(request.state.seat % request.state.seats);
+    const auto view = laid_out(request);
+    std::vector<Rect> texts;
+    for (const Element& element : view->elements)
+      if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+    if (!view->remaining.empty()) texts.push_back(view->remaining.back().quad.rect);
+    RC_LOG() << "screen " << static_cast<int>(request.state.screen) << ", language "
+             << request.state.language << ", letters " << request.shape.text_scale << ", "
+             << request.shape.width << " x " << request.shape.height << ", "
+             << request.shape.diagonal_inches << " inches, " << int{request.state.seats}
+             << " seats\n";
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Rect text = texts[i];
+        text.y += 2.1F / view->pixel_height;  // they stand on whole pixels
+        text.height -= 4.2F / view->pixel_height;
+        RC_ASSERT(!overlap(text, texts[j]));
+      }
+  }));
+}
+
+TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
+  EXPECT_TRUE(rc::check("mirrored within itself", [] {
+    ViewRequest request = any_card();
+    request.state.language = 0;
+    const auto english = laid_out(request);
+    request.state.language = 2;
+    const auto arabic = laid_out(request);
+    const Rect card =
+        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    for (std::size_t i = 0; i < english->controls.size(); ++i) {
+      const Control &e = english->controls[i], &a = arabic->controls[i];
+      if (e.rect.width <= 0 || e.action.kind == Action::Kind::Speak) continue;
+      RC_ASSERT(std::abs(a.rect.x - (2 * card.x + card.width - e.rect.x - e.rect.width)) < 1e-5F);
+    }
+  }));
+}
+
+TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
+  ViewRequest request;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 2;
+  request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+
+  const auto view = laid_out(request);
+
+  ASSERT_GT(view->remaining.size(), 10U);
+  EXPECT_TRUE(std::ranges::is_sorted(view->remaining, {}, &CountedText::metres));
+  EXPECT_GT(view->remaining.back().metres, 1e6F);
+}
+
+TEST(PieceCache, SetsATextOnce) {
+  int set = 0;
+  PieceCache cache({[&](const TextStyle& style, std::string_view text, std::uint32_t width) {
+                      ++set;
+                      return boxes(style, text, width);
+                    },
+                    plain},
+                   100, 1 << 20);
+
+  const TextPiece first = cache.text({}, "bronze", 300);
+  const TextPiece again = cache.text({}, "bronze", 300);
+  cache.text({}, "jade", 300);
+
+  EXPECT_EQ(first.texture, again.texture);
+  EXPECT_EQ(set, 2);
+  EXPECT_EQ(cache.end_view()->uploads.size(), 2U);
+  EXPECT_EQ(cache.end_view(), nullptr);
+}
+
+TEST(PieceCache, MakesAPictureOnceForEachSizeInWhichItIsDrawn) {
+  PieceCache cache({boxes, plain}, 100, 1 << 20);
+
+  const TextureId card = cache.picture(7, 40, 30);
+  const TextureId again = cache.picture(7, 40, 30);
+  const TextureId large = cache.picture(7, 80, 60);
+  const TextureId other = cache.picture(8, 40, 30);
+
+  EXPECT_EQ(card, again);
+  EXPECT_EQ((std::set{card, large, other}.size()), 3U);
+  const auto changes = cache.end_view();
+  ASSERT_EQ(changes->uploads.size(), 3U);
+  EXPECT_EQ(changes->uploads[1].texture, large);
+  EXPECT_EQ(changes->uploads[1].picture.width, 80U);
+}
+
+TEST(PieceCache, LeavesOutAPictureThatCannotBeMade) {
+  PieceCache cache({boxes, [](std::uint32_t, std::uint32_t, std::uint32_t) { return Pixels{}; }},
+                   100, 1 << 20);
+
+  EXPECT_EQ(cache.picture(0, 40, 30), TextureId::None);
+  EXPECT_EQ(cache.end_view(), nullptr);
+}
+
+TEST(PieceCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
+  PieceCache cache({boxes, plain}, 100, 1000);  // room for next to nothing
+  const TextureId text = cache.text({}, "once", 300).texture;
+  const TextureId picture = cache.picture(1, 40, 30);
+  std::vector<TextureId> retired;
+  for (int view = 0; view < 8; ++view) {
+    cache.text({}, "always", 300);
+    cache.picture(2, 40, 30);
+    if (const auto changes = cache.end_view())
+      retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
+  }
+
+  std::ranges::sort(retired);
+  EXPECT_EQ(retired, (std::vector{text, picture}));
+}
+
+TEST(PieceCache, KeepsWhatAnotherPartOfTheGlassStillShows) {
+  PieceCache cache({boxes, plain}, 100, 1000);
+  const TextureId shown = cache.picture(1, 40, 30);
+  cache.end_view(3);
+  std::vector<TextureId> retired;
+  const auto end = [&](std::uint32_t part) {
+    if (const auto changes = cache.end_view(part))
+      retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
+  };
+  for (std::uint32_t view = 0; view < 20; ++view) {
+    cache.picture(2 + view, 40, 30);
+    end(1);
+  }
+  EXPECT_FALSE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
+
+  for (int view = 0; view < 8; ++view) end(3);  // it shows something else by now
+  EXPECT_TRUE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
+}
+
+TEST(PieceCache, StaysWithinItsBudgetAndTheLastViewsHoweverManyExhibitsAreSeen) {
+  constexpr std::size_t budget = 20'000, bytes = std::size_t{4} * 40 * 30;
+  PieceCache cache({boxes, plain}, 1, budget);
+  std::size_t held = 0, most = 0;
+  for (std::uint32_t exhibit = 0; exhibit < 500; ++exhibit) {
+    cache.picture(exhibit, 40, 30);
+    const auto changes = cache.end_view();
+    held += changes->uploads.size() * bytes;
+    held -= changes->retired.size() * bytes;
+    most = std::max(most, held);
+  }
+
+  EXPECT_LE(most, budget + 4 * bytes);
+}
+
+TEST(View, DrawsItsPicturesTexelForPixel) {
+  ViewRequest request;
+  request.state.screen = Screen::Choosing;
+  request.shape.width = 1366;
+  request.shape.height = 768;
+  PieceCache cache({boxes, plain}, 1, 1 << 20);
+
+  const auto view = make_view(museum(), request, cache);
+  const auto changes = cache.end_view();
+
+  std::size_t pictures = 0;
+  for (const auto& [quad, control, is_panel, stays] : view->elements) {
+    if (quad.fill != QuadFill::Image) continue;
+    ++pictures;
+    const auto upload = std::ranges::find(changes->uploads, quad.texture, &PieceUpload::texture);
+    ASSERT_NE(upload, changes->uploads.end());
+    EXPECT_NEAR(quad.rect.width * 1366, upload->picture.width, 0.01);
+    EXPECT_NEAR(quad.rect.height * 768, upload->picture.height, 0.01);
+    EXPECT_NEAR(quad.rect.x * 1366, std::round(quad.rect.x * 1366), 0.01);
+    EXPECT_NEAR(quad.rect.y * 768, std::round(quad.rect.y * 768), 0.01);
+  }
+  EXPECT_GE(pictures, 4U);
+}
+
+}  // namespace
+}  // namespace docent
