@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::string to_json(const Diagnostic& d) {
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace docent
+}  // namespace docent::config

@@ -4,7 +4,7 @@
 
 #include "runtime/model/diagnostic.h"
 
-namespace docent {
+namespace docent::config {
 
 /// A diagnostic as people read it, with its line of the source and carets under what is meant:
 ///
@@ -19,4 +19,4 @@ std::string to_text(const Diagnostic& diagnostic);
 /// The same as one JSON object on one line: file line column code severity message hint.
 std::string to_json(const Diagnostic& diagnostic);
 
-}  // namespace docent
+}  // namespace docent::config

@@ -6,7 +6,7 @@
 
 #include "config/suggest.h"
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -204,4 +204,4 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
   return true;
 }
 
-}  // namespace docent
+}  // namespace docent::config

@@ -15,7 +15,7 @@
 
 /// Tables of fields: what a section of a file may hold, said once, for the loader that checks it
 /// and the schema that describes it. Internal to config.
-namespace docent {
+namespace docent::config {
 
 enum class Presence : std::uint8_t { Optional, Required };
 
@@ -132,4 +132,4 @@ void SectionReader::read(const TomlNode& table, std::string_view name,
   }
 }
 
-}  // namespace docent
+}  // namespace docent::config

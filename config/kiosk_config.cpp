@@ -8,7 +8,7 @@
 #include "config/fields.h"
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -125,7 +125,7 @@ class KioskSettings {
 }  // namespace
 
 Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
-  if (!is_there(file)) return {.value = KioskConfig{}, .diagnostics = {}};
+  if (!file::is_there(file)) return {.value = KioskConfig{}, .diagnostics = {}};
   TomlFile toml = read_toml(file, file.string());
   if (!toml.root) return {.value = std::nullopt, .diagnostics = std::move(toml.diagnostics)};
   KioskFile written;
@@ -135,4 +135,4 @@ Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
   return {.value = config, .diagnostics = std::move(toml.diagnostics)};
 }
 
-}  // namespace docent
+}  // namespace docent::config

@@ -6,7 +6,7 @@
 
 #include "config/located.h"
 
-namespace docent {
+namespace docent::config {
 
 /// What an operator may change on a device. The defaults are what a new device ships with.
 struct KioskConfig {
@@ -27,4 +27,4 @@ struct KioskConfig {
 /// relative to the file's folder.
 Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::config

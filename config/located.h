@@ -12,7 +12,7 @@
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::config {
 
 /// A file of those that were read, by its place in their list.
 enum class FileIndex : std::uint32_t {};
@@ -51,4 +51,4 @@ struct Loaded {
   std::vector<Diagnostic> diagnostics;
 };
 
-}  // namespace docent
+}  // namespace docent::config

@@ -10,7 +10,7 @@
 #include "config/museum_fields.h"
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -139,7 +139,7 @@ class MuseumLoader {
   void read_words() {
     for (const std::string& tag : config_.languages) {
       const fs::path file = config_.folder / "words" / (tag + ".toml");
-      if (!is_there(file)) continue;
+      if (!file::is_there(file)) continue;
       Loaded<WordsFile> words = load_words(file, tag);
       diagnostics_.insert(diagnostics_.end(), words.diagnostics.begin(), words.diagnostics.end());
       const FileIndex index = add_file(file);
@@ -197,7 +197,7 @@ class MuseumLoader {
   }
 
   void check_file(const Located<std::string>& file) {
-    if (file.value.empty() || is_there(config_.folder / file.value)) return;
+    if (file.value.empty() || file::is_there(config_.folder / file.value)) return;
     error(file.place, "missing-file", fmt::format("there is no file '{}'", file.value), "not found",
           fmt::format("it is looked for in {}", config_.folder.string()));
   }
@@ -298,4 +298,4 @@ Diagnostic diagnostic_at(const MuseumConfig& config, const Place& place, std::st
           .hint = std::move(hint)};
 }
 
-}  // namespace docent
+}  // namespace docent::config

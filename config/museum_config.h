@@ -8,7 +8,7 @@
 #include "config/located.h"
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::config {
 
 // The fields' manual is their table in museum_fields.h, which checks the files and makes
 // museum.schema.json.
@@ -104,4 +104,4 @@ Diagnostic diagnostic_at(const MuseumConfig& config, const Place& place, std::st
 /// The JSON Schema of the museum's files, made from the same table that checks them.
 std::string museum_schema();
 
-}  // namespace docent
+}  // namespace docent::config

@@ -8,7 +8,7 @@
 #include "runtime/model/museum.h"
 
 /// The fields of a museum's files: their one definition. Internal to config.
-namespace docent {
+namespace docent::config {
 
 inline constexpr std::array museum_fields{
     Field<MuseumSection>{"title", &MuseumSection::title, Presence::Optional,
@@ -188,4 +188,4 @@ void exhibit_sections(auto& visit, auto& config) {
   visit.many("exhibit", "Something to look at", exhibit_fields, config.exhibits);
 }
 
-}  // namespace docent
+}  // namespace docent::config

@@ -7,7 +7,7 @@
 
 #include "config/museum_fields.h"
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string museum_schema() {
   return schema.dump(2) + "\n";
 }
 
-}  // namespace docent
+}  // namespace docent::config

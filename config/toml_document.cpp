@@ -26,7 +26,7 @@
 
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::config {
 
 namespace {
 
@@ -145,7 +145,7 @@ TomlFile parse_toml(std::string_view text, const std::string& name) {
 }
 
 TomlFile read_toml(const std::filesystem::path& file, const std::string& name) {
-  const Result<std::string> text = read_file(file);
+  const Result<std::string> text = file::read_file(file);
   if (text) return parse_toml(*text, name);
   return {.root = std::nullopt,
           .diagnostics = {{.file = name,
@@ -154,4 +154,4 @@ TomlFile read_toml(const std::filesystem::path& file, const std::string& name) {
                            .hint = "nothing of this file was used"}}};
 }
 
-}  // namespace docent
+}  // namespace docent::config

@@ -9,7 +9,7 @@
 
 #include "runtime/model/diagnostic.h"
 
-namespace docent {
+namespace docent::config {
 
 /// Where something stands in a text file. Lines and columns count from 1; columns count characters.
 struct SourceRange {
@@ -53,4 +53,4 @@ TomlFile read_toml(const std::filesystem::path& file, const std::string& name);
 /// The same for text in memory.
 TomlFile parse_toml(std::string_view text, const std::string& name);
 
-}  // namespace docent
+}  // namespace docent::config

@@ -8,7 +8,7 @@
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::content {
 
 /// The content compiler's one exception: a source that cannot be used, or a disk that cannot be
 /// written. Thrown from wherever it is noticed, caught once per source, reported with the others.
@@ -53,4 +53,4 @@ inline Diagnostic to_diagnostic(const ContentError& error) {
           .hint = error.hint};
 }
 
-}  // namespace docent
+}  // namespace docent::content

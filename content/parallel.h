@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace docent {
+namespace docent::content {
 
 /// Calls `work(i)` for every i below `count`, on up to `jobs` threads. Each call writes only what
 /// is its own, so the result does not depend on the number of threads. Where calls throw, the
@@ -39,4 +39,4 @@ void for_each_index(std::size_t count, unsigned jobs, const auto& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace docent
+}  // namespace docent::content

@@ -9,7 +9,7 @@
 #include "content/avatar/simplify.h"
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// Longest edge that simplification may make, in cells.
@@ -68,10 +68,11 @@ SkinnedMesh make_avatar(const Skeleton& skeleton) {
   }
   const Vec3 extent = whole.high - whole.low;
   if (!(std::max({extent.x, extent.y, extent.z}) < most_extent * body.scale))
-    throw ContentError({}, 0, 0, "no-standing-pose",
-                       "no body can be read from the clips' skeleton, which does not stand upright "
-                       "in its rest pose",
-                       "export it with a T-pose or an A-pose as the rest pose");
+    throw content::ContentError(
+        {}, 0, 0, "no-standing-pose",
+        "no body can be read from the clips' skeleton, which does not stand upright "
+        "in its rest pose",
+        "export it with a T-pose or an A-pose as the rest pose");
   const Occlusion occlusion(layers, whole, 0.026F * body.scale);
 
   SkinnedMesh mesh;
@@ -80,4 +81,4 @@ SkinnedMesh make_avatar(const Skeleton& skeleton) {
   return mesh;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

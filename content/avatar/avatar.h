@@ -3,7 +3,7 @@
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/model/motion/skinned_mesh.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// The guide's body, made to measure for a skeleton: a person in a knee-length coat, modelled as
 /// distance fields round the bones, polygonised, shaded with ambient occlusion and bound to the
@@ -19,4 +19,4 @@ namespace docent {
 /// The same skeleton gives the same mesh. Takes about a third of a second.
 SkinnedMesh make_avatar(const Skeleton& skeleton);
 
-}  // namespace docent
+}  // namespace docent::avatar

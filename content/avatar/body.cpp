@@ -1,6 +1,6 @@
 #include "content/avatar/body.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// From hem to neck, for a stature of 1.70 m; the shoulders' width is the skeleton's own.
@@ -44,4 +44,4 @@ Body body_of(Stance stance) {
   return body;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -5,7 +5,7 @@
 #include "content/avatar/distance_field.h"
 #include "content/avatar/stance.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// An elliptic cross-section of the coat's trunk.
 struct Girth {
@@ -50,4 +50,4 @@ float eyes(const Body& body, Vec3 p);
 float hand(const Body& body, Vec3 p, Side side);
 float shoe(const Body& body, Vec3 p, Side side);
 
-}  // namespace docent
+}  // namespace docent::avatar

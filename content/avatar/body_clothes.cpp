@@ -2,7 +2,7 @@
 
 #include "content/avatar/body.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// Catmull-Rom through the girths: smooth along the height, constant beyond its ends.
@@ -109,4 +109,4 @@ float shoe(const Body& body, Vec3 p, Side side) {
   return meet(sole_to_top, p.y - 0.105F * s, 0.012F * s);
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -2,7 +2,7 @@
 
 #include "content/avatar/body.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// The hand's own frame: `down` along the fingers, `thumb` forward across the palm, `palm` out of
@@ -83,4 +83,4 @@ float hand(const Body& body, Vec3 p, Side side) {
   return join(d, join(thumb_root, thumb_tip, 0.006F * s), 0.01F * s);
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -1,6 +1,6 @@
 #include "content/avatar/body.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// Place on the head for measures taken from the middle of the skull on a head of 22.7 cm: x out
@@ -83,4 +83,4 @@ float eyes(const Body& body, Vec3 at) {
   return ellipsoid(head.p, {0.0312F, 0.0012F, 0.0720F}, {0.0112F, 0.0076F, 0.0088F}) * head.s;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

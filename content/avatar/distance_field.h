@@ -9,7 +9,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// A solid as a function: negative inside, positive outside, roughly the distance to its surface in
 /// metres. The shapes and the smooth union are those of I. Quilez, "Distance functions"
@@ -82,4 +82,4 @@ inline float half_space(Vec3 p, Vec3 point, Vec3 normal) noexcept {
   return glm::dot(p - point, normal);
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

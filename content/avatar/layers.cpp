@@ -1,6 +1,6 @@
 #include "content/avatar/layers.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 Box box_around(Vec3 a, Vec3 b, float margin) {
@@ -255,4 +255,4 @@ std::vector<Layer> layers_of(const Body& body) {
   return layers;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -5,7 +5,7 @@
 #include "content/avatar/skin_weights.h"
 #include "content/avatar/surface_nets.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// A part of the avatar that is polygonised by itself: one material, one way to follow the joints.
 /// Layers overlap and hide each other, as clothes do, so that the edge between two materials is as
@@ -25,4 +25,4 @@ struct Layer {
 /// All layers of a body, which must outlive them.
 std::vector<Layer> layers_of(const Body& body);
 
-}  // namespace docent
+}  // namespace docent::avatar

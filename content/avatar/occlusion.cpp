@@ -1,6 +1,6 @@
 #include "content/avatar/occlusion.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// Rays: the normal and four that lean 55 degrees away from it; lengths in metres.
@@ -66,4 +66,4 @@ std::uint8_t Occlusion::at(Vec3 p, Vec3 normal) const {
   return static_cast<std::uint8_t>(std::lround(255 * (darkest + (1 - darkest) * open)));
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

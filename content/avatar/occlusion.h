@@ -5,7 +5,7 @@
 
 #include "content/avatar/layers.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// How much of the sky a point of the body sees past the rest of the body, from the distances met
 /// along a few rays over it (Evans 2006, "Fast approximations for global illumination on dynamic
@@ -26,4 +26,4 @@ class Occlusion {
   std::vector<float> value_;
 };
 
-}  // namespace docent
+}  // namespace docent::avatar

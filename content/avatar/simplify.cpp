@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <queue>
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// The mean squared distance to a set of planes as a function of place: p'Ap + 2b'p + c, and how
@@ -222,4 +222,4 @@ void simplify(TriangleSurface& surface, const SimplifyLimits& limits) {
   Simplifier(surface, limits).run();
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

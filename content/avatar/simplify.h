@@ -2,7 +2,7 @@
 
 #include "content/avatar/surface_nets.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// How far a surface may be simplified.
 struct SimplifyLimits {
@@ -15,4 +15,4 @@ struct SimplifyLimits {
 /// normals are not kept. Deterministic.
 void simplify(TriangleSurface& surface, const SimplifyLimits& limits);
 
-}  // namespace docent
+}  // namespace docent::avatar

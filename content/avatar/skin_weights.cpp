@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 std::vector<std::size_t> path_down_to(const Skeleton& skeleton, std::size_t joint) {
@@ -179,4 +179,4 @@ JointShares SkinWeights::at(Vec3 p, Region region) const {
   return rounded(shares);
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

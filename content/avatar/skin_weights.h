@@ -7,7 +7,7 @@
 #include "content/avatar/body.h"
 #include "runtime/model/motion/skinned_mesh.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// What a vertex follows: a region of the body with its own rule.
 enum class Region : std::uint8_t { Head, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
@@ -52,4 +52,4 @@ class SkinWeights {
   std::array<Chain, 2> arm_, leg_;
 };
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -7,7 +7,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 /// Heights of joints as shares of stature (Drillis and Contini 1966, in Winter 2009, figure 4.1).
@@ -35,7 +35,7 @@ constexpr std::array<SideParts, 2> side_parts{
 std::size_t required(const Skeleton& skeleton, BodyPart part) {
   const JointIndex joint = skeleton[part];
   if (joint == JointIndex::None)
-    throw ContentError(
+    throw content::ContentError(
         {}, 0, 0, "incomplete-skeleton",
         "the avatar needs a skeleton with hips, knees, ankles, toes, shoulders, "
         "elbows, wrists, a neck and a head",
@@ -161,4 +161,4 @@ Stance stand_at_ease(const Skeleton& skeleton) {
   return stance;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

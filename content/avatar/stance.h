@@ -5,7 +5,7 @@
 
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::avatar {
 
 /// Left is the body's own left, at +x for a body that faces +z.
 enum class Side : std::uint8_t { Left, Right };
@@ -39,4 +39,4 @@ struct Stance {
 /// ContentError when a part of the body is missing.
 Stance stand_at_ease(const Skeleton& skeleton);
 
-}  // namespace docent
+}  // namespace docent::avatar

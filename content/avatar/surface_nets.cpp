@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 constexpr std::uint32_t no_vertex = 0xFFFFFFFF;
@@ -155,4 +155,4 @@ TriangleSurface polygonise(const DistanceField& field, const Box& box, float cel
   return surface;
 }
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -5,7 +5,7 @@
 
 #include "content/avatar/distance_field.h"
 
-namespace docent {
+namespace docent::avatar {
 
 struct Box {
   Vec3 low, high;
@@ -25,4 +25,4 @@ TriangleSurface polygonise(const DistanceField& field, const Box& box, float cel
 /// Unit gradient of the field by central differences over `step` metres.
 Vec3 gradient_of(const DistanceField& field, Vec3 p, float step);
 
-}  // namespace docent
+}  // namespace docent::avatar

@@ -8,7 +8,7 @@
 #include "content/command/query_io.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct AtOptions {
@@ -17,13 +17,13 @@ struct AtOptions {
 
 void run_at(const AtOptions& options) {
   const Museum museum = load_or_throw(options.database);
-  const auto map = make_floor_map(museum.floors[floor_named(museum, options.floor)]);
+  const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
   const NumberTable table = read_numbers(options.points, {"x", "y"});
   std::string text = "x,y,inside,clearance,region\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Vec2 point{table.rows[i][0], table.rows[i][1]};
-    text += fmt::format("{},{},{},{}\n", table.written[i], is_inside(*map, point) ? 1 : 0,
-                        clearance_at(*map, point), region_at(*map, point));
+    text += fmt::format("{},{},{},{}\n", table.written[i], path::is_inside(*map, point) ? 1 : 0,
+                        path::clearance_at(*map, point), path::region_at(*map, point));
   }
   write_text(options.output, text);
 }
@@ -44,4 +44,4 @@ void add_at_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -7,27 +7,27 @@
 #include <thread>
 
 #include "content/command/commands.h"
-#include "content/compile/compile.h"
 #include "content/command/part_sizes.h"
+#include "content/compile/compile.h"
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
 #include "platform/file/read_file.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::command {
 
 namespace {
 
 /// What the user asked for.
 struct CompileRequest {
-  CompileOptions options;
+  compile::CompileOptions options;
   std::string output;
   bool no_motion = false, json = false, quiet = false;
 };
 
 /// Options that `check` shares with `compile`.
 void add_source_options(CLI::App& command, CompileRequest& request) {
-  CompileOptions& options = request.options;
+  compile::CompileOptions& options = request.options;
   command.add_option("SOURCE", options.sources, "A museum folder, or GeoJSON files of one floor")
       ->required();
   command.add_option("--clips", options.clips, "Walk with the BVH or ASF/AMC files of this folder")
@@ -37,8 +37,8 @@ void add_source_options(CLI::App& command, CompileRequest& request) {
   command.add_flag("--turns,!--no-turns", options.enrichment.turns,
                    "Add turns by angles between those of the clips");
   command.add_option("--coordinates", options.coordinates, "What GeoJSON numbers mean")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Coordinates>{
-          {"metres", Coordinates::Metres}, {"wgs84", Coordinates::Wgs84}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, import::Coordinates>{
+          {"metres", import::Coordinates::Metres}, {"wgs84", import::Coordinates::Wgs84}}));
   command.add_option("--radius", options.radii, "A radius to precompute shortest ways for, metres")
       ->allow_extra_args(false)
       ->check(CLI::Range(0.0, 100.0));
@@ -50,30 +50,31 @@ void add_source_options(CLI::App& command, CompileRequest& request) {
 
 /// A museum's folder is a whole museum; floor plans beside it would belong to none.
 void check_sources(const std::vector<std::string>& sources) {
-  const auto folder = std::ranges::find_if(sources, is_folder);
+  const auto folder = std::ranges::find_if(sources, file::is_folder);
   if (sources.size() > 1 && folder != sources.end())
-    throw ContentError(Errc::WrongUsage, *folder, "folder-among-sources",
-                       "this folder is named beside other sources",
-                       "name one museum's folder alone, or GeoJSON files that make one floor");
+    throw content::ContentError(
+        Errc::WrongUsage, *folder, "folder-among-sources",
+        "this folder is named beside other sources",
+        "name one museum's folder alone, or GeoJSON files that make one floor");
 }
 
 /// Compiles and reports; empty where the sources have errors.
-std::optional<Museum> compile_and_report(CompileRequest& request, Progress& progress) {
+std::optional<Museum> compile_and_report(CompileRequest& request, compile::Progress& progress) {
   check_sources(request.options.sources);
   request.options.with_motion = !request.no_motion;
   if (request.options.jobs == 0)
     request.options.jobs = std::max(1U, std::thread::hardware_concurrency());
-  Report report;
-  std::optional<Museum> museum = compile(request.options, report, progress);
-  report.print(request.json ? Report::Form::Json : Report::Form::Text);
+  compile::Report report;
+  std::optional<Museum> museum = compile::compile(request.options, report, progress);
+  report.print(request.json ? compile::Report::Form::Json : compile::Report::Form::Text);
   return museum;
 }
 
 /// What `--json` tells at the end: where the time went, and the bytes.
-void print_stages(const Progress& progress, const std::string& output) {
+void print_stages(const compile::Progress& progress, const std::string& output) {
   const PartSizes sizes = part_sizes(output);
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-  for (const Progress::Stage& stage : progress.stages()) {
+  for (const compile::Progress::Stage& stage : progress.stages()) {
     const auto made =
         std::ranges::find(sizes.stages, stage.name, [](const auto& entry) { return entry.first; });
     stages.push_back({{"stage", stage.name},
@@ -86,20 +87,20 @@ void print_stages(const Progress& progress, const std::string& output) {
 }
 
 int run_compile(CompileRequest& request) {
-  Progress progress(progress_output(request.quiet));
+  compile::Progress progress(compile::progress_output(request.quiet));
   const std::optional<Museum> museum = compile_and_report(request, progress);
   if (!museum) return docent::exit_code(Errc::InvalidInput);
   {
     progress.plan("write", 1);
     const auto stage = progress.start("write");
-    write_museum(*museum, request.output);
+    write::write_museum(*museum, request.output);
   }
   if (request.json) print_stages(progress, request.output);
   return 0;
 }
 
 int run_check(CompileRequest& request) {
-  Progress progress(progress_output(request.quiet));
+  compile::Progress progress(compile::progress_output(request.quiet));
   return compile_and_report(request, progress) ? 0 : docent::exit_code(Errc::InvalidInput);
 }
 
@@ -120,4 +121,4 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->callback([request, &exit_code] { exit_code = run_check(*request); });
 }
 
-}  // namespace docent
+}  // namespace docent::command

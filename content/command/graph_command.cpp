@@ -12,7 +12,7 @@
 #include "content/draw/picture_file.h"
 #include "content/motion/classify.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct GraphOptions {
@@ -22,7 +22,7 @@ struct GraphOptions {
 
 nlohmann::ordered_json to_json(const MotionClip& clip) {
   return {{"name", clip.name},
-          {"role", name_of(clip.role)},
+          {"role", motion::offline::name_of(clip.role)},
           {"class", clip.motion_class},
           {"frames", frame_count(clip)},
           {"frame_rate", clip.frame_rate}};
@@ -52,9 +52,9 @@ std::string to_json(const MotionGraph& graph) {
 void run_graph(const GraphOptions& options) {
   const Museum museum = load_or_throw(options.database);
   if (museum.motion.clips.empty())
-    throw ContentError(options.database, 0, 0, "no-motion", "this database holds no motion",
-                       "compile it without --no-motion");
-  write_picture(options.output, draw_motion_graph(museum.motion));
+    throw content::ContentError(options.database, 0, 0, "no-motion",
+                                "this database holds no motion", "compile it without --no-motion");
+  draw::write_picture(options.output, draw::draw_motion_graph(museum.motion));
   if (options.json) fmt::print("{}\n", to_json(museum.motion));
 }
 
@@ -73,4 +73,4 @@ void add_graph_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

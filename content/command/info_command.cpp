@@ -10,7 +10,7 @@
 #include "content/command/part_sizes.h"
 #include "runtime/schema/schema.h"
 
-namespace docent {
+namespace docent::command {
 
 namespace {
 
@@ -135,4 +135,4 @@ void add_info_command(CLI::App& app, int& exit_code) {
       [request, &exit_code] { exit_code = run_info(request->database, request->json); });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -20,10 +20,11 @@ bool wants_json(std::span<char*> arguments) {
       arguments, [](const char* argument) { return std::string_view(argument) == "--json"; });
 }
 
-int report(const docent::ContentError& error, bool as_json) {
-  const docent::Diagnostic diagnostic = docent::to_diagnostic(error);
-  fmt::print(stderr, "{}",
-             as_json ? docent::to_json(diagnostic) + "\n" : docent::to_text(diagnostic));
+int report(const docent::content::ContentError& error, bool as_json) {
+  const docent::Diagnostic diagnostic = docent::content::to_diagnostic(error);
+  fmt::print(
+      stderr, "{}",
+      as_json ? docent::config::to_json(diagnostic) + "\n" : docent::config::to_text(diagnostic));
   return docent::exit_code(error.kind);
 }
 
@@ -32,18 +33,18 @@ int run(int argc, char** argv) {
   app.name("docent-content");
   app.require_subcommand(1);
   int exit_code = 0;  // Each command below sets it when it runs.
-  docent::add_compile_command(app, exit_code);
-  docent::add_check_command(app, exit_code);
-  docent::add_info_command(app, exit_code);
-  docent::add_schema_command(app, exit_code);
-  docent::add_route_command(app, exit_code);
-  docent::add_at_command(app, exit_code);
-  docent::add_see_command(app, exit_code);
-  docent::add_near_command(app, exit_code);
-  docent::add_offset_command(app, exit_code);
-  docent::add_show_command(app, exit_code);
-  docent::add_graph_command(app, exit_code);
-  docent::add_walk_command(app, exit_code);
+  docent::command::add_compile_command(app, exit_code);
+  docent::command::add_check_command(app, exit_code);
+  docent::command::add_info_command(app, exit_code);
+  docent::command::add_schema_command(app, exit_code);
+  docent::command::add_route_command(app, exit_code);
+  docent::command::add_at_command(app, exit_code);
+  docent::command::add_see_command(app, exit_code);
+  docent::command::add_near_command(app, exit_code);
+  docent::command::add_offset_command(app, exit_code);
+  docent::command::add_show_command(app, exit_code);
+  docent::command::add_graph_command(app, exit_code);
+  docent::command::add_walk_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -58,7 +59,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const docent::ContentError& error) {
+  } catch (const docent::content::ContentError& error) {
     return report(error, wants_json(std::span(argv, static_cast<std::size_t>(argc))));
   } catch (const std::exception& error) {
     fmt::print(stderr, "docent-content: {}\n", error.what());

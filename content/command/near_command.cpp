@@ -14,7 +14,7 @@
 #include "content/content_error.h"
 #include "runtime/path/reach.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct NearOptions {
@@ -38,10 +38,10 @@ Surroundings surroundings(const Museum& museum, const NearOptions& options) {
   } else {
     const Exhibit& exhibit = exhibit_named(museum, options.exhibit, "--exhibit");
     if (!options.floor.empty() && exhibit.floor != around.floor)
-      throw ContentError(Errc::WrongUsage, "--exhibit", "other-floor",
-                         fmt::format("exhibit '{}' is on another floor, '{}'", exhibit.id,
-                                     museum.floors[exhibit.floor].plan.name),
-                         "leave --floor out");
+      throw content::ContentError(Errc::WrongUsage, "--exhibit", "other-floor",
+                                  fmt::format("exhibit '{}' is on another floor, '{}'", exhibit.id,
+                                              museum.floors[exhibit.floor].plan.name),
+                                  "leave --floor out");
     around.floor = exhibit.floor;
     around.from = exhibit.view.position;
   }
@@ -51,10 +51,10 @@ Surroundings surroundings(const Museum& museum, const NearOptions& options) {
   return around;
 }
 
-std::string to_json(bool blocked, const Surroundings& around, const std::vector<Reached>& reached,
-                    double speed) {
+std::string to_json(bool blocked, const Surroundings& around,
+                    const std::vector<path::Reached>& reached, double speed) {
   std::string rows;
-  for (const Reached& r : reached)
+  for (const path::Reached& r : reached)
     rows += fmt::format(R"({}{{"id": "{}", "length": {}, "seconds": {}}})",
                         rows.empty() ? "" : ", ", around.exhibits[r.place]->id,
                         json_number(r.length), json_number(r.length / speed));
@@ -62,12 +62,12 @@ std::string to_json(bool blocked, const Surroundings& around, const std::vector<
                      rows);
 }
 
-std::string to_lines(bool blocked, const Surroundings& around, const std::vector<Reached>& reached,
-                     double speed) {
+std::string to_lines(bool blocked, const Surroundings& around,
+                     const std::vector<path::Reached>& reached, double speed) {
   if (blocked) return "start_blocked";
   if (reached.empty()) return "no exhibit in reach";
   std::string lines;
-  for (const Reached& r : reached)
+  for (const path::Reached& r : reached)
     lines += fmt::format("{}{}: {:.3f} m, {:.0f} s", lines.empty() ? "" : "\n",
                          around.exhibits[r.place]->id, r.length, r.length / speed);
   return lines;
@@ -75,21 +75,21 @@ std::string to_lines(bool blocked, const Surroundings& around, const std::vector
 
 void run_near(const NearOptions& options) {
   if (options.from.empty() == options.exhibit.empty())
-    throw ContentError(Errc::WrongUsage, "near", "no-start", "say from where, once",
-                       "give --from X,Y or --exhibit ID");
+    throw content::ContentError(Errc::WrongUsage, "near", "no-start", "say from where, once",
+                                "give --from X,Y or --exhibit ID");
   const Museum museum = load_or_throw(options.database);
   const Surroundings around = surroundings(museum, options);
   std::vector<Vec2> places;
   places.reserve(around.exhibits.size());
   for (const Exhibit* exhibit : around.exhibits) places.push_back(exhibit->view.position);
 
-  const auto map = make_floor_map(museum.floors[around.floor]);
+  const auto map = path::make_floor_map(museum.floors[around.floor]);
   const double radius = options.radius.value_or(museum.body_radius);
   const double limit =
       options.within ? *options.within * options.speed : std::numeric_limits<double>::infinity();
-  const RouteQuery standing{.from = around.from, .to = around.from, .radius = radius};
-  const bool blocked = route(*map, standing).status != RouteStatus::Ok;
-  const auto reached = places_in_reach(*map, around.from, places, radius, limit);
+  const path::RouteQuery standing{.from = around.from, .to = around.from, .radius = radius};
+  const bool blocked = path::route(*map, standing).status != path::RouteStatus::Ok;
+  const auto reached = path::places_in_reach(*map, around.from, places, radius, limit);
   fmt::print("{}\n", options.json ? to_json(blocked, around, reached, options.speed)
                                   : to_lines(blocked, around, reached, options.speed));
 }
@@ -118,4 +118,4 @@ void add_near_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -10,7 +10,7 @@
 #include "runtime/path/offset/offset_curve.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct OffsetOptions {
@@ -19,9 +19,9 @@ struct OffsetOptions {
   bool json = false;
 };
 
-std::string to_json(const OffsetCurve& curve) {
+std::string to_json(const path::OffsetCurve& curve) {
   std::string rings;
-  for (const OffsetRing& ring : curve.rings)
+  for (const path::OffsetRing& ring : curve.rings)
     rings += (rings.empty() ? "" : ", ") + json_points(ring.points);
   return fmt::format(
       R"({{"components": {}, "holes": {}, "area": {}, "perimeter": {}, "rings": [{}]}})",
@@ -31,11 +31,11 @@ std::string to_json(const OffsetCurve& curve) {
 void run_offset(const OffsetOptions& options) {
   const Museum museum = load_or_throw(options.database);
   const Floor& floor = museum.floors[floor_named(museum, options.floor)];
-  const OffsetCurve curve = offset_curve(MedialAxisMap(floor), options.distance);
+  const path::OffsetCurve curve = path::offset_curve(path::MedialAxisMap(floor), options.distance);
   if (!options.svg.empty()) {
     std::vector<SketchLine> lines;
     lines.reserve(curve.rings.size());
-    for (const OffsetRing& ring : curve.rings) lines.push_back({ring.points, true});
+    for (const path::OffsetRing& ring : curve.rings) lines.push_back({ring.points, true});
     write_text(options.svg, sketch_plan(floor.plan, lines));
   }
   if (options.json)
@@ -64,4 +64,4 @@ void add_offset_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

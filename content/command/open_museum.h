@@ -5,12 +5,12 @@
 #include "platform/sqlite/database.h"
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::command {
 
 /// Opens a database for a command. Throws ContentError with the reader's sentence where it cannot.
-Database open_or_throw(const std::filesystem::path& file);
+sqlite::Database open_or_throw(const std::filesystem::path& file);
 
 /// Reads the museum of a database. Throws as open_or_throw does.
 Museum load_or_throw(const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::command

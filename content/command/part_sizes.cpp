@@ -7,7 +7,7 @@
 #include "content/command/open_museum.h"
 #include "platform/sqlite/table_sizes.h"
 
-namespace docent {
+namespace docent::command {
 
 namespace {
 
@@ -51,8 +51,8 @@ void add(std::vector<std::pair<std::string, std::uint64_t>>& sizes, std::string_
 }  // namespace
 
 PartSizes part_sizes(const std::filesystem::path& file) {
-  const Database database = open_or_throw(file);
-  const std::map<std::string, std::uint64_t> tables = table_sizes(database);
+  const sqlite::Database database = open_or_throw(file);
+  const std::map<std::string, std::uint64_t> tables = sqlite::table_sizes(database);
   PartSizes sizes{.parts = {}, .stages = {}, .file = database.bytes.size()};
   std::uint64_t rest = sizes.file;
   for (const auto& [table, part, stage] : table_parts) {
@@ -67,4 +67,4 @@ PartSizes part_sizes(const std::filesystem::path& file) {
   return sizes;
 }
 
-}  // namespace docent
+}  // namespace docent::command

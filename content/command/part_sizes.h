@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace docent {
+namespace docent::command {
 
 /// Where the bytes of a database go.
 struct PartSizes {
@@ -19,4 +19,4 @@ struct PartSizes {
 /// database cannot be opened.
 PartSizes part_sizes(const std::filesystem::path& database);
 
-}  // namespace docent
+}  // namespace docent::command

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 /// SVG's y runs down, the floor's north.
@@ -54,4 +54,4 @@ std::string sketch_plan(const FloorPlan& plan, const std::vector<SketchLine>& li
   return svg + "</svg>\n";
 }
 
-}  // namespace docent
+}  // namespace docent::command

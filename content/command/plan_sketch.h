@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::command {
 
 /// A line over a sketch, in the floor frame.
 struct SketchLine {
@@ -17,4 +17,4 @@ struct SketchLine {
 /// an answer. (The `show` command draws the whole database.)
 std::string sketch_plan(const FloorPlan& plan, const std::vector<SketchLine>& lines);
 
-}  // namespace docent
+}  // namespace docent::command

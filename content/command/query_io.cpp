@@ -13,7 +13,7 @@
 #include "content/read_source.h"
 #include "content/write/replace_file.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -51,9 +51,10 @@ void check_header(std::string_view line, const std::string& file,
   const auto names = split(line, ',');
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (i >= names.size() || trimmed(names[i]) != columns[i])
-      throw ContentError(file, 1, i < names.size() ? column_of(line, names[i]) : 0, "csv-header",
-                         fmt::format("column {} should be '{}'", i + 1, columns[i]),
-                         fmt::format("the first line should be {}", fmt::join(columns, ",")));
+      throw content::ContentError(
+          file, 1, i < names.size() ? column_of(line, names[i]) : 0, "csv-header",
+          fmt::format("column {} should be '{}'", i + 1, columns[i]),
+          fmt::format("the first line should be {}", fmt::join(columns, ",")));
 }
 
 }  // namespace
@@ -65,17 +66,17 @@ std::uint32_t floor_named(const Museum& museum, std::string_view name) {
     names.push_back(museum.floors[i].plan.name);
     if (names.back() == name) return i;
   }
-  throw ContentError(Errc::WrongUsage, "--floor", "unknown-floor",
-                     fmt::format("there is no floor '{}'", name),
-                     fmt::format("the floors are: {}", fmt::join(names, ", ")));
+  throw content::ContentError(Errc::WrongUsage, "--floor", "unknown-floor",
+                              fmt::format("there is no floor '{}'", name),
+                              fmt::format("the floors are: {}", fmt::join(names, ", ")));
 }
 
 const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option) {
   const auto found = std::ranges::find(museum.exhibits, id, &Exhibit::id);
   if (found == museum.exhibits.end())
-    throw ContentError(Errc::WrongUsage, std::string(option), "unknown-exhibit",
-                       fmt::format("there is no exhibit '{}'", id),
-                       "`docent-content info DB --json` lists them");
+    throw content::ContentError(Errc::WrongUsage, std::string(option), "unknown-exhibit",
+                                fmt::format("there is no exhibit '{}'", id),
+                                "`docent-content info DB --json` lists them");
   return *found;
 }
 
@@ -85,13 +86,14 @@ Vec2 parse_point(std::string_view text, std::string_view option) {
     const auto x = parse_number(parts[0]), y = parse_number(parts[1]);
     if (x && y) return {*x, *y};
   }
-  throw ContentError(Errc::WrongUsage, std::string(option), "not-a-point",
-                     fmt::format("'{}' is not a point", text), "write X,Y in metres: 12.5,3.25");
+  throw content::ContentError(Errc::WrongUsage, std::string(option), "not-a-point",
+                              fmt::format("'{}' is not a point", text),
+                              "write X,Y in metres: 12.5,3.25");
 }
 
 NumberTable read_numbers(const std::filesystem::path& file,
                          const std::vector<std::string>& columns) {
-  std::istringstream in(read_source(file, "no-such-file"));
+  std::istringstream in(content::read_source(file, "no-such-file"));
   std::string line;
   if (!std::getline(in, line)) line.clear();
   check_header(line, file.string(), columns);
@@ -102,13 +104,13 @@ NumberTable read_numbers(const std::filesystem::path& file,
     std::vector<double> row;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (i >= parts.size())
-        throw ContentError(
+        throw content::ContentError(
             file.string(), number, 0, "csv-row",
             fmt::format("the row has {} columns of {}", parts.size(), columns.size()));
       const auto value = parse_number(parts[i]);
       if (!value)
-        throw ContentError(file.string(), number, column_of(line, parts[i]), "csv-number",
-                           fmt::format("'{}' is not a number", trimmed(parts[i])));
+        throw content::ContentError(file.string(), number, column_of(line, parts[i]), "csv-number",
+                                    fmt::format("'{}' is not a number", trimmed(parts[i])));
       row.push_back(*value);
     }
     const std::string_view last = trimmed(parts[columns.size() - 1]);
@@ -120,7 +122,7 @@ NumberTable read_numbers(const std::filesystem::path& file,
 }
 
 void write_text(const std::filesystem::path& file, std::string_view text) {
-  replace_file(file, std::as_bytes(std::span(text)));
+  write::replace_file(file, std::as_bytes(std::span(text)));
 }
 
 std::string json_number(double value) {
@@ -135,4 +137,4 @@ std::string json_points(const std::vector<Vec2>& points) {
   return text + "]";
 }
 
-}  // namespace docent
+}  // namespace docent::command

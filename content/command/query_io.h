@@ -8,7 +8,7 @@
 
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::command {
 
 /// What the commands that question a database share. All throw ContentError.
 
@@ -41,4 +41,4 @@ std::string json_number(double value);
 /// [[x, y], ...].
 std::string json_points(const std::vector<Vec2>& points);
 
-}  // namespace docent
+}  // namespace docent::command

@@ -16,15 +16,15 @@
 #include "content/content_error.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct RouteOptions {
   std::string database;
-  RouteKind kind = RouteKind::Shortest;
+  path::RouteKind kind = path::RouteKind::Shortest;
   std::optional<double> radius;
   double offset = 1;
-  Hand hand = Hand::Shorter;
+  path::Hand hand = path::Hand::Shorter;
   bool widest = false, smooth = false;
   std::string from, to, floor;
   std::vector<std::string> exhibits;
@@ -33,21 +33,21 @@ struct RouteOptions {
   int repeat = 1;
 };
 
-const char* name_of(RouteStatus status) {
+const char* name_of(path::RouteStatus status) {
   switch (status) {
-    case RouteStatus::Ok:
+    case path::RouteStatus::Ok:
       return "ok";
-    case RouteStatus::StartBlocked:
+    case path::RouteStatus::StartBlocked:
       return "start_blocked";
-    case RouteStatus::GoalBlocked:
+    case path::RouteStatus::GoalBlocked:
       return "goal_blocked";
-    case RouteStatus::NoRoute:
+    case path::RouteStatus::NoRoute:
       break;
   }
   return "no_route";
 }
 
-RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
+path::RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
   return {.kind = options.kind,
           .radius = options.radius.value_or(museum.body_radius),
           .offset = options.offset,
@@ -56,15 +56,15 @@ RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
           .smooth = options.smooth};
 }
 
-std::string to_json(const Way& way) {
-  const bool ok = way.status == RouteStatus::Ok;
+std::string to_json(const path::Way& way) {
+  const bool ok = way.status == path::RouteStatus::Ok;
   return fmt::format(R"({{"status": "{}", "length": {}, "clearance_min": {}, "points": {}}})",
                      name_of(way.status), ok ? json_number(way.length) : "null",
                      ok ? json_number(way.clearance_min) : "null", json_points(way.points));
 }
 
-std::string to_sentence(const Way& way) {
-  if (way.status != RouteStatus::Ok) return name_of(way.status);
+std::string to_sentence(const path::Way& way) {
+  if (way.status != path::RouteStatus::Ok) return name_of(way.status);
   return fmt::format("ok: {:.3f} m, never nearer than {:.3f} m to a wall, {} points", way.length,
                      way.clearance_min, way.points.size());
 }
@@ -77,10 +77,10 @@ std::vector<Vec2> stops_at_exhibits(const Museum& museum, const RouteOptions& op
     const Exhibit& exhibit = exhibit_named(museum, id, "--exhibits");
     if (stops.empty() && options.floor.empty()) floor = exhibit.floor;
     if (exhibit.floor != floor)
-      throw ContentError(Errc::WrongUsage, "--exhibits", "other-floor",
-                         fmt::format("exhibit '{}' is on another floor, '{}'", id,
-                                     museum.floors[exhibit.floor].plan.name),
-                         "a route stays on one floor");
+      throw content::ContentError(Errc::WrongUsage, "--exhibits", "other-floor",
+                                  fmt::format("exhibit '{}' is on another floor, '{}'", id,
+                                              museum.floors[exhibit.floor].plan.name),
+                                  "a route stays on one floor");
     stops.push_back(exhibit.view.position);
   }
   return stops;
@@ -93,12 +93,12 @@ void answer_one(const Museum& museum, const RouteOptions& options) {
     stops = {parse_point(options.from, "--from"), parse_point(options.to, "--to")};
   } else {
     if (options.exhibits.size() < 2)
-      throw ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
-                         "a route needs two exhibits", "write --exhibits A,B");
+      throw content::ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
+                                  "a route needs two exhibits", "write --exhibits A,B");
     stops = stops_at_exhibits(museum, options, floor);
   }
-  const auto map = make_floor_map(museum.floors[floor]);
-  const Way way = tour(*map, base_query(options, museum), stops);
+  const auto map = path::make_floor_map(museum.floors[floor]);
+  const path::Way way = path::tour(*map, base_query(options, museum), stops);
   if (!options.svg.empty())
     write_text(options.svg, sketch_plan(museum.floors[floor].plan, {{way.points, false}}));
   fmt::print("{}\n", options.json ? to_json(way) : to_sentence(way));
@@ -108,7 +108,7 @@ void answer_one(const Museum& museum, const RouteOptions& options) {
 /// without how wide it is, which is found in a last round that is not timed.
 class TimedRounds {
  public:
-  TimedRounds(const FloorMap& map, std::vector<RouteQuery> queries)
+  TimedRounds(const path::FloorMap& map, std::vector<path::RouteQuery> queries)
       : map_(map), queries_(std::move(queries)), ways_(queries_.size()), times_(queries_.size()) {}
 
   void run(int rounds) {
@@ -118,18 +118,18 @@ class TimedRounds {
     for (int round = 0; round < rounds; ++round) {
       std::ranges::shuffle(order, random);
       for (const std::size_t i : order) {
-        RouteQuery timed = queries_[i];
+        path::RouteQuery timed = queries_[i];
         timed.tell_clearance = false;
         const auto start = std::chrono::steady_clock::now();
-        ways_[i] = route(map_, timed);
+        ways_[i] = path::route(map_, timed);
         const std::chrono::duration<double, std::micro> took =
             std::chrono::steady_clock::now() - start;
         times_[i].push_back(took.count());
       }
     }
-    for (std::size_t i = 0; i < queries_.size(); ++i) ways_[i] = route(map_, queries_[i]);
+    for (std::size_t i = 0; i < queries_.size(); ++i) ways_[i] = path::route(map_, queries_[i]);
   }
-  const Way& way(std::size_t i) const { return ways_[i]; }
+  const path::Way& way(std::size_t i) const { return ways_[i]; }
   double median_microseconds(std::size_t i) {
     auto& times = times_[i];
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
@@ -138,34 +138,34 @@ class TimedRounds {
   }
 
  private:
-  const FloorMap& map_;
-  std::vector<RouteQuery> queries_;
-  std::vector<Way> ways_;
+  const path::FloorMap& map_;
+  std::vector<path::RouteQuery> queries_;
+  std::vector<path::Way> ways_;
   std::vector<std::vector<double>> times_;
 };
 
 void answer_table(const Museum& museum, const RouteOptions& options) {
   if (options.output.empty())
-    throw ContentError(Errc::WrongUsage, "--queries", "no-output", "the answers need a file",
-                       "add -o A.csv");
+    throw content::ContentError(Errc::WrongUsage, "--queries", "no-output",
+                                "the answers need a file", "add -o A.csv");
   const std::uint32_t floor = floor_named(museum, options.floor);
   const NumberTable table = read_numbers(options.queries, {"x0", "y0", "x1", "y1", "r"});
-  std::vector<RouteQuery> queries;
+  std::vector<path::RouteQuery> queries;
   for (const auto& row : table.rows) {
-    RouteQuery query = base_query(options, museum);
+    path::RouteQuery query = base_query(options, museum);
     query.from = {row[0], row[1]};
     query.to = {row[2], row[3]};
     query.radius = row[4];
     queries.push_back(query);
   }
-  const auto map = make_floor_map(museum.floors[floor]);
+  const auto map = path::make_floor_map(museum.floors[floor]);
   TimedRounds rounds(*map, std::move(queries));
   rounds.run(options.repeat);
   std::string text = "x0,y0,x1,y1,r,status,length,clearance_min,microseconds\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const Way& way = rounds.way(i);
+    const path::Way& way = rounds.way(i);
     const auto number = [&](double value) {
-      return way.status == RouteStatus::Ok ? fmt::format("{}", value) : std::string();
+      return way.status == path::RouteStatus::Ok ? fmt::format("{}", value) : std::string();
     };
     text +=
         fmt::format("{},{},{},{},{:.3f}\n", table.written[i], name_of(way.status),
@@ -178,8 +178,9 @@ void run_route(const RouteOptions& options) {
   const int ways_to_ask = (options.queries.empty() ? 0 : 1) + (options.exhibits.empty() ? 0 : 1) +
                           (options.from.empty() && options.to.empty() ? 0 : 1);
   if (ways_to_ask != 1 || options.from.empty() != options.to.empty())
-    throw ContentError(Errc::WrongUsage, "route", "no-ends", "say from where to where, once",
-                       "give --from X,Y --to X,Y, or --exhibits A,B, or --queries Q.csv -o A.csv");
+    throw content::ContentError(
+        Errc::WrongUsage, "route", "no-ends", "say from where to where, once",
+        "give --from X,Y --to X,Y, or --exhibits A,B, or --queries Q.csv -o A.csv");
   const Museum museum = load_or_throw(options.database);
   if (options.queries.empty())
     answer_one(museum, options);
@@ -195,17 +196,17 @@ void add_route_command(CLI::App& app, int& exit_code) {
   command->add_option("DB", options->database, "The museum's database")->required();
   command->add_option("--kind", options->kind, "shortest, skeleton or offset")
       ->required()
-      ->transform(CLI::CheckedTransformer(
-          std::vector<std::pair<std::string, RouteKind>>{{"shortest", RouteKind::Shortest},
-                                                         {"skeleton", RouteKind::Skeleton},
-                                                         {"offset", RouteKind::Offset}}));
+      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, path::RouteKind>>{
+          {"shortest", path::RouteKind::Shortest},
+          {"skeleton", path::RouteKind::Skeleton},
+          {"offset", path::RouteKind::Offset}}));
   command->add_option("--radius", options->radius, "Metres, of the body; default the museum's")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--offset", options->offset, "Metres to keep from the wall; default 1")
       ->check(CLI::PositiveNumber);
   command->add_option("--hand", options->hand, "left or right: where the wall is; default shorter")
-      ->transform(CLI::CheckedTransformer(
-          std::vector<std::pair<std::string, Hand>>{{"left", Hand::Left}, {"right", Hand::Right}}));
+      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, path::Hand>>{
+          {"left", path::Hand::Left}, {"right", path::Hand::Right}}));
   command->add_flag("--widest", options->widest,
                     "skeleton: the way whose narrowest place is the widest possible");
   command->add_flag("--smooth", options->smooth,
@@ -227,4 +228,4 @@ void add_route_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -5,14 +5,14 @@
 #include "config/museum_config.h"
 #include "content/command/commands.h"
 
-namespace docent {
+namespace docent::command {
 
 void add_schema_command(CLI::App& app, int& exit_code) {
   app.add_subcommand("schema", "Print the JSON Schema of a museum's files, for editors")
       ->callback([&exit_code] {
-        fmt::print("{}", museum_schema());
+        fmt::print("{}", config::museum_schema());
         exit_code = 0;
       });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -9,7 +9,7 @@
 #include "content/command/query_io.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct SeeOptions {
@@ -18,13 +18,13 @@ struct SeeOptions {
 
 void run_see(const SeeOptions& options) {
   const Museum museum = load_or_throw(options.database);
-  const auto map = make_floor_map(museum.floors[floor_named(museum, options.floor)]);
+  const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
   const NumberTable table = read_numbers(options.pairs, {"x0", "y0", "x1", "y1"});
   std::string text = "x0,y0,x1,y1,visible,microseconds\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
     const auto start = std::chrono::steady_clock::now();
-    const bool visible = can_see(*map, {row[0], row[1]}, {row[2], row[3]});
+    const bool visible = path::can_see(*map, {row[0], row[1]}, {row[2], row[3]});
     const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
     text += fmt::format("{},{},{:.3f}\n", table.written[i], visible ? 1 : 0, took.count());
   }
@@ -46,4 +46,4 @@ void add_see_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -17,7 +17,7 @@
 #include "runtime/path/offset/offset_curve.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 struct ShowOptions {
@@ -26,17 +26,17 @@ struct ShowOptions {
 };
 
 [[noreturn]] void refuse_layer(std::string_view layer, const std::string& why) {
-  throw ContentError(Errc::WrongUsage, "--layers", "unknown-layer",
-                     fmt::format("'{}': {}", layer, why),
-                     "layers are walls, exhibits, sites, regions, skeleton, clearance, "
-                     "offset=METRES and route=EXHIBIT:EXHIBIT:KIND, with commas between");
+  throw content::ContentError(Errc::WrongUsage, "--layers", "unknown-layer",
+                              fmt::format("'{}': {}", layer, why),
+                              "layers are walls, exhibits, sites, regions, skeleton, clearance, "
+                              "offset=METRES and route=EXHIBIT:EXHIBIT:KIND, with commas between");
 }
 
 /// Turns the words of --layers into what is drawn.
 class LayerReader {
  public:
   LayerReader(const Museum& museum, std::uint32_t floor)
-      : museum_(museum), floor_(floor), map_(make_floor_map(museum.floors[floor])) {}
+      : museum_(museum), floor_(floor), map_(path::make_floor_map(museum.floors[floor])) {}
 
   void read(const std::string& layer) {
     if (layer == "walls")
@@ -59,12 +59,12 @@ class LayerReader {
       refuse_layer(layer, "there is no such layer");
   }
 
-  PlanLayers layers;
-  std::vector<DrawnLine> lines;
+  draw::PlanLayers layers;
+  std::vector<draw::DrawnLine> lines;
 
  private:
-  void add_curve(double distance, LineKind kind) {
-    for (OffsetRing& ring : offset_curve(*map_, distance).rings)
+  void add_curve(double distance, draw::LineKind kind) {
+    for (path::OffsetRing& ring : path::offset_curve(*map_, distance).rings)
       lines.push_back({kind, std::move(ring.points), true, distance});
   }
 
@@ -74,7 +74,7 @@ class LayerReader {
     const double widest = clearance.empty() ? 0 : *std::ranges::max_element(clearance);
     double step = 0.25;
     while (widest > 20 * step) step *= 2;
-    for (int i = 1; i * step < widest; ++i) add_curve(i * step, LineKind::Level);
+    for (int i = 1; i * step < widest; ++i) add_curve(i * step, draw::LineKind::Level);
   }
 
   void add_offset(const std::string& layer) {
@@ -84,7 +84,7 @@ class LayerReader {
         std::from_chars(digits.data(), digits.data() + digits.size(), distance);
     if (error != std::errc{} || end != digits.data() + digits.size() || !(distance > 0))
       refuse_layer(layer, "an offset is a number of metres above zero");
-    add_curve(distance, LineKind::Offset);
+    add_curve(distance, draw::LineKind::Offset);
   }
 
   [[nodiscard]] Vec2 viewing_point(const std::string& layer, const std::string& id) const {
@@ -100,22 +100,22 @@ class LayerReader {
     const std::vector<std::string> words =
         CLI::detail::split(layer.substr(layer.find('=') + 1), ':');
     if (words.size() != 3) refuse_layer(layer, "a route is written EXHIBIT:EXHIBIT:KIND");
-    RouteQuery query{.radius = museum_.body_radius};
+    path::RouteQuery query{.radius = museum_.body_radius};
     query.from = viewing_point(layer, words[0]);
     query.to = viewing_point(layer, words[1]);
-    LineKind kind = LineKind::Shortest;
+    draw::LineKind kind = draw::LineKind::Shortest;
     if (words[2] == "skeleton") {
-      query.kind = RouteKind::Skeleton;
-      kind = LineKind::Skeleton;
+      query.kind = path::RouteKind::Skeleton;
+      kind = draw::LineKind::Skeleton;
     } else if (words[2] == "offset") {
-      query.kind = RouteKind::Offset;
-      kind = LineKind::Offset;
+      query.kind = path::RouteKind::Offset;
+      kind = draw::LineKind::Offset;
     } else if (words[2] != "shortest") {
       refuse_layer(layer, "the kind of a route is shortest, skeleton or offset");
     }
-    Way way = route(*map_, query);
-    if (way.status != RouteStatus::Ok)
-      throw ContentError(
+    path::Way way = path::route(*map_, query);
+    if (way.status != path::RouteStatus::Ok)
+      throw content::ContentError(
           "--layers", 0, 0, "no-route",
           fmt::format("there is no {} way from '{}' to '{}'", words[2], words[0], words[1]));
     lines.push_back({kind, std::move(way.points), false, 0});
@@ -123,7 +123,7 @@ class LayerReader {
 
   const Museum& museum_;
   std::uint32_t floor_;
-  std::shared_ptr<const FloorMap> map_;
+  std::shared_ptr<const path::FloorMap> map_;
 };
 
 void run_show(const ShowOptions& options) {
@@ -131,7 +131,7 @@ void run_show(const ShowOptions& options) {
   const std::uint32_t floor = floor_named(museum, options.floor);
   LayerReader reader(museum, floor);
   for (const std::string& layer : options.layers) reader.read(layer);
-  write_picture(options.output, draw_plan(museum, floor, reader.layers, reader.lines));
+  draw::write_picture(options.output, draw::draw_plan(museum, floor, reader.layers, reader.lines));
 }
 
 }  // namespace
@@ -154,4 +154,4 @@ void add_show_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

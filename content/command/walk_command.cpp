@@ -11,17 +11,17 @@
 #include "config/diagnostic_text.h"
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
-#include "content/motion/paper_walk.h"
-#include "content/motion/path_deviation.h"
 #include "content/command/query_io.h"
 #include "content/content_error.h"
 #include "content/import/motion/bvh_write.h"
+#include "content/motion/paper_walk.h"
+#include "content/motion/path_deviation.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::command {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
@@ -36,7 +36,7 @@ struct WalkOptions {
 };
 
 [[noreturn]] void misuse(const char* option, const std::string& message, const char* hint) {
-  throw ContentError(Errc::WrongUsage, option, "walk-options", message, hint);
+  throw content::ContentError(Errc::WrongUsage, option, "walk-options", message, hint);
 }
 
 void check_options(const WalkOptions& options) {
@@ -56,35 +56,37 @@ std::vector<Vec2> read_path(const std::string& file) {
   for (const auto& row : read_numbers(file, {"x", "y"}).rows) {
     const Vec2 point{row[0], row[1]};
     if (!std::isfinite(point.x) || !std::isfinite(point.y))
-      throw ContentError(file, static_cast<std::uint32_t>(path.size()) + 2, 1, "not-a-point",
-                         "a path's points must be finite");
+      throw content::ContentError(file, static_cast<std::uint32_t>(path.size()) + 2, 1,
+                                  "not-a-point", "a path's points must be finite");
     path.push_back(point);
   }
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) length += glm::distance(path[i - 1], path[i]);
-  if (!(length > 0)) throw ContentError(file, 0, 0, "no-path", "a path needs two different points");
+  if (!(length > 0))
+    throw content::ContentError(file, 0, 0, "no-path", "a path needs two different points");
   return path;
 }
 
 /// The walk at another frame rate.
-Walk resampled(const Walk& walk, double frame_rate) {
-  Walk out;
+motion::Walk resampled(const motion::Walk& walk, double frame_rate) {
+  motion::Walk out;
   out.frame_rate = frame_rate;
   out.joint_count = walk.joint_count;
-  const double seconds = static_cast<double>(frame_count(walk) - 1) / walk.frame_rate;
+  const double seconds = static_cast<double>(motion::frame_count(walk) - 1) / walk.frame_rate;
   const auto frames = static_cast<std::size_t>(std::floor(seconds * frame_rate + 1e-6)) + 1;
   out.rotation.resize(frames * walk.joint_count);
   for (std::size_t f = 0; f < frames; ++f) {
-    PoseView pose{{}, std::span(out.rotation).subspan(f * walk.joint_count, walk.joint_count)};
-    sample(walk, static_cast<double>(f) / frame_rate, pose);
+    motion::PoseView pose{{},
+                          std::span(out.rotation).subspan(f * walk.joint_count, walk.joint_count)};
+    motion::sample(walk, static_cast<double>(f) / frame_rate, pose);
     out.root.push_back(pose.root);
   }
   return out;
 }
 
 struct Outcome {
-  Walk walk;
-  PathDeviation deviation;
+  motion::Walk walk;
+  motion::offline::PathDeviation deviation;
   double path_length = 0, total_seconds = 0;
 };
 
@@ -93,19 +95,21 @@ std::optional<Placement> start_of(const WalkOptions& options) {
   return Placement{{options.start[0], options.start[1]}, options.start[2] * radians_per_degree};
 }
 
-Walk walk_by_docent(const WalkGraph& graph, const std::vector<Vec2>& path,
-                    const WalkOptions& options) {
-  WalkRequest request;
+motion::Walk walk_by_docent(const motion::WalkGraph& graph, const std::vector<Vec2>& path,
+                            const WalkOptions& options) {
+  motion::WalkRequest request;
   request.path = path;
   request.start = start_of(options);
-  request.fidelity = options.raw ? Fidelity::Raw : Fidelity::Exact;
-  Result<Walk> walk = make_walk(graph, request);
-  if (!walk) throw ContentError(walk.error().code, options.path, "cannot-walk", walk.error().what);
+  request.fidelity = options.raw ? motion::Fidelity::Raw : motion::Fidelity::Exact;
+  Result<motion::Walk> walk = motion::make_walk(graph, request);
+  if (!walk)
+    throw content::ContentError(walk.error().code, options.path, "cannot-walk", walk.error().what);
   return std::move(*walk);
 }
 
 /// Says on standard error where a search was stopped, and goes on with what it has.
-void report_early_end(const PaperWalk& found, double path_length, const WalkOptions& options) {
+void report_early_end(const motion::offline::PaperWalk& found, double path_length,
+                      const WalkOptions& options) {
   const Diagnostic warning{
       .file = options.path,
       .severity = Severity::Warning,
@@ -116,27 +120,29 @@ void report_early_end(const PaperWalk& found, double path_length, const WalkOpti
           found.length, path_length, found.walk.search_seconds),
       .hint =
           "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
-  fmt::print(stderr, "{}", options.json ? to_json(warning) + "\n" : to_text(warning));
+  fmt::print(stderr, "{}",
+             options.json ? config::to_json(warning) + "\n" : config::to_text(warning));
 }
 
-Walk walk_by_paper(const WalkGraph& graph, const std::vector<Vec2>& path,
-                   const WalkOptions& options) {
-  PaperWalkRequest request;
+motion::Walk walk_by_paper(const motion::WalkGraph& graph, const std::vector<Vec2>& path,
+                           const WalkOptions& options) {
+  motion::offline::PaperWalkRequest request;
   request.path = path;
   request.start = start_of(options);
   request.lookahead = options.lookahead.value_or(request.lookahead);
   request.use_rate = options.use_rate.value_or(request.use_rate);
   request.time_limit = options.time_limit.value_or(request.time_limit);
-  PaperWalk found = make_paper_walk(graph, request);
-  if (!found.reaches_end) report_early_end(found, polyline_length(path), options);
+  motion::offline::PaperWalk found = motion::offline::make_paper_walk(graph, request);
+  if (!found.reaches_end) report_early_end(found, motion::polyline_length(path), options);
   return std::move(found.walk);
 }
 
 Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
                    const WalkOptions& options) {
-  const auto graph = make_walk_graph(motion);
+  const auto graph = motion::make_walk_graph(motion);
   if (!graph)
-    throw ContentError(graph.error().code, options.database, "cannot-walk", graph.error().what);
+    throw content::ContentError(graph.error().code, options.database, "cannot-walk",
+                                graph.error().what);
 
   Outcome outcome;
   const auto began = std::chrono::steady_clock::now();
@@ -147,13 +153,13 @@ Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
 
   std::vector<Vec2> roots;
   for (const Vec3& root : outcome.walk.root) roots.push_back(to_floor(root));
-  outcome.deviation = measure_deviation(roots, outcome.walk.frame_rate, path);
-  outcome.path_length = polyline_length(path);
+  outcome.deviation = motion::offline::measure_deviation(roots, outcome.walk.frame_rate, path);
+  outcome.path_length = motion::polyline_length(path);
   return outcome;
 }
 
 std::string to_json(const Outcome& outcome, std::uint32_t frames) {
-  const Walk& walk = outcome.walk;
+  const motion::Walk& walk = outcome.walk;
   return fmt::format(
       R"({{"search_seconds": {}, "total_seconds": {}, "frames": {}, "path_length": {}, )"
       R"("reached": {}, "deviation_mean": {}, "deviation_max": {}, "transitions": {}, )"
@@ -178,10 +184,11 @@ void run_walk(const WalkOptions& options) {
   const Museum museum = load_or_throw(options.database);
   Outcome outcome = walk_along(museum.motion, path, options);
   const bool same_rate = options.fps == 0 || options.fps == outcome.walk.frame_rate;
-  const Walk other = same_rate ? Walk{} : resampled(outcome.walk, options.fps);
-  const Walk& walk = same_rate ? outcome.walk : other;
-  write_bvh(museum.motion.skeleton, {walk.frame_rate, walk.root, walk.rotation}, options.output);
-  const std::uint32_t frames = frame_count(walk);
+  const motion::Walk other = same_rate ? motion::Walk{} : resampled(outcome.walk, options.fps);
+  const motion::Walk& walk = same_rate ? outcome.walk : other;
+  import::write_bvh(museum.motion.skeleton, {walk.frame_rate, walk.root, walk.rotation},
+                    options.output);
+  const std::uint32_t frames = motion::frame_count(walk);
   fmt::print("{}\n", options.json ? to_json(outcome, frames) : to_sentence(outcome, frames));
 }
 
@@ -217,4 +224,4 @@ void add_walk_command(CLI::App& app, int& exit_code) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::command

@@ -17,7 +17,7 @@
 #include "content/content_error.h"
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -28,9 +28,9 @@ bool attempt(Report& report, const std::function<void()>& step) {
   try {
     step();
     return true;
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     if (exit_code(error.kind) != exit_code(Errc::InvalidInput)) throw;
-    report.add(to_diagnostic(error));
+    report.add(content::to_diagnostic(error));
     return false;
   }
 }
@@ -46,12 +46,13 @@ std::vector<double> radius_classes(double body_radius, const std::vector<double>
 }
 
 /// Adds the interface's words in a language, from the museum's own file or else the shipped one.
-void add_language(const std::string& tag, const WordsFile* own, Museum& museum, Report& report) {
+void add_language(const std::string& tag, const config::WordsFile* own, Museum& museum,
+                  Report& report) {
   Language language;
   language.tag = language.name = tag;
-  Loaded<WordsFile> shipped;
+  config::Loaded<config::WordsFile> shipped;
   if (own == nullptr) {
-    shipped = load_words(shipped_words(tag), tag);
+    shipped = config::load_words(shipped_words(tag), tag);
     if (!shipped.value) {
       Diagnostic missing;
       missing.file = "words/" + tag + ".toml";
@@ -94,7 +95,8 @@ class AvatarTask {
 };
 
 /// Where clips come from: the command line, else the museum's own, else those that docent ships.
-std::vector<fs::path> clip_folders(const CompileOptions& options, const MuseumConfig* config) {
+std::vector<fs::path> clip_folders(const CompileOptions& options,
+                                   const config::MuseumConfig* config) {
   if (!options.clips.empty()) return {options.clips.begin(), options.clips.end()};
   if (config != nullptr && config->motion.clips.given)
     return {config->folder / config->motion.clips.value};
@@ -130,28 +132,29 @@ std::string folder_name(const fs::path& folder) {
   return fs::weakly_canonical(folder, ignored).filename().string();
 }
 
-void take_texts(const MuseumConfig& config, Museum& museum, Report& report) {
+void take_texts(const config::MuseumConfig& config, Museum& museum, Report& report) {
   museum.title = plain_texts(config.museum.title.value);
   museum.welcome = plain_texts(config.museum.welcome.value);
   if (museum.title.empty())
     for (const std::string& tag : config.languages) museum.title[tag] = folder_name(config.folder);
   for (const std::string& tag : config.languages) {
-    const auto own = std::ranges::find(config.words, tag, &WordsFile::tag);
+    const auto own = std::ranges::find(config.words, tag, &config::WordsFile::tag);
     add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report);
   }
 }
 
 /// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
-std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const CompileOptions& options,
-                                          Report& report, Progress& progress) {
+std::vector<CompiledFloor> compile_floors(const config::MuseumConfig& config,
+                                          const CompileOptions& options, Report& report,
+                                          Progress& progress) {
   std::vector<double> asked = options.radii;
   asked.push_back(config.avatar.radius.value + Museum::walking_room);
   const std::vector<double> radii = radius_classes(config.avatar.radius.value, asked);
   std::vector<CompiledFloor> floors(config.floors.size());
   for (std::size_t i = 0; i < floors.size(); ++i) {
-    const FloorSection& section = config.floors[i];
+    const config::FloorSection& section = config.floors[i];
     const std::string file = (config.folder / section.plan.value).string();
-    if (!section.plan.given || !is_there(file)) continue;  // already reported
+    if (!section.plan.given || !file::is_there(file)) continue;  // already reported
     attempt(report, [&] {
       floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
                                 report, progress, options.jobs);
@@ -164,10 +167,10 @@ std::vector<CompiledFloor> compile_floors(const MuseumConfig& config, const Comp
 /// A museum's folder.
 void compile_folder(const CompileOptions& options, Museum& museum, Report& report,
                     Progress& progress) {
-  Loaded<MuseumConfig> loaded = load_museum_config(options.sources.front());
+  config::Loaded<config::MuseumConfig> loaded = config::load_museum_config(options.sources.front());
   report.add(loaded.diagnostics);
   if (!loaded.value) return;
-  const MuseumConfig& config = *loaded.value;
+  const config::MuseumConfig& config = *loaded.value;
   report.set_file_order(config.files);
   plan_floor_stages(progress);
   progress.plan("exhibits", 5);
@@ -195,7 +198,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
 }
 
 bool is_museum_folder(const CompileOptions& options) {
-  return options.sources.size() == 1 && is_folder(options.sources.front());
+  return options.sources.size() == 1 && file::is_folder(options.sources.front());
 }
 
 }  // namespace
@@ -211,4 +214,4 @@ std::optional<Museum> compile(const CompileOptions& options, Report& report, Pro
   return museum;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

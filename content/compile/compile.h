@@ -11,14 +11,14 @@
 #include "content/motion/enrich.h"
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// What is to be compiled, and how.
 struct CompileOptions {
   std::vector<std::string> sources;  ///< One museum folder, or GeoJSON files of one floor.
   std::vector<std::string> clips;    ///< Folders of recordings; empty: the museum's or the shipped.
-  Enrichment enrichment{};           ///< Clips to be made of those recorded.
-  Coordinates coordinates = Coordinates::Metres;
+  motion::offline::Enrichment enrichment{};  ///< Clips to be made of those recorded.
+  import::Coordinates coordinates = import::Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
   bool with_motion = true;
   unsigned jobs = 0;  ///< Threads, the same result for any number; 0: as many as the machine has.
@@ -28,4 +28,4 @@ struct CompileOptions {
 /// museum is empty where any of it is an error.
 std::optional<Museum> compile(const CompileOptions& options, Report& report, Progress& progress);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -11,7 +11,7 @@
 #include "content/compile/polygon.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -43,13 +43,14 @@ double area_about(const FloorPlan& plan, Vec2 point) {
   return area;
 }
 
-void check_count(const MuseumConfig& config, const FloorMap& map, Vec2 kiosk, Report& report) {
-  const Located<std::int64_t>& count = config.ambient.count;
+void check_count(const config::MuseumConfig& config, const path::FloorMap& map, Vec2 kiosk,
+                 Report& report) {
+  const config::Located<std::int64_t>& count = config.ambient.count;
   const double area = area_about(map.plan(), kiosk);
   const auto fit =
       std::min<std::int64_t>(Ambient::most, static_cast<std::int64_t>(area / area_each));
   if (count.value <= fit) return;
-  report.add(diagnostic_at(
+  report.add(config::diagnostic_at(
       config, count.place, "too-many-visitors",
       fmt::format("{} visitors cannot stroll here: {} fit", count.value, fit), {},
       fmt::format("write count = {} or less: each wants {} of the {:.0f} square metres about the "
@@ -57,33 +58,35 @@ void check_count(const MuseumConfig& config, const FloorMap& map, Vec2 kiosk, Re
                   fit, area_each, area, Ambient::most)));
 }
 
-void check_entrance(const MuseumConfig& config, const AmbientFloor& floor,
-                    const Located<Vec2>& entrance, Report& report) {
+void check_entrance(const config::MuseumConfig& config, const AmbientFloor& floor,
+                    const config::Located<Vec2>& entrance, Report& report) {
   if (const auto problem = why_nobody_stands(floor.map, entrance.value, floor.body_radius))
-    report.add(diagnostic_at(config, entrance.place, "entrance-outside-floor",
-                             "strolling visitors cannot come from here: nobody can stand here",
-                             problem->label, problem->hint));
-  else if (!can_walk(floor.map, *floor.kiosk, entrance.value, floor.body_radius))
     report.add(
-        diagnostic_at(config, entrance.place, "entrance-unreachable",
-                      "strolling visitors cannot come from here: there is no way to the kiosk",
-                      "no visitor can leave this place",
-                      fmt::format("every way from here to the kiosk is narrower than {:.2f} m",
-                                  2 * floor.body_radius)));
+        config::diagnostic_at(config, entrance.place, "entrance-outside-floor",
+                              "strolling visitors cannot come from here: nobody can stand here",
+                              problem->label, problem->hint));
+  else if (!can_walk(floor.map, *floor.kiosk, entrance.value, floor.body_radius))
+    report.add(config::diagnostic_at(
+        config, entrance.place, "entrance-unreachable",
+        "strolling visitors cannot come from here: there is no way to the kiosk",
+        "no visitor can leave this place",
+        fmt::format("every way from here to the kiosk is narrower than {:.2f} m",
+                    2 * floor.body_radius)));
 }
 
 }  // namespace
 
-Ambient compile_ambient(const MuseumConfig& config, const AmbientFloor& floor, Report& report) {
-  const AmbientSection& section = config.ambient;
+Ambient compile_ambient(const config::MuseumConfig& config, const AmbientFloor& floor,
+                        Report& report) {
+  const config::AmbientSection& section = config.ambient;
   if (floor.kiosk) {
     check_count(config, floor.map, *floor.kiosk, report);
-    for (const Located<Vec2>& entrance : section.from.value)
+    for (const config::Located<Vec2>& entrance : section.from.value)
       check_entrance(config, floor, entrance, report);
   }
   Ambient ambient;
   ambient.count = static_cast<std::uint32_t>(section.count.value);
-  for (const Located<Vec2>& entrance : section.from.value)
+  for (const config::Located<Vec2>& entrance : section.from.value)
     ambient.entrances.push_back(entrance.value);
   if (section.look.given) {
     ambient.look_least = section.look.value.least;
@@ -92,4 +95,4 @@ Ambient compile_ambient(const MuseumConfig& config, const AmbientFloor& floor, R
   return ambient;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -7,17 +7,18 @@
 #include "runtime/model/museum.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// The kiosk's floor, where strolling visitors would be.
 struct AmbientFloor {
-  const FloorMap& map;
+  const path::FloorMap& map;
   std::optional<Vec2> kiosk;  ///< If somebody can stand there.
   double body_radius = 0.25;
 };
 
 /// The strolling visitors as staff want them. Into the report: more than there is room for, and
 /// entrances where nobody can stand or from where nobody gets to the kiosk.
-Ambient compile_ambient(const MuseumConfig& config, const AmbientFloor& floor, Report& report);
+Ambient compile_ambient(const config::MuseumConfig& config, const AmbientFloor& floor,
+                        Report& report);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -6,16 +6,16 @@
 #include "content/parallel.h"
 #include "runtime/motion/make_foresight.h"
 
-namespace docent {
+namespace docent::compile {
 namespace {
 
 /// Nothing where the clips cannot walk; the walk says why.
 Foresight foresee(const MotionGraph& motion, unsigned jobs) {
-  const Result<WalkGraph> graph = make_walk_graph(motion);
+  const Result<motion::WalkGraph> graph = motion::make_walk_graph(motion);
   if (!graph) return {};
-  Foresight foresight = begin_foresight(*graph);
-  for_each_index(bend_axis.count, jobs,
-                 [&](std::size_t bend) { add_bend(*graph, bend, foresight); });
+  Foresight foresight = motion::begin_foresight(*graph);
+  content::for_each_index(bend_axis.count, jobs,
+                          [&](std::size_t bend) { motion::add_bend(*graph, bend, foresight); });
   return foresight;
 }
 
@@ -28,25 +28,26 @@ void plan_avatar_stages(Progress& progress) {
 }
 
 CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
-                              Enrichment enrichment, unsigned jobs, Progress& progress) {
+                              motion::offline::Enrichment enrichment, unsigned jobs,
+                              Progress& progress) {
   CompiledAvatar compiled;
   try {
     {
       const auto stage = progress.start("motion");
-      compiled.motion =
-          compile_motion(clip_folders, {.transitions = {}, .enrichment = enrichment, .jobs = jobs},
-                         compiled.problems);
+      compiled.motion = motion::offline::compile_motion(
+          clip_folders, {.transitions = {}, .enrichment = enrichment, .jobs = jobs},
+          compiled.problems);
     }
     {
       const auto stage = progress.start("foresight");
       compiled.motion.foresight = foresee(compiled.motion, jobs);
     }
     const auto stage = progress.start("avatar");
-    compiled.mesh = make_avatar(compiled.motion.skeleton);
-  } catch (const ContentError& error) {
-    compiled.problems.push_back(to_diagnostic(error));
+    compiled.mesh = avatar::make_avatar(compiled.motion.skeleton);
+  } catch (const content::ContentError& error) {
+    compiled.problems.push_back(content::to_diagnostic(error));
   }
   return compiled;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

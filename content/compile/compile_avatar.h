@@ -9,7 +9,7 @@
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// What walks: the motion graph of some clips and a body made to measure for their skeleton.
 struct CompiledAvatar {
@@ -23,6 +23,7 @@ void plan_avatar_stages(Progress& progress);
 /// Compiles the clips of the folders. What is wrong with them is in `problems`; where any of it is
 /// an error, the rest is empty.
 CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
-                              Enrichment enrichment, unsigned jobs, Progress& progress);
+                              motion::offline::Enrichment enrichment, unsigned jobs,
+                              Progress& progress);
 
-}  // namespace docent
+}  // namespace docent::compile

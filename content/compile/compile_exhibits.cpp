@@ -15,7 +15,7 @@
 #include "content/compile/polygon.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -25,19 +25,19 @@ double to_radians(double degrees) {
 
 class ExhibitCompiler {
  public:
-  ExhibitCompiler(const MuseumConfig& config, std::span<const CompiledFloor> floors, Museum& museum,
-                  Report& report)
+  ExhibitCompiler(const config::MuseumConfig& config, std::span<const CompiledFloor> floors,
+                  Museum& museum, Report& report)
       : config_(config), floors_(floors), museum_(museum), report_(report) {
     for (const CompiledFloor& compiled : floors)
       maps_.push_back(compiled.floor.plan.vertex.empty() ? nullptr
-                                                         : make_floor_map(compiled.floor));
+                                                         : path::make_floor_map(compiled.floor));
   }
 
   void run() {
     add_rooms();
     add_doors();
     place_kiosk();
-    for (const ExhibitSection& section : config_.exhibits) add_exhibit(section);
+    for (const config::ExhibitSection& section : config_.exhibits) add_exhibit(section);
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     museum_.ambient =
         compile_ambient(config_, {*maps_[kiosk_floor_], entrance_, museum_.body_radius}, report_);
@@ -45,19 +45,20 @@ class ExhibitCompiler {
   }
 
  private:
-  void error(const Place& place, std::string code, std::string message, std::string label = {},
-             std::string hint = {}) {
-    report_.add(diagnostic_at(config_, place, std::move(code), std::move(message), std::move(label),
-                              std::move(hint)));
+  void error(const config::Place& place, std::string code, std::string message,
+             std::string label = {}, std::string hint = {}) {
+    report_.add(config::diagnostic_at(config_, place, std::move(code), std::move(message),
+                                      std::move(label), std::move(hint)));
   }
 
   void add_rooms() {
-    for (const RoomSection& section : config_.rooms) {
-      Room room{.id = section.id.value,
-                .floor = static_cast<std::uint32_t>(floor_index(config_, section.floor.value)),
-                .title = plain_texts(section.title.value),
-                .label = section.label.value,
-                .outline = section.outline.value};
+    for (const config::RoomSection& section : config_.rooms) {
+      Room room{
+          .id = section.id.value,
+          .floor = static_cast<std::uint32_t>(config::floor_index(config_, section.floor.value)),
+          .title = plain_texts(section.title.value),
+          .label = section.label.value,
+          .outline = section.outline.value};
       if (section.outline.given && (room.outline.size() < 3 || signed_area(room.outline) == 0))
         error(section.outline.place, "bad-value",
               fmt::format("the outline of room '{}' holds no area", room.id));
@@ -77,14 +78,14 @@ class ExhibitCompiler {
   }
 
   void add_doors() {
-    for (const DoorSection& section : config_.doors) {
-      const std::size_t floor = floor_index(config_, section.floor.value);
+    for (const config::DoorSection& section : config_.doors) {
+      const std::size_t floor = config::floor_index(config_, section.floor.value);
       const Door door{.name = section.name.value,
                       .a = section.a.value,
                       .b = section.b.value,
                       .closed = section.closed.value};
       if (floor >= museum_.floors.size() || !section.a.given || !section.b.given) continue;
-      if (maps_[floor] && !is_inside(*maps_[floor], (door.a + door.b) * 0.5))
+      if (maps_[floor] && !path::is_inside(*maps_[floor], (door.a + door.b) * 0.5))
         error(section.a.place, "door-outside-floor",
               fmt::format("door '{}' does not cross the floor", door.name),
               "its middle is not where one can walk");
@@ -93,12 +94,12 @@ class ExhibitCompiler {
   }
 
   void place_kiosk() {
-    const KioskSection& kiosk = config_.kiosk;
-    kiosk_floor_ = floor_index(config_, kiosk.floor.value);
+    const config::KioskSection& kiosk = config_.kiosk;
+    kiosk_floor_ = config::floor_index(config_, kiosk.floor.value);
     museum_.kiosk_floor = static_cast<std::uint32_t>(kiosk_floor_);
     museum_.kiosk = {kiosk.position.value, to_radians(kiosk.facing.value)};
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
-    const FloorMap& map = *maps_[kiosk_floor_];
+    const path::FloorMap& map = *maps_[kiosk_floor_];
     if (!kiosk.position.given) {
       museum_.kiosk = most_open_place(floors_[kiosk_floor_].floor);
     } else if (const auto problem =
@@ -110,10 +111,10 @@ class ExhibitCompiler {
     entrance_ = museum_.kiosk.position;
   }
 
-  void add_exhibit(const ExhibitSection& section) {
+  void add_exhibit(const config::ExhibitSection& section) {
     Exhibit exhibit;
     exhibit.id = section.id.value;
-    exhibit.floor = static_cast<std::uint32_t>(floor_index(config_, section.floor.value));
+    exhibit.floor = static_cast<std::uint32_t>(config::floor_index(config_, section.floor.value));
     exhibit.placement = {section.position.value, to_radians(section.facing.value)};
     exhibit.title = plain_texts(section.title.value);
     exhibit.text = plain_texts(section.text.value);
@@ -124,7 +125,7 @@ class ExhibitCompiler {
     museum_.exhibits.push_back(std::move(exhibit));
   }
 
-  void place(const ExhibitSection& section, Exhibit& exhibit) {
+  void place(const config::ExhibitSection& section, Exhibit& exhibit) {
     const PlacingFloor floor{.map = *maps_[exhibit.floor],
                              .name = config_.floors[exhibit.floor].name.value,
                              .drawn = floors_[exhibit.floor].drawn.polygons,
@@ -142,9 +143,10 @@ class ExhibitCompiler {
       unreached_.push_back(placed.view.position);
   }
 
-  void report_problem(const ExhibitSection& section, const PlaceProblem& problem) {
+  void report_problem(const config::ExhibitSection& section, const PlaceProblem& problem) {
     const std::string& id = section.id.value;
-    const Place& view_place = section.view.given ? section.view.place : section.position.place;
+    const config::Place& view_place =
+        section.view.given ? section.view.place : section.position.place;
     switch (problem.kind) {
       case PlaceProblem::Kind::Outside:
         return error(section.position.place, "exhibit-outside-floor",
@@ -185,7 +187,7 @@ class ExhibitCompiler {
       named.push_back(fmt::format("{} ({:.2f} m)", door.name, door.width));
       if (door.is_on_widest_way) narrowest = std::min(narrowest, door.width);
     }
-    Diagnostic diagnostic = diagnostic_at(
+    Diagnostic diagnostic = config::diagnostic_at(
         config_, config_.avatar.radius.place, "guide-too-wide",
         fmt::format("the guide, {:.2f} m wide, does not fit through {}", 2 * body.radius,
                     fmt::join(named, ", ")),
@@ -218,11 +220,11 @@ class ExhibitCompiler {
     return nearest ? *nearest : add_room_of_floor(exhibit.floor);
   }
 
-  const MuseumConfig& config_;
+  const config::MuseumConfig& config_;
   std::span<const CompiledFloor> floors_;
   Museum& museum_;
   Report& report_;
-  std::vector<std::shared_ptr<const FloorMap>> maps_;  ///< Null for floors without a plan.
+  std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< Null for floors without a plan.
   std::size_t kiosk_floor_ = 0;
   std::optional<Vec2> entrance_;
   std::vector<Vec2> unreached_;  ///< Viewing points to which there is no way on the kiosk's floor.
@@ -238,15 +240,15 @@ Placement most_open_place(const Floor& floor) {
   return {floor.roadmap.position[node], std::numbers::pi / 2};
 }
 
-LocalText plain_texts(const LocatedTexts& texts) {
+LocalText plain_texts(const config::LocatedTexts& texts) {
   LocalText plain;
   for (const auto& [tag, text] : texts) plain[tag] = text.value;
   return plain;
 }
 
-void compile_exhibits(const MuseumConfig& config, std::span<const CompiledFloor> floors,
+void compile_exhibits(const config::MuseumConfig& config, std::span<const CompiledFloor> floors,
                       Museum& museum, Report& report) {
   ExhibitCompiler(config, floors, museum, report).run();
 }
 
-}  // namespace docent
+}  // namespace docent::compile

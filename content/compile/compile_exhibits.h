@@ -7,9 +7,9 @@
 #include "content/compile/report.h"
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::compile {
 
-LocalText plain_texts(const LocatedTexts& texts);
+LocalText plain_texts(const config::LocatedTexts& texts);
 
 /// The floor's most open place, looking north: where a kiosk stands that nobody placed.
 Placement most_open_place(const Floor& floor);
@@ -18,7 +18,7 @@ Placement most_open_place(const Floor& floor);
 /// puts them into the museum, whose floors are there already. `floors` has one entry per floor of
 /// the config, without walls where the plan was no use: what stands on such a floor is not placed.
 /// Problems go into the report.
-void compile_exhibits(const MuseumConfig& config, std::span<const CompiledFloor> floors,
+void compile_exhibits(const config::MuseumConfig& config, std::span<const CompiledFloor> floors,
                       Museum& museum, Report& report);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -10,12 +10,12 @@
 #include "runtime/path/shortest/make_hub_labels.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
-void report_left_out(const ImportedPlan& plan, Report& report) {
-  for (const LeftOut& left_out : plan.left_out) {
+void report_left_out(const import::ImportedPlan& plan, Report& report) {
+  for (const import::LeftOut& left_out : plan.left_out) {
     Diagnostic diagnostic;
     diagnostic.file = plan.files[left_out.place.file];
     diagnostic.line = left_out.place.line;
@@ -36,33 +36,33 @@ void plan_floor_stages(Progress& progress) {
 }
 
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
-                            Coordinates coordinates, std::span<const double> radii, Report& report,
-                            Progress& progress, unsigned jobs) {
+                            import::Coordinates coordinates, std::span<const double> radii,
+                            Report& report, Progress& progress, unsigned jobs) {
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
     const auto stage = progress.start("plan");
-    compiled.drawn = read_floor_plan(files, coordinates);
+    compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
     std::vector<Diagnostic> mendings;
-    floor.plan = mend(compiled.drawn, mendings);
+    floor.plan = floor::mend(compiled.drawn, mendings);
     floor.plan.name = name;
     report.add(mendings);
   }
   {
     const auto stage = progress.start("voronoi");
-    floor.diagram = voronoi_diagram(floor.plan);
-    floor.roadmap = medial_axis(floor.plan, floor.diagram);
+    floor.diagram = floor::voronoi_diagram(floor.plan);
+    floor.roadmap = floor::medial_axis(floor.plan, floor.diagram);
   }
   const auto stage = progress.start("paths");
-  floor.sight = make_sight_map(floor.plan);
+  floor.sight = floor::make_sight_map(floor.plan);
   floor.tangent_graphs.resize(radii.size());
   floor.hub_labels.resize(radii.size());
-  for_each_index(radii.size(), jobs, [&](std::size_t i) {
-    floor.tangent_graphs[i] = make_tangent_graph(floor.plan, floor.sight, radii[i]);
-    floor.hub_labels[i] = make_hub_labels(floor.plan, floor.tangent_graphs[i]);
+  content::for_each_index(radii.size(), jobs, [&](std::size_t i) {
+    floor.tangent_graphs[i] = path::make_tangent_graph(floor.plan, floor.sight, radii[i]);
+    floor.hub_labels[i] = path::make_hub_labels(floor.plan, floor.tangent_graphs[i]);
   });
   return compiled;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

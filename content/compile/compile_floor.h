@@ -9,11 +9,11 @@
 #include "content/import/floor/geojson.h"
 #include "runtime/model/geometry/floor.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// A floor compiled, with the plan as it was drawn.
 struct CompiledFloor {
-  ImportedPlan drawn;
+  import::ImportedPlan drawn;
   Floor floor;
 };
 
@@ -24,7 +24,7 @@ void plan_floor_stages(Progress& progress);
 /// per radius a tangent graph with its labels, on up to `jobs` threads. Mendings go into the
 /// report. Throws ContentError where the plan cannot be used.
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
-                            Coordinates coordinates, std::span<const double> radii, Report& report,
-                            Progress& progress, unsigned jobs = 1);
+                            import::Coordinates coordinates, std::span<const double> radii,
+                            Report& report, Progress& progress, unsigned jobs = 1);
 
-}  // namespace docent
+}  // namespace docent::compile

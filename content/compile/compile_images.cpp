@@ -10,23 +10,23 @@
 #include "content/parallel.h"
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
 /// An image that is wanted, and by which line.
 struct WantedImage {
   std::string name;  ///< Empty: the blank card.
-  Place place;
-  std::optional<ContentError> problem;
+  config::Place place;
+  std::optional<content::ContentError> problem;
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
-std::vector<WantedImage> wanted_images(const MuseumConfig& config, Museum& museum) {
+std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museum& museum) {
   std::vector<WantedImage> wanted;
   std::map<std::string, std::uint32_t> index;
   for (std::size_t i = 0; i < config.exhibits.size(); ++i) {
-    const Located<std::string>& image = config.exhibits[i].image;
+    const config::Located<std::string>& image = config.exhibits[i].image;
     const auto [known, is_new] =
         index.emplace(image.value, static_cast<std::uint32_t>(wanted.size()));
     if (is_new) wanted.push_back({image.value, image.place, std::nullopt});
@@ -35,27 +35,28 @@ std::vector<WantedImage> wanted_images(const MuseumConfig& config, Museum& museu
   return wanted;
 }
 
-void load(const MuseumConfig& config, WantedImage& wanted, EncodedImage& image) {
+void load(const config::MuseumConfig& config, WantedImage& wanted, EncodedImage& image) {
   const std::filesystem::path file = config.folder / wanted.name;
-  if (!wanted.name.empty() && !is_there(file)) return;  // already reported
+  if (!wanted.name.empty() && !file::is_there(file)) return;  // already reported
   try {
     image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     wanted.problem = error;
   }
 }
 
 }  // namespace
 
-void compile_images(const MuseumConfig& config, unsigned jobs, Museum& museum, Report& report) {
+void compile_images(const config::MuseumConfig& config, unsigned jobs, Museum& museum,
+                    Report& report) {
   std::vector<WantedImage> wanted = wanted_images(config, museum);
   museum.images.resize(wanted.size());
-  for_each_index(wanted.size(), jobs,
-                 [&](std::size_t i) { load(config, wanted[i], museum.images[i]); });
+  content::for_each_index(wanted.size(), jobs,
+                          [&](std::size_t i) { load(config, wanted[i], museum.images[i]); });
   for (const WantedImage& image : wanted)
     if (image.problem)
-      report.add(diagnostic_at(config, image.place, image.problem->code, image.problem->what(), {},
-                               image.problem->hint));
+      report.add(config::diagnostic_at(config, image.place, image.problem->code,
+                                       image.problem->what(), {}, image.problem->hint));
 }
 
-}  // namespace docent
+}  // namespace docent::compile

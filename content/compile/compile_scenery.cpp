@@ -5,7 +5,7 @@
 
 #include "content/scenery/scenery.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -20,30 +20,30 @@ std::vector<float> image_aspects(const Museum& museum) {
   return aspects;
 }
 
-std::vector<PavedArea> paving_of(const MuseumConfig* config, const Museum& museum,
-                                 std::size_t floor) {
-  std::vector<PavedArea> areas;
+std::vector<scenery::PavedArea> paving_of(const config::MuseumConfig* config, const Museum& museum,
+                                          std::size_t floor) {
+  std::vector<scenery::PavedArea> areas;
   if (config == nullptr) return areas;
   for (std::size_t i = 0; i < config->rooms.size(); ++i) {
     const Room& room = museum.rooms[i];
     if (room.floor == floor && !room.outline.empty() && config->rooms[i].paving.value == "stone")
-      areas.push_back({.outline = room.outline, .paving = Paving::Stone});
+      areas.push_back({.outline = room.outline, .paving = scenery::Paving::Stone});
   }
   return areas;
 }
 
 }  // namespace
 
-void compile_scenery(const MuseumConfig* config, Museum& museum) {
+void compile_scenery(const config::MuseumConfig* config, Museum& museum) {
   const std::vector<float> aspects = image_aspects(museum);
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
-    SceneryOptions options;
+    scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
     // The overview is turned as the visitor stands at the kiosk.
     if (museum.kiosk_floor == i) options.up = museum.kiosk.heading;
-    museum.scenery.push_back(make_scenery(museum.floors[i].plan, museum.exhibits, aspects,
-                                          paving_of(config, museum, i), options));
+    museum.scenery.push_back(scenery::make_scenery(museum.floors[i].plan, museum.exhibits, aspects,
+                                                   paving_of(config, museum, i), options));
   }
 }
 
-}  // namespace docent
+}  // namespace docent::compile

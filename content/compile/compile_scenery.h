@@ -3,10 +3,10 @@
 #include "config/museum_config.h"
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// Builds what is drawn of every floor, once its plan, exhibits and images are in the museum.
 /// `config` says what rooms are paved with; null for plans without a museum.
-void compile_scenery(const MuseumConfig* config, Museum& museum);
+void compile_scenery(const config::MuseumConfig* config, Museum& museum);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -17,7 +17,7 @@
 #include "platform/handle.h"
 #include "platform/image/image.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -28,13 +28,13 @@ using CairoSurface = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_de
 using CairoContext = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
 using Drawing = std::unique_ptr<RsvgHandle, CloseWith<g_object_unref>>;
 
-ContentError unreadable(const std::filesystem::path& file, const std::string& why) {
+content::ContentError unreadable(const std::filesystem::path& file, const std::string& why) {
   return {file.string(), 0, 0, "unreadable-image", why, "export it again as PNG, JPEG or SVG"};
 }
 
 std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
-  const std::string text =
-      read_source(file, "unreadable-image", "name a PNG, JPEG or SVG file that may be read");
+  const std::string text = content::read_source(file, "unreadable-image",
+                                                "name a PNG, JPEG or SVG file that may be read");
   const auto bytes = std::as_bytes(std::span(text));
   return {bytes.begin(), bytes.end()};
 }
@@ -42,7 +42,7 @@ std::vector<std::byte> read_bytes(const std::filesystem::path& file) {
 /// A kiosk keeps the bytes of all pictures in memory, so they are few: JPEG, but for what is partly
 /// clear, which only PNG can say.
 std::vector<std::byte> encoded(const std::filesystem::path& file, const Pixels& pixels) {
-  auto bytes = is_opaque(pixels) ? encode_jpeg(pixels) : encode_png(pixels);
+  auto bytes = image::is_opaque(pixels) ? image::encode_jpeg(pixels) : image::encode_png(pixels);
   if (!bytes) throw unreadable(file, bytes.error().what);
   return std::move(*bytes);
 }
@@ -130,11 +130,11 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
   Pixels pixels;
   bool keep = false;
   if (is_png_or_jpeg(image.bytes)) {
-    Result<Pixels> decoded = decode_image(image.bytes);
+    Result<Pixels> decoded = image::decode_image(image.bytes);
     if (!decoded) throw unreadable(file, decoded.error().what);
     pixels = std::move(*decoded);
     keep = std::max(pixels.width, pixels.height) <= kept_side;
-    if (!keep) pixels = shrink(std::move(pixels), drawn_side);
+    if (!keep) pixels = image::shrink(std::move(pixels), drawn_side);
   } else {
     pixels = draw_svg(file, image.bytes);
   }
@@ -154,4 +154,4 @@ EncodedImage blank_image() {
   return {.name = "", .width = side, .height = side, .bytes = encoded("", pixels)};
 }
 
-}  // namespace docent
+}  // namespace docent::compile

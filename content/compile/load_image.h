@@ -5,7 +5,7 @@
 
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// Reads a picture. PNG and JPEG files are decoded once to see that they are whole, and kept as
 /// they are where they are at most 2048 pixels a side; larger ones, and SVG drawings, become JPEG
@@ -18,4 +18,4 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
 /// A plain card for exhibits without a picture.
 EncodedImage blank_image();
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -19,7 +19,7 @@
 #include "content/compile/polygon.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -159,18 +159,18 @@ class DoorFinder {
   /// The part of a place with room: from the nearest wall straight up to the medial axis, along it
   /// where there is room, and out of the dead end where that is one.
   std::optional<std::uint32_t> part_reached_from(Vec2 place) {
-    const MedialAxisMap& axis = body_.map.medial_axis();
+    const path::MedialAxisMap& axis = body_.map.medial_axis();
     const auto above = axis.place_above(body_.map.site_at(place), place);
     if (!above) return {};
-    const EdgeCurve& curve = axis.curve(above->voronoi_edge);
+    const path::EdgeCurve& curve = axis.curve(above->voronoi_edge);
     const auto end_of = [&](std::uint32_t e, bool to) {
       return to ? axis.diagram().edge[e].to : axis.diagram().edge[e].from;
     };
     const bool onward = curve.clearance_between(above->at, curve.end()) >= body_.radius;
     std::uint32_t vertex = end_of(above->voronoi_edge, onward);
-    while (axis.node_at(vertex) == MedialAxisMap::none) {
+    while (axis.node_at(vertex) == path::MedialAxisMap::none) {
       const std::uint32_t e = axis.edge_to_road(vertex);
-      if (e == MedialAxisMap::none) return {};
+      if (e == path::MedialAxisMap::none) return {};
       vertex = end_of(e, end_of(e, false) == vertex);
     }
     const std::uint32_t node = axis.node_at(vertex);
@@ -261,7 +261,7 @@ class DoorFinder {
   }
 
   [[nodiscard]] Vec2 position_of(std::uint32_t e) const {
-    const EdgeCurve& curve = body_.map.medial_axis().curve(roadmap_.edges[e].voronoi_edge);
+    const path::EdgeCurve& curve = body_.map.medial_axis().curve(roadmap_.edges[e].voronoi_edge);
     return curve.point_at(curve.lowest_place());
   }
 
@@ -330,4 +330,4 @@ std::vector<NarrowDoor> narrow_doors(const ComingBody& body, std::span<const Vec
   return DoorFinder(body).find(wanted);
 }
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// A passage that is too narrow for a body, between two parts of a floor that have room for it.
 struct NarrowDoor {
@@ -20,7 +20,7 @@ struct NarrowDoor {
 
 /// A body that comes from one place of a floor, and what people call the floor's parts.
 struct ComingBody {
-  const FloorMap& map;
+  const path::FloorMap& map;
   std::span<const Room> rooms;  ///< Of this floor.
   std::span<const Door> doors;
   std::string language;  ///< Of the names.
@@ -34,4 +34,4 @@ struct ComingBody {
 /// and narrow places inside a room only where no wider way leads round them.
 std::vector<NarrowDoor> narrow_doors(const ComingBody& body, std::span<const Vec2> wanted);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -9,7 +9,7 @@
 #include "content/compile/polygon.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -25,15 +25,15 @@ Vec2 direction_of(double heading) {
 }
 
 bool is_in_case(const PlacingFloor& floor, Vec2 p) {
-  return std::ranges::any_of(floor.drawn, [&](const ImportedPolygon& polygon) {
-    return std::ranges::any_of(polygon.holes,
-                               [&](const ImportedRing& hole) { return contains(hole.vertex, p); });
+  return std::ranges::any_of(floor.drawn, [&](const import::ImportedPolygon& polygon) {
+    return std::ranges::any_of(
+        polygon.holes, [&](const import::ImportedRing& hole) { return contains(hole.vertex, p); });
   });
 }
 
 std::optional<ExhibitPlace> what_it_stands_on(const PlacingFloor& floor, Vec2 p) {
-  if (clearance_at(floor.map, p) <= on_wall_within) return ExhibitPlace::OnWall;
-  if (is_inside(floor.map, p)) return ExhibitPlace::OnFloor;
+  if (path::clearance_at(floor.map, p) <= on_wall_within) return ExhibitPlace::OnWall;
+  if (path::is_inside(floor.map, p)) return ExhibitPlace::OnFloor;
   if (is_in_case(floor, p)) return ExhibitPlace::InCase;
   return {};
 }
@@ -45,7 +45,7 @@ std::optional<double> distance_to_floor(const PlacingFloor& floor, Vec2 object, 
   const double limit = place == ExhibitPlace::InCase ? deepest_case : deepest_wall_mount;
   for (double t = 0; t <= limit; t += 0.01)
     if (const Vec2 p = object + t * direction;
-        is_inside(floor.map, p) && clearance_at(floor.map, p) > 1e-3)
+        path::is_inside(floor.map, p) && path::clearance_at(floor.map, p) > 1e-3)
       return t;
   return {};
 }
@@ -72,9 +72,10 @@ std::vector<Candidate> viewing_candidates(const PlacingFloor& floor, const Wante
     const double best = std::max(best_view, first + best_view - nearest_view);
     for (double t = first; t <= last + 1e-9; t += step) {
       const Vec2 p = wanted.position + t * direction;
-      if (!is_inside(floor.map, p)) break;  // beyond a wall nothing is in front of it any more
-      if (clearance_at(floor.map, p) < floor.body_radius + margin) continue;
-      if (!can_see(floor.map, p, seen)) break;
+      if (!path::is_inside(floor.map, p))
+        break;  // beyond a wall nothing is in front of it any more
+      if (path::clearance_at(floor.map, p) < floor.body_radius + margin) continue;
+      if (!path::can_see(floor.map, p, seen)) break;
       candidates.push_back({p, std::abs(t - best) + 1.5 * std::abs(angle)});
     }
   }
@@ -89,7 +90,7 @@ bool is_reachable(const PlacingFloor& floor, Vec2 point) {
 PlaceProblem outside(const PlacingFloor& floor, Vec2 position) {
   PlaceProblem problem{.kind = PlaceProblem::Kind::Outside,
                        .label = fmt::format("{:.2f} m outside the floor of '{}'",
-                                            clearance_at(floor.map, position), floor.name),
+                                            path::clearance_at(floor.map, position), floor.name),
                        .hint = {}};
   if (const auto free = nearest_free_point(floor.map, position, 0))
     problem.hint = fmt::format("the nearest free point is {}", point_text(*free));
@@ -168,9 +169,10 @@ std::string point_text(Vec2 point) {
   return fmt::format("[{:.2f}, {:.2f}]", point.x, point.y);
 }
 
-std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, double body_radius) {
-  const double clearance = clearance_at(map, point);
-  const bool inside = is_inside(map, point);
+std::optional<PlaceProblem> why_nobody_stands(const path::FloorMap& map, Vec2 point,
+                                              double body_radius) {
+  const double clearance = path::clearance_at(map, point);
+  const bool inside = path::is_inside(map, point);
   if (inside && clearance >= body_radius) return {};
   PlaceProblem problem{
       .kind = PlaceProblem::Kind::ViewBlocked,
@@ -182,18 +184,18 @@ std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, d
   return problem;
 }
 
-bool can_walk(const FloorMap& map, Vec2 from, Vec2 to, double body_radius) {
-  const RouteQuery query{
-      .kind = RouteKind::Shortest, .from = from, .to = to, .radius = body_radius};
-  return route(map, query).status == RouteStatus::Ok;
+bool can_walk(const path::FloorMap& map, Vec2 from, Vec2 to, double body_radius) {
+  const path::RouteQuery query{
+      .kind = path::RouteKind::Shortest, .from = from, .to = to, .radius = body_radius};
+  return path::route(map, query).status == path::RouteStatus::Ok;
 }
 
-std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance) {
+std::optional<Vec2> nearest_free_point(const path::FloorMap& map, Vec2 point, double clearance) {
   std::optional<Vec2> nearest;
   const auto consider = [&](Vec2 candidate) {
     const Vec2 p = to_centimetres(candidate);
     if (nearest && glm::distance(p, point) >= glm::distance(*nearest, point)) return;
-    if (is_inside(map, p) && clearance_at(map, p) >= clearance) nearest = p;
+    if (path::is_inside(map, p) && path::clearance_at(map, p) >= clearance) nearest = p;
   };
   consider(point);
   consider_beside_walls(map.plan(), point, clearance, consider);
@@ -223,4 +225,4 @@ PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted
   return placed;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -10,14 +10,14 @@
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// A floor as placing needs it.
 struct PlacingFloor {
-  const FloorMap& map;
+  const path::FloorMap& map;
   std::string name;
   /// Cases and plinths as they were drawn, for those that mending joined to a wall.
-  std::span<const ImportedPolygon> drawn;
+  std::span<const import::ImportedPolygon> drawn;
   /// Where visitors come from; empty where the kiosk stands on another floor.
   std::optional<Vec2> entrance;
   double body_radius = 0.25;
@@ -51,16 +51,17 @@ PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted
 
 /// Why nobody whose body has this radius can stand at a point, as `ViewBlocked`; empty where one
 /// can.
-std::optional<PlaceProblem> why_nobody_stands(const FloorMap& map, Vec2 point, double body_radius);
+std::optional<PlaceProblem> why_nobody_stands(const path::FloorMap& map, Vec2 point,
+                                              double body_radius);
 
 /// Is there a way for a body?
-bool can_walk(const FloorMap& map, Vec2 from, Vec2 to, double body_radius);
+bool can_walk(const path::FloorMap& map, Vec2 from, Vec2 to, double body_radius);
 
 /// The nearest point that is clear of walls by `clearance`, in whole centimetres; empty where there
 /// is none within 20 m.
-std::optional<Vec2> nearest_free_point(const FloorMap& map, Vec2 point, double clearance);
+std::optional<Vec2> nearest_free_point(const path::FloorMap& map, Vec2 point, double clearance);
 
 /// "[12.40, 3.45]"
 std::string point_text(Vec2 point);
 
-}  // namespace docent
+}  // namespace docent::compile

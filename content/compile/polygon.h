@@ -6,7 +6,7 @@
 #include "runtime/model/geometry/vec2.h"
 
 /// Polygons as lists of their corners, the first not repeated at the end.
-namespace docent {
+namespace docent::compile {
 
 /// Square metres; negative for a clockwise one.
 inline double signed_area(std::span<const Vec2> polygon) {
@@ -28,4 +28,4 @@ inline bool contains(std::span<const Vec2> polygon, Vec2 p) {
   return inside;
 }
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -92,4 +92,4 @@ void Progress::erase_bar() {
   std::fflush(stderr);
 }
 
-}  // namespace docent
+}  // namespace docent::compile

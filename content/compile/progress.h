@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent {
+namespace docent::compile {
 
 /// What a compilation is doing. A terminal sees a bar with the stage's name and the time left, a
 /// log one line a stage. Any thread may start and finish stages.
@@ -75,4 +75,4 @@ class Progress {
 /// The way to show progress where standard error leads.
 Progress::Output progress_output(bool quiet);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -9,7 +9,7 @@
 
 #include "config/diagnostic_text.h"
 
-namespace docent {
+namespace docent::compile {
 
 void Report::add(Diagnostic diagnostic) {
   const std::lock_guard lock(mutex_);
@@ -46,9 +46,10 @@ void Report::print(Form form) const {
   const bool shortens = form == Form::Text && ::isatty(STDERR_FILENO) == 1;
   const std::size_t shown = shortens ? std::min(sorted.size(), terminal_limit) : sorted.size();
   for (std::size_t i = 0; i < shown; ++i)
-    fmt::print(stderr, "{}", form == Form::Json ? to_json(sorted[i]) + "\n" : to_text(sorted[i]));
+    fmt::print(stderr, "{}",
+               form == Form::Json ? config::to_json(sorted[i]) + "\n" : config::to_text(sorted[i]));
   if (shown < sorted.size())
     fmt::print(stderr, "... and {} more; all of them with 2>FILE\n", sorted.size() - shown);
 }
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -7,7 +7,7 @@
 
 #include "runtime/model/diagnostic.h"
 
-namespace docent {
+namespace docent::compile {
 
 /// Everything that a run found wrong, told at its end in the order of the sources. Any thread may
 /// add.
@@ -34,4 +34,4 @@ class Report {
   std::vector<Diagnostic> diagnostics_;
 };
 
-}  // namespace docent
+}  // namespace docent::compile

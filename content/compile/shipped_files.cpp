@@ -4,7 +4,7 @@
 
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::compile {
 
 namespace {
 
@@ -18,7 +18,7 @@ fs::path share_folder() {
 }
 
 fs::path installed_or(const fs::path& installed, const fs::path& in_sources) {
-  return is_there(installed) ? installed : fs::path(DOCENT_SOURCE_DIR) / in_sources;
+  return file::is_there(installed) ? installed : fs::path(DOCENT_SOURCE_DIR) / in_sources;
 }
 
 }  // namespace
@@ -32,4 +32,4 @@ fs::path shipped_words(const std::string& language) {
   return installed_or(share_folder() / "words" / file, fs::path("config/museum/words") / file);
 }
 
-}  // namespace docent
+}  // namespace docent::compile

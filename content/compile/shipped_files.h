@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace docent {
+namespace docent::compile {
 
 /// The clips that come with docent: of the installation that this program belongs to, else of the
 /// source tree that it was built from.
@@ -13,4 +13,4 @@ std::filesystem::path shipped_clips();
 /// exist.
 std::filesystem::path shipped_words(const std::string& language);
 
-}  // namespace docent
+}  // namespace docent::compile

@@ -10,7 +10,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 template <auto close>
@@ -22,8 +22,8 @@ using Surface = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_destroy
 using Painter = std::unique_ptr<cairo_t, CloseWith<cairo_destroy>>;
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& message) {
-  throw ContentError(Errc::Environment, file.string(), "unwritable-picture", message,
-                     "is the folder there, writable, and the disk not full?");
+  throw content::ContentError(Errc::Environment, file.string(), "unwritable-picture", message,
+                              "is the folder there, writable, and the disk not full?");
 }
 
 cairo_status_t take_bytes(void* closure, const unsigned char* bytes, unsigned size) {
@@ -78,8 +78,8 @@ void write_picture(const std::filesystem::path& file, std::string_view svg) {
   else if (file.extension() == ".png")
     write_whole(file, to_png(file, svg));
   else
-    throw ContentError(Errc::WrongUsage, file.string(), "unknown-picture-format",
-                       "a drawing is written to a file that ends in .svg or .png");
+    throw content::ContentError(Errc::WrongUsage, file.string(), "unknown-picture-format",
+                                "a drawing is written to a file that ends in .svg or .png");
 }
 
-}  // namespace docent
+}  // namespace docent::draw

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 /// Red, green and blue, 0 to 255.
@@ -100,4 +100,4 @@ std::string Svg::document() const {
       width_, height_, body_);
 }
 
-}  // namespace docent
+}  // namespace docent::draw

@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// The house's colours (sRGB), for drawings of what the database knows.
 namespace ink {
@@ -61,4 +61,4 @@ class Svg {
   std::string body_;
 };
 
-}  // namespace docent
+}  // namespace docent::draw

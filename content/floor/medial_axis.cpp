@@ -9,7 +9,7 @@
 
 #include "runtime/model/geometry/bisector.h"
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 /// Metres. A dead end whose discs reach less than this beyond its junction's disc is noise.
@@ -137,4 +137,4 @@ Roadmap medial_axis(const FloorPlan& plan, const VoronoiDiagram& diagram) {
   return roadmap;
 }
 
-}  // namespace docent
+}  // namespace docent::floor

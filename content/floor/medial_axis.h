@@ -4,7 +4,7 @@
 #include "runtime/model/geometry/roadmap.h"
 #include "runtime/model/geometry/voronoi_diagram.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// The middle of the room as a network to walk on: the medial axis without its dead ends.
 ///
@@ -18,4 +18,4 @@ namespace docent {
 /// without edges. Nodes without edges occur for no other reason.
 Roadmap medial_axis(const FloorPlan& plan, const VoronoiDiagram& diagram);
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -11,7 +11,7 @@
 #include "content/content_error.h"
 #include "content/floor/overlay.h"
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 /// Corners closer than this are one corner. A hair under 1 mm, because two coordinates that are
@@ -27,7 +27,7 @@ constexpr double largest_plan = 1e5;   ///< Metres.
 /// A ring on its way to becoming walls.
 struct DrawnRing {
   OverlayRing ring;
-  std::vector<SourcePlace> place;  ///< One per vertex.
+  std::vector<import::SourcePlace> place;  ///< One per vertex.
 };
 
 /// Writes the warnings.
@@ -36,7 +36,7 @@ class Reporter {
   Reporter(const std::vector<std::string>& files, std::vector<Diagnostic>& mendings)
       : files_(files), mendings_(mendings) {}
 
-  void warn(const SourcePlace& place, std::string code, std::string message,
+  void warn(const import::SourcePlace& place, std::string code, std::string message,
             std::string hint = {}) const {
     mendings_.push_back({.file = place.file < files_.size() ? files_[place.file] : "",
                          .line = place.line,
@@ -99,8 +99,8 @@ void erase_vertex(DrawnRing& drawn, std::size_t i) {
   if (!drawn.place.empty()) drawn.place.erase(drawn.place.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-SourcePlace place_of(const DrawnRing& drawn, std::size_t i) {
-  return i < drawn.place.size() ? drawn.place[i] : SourcePlace{};
+import::SourcePlace place_of(const DrawnRing& drawn, std::size_t i) {
+  return i < drawn.place.size() ? drawn.place[i] : import::SourcePlace{};
 }
 
 void unify_corners(DrawnRing& drawn, Corners& corners, const Reporter* reporter) {
@@ -173,7 +173,7 @@ double signed_area(std::span<const Vec2> ring) {
 std::vector<DrawnRing> tidy(std::vector<DrawnRing> drawn, const Reporter* reporter) {
   Corners corners;
   for (DrawnRing& ring : drawn) {
-    const SourcePlace start = place_of(ring, 0);
+    const import::SourcePlace start = place_of(ring, 0);
     unify_corners(ring, corners, reporter);
     remove_spikes(ring, reporter);
     if (ring.ring.vertex.size() < 3 && reporter != nullptr)
@@ -185,14 +185,14 @@ std::vector<DrawnRing> tidy(std::vector<DrawnRing> drawn, const Reporter* report
   return drawn;
 }
 
-std::vector<DrawnRing> collect(const ImportedPlan& imported) {
+std::vector<DrawnRing> collect(const import::ImportedPlan& imported) {
   std::vector<DrawnRing> drawn;
-  const auto add = [&](const ImportedRing& ring, std::size_t polygon, bool hole) {
+  const auto add = [&](const import::ImportedRing& ring, std::size_t polygon, bool hole) {
     drawn.push_back({{ring.vertex, static_cast<std::uint32_t>(polygon), hole}, ring.place});
   };
   for (std::size_t p = 0; p < imported.polygons.size(); ++p) {
     add(imported.polygons[p].outer, p, false);
-    for (const ImportedRing& hole : imported.polygons[p].holes) add(hole, p, true);
+    for (const import::ImportedRing& hole : imported.polygons[p].holes) add(hole, p, true);
   }
   return drawn;
 }
@@ -205,22 +205,22 @@ std::vector<OverlayRing> rings_of(const std::vector<DrawnRing>& drawn) {
 }
 
 /// A plan of 0.0002 m is one in degrees.
-void check_size(const ImportedPlan& imported) {
+void check_size(const import::ImportedPlan& imported) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low{infinity, infinity}, high{-infinity, -infinity};
-  for (const ImportedPolygon& polygon : imported.polygons)
+  for (const import::ImportedPolygon& polygon : imported.polygons)
     for (const Vec2 vertex : polygon.outer.vertex)
       low = glm::min(low, vertex), high = glm::max(high, vertex);
   const double size = std::max(high.x - low.x, high.y - low.y);
   if (size >= smallest_plan && size <= largest_plan) return;
-  throw ContentError(
+  throw content::ContentError(
       imported.files.empty() ? "" : imported.files.front(), 0, 0, "not-in-metres",
       fmt::format("the whole plan is {:.2g} m large, so its numbers are not metres", size),
       size < smallest_plan ? "if they are longitude and latitude, say --coordinates wgs84"
                            : "convert the plan to metres; --coordinates wgs84 is for degrees only");
 }
 
-SourcePlace place_near(const DrawnRing& drawn, Vec2 point) {
+import::SourcePlace place_near(const DrawnRing& drawn, Vec2 point) {
   const auto nearest = std::ranges::min_element(
       drawn.ring.vertex, {}, [point](Vec2 v) { return glm::distance(v, point); });
   return place_of(drawn, static_cast<std::size_t>(nearest - drawn.ring.vertex.begin()));
@@ -230,7 +230,7 @@ void report_contact(const RingContact& contact, const std::vector<DrawnRing>& dr
                     const Reporter& reporter) {
   const DrawnRing &a = drawn[contact.a], &b = drawn[contact.b];
   const char* meets = contact.crossing ? "crosses" : "touches";
-  const SourcePlace place = place_near(b, contact.at);
+  const import::SourcePlace place = place_near(b, contact.at);
   const std::string at = written(contact.at);
   if (contact.a == contact.b) {
     reporter.warn(place, "ring-crosses-itself",
@@ -304,13 +304,13 @@ void report(const Overlay& walls, const std::vector<DrawnRing>& drawn, const Rep
 /// Rounding a crossing moves the walls that end there by half a unit in the last place, which may
 /// make them cross a third; so the walls are overlaid again until nothing is left to round. Each
 /// round moves walls by less than the one before found them apart; two are usual.
-std::vector<std::vector<Vec2>> settle(Overlay walls, const ImportedPlan& imported) {
+std::vector<std::vector<Vec2>> settle(Overlay walls, const import::ImportedPlan& imported) {
   constexpr int patience = 20;
   for (int round = 0; walls.adds_vertices; ++round) {
     if (round == patience)
-      throw ContentError(imported.files.front(), 0, 0, "cannot-mend",
-                         "the rings of this plan cross in too many places to be mended",
-                         "draw the outlines so that they do not cross");
+      throw content::ContentError(imported.files.front(), 0, 0, "cannot-mend",
+                                  "the rings of this plan cross in too many places to be mended",
+                                  "draw the outlines so that they do not cross");
     std::vector<DrawnRing> drawn;
     drawn.reserve(walls.walls.size());
     for (std::vector<Vec2>& ring : walls.walls) drawn.push_back({{std::move(ring)}, {}});
@@ -364,7 +364,7 @@ FloorPlan to_floor_plan(const std::vector<std::vector<Vec2>>& rings) {
 
 }  // namespace
 
-FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings) {
+FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& mendings) {
   const Reporter reporter(imported.files, mendings);
   check_size(imported);
 
@@ -374,10 +374,11 @@ FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings) 
   const std::vector<std::vector<Vec2>> rings =
       drop_specks(settle(std::move(walls), imported), reporter);
   if (rings.empty())
-    throw ContentError(imported.files.empty() ? "" : imported.files.front(), 0, 0, "no-floor",
-                       "nothing of this plan is walkable: its holes cover its areas",
-                       "are floor and obstacles swapped?");
+    throw content::ContentError(imported.files.empty() ? "" : imported.files.front(), 0, 0,
+                                "no-floor",
+                                "nothing of this plan is walkable: its holes cover its areas",
+                                "are floor and obstacles swapped?");
   return to_floor_plan(rings);
 }
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -6,7 +6,7 @@
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// Makes walls of drawn rings: the union over all polygons of the outer ring's inside without the
 /// holes' insides, where the inside of a ring that crosses itself is every point it winds about
@@ -22,6 +22,6 @@ namespace docent {
 ///
 /// Throws ContentError where nothing walkable remains, and where the plan's size says that its
 /// numbers cannot be metres.
-FloorPlan mend(const ImportedPlan& imported, std::vector<Diagnostic>& mendings);
+FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& mendings);
 
-}  // namespace docent
+}  // namespace docent::floor

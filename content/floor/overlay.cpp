@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -314,4 +314,4 @@ Overlay overlay(std::span<const OverlayRing> rings, Fill fill) {
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::floor

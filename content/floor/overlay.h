@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// Which part of the plane rings enclose.
 enum class Fill : std::uint8_t {
@@ -46,4 +46,4 @@ struct Overlay {
 /// which are dropped.
 Overlay overlay(std::span<const OverlayRing> rings, Fill fill);
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -321,4 +321,4 @@ SightMap make_sight_map(const FloorPlan& plan) {
   return map;
 }
 
-}  // namespace docent
+}  // namespace docent::floor

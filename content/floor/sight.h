@@ -3,7 +3,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/sight_map.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// What every reflex corner of a mended plan sees: triangular expansion (Bungiu, Hemmer,
 /// Hershberger, Huang, Kroeller 2014) over the constrained Delaunay triangulation of the interior,
@@ -12,4 +12,4 @@ namespace docent {
 /// Cost: as much as is seen, and the triangulation.
 SightMap make_sight_map(const FloorPlan& plan);
 
-}  // namespace docent
+}  // namespace docent::floor

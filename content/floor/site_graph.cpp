@@ -17,7 +17,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 constexpr std::uint32_t none = SiteTriangle::none;
@@ -207,8 +207,8 @@ Graph make_graph(const FloorPlan& plan, const std::vector<std::uint32_t>& reflex
     const Graph::Vertex_handle wall = graph.insert(corner[i], corner[plan.next[i]]);
     // A wall that crosses another is left out with no more than a word on standard error.
     if (wall == Graph::Vertex_handle() || !wall->is_segment() || wall->number != none)
-      throw ContentError(plan.name, 0, 0, "crossing-walls",
-                         "the walls of a floor cross or overlap");
+      throw content::ContentError(plan.name, 0, 0, "crossing-walls",
+                                  "the walls of a floor cross or overlap");
     wall->number = static_cast<std::uint32_t>(i);
   }
   return graph;
@@ -234,4 +234,4 @@ SiteGraph site_graph(const FloorPlan& plan) {
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::floor

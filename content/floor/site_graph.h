@@ -7,7 +7,7 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// Three sites that a disc touches which holds no part of any other: a Voronoi vertex.
 ///
@@ -36,4 +36,4 @@ struct SiteGraph {
 /// right one whatever the doubles are. Throws ContentError where walls cross or overlap.
 SiteGraph site_graph(const FloorPlan& plan);
 
-}  // namespace docent
+}  // namespace docent::floor

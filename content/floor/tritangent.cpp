@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 using Real = long double;
@@ -246,4 +246,4 @@ TritangentDisc tritangent_disc(const std::array<TangentSite, 3>& sites) {
           static_cast<double>(disc.r)};
 }
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -4,7 +4,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// A wall or a corner, as a disc may touch it.
 struct TangentSite {
@@ -33,4 +33,4 @@ struct TritangentDisc {
 /// are replaced by the line that the disc's centre must lie on, which is known exactly.
 TritangentDisc tritangent_disc(const std::array<TangentSite, 3>& sites);
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -15,7 +15,7 @@
 #include "content/floor/site_graph.h"
 #include "content/floor/tritangent.h"
 
-namespace docent {
+namespace docent::floor {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -26,7 +26,8 @@ constexpr double same_vertex = 1e-10;
 constexpr double farthest_miss = 1e-6;
 
 [[noreturn]] void refuse(const FloorPlan& plan) {
-  throw ContentError(plan.name, 0, 0, "crossing-walls", "the walls of a floor cross or overlap");
+  throw content::ContentError(plan.name, 0, 0, "crossing-walls",
+                              "the walls of a floor cross or overlap");
 }
 
 std::vector<Site> make_sites(const FloorPlan& plan, std::span<const std::uint32_t> reflex_corners) {
@@ -327,4 +328,4 @@ VoronoiDiagram voronoi_diagram(const FloorPlan& plan) {
   return diagram;
 }
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -3,7 +3,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/voronoi_diagram.h"
 
-namespace docent {
+namespace docent::floor {
 
 /// The segment Voronoi diagram of a plan's walls inside the walkable floor.
 ///
@@ -16,4 +16,4 @@ namespace docent {
 /// Needs a plan that keeps FloorPlan's invariants (see mend.h); throws ContentError otherwise.
 VoronoiDiagram voronoi_diagram(const FloorPlan& plan);
 
-}  // namespace docent
+}  // namespace docent::floor

@@ -5,7 +5,7 @@
 
 #include "content/gait/gait_figures.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 constexpr double far_away = 500;  ///< Seconds; beyond it lies a foot's "always".
@@ -143,4 +143,4 @@ void smooth(std::vector<double>& values, double rate, double sigma) {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::gait

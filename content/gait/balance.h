@@ -5,7 +5,7 @@
 
 #include "content/gait/footsteps.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// Frames of a clip's clock: frame f is at begin + f / rate seconds.
 struct FrameTimes {
@@ -36,4 +36,4 @@ std::vector<GroundPoint> balanced_mass(std::span<const GroundPoint> pressure, do
 /// Gaussian smoothing by `sigma` seconds; the ends go on as they are.
 void smooth(std::vector<double>& values, double rate, double sigma);
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -8,7 +8,7 @@
 #include "content/gait/balance.h"
 #include "content/gait/foot_motion.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// What paces the body through a clip, by frame.
 struct Pace {
@@ -45,4 +45,4 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
 /// The placings of one foot, in order.
 std::vector<Footstep> placings_of(std::span<const Footstep> steps, Foot foot);
 
-}  // namespace docent
+}  // namespace docent::gait

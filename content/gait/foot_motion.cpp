@@ -10,7 +10,7 @@
 #include "content/gait/gait_figures.h"
 #include "content/gait/gait_skeleton.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
@@ -190,4 +190,4 @@ FootPose foot_at(std::span<const Footstep> placings, double time) {
   return swing_pose(step, placings[k + 1], time);
 }
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -6,7 +6,7 @@
 
 #include "content/gait/footsteps.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// A foot at a moment: x left, y up, z forward (of heading 0), metres and radians.
 struct FootPose {
@@ -23,4 +23,4 @@ struct FootPose {
 /// the foot takes a smooth way to its next strike with the rise and pitch of the normative curves.
 FootPose foot_at(std::span<const Footstep> placings, double time);
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -7,7 +7,7 @@
 #include "content/gait/gait_figures.h"
 #include "content/gait/variation.h"
 
-namespace docent {
+namespace docent::gait {
 
 GroundPoint forward_of(double heading) noexcept {
   return {std::sin(heading), std::cos(heading)};
@@ -221,4 +221,4 @@ std::vector<Footstep> plan_footsteps(const GaitPlan& plan) {
   return steps;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -5,7 +5,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace docent {
+namespace docent::gait {
 
 /// The ground of a gait clip: x to the left of the first walking direction, z along it, so that a
 /// heading of 0 looks along +z and turning left is positive. Metres and radians.
@@ -56,4 +56,4 @@ std::vector<Footstep> plan_footsteps(const GaitPlan& plan);
 double step_duration(double speed) noexcept;
 double step_length(double speed) noexcept;
 
-}  // namespace docent
+}  // namespace docent::gait

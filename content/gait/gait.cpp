@@ -6,7 +6,7 @@
 #include "content/gait/body_motion.h"
 #include "content/gait/gait_skeleton.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 /// Seconds made before and after the kept frames, so that smoothing and balance see what comes.
@@ -120,4 +120,4 @@ std::vector<GaitRecipe> default_clips() {
   };
 }
 
-}  // namespace docent
+}  // namespace docent::gait

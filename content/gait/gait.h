@@ -6,7 +6,7 @@
 #include "content/gait/footsteps.h"
 #include "runtime/model/motion/motion_clip.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// A clip to be made: what the walker does, and which of the plan's seconds are kept.
 struct GaitRecipe {
@@ -26,4 +26,4 @@ MotionClip make_gait_clip(const GaitRecipe& recipe);
 /// 520 and 503, by 45 degrees 441 and 444.
 std::vector<GaitRecipe> default_clips();
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace docent {
+namespace docent::gait {
 namespace gait_figures {
 namespace {
 
@@ -95,4 +95,4 @@ double ease(double share) noexcept {
   return t * t * t * (10 + t * (6 * t - 15));
 }
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-namespace docent {
+namespace docent::gait {
 
 /// Normative figures of adult walking at a comfortable pace, restated as small tables of our own.
 ///
@@ -77,4 +77,4 @@ double spline(std::span<const gait_figures::Knot> knots, double first_slope, dou
 /// 0 at 0, 1 at 1, with no velocity or acceleration at either end.
 double ease(double share) noexcept;
 
-}  // namespace docent
+}  // namespace docent::gait

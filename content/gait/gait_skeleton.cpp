@@ -1,6 +1,6 @@
 #include "content/gait/gait_skeleton.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 struct Row {
@@ -76,4 +76,4 @@ Skeleton gait_skeleton() {
   return skeleton;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

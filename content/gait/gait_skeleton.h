@@ -2,7 +2,7 @@
 
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// The measures of the walker, metres: a person of 1.70 m with the segment lengths of Drillis and
 /// Contini (1966; Winter 2009, figure 4.1).
@@ -55,4 +55,4 @@ enum class WalkerJoint : std::uint8_t {
 /// +z; the root is between the hips.
 Skeleton gait_skeleton();
 
-}  // namespace docent
+}  // namespace docent::gait

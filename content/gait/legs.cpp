@@ -8,7 +8,7 @@
 #include "content/gait/gait_skeleton.h"
 #include "content/gait/variation.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
@@ -139,4 +139,4 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
   return places;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "content/content_error.h"
 #include "content/gait/gait.h"
 #include "content/gait/gait_skeleton.h"
-#include "content/content_error.h"
 #include "content/import/motion/bvh_write.h"
 
 int main(int count, char** arguments) {
@@ -15,13 +15,13 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    const docent::Skeleton skeleton = docent::gait_skeleton();
-    for (const docent::GaitRecipe& recipe : docent::default_clips()) {
-      const docent::MotionClip clip = docent::make_gait_clip(recipe);
-      docent::write_bvh(skeleton, {clip.frame_rate, clip.root, clip.rotation},
-                        std::filesystem::path(arguments[1]) / (recipe.name + ".bvh"));
+    const docent::Skeleton skeleton = docent::gait::gait_skeleton();
+    for (const docent::gait::GaitRecipe& recipe : docent::gait::default_clips()) {
+      const docent::MotionClip clip = docent::gait::make_gait_clip(recipe);
+      docent::import::write_bvh(skeleton, {clip.frame_rate, clip.root, clip.rotation},
+                                std::filesystem::path(arguments[1]) / (recipe.name + ".bvh"));
     }
-  } catch (const docent::ContentError& error) {
+  } catch (const docent::content::ContentError& error) {
     fmt::print(stderr, "{}: {}\n", error.file, error.what());
     return 3;
   }

@@ -4,7 +4,7 @@
 #include "content/gait/body_motion.h"
 #include "content/gait/gait_figures.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 constexpr double far_away = 500;
@@ -86,4 +86,4 @@ std::vector<Footstep> placings_of(std::span<const Footstep> steps, Foot foot) {
   return own;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

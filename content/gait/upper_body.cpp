@@ -6,7 +6,7 @@
 #include "content/gait/gait_figures.h"
 #include "content/gait/variation.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 using namespace gait_figures;
@@ -115,4 +115,4 @@ UpperBody upper_body_at(const Pace& pace, std::size_t frame, std::uint32_t seed)
   return body;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

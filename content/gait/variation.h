@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace docent {
+namespace docent::gait {
 
 /// Small differences between one step and the next: a number in [-1, 1] for each seed, step and
 /// purpose, the same on every machine (SplitMix64, Steele, Lea and Flood 2014).
@@ -16,4 +16,4 @@ constexpr double variation(std::uint32_t seed, std::int64_t step, std::uint32_t 
   return static_cast<double>(x >> 11U) * 0x1p-52 - 1.0;
 }
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -8,7 +8,7 @@
 #include "content/motion/nearest_poses.h"
 #include "content/parallel.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// A frame of each clip, and how far their points are apart.
@@ -146,7 +146,7 @@ std::vector<PairTile> alike_tiles(std::span<const PoseCloud> clouds, const Alike
   constexpr std::size_t share = 256;  // Frames that a thread looks up at a time.
   const std::span<const ClipFrame> frames = finder.looked_up();
   std::vector<std::vector<PairTile>> found((frames.size() + share - 1) / share);
-  for_each_index(found.size(), jobs, [&](std::size_t part) {
+  content::for_each_index(found.size(), jobs, [&](std::size_t part) {
     std::vector<Pair> pairs;
     for (const ClipFrame from :
          frames.subspan(part * share).first(std::min(share, frames.size() - part * share))) {
@@ -164,4 +164,4 @@ std::vector<PairTile> alike_tiles(std::span<const PoseCloud> clouds, const Alike
   return tiles;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "content/motion/pose_distance.h"
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// A piece of the distance matrix of two clips, the first not after the second.
 struct PairTile {
@@ -41,4 +41,4 @@ struct AlikeSearch {
 std::vector<PairTile> alike_tiles(std::span<const PoseCloud> clouds, const AlikeSearch& search,
                                   unsigned jobs);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 
 #include "content/import/motion/motion_file.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// The least leap that is a fault, in metres from one frame to the next.
@@ -148,7 +148,7 @@ void place_again(const Skeleton& skeleton, const MotionClip& clip, const Gap& ga
   std::vector<Vec3> places;
   for (std::int64_t f = gap.first; f <= gap.last; ++f) {
     const auto frame = static_cast<std::size_t>(f);
-    place_joints(skeleton, clip, frame, places);
+    import::place_joints(skeleton, clip, frame, places);
     std::ranges::copy(places,
                       track.place.begin() + static_cast<std::ptrdiff_t>(frame * track.joints));
   }
@@ -240,4 +240,4 @@ std::string describe(const CaptureFault& fault, const Skeleton& skeleton) {
                      100 * fault.metres, frames);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

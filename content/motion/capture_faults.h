@@ -5,7 +5,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Frames in which a recording is wrong: a marker that was lost or swapped throws a joint through
 /// the room faster than a body could.
@@ -35,4 +35,4 @@ std::vector<CaptureFault> mend_capture_faults(const Skeleton& skeleton, MotionCl
 /// "joint 'LeftHand' leaps by 71 cm in frames 0 to 1", for reports.
 std::string describe(const CaptureFault& fault, const Skeleton& skeleton);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -8,7 +8,7 @@
 #include "content/import/motion/body.h"
 #include "content/motion/extract_root_motion.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 // Speeds of adults, m/s. Walking ends, and running begins, at about 2 m/s (Bertram 2005).
@@ -47,7 +47,7 @@ double median_of(std::vector<double>& values) {
 ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track) {
   const std::vector<Placement> body = extract_root_motion(skeleton, clip, track);
   const std::vector<double> speed = body_speed(body, clip.frame_rate);
-  const double size = size_of(skeleton), leg = leg_length(skeleton);
+  const double size = size_of(skeleton), leg = import::leg_length(skeleton);
   const std::size_t frames = speed.size();
   const std::size_t quarter = std::min<std::size_t>(frames - 1, frames_in(0.25, clip.frame_rate));
 
@@ -118,4 +118,4 @@ const char* name_of(ClipRole role) {
   return "other";
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

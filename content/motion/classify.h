@@ -2,7 +2,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// What a clip does, measured on its body (sway taken out).
 struct ClipMeasures {
@@ -31,4 +31,4 @@ const char* motion_class_of(const ClipMeasures& measures, double size);
 /// "turn-left", as reports and clips.toml write it.
 const char* name_of(ClipRole role);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

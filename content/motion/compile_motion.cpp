@@ -11,7 +11,7 @@
 #include "content/motion/resample.h"
 #include "content/motion/rest_pose.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double slowest_rate = 50;  // frames a second: at 30, feet are 5 mm off between frames
@@ -24,13 +24,13 @@ bool same_skeleton(const Skeleton& a, const Skeleton& b) {
 }
 
 /// The skeleton that most recordings share; of equally many the one that comes first.
-const Skeleton& commonest_skeleton(const std::vector<FolderMotion>& motions) {
+const Skeleton& commonest_skeleton(const std::vector<import::FolderMotion>& motions) {
   struct Kind {
     const Skeleton* skeleton;
     std::size_t count;
   };
   std::vector<Kind> kinds;  // Few, however many clips there are.
-  for (const FolderMotion& m : motions) {
+  for (const import::FolderMotion& m : motions) {
     const auto known = std::ranges::find_if(
         kinds, [&](const Kind& k) { return same_skeleton(*k.skeleton, m.motion.skeleton); });
     if (known == kinds.end())
@@ -45,19 +45,19 @@ const Skeleton& commonest_skeleton(const std::vector<FolderMotion>& motions) {
 
 MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
                            const MotionOptions& options, std::vector<Diagnostic>& problems) {
-  std::vector<FolderMotion> motions;
+  std::vector<import::FolderMotion> motions;
   for (const std::filesystem::path& folder : folders)
-    for (FolderMotion& motion : read_motion_folder(folder, problems))
+    for (import::FolderMotion& motion : import::read_motion_folder(folder, problems))
       motions.push_back(std::move(motion));
   Skeleton skeleton = commonest_skeleton(motions);
   double rate = 0;
-  for (const FolderMotion& m : motions)
+  for (const import::FolderMotion& m : motions)
     if (same_skeleton(m.motion.skeleton, skeleton)) rate = std::max(rate, m.motion.clip.frame_rate);
   // Between two frames joints turn straight on, and a planted foot leaves its place a little.
   if (rate < slowest_rate) rate *= std::ceil(slowest_rate / rate);
 
   std::vector<SourceClip> sources;
-  for (FolderMotion& m : motions) {
+  for (import::FolderMotion& m : motions) {
     if (!same_skeleton(m.motion.skeleton, skeleton)) {
       problems.push_back({.file = m.file,
                           .severity = Severity::Warning,
@@ -88,4 +88,4 @@ MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOpti
   return compile_motion(std::span(&folder, 1), options, problems);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 
 #include "content/motion/make_motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Makes a motion graph of the recordings in folders (BVH, ASF/AMC; a clips.toml may state units
 /// and roles). Folders are taken in their order, files in the order of their names.
@@ -18,4 +18,4 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
 MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,
                            std::vector<Diagnostic>& problems);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -11,7 +11,7 @@
 #include "content/motion/mirror.h"
 #include "content/motion/parametric_turns.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// What a clip offers a walk that another may lack.
@@ -126,8 +126,8 @@ std::vector<MotionClip> enrich(const Skeleton& skeleton, const std::vector<Motio
     all.insert(all.end(), made.begin(), made.end());
     try {
       std::ranges::move(mirrored_clips(skeleton, all, folder), std::back_inserter(made));
-    } catch (const ContentError& error) {
-      warnings.push_back(to_diagnostic(error));
+    } catch (const content::ContentError& error) {
+      warnings.push_back(content::to_diagnostic(error));
       warnings.back().severity = Severity::Warning;
     }
   }
@@ -135,4 +135,4 @@ std::vector<MotionClip> enrich(const Skeleton& skeleton, const std::vector<Motio
   return made;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

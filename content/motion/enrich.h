@@ -8,7 +8,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Which clips are made of those that were recorded. README.md has what they gain and cost.
 struct Enrichment {
@@ -28,4 +28,4 @@ std::vector<MotionClip> enrich(const Skeleton& skeleton, const std::vector<Motio
                                const std::vector<PoseCloud>& cloud, Enrichment enrichment,
                                const std::string& folder, std::vector<Diagnostic>& warnings);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

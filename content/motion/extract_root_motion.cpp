@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 // Seconds: two steps at 109 a minute. Hann weights over two cycles cancel what repeats every cycle.
@@ -82,4 +82,4 @@ std::vector<double> body_speed(const std::vector<Placement>& body, double frame_
   return speed;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -2,7 +2,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Which way the hips face in a frame, from the line between the hip joints: radians,
 /// counter-clockwise from east in the floor frame. Follows on from `before` without leaps.
@@ -17,4 +17,4 @@ std::vector<Placement> extract_root_motion(const Skeleton& skeleton, const Motio
 /// Metres a second that the body moves over the floor in each frame.
 std::vector<double> body_speed(const std::vector<Placement>& body, double frame_rate);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

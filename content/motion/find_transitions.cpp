@@ -11,7 +11,7 @@
 #include "content/motion/alike_tiles.h"
 #include "content/parallel.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// Two clips and what is known of them, in frames.
@@ -329,17 +329,19 @@ std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
       frames <= options.compare_all_up_to ? every_tile(studied.cloud) : tiles_to_measure(material);
   const std::vector<std::span<const PairTile>> parts = parts_of(tiles);
   std::vector<std::vector<Meeting>> found(parts.size());
-  for_each_index(parts.size(), jobs,
-                 [&](std::size_t part) { found[part] = meetings_in(material, parts[part]); });
+  content::for_each_index(parts.size(), jobs, [&](std::size_t part) {
+    found[part] = meetings_in(material, parts[part]);
+  });
 
   const std::vector<Passage> best = best_passages(material, found);
   std::vector<Transition> transitions(best.size());
-  for_each_index(best.size(), jobs,
-                 [&](std::size_t i) { transitions[i] = make_transition(material, best[i]); });
+  content::for_each_index(best.size(), jobs, [&](std::size_t i) {
+    transitions[i] = make_transition(material, best[i]);
+  });
   std::ranges::sort(transitions, {}, [](const Transition& t) {
     return std::tuple(t.from.clip, t.from.frame, t.to.clip, t.to.frame);
   });
   return transitions;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "content/motion/pose_distance.h"
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// How alike two passages must be, and how long a blend is.
 struct TransitionOptions {
@@ -59,4 +59,4 @@ std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
                                          std::span<const double> threshold,
                                          const TransitionOptions& options, unsigned jobs);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

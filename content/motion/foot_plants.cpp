@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 // Figures for an adult; measured on recorded walks, where planted toes drift by 5 to 9 cm/s and
@@ -113,4 +113,4 @@ void level_ground(double up, MotionClip& clip) {
   for (Vec3& root : clip.root) root.y += static_cast<float>(up);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

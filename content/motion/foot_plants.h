@@ -4,7 +4,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Finds in which frames each foot's toe joint rests on the ground, and writes `clip.plants`.
 ///
@@ -28,4 +28,4 @@ double rest_height(const Skeleton& skeleton, std::span<const double> heights);
 /// Moves a clip up by so many metres, unless that is less than can be measured.
 void level_ground(double up, MotionClip& clip);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "content/import/motion/body.h"
 #include "content/motion/extract_root_motion.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 using enum BodyPart;
@@ -83,7 +83,7 @@ std::vector<GaitCycle> find_gait_cycles(const Skeleton& skeleton, const MotionCl
   if (skeleton[LeftAnkle] == JointIndex::None || skeleton[RightAnkle] == JointIndex::None)
     return cycles;
   const std::vector<double> starts =
-      overtakings(leg_swing(skeleton, track, clip.root.size()), 0.1 * leg_length(skeleton));
+      overtakings(leg_swing(skeleton, track, clip.root.size()), 0.1 * import::leg_length(skeleton));
   for (std::size_t i = 1; i < starts.size(); ++i) {
     const double seconds = (starts[i] - starts[i - 1]) / clip.frame_rate;
     if (seconds >= shortest && seconds <= longest)
@@ -123,4 +123,4 @@ std::size_t basic_gait(std::span<const GaitCycle> cycles) {
   return best;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// One stride, from where the left foot passes the right to where it does so again, in poses at
 /// equal times: the "basic gait sequence" of the paper's section 3.2.
@@ -37,4 +37,4 @@ double unlikeness(const GaitCycle& a, const GaitCycle& b);
 /// The most typical of some cycles: the one least unlike all others. Which of them, as an index.
 std::size_t basic_gait(std::span<const GaitCycle> cycles);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

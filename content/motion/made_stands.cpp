@@ -13,7 +13,7 @@
 #include "runtime/motion/leg.h"
 #include "runtime/motion/pose.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double stand_seconds = 0.12;    // at the beginning of a start
@@ -190,4 +190,4 @@ std::vector<MotionClip> made_stands(const Skeleton& skeleton,
   return out;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Starts and stops for recordings that have none, made of walking: a body that stands with the
 /// feet side by side, as in the middle of a step, and from there plays a walk, ever faster until it
@@ -16,4 +16,4 @@ namespace docent {
 /// foot here.
 std::vector<MotionClip> made_stands(const Skeleton& skeleton, const std::vector<MotionClip>& clips);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -14,7 +14,7 @@
 #include "content/motion/quantise.h"
 #include "content/parallel.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 Diagnostic warning(const std::string& file, std::string code, std::string message,
@@ -37,7 +37,7 @@ struct Study {
 std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip>& sources,
                                 unsigned jobs) {
   std::vector<Study> studies(sources.size());
-  for_each_index(sources.size(), jobs, [&](std::size_t c) {
+  content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
     Track track = make_track(skeleton, clip);
     studies[c].mended = mend_capture_faults(skeleton, clip, track);
@@ -48,7 +48,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
   std::vector<double> heights;
   for (const Study& study : studies) heights.push_back(study.planted_height);
   const double rest = rest_height(skeleton, heights);
-  for_each_index(sources.size(), jobs, [&](std::size_t c) {
+  content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
     level_ground(rest - heights[c], clip);
     quantise(skeleton, clip);  // what follows, down to foresight, is about what will be stored
@@ -130,9 +130,10 @@ void require_role(const MotionGraph& graph, ClipRole role, const std::string& fo
     return graph.clips[role == ClipRole::Start ? t.from.clip : t.to.clip].role == role;
   });
   if (!there)
-    throw ContentError(folder, 0, 0, "no-walk", sentence,
-                       "add such a clip of the same person and style; 'role' in clips.toml says "
-                       "what a clip is where its motion is not clear");
+    throw content::ContentError(
+        folder, 0, 0, "no-walk", sentence,
+        "add such a clip of the same person and style; 'role' in clips.toml says "
+        "what a clip is where its motion is not clear");
 }
 
 }  // namespace
@@ -170,4 +171,4 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
   return graph;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 struct MotionOptions {
   TransitionOptions transitions{};
@@ -33,4 +33,4 @@ MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> 
                               const std::string& folder, const MotionOptions& options,
                               std::vector<Diagnostic>& warnings);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -9,7 +9,7 @@
 #include "content/import/motion/body.h"
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// Metres by which a bone of an adult may differ from its counterpart's reflection. The shoulders
@@ -42,7 +42,7 @@ std::size_t counterpart_below(const Skeleton& skeleton, std::size_t parent, std:
         skeleton.has_rotation[j] != skeleton.has_rotation[joint])
       continue;
     // An end site has no name of its own.
-    if (skeleton.has_rotation[j] && !are_counterparts(sought.name, other.name)) continue;
+    if (skeleton.has_rotation[j] && !import::are_counterparts(sought.name, other.name)) continue;
     if (best == skeleton.joint.size() || askew(j) < askew(best)) best = j;
   }
   const float allowed = most_askew * static_cast<float>(size_of(skeleton));
@@ -55,7 +55,7 @@ std::vector<std::size_t> find_counterparts(const Skeleton& skeleton, const std::
   std::vector<std::size_t> counterpart(skeleton.joint.size(), 0);
   const auto require = [&](bool is_there, std::size_t j) {
     if (is_there) return;
-    throw ContentError(
+    throw content::ContentError(
         folder, 0, 0, "no-mirror",
         fmt::format("clips cannot be mirrored: joint '{}' has no counterpart of the other side",
                     skeleton.joint[j].name),
@@ -84,4 +84,4 @@ MotionClip mirrored(const std::vector<std::size_t>& counterpart, const MotionCli
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Which joint takes over each joint's part when left and right change places: the one of the other
 /// side by its name, whose bone in the rest pose is the joint's own as seen in a mirror that stands
@@ -22,4 +22,4 @@ std::vector<std::size_t> find_counterparts(const Skeleton& skeleton, const std::
 /// for its name.
 MotionClip mirrored(const std::vector<std::size_t>& counterpart, const MotionClip& clip);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -4,7 +4,7 @@
 
 #include "content/motion/gait_cycle.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr std::size_t most_strides = 100;  // each is compared with each
@@ -41,4 +41,4 @@ std::vector<MotionClass> find_motion_classes(const Skeleton& skeleton,
   return classes;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The classes of some clips of one body, with the coefficients between them (section 3.2 of the
 /// paper): how unlike their basic gaits are (gait_cycle.h).
@@ -16,4 +16,4 @@ namespace docent {
 std::vector<MotionClass> find_motion_classes(const Skeleton& skeleton,
                                              std::span<const MotionClip> clips);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <numeric>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 using Point = PoseFeatures::Point;
@@ -103,4 +103,4 @@ void NearestPoses::find(const Point& point, std::size_t count, float within,
   std::ranges::sort_heap(nearest);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

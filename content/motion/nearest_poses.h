@@ -6,7 +6,7 @@
 
 #include "content/motion/pose_features.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Finds the points that are closest to a point: a tree of boxes, each of which is cut in the
 /// middle of its longest side (Bentley 1975, with the boxes drawn tightly round their points, since
@@ -42,4 +42,4 @@ class NearestPoses {
   std::vector<PoseFeatures::Point> point_;  ///< In the order of index_.
 };
 
-}  // namespace docent
+}  // namespace docent::motion::offline

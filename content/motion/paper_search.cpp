@@ -8,7 +8,7 @@
 #include "content/motion/paper_track.h"
 #include "content/motion/transition_section.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double objective_spacing = 0.005;  // metres of arc length
@@ -295,4 +295,4 @@ PaperPath find_paper_path(const MotionGraph& graph, const PaperRequest& request)
   return PaperSearch(ready, request).run();
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

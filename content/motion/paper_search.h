@@ -7,7 +7,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The search that the founding paper prints (Wang, Meng, Yang, Zhang, section 3.1.2), to compare
 /// with: incremental depth-first search with a stack, which tries every way of the next `lookahead`
@@ -59,4 +59,4 @@ struct PaperPath {
 /// Deterministic but for the time limit.
 PaperPath find_paper_path(const MotionGraph& graph, const PaperRequest& request);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// Writes frames of clips, laid onto the floor, until there are as many as the path has.
@@ -86,4 +86,4 @@ PaperTrack make_paper_track(const MotionGraph& graph, const PaperPath& path,
   return writer.take();
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

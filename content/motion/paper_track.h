@@ -5,7 +5,7 @@
 
 #include "content/motion/paper_search.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// T: what a path of the paper's search looks like, frame by frame. World frame, metres; `rotation`
 /// has one entry per frame and joint, as in MotionClip.
@@ -38,4 +38,4 @@ inline Placement carried(const Placement& outer, const Placement& inner) noexcep
   return {carried(outer, inner.position), outer.heading + inner.heading};
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -8,7 +8,7 @@
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/placement.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 Placement placement_along(std::span<const Vec2> path) {
@@ -49,4 +49,4 @@ PaperWalk make_paper_walk(const WalkGraph& graph, const PaperWalkRequest& reques
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

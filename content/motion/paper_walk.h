@@ -7,7 +7,7 @@
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// What is asked of the paper's search, in the words of the walk command.
 struct PaperWalkRequest {
@@ -30,4 +30,4 @@ struct PaperWalk {
 
 PaperWalk make_paper_walk(const WalkGraph& graph, const PaperWalkRequest& request);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

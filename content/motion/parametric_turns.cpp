@@ -12,7 +12,7 @@
 #include "content/motion/extract_root_motion.h"
 #include "content/motion/foot_plants.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -265,4 +265,4 @@ std::vector<MotionClip> parametric_turns(const Skeleton& skeleton,
   return made;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 #include "content/motion/registration.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The motion between two registered clips, `share` of the way from the first to the second (Kovar
 /// and Gleicher 2003): it turns by an angle, and goes at a speed, between theirs. Where a foot
@@ -23,4 +23,4 @@ std::vector<MotionClip> parametric_turns(const Skeleton& skeleton,
                                          const std::vector<MotionClip>& clips,
                                          const std::vector<PoseCloud>& cloud);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

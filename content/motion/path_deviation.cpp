@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double back = 0.5, ahead = 1.0;  // metres of path that are searched from the last place
@@ -60,4 +60,4 @@ PathDeviation measure_deviation(std::span<const Vec2> roots, double frame_rate,
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

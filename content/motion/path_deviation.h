@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// How closely a body kept to a path. Metres.
 struct PathDeviation {
@@ -19,4 +19,4 @@ struct PathDeviation {
 PathDeviation measure_deviation(std::span<const Vec2> roots, double frame_rate,
                                 std::span<const Vec2> path);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

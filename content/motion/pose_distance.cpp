@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 struct WeightedPart {
@@ -374,4 +374,4 @@ DistanceMatrix measure_distances(const PoseCloud& a, const PoseCloud& b, std::si
   return matrix;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -6,7 +6,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The points by which poses of a clip are compared, and their sums (Kovar, Gleicher, Pighin 2002,
 /// section 3.1).
@@ -80,4 +80,4 @@ struct DistanceMatrix {
 /// All pieces, put together.
 DistanceMatrix measure_distances(const PoseCloud& a, const PoseCloud& b, std::size_t half);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 
 #include "content/parallel.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr std::size_t dimensions = PoseFeatures::dimensions;
@@ -110,7 +110,7 @@ Directions principal_components(const std::vector<Window>& windows, const Window
                                 unsigned jobs) {
   const std::size_t size = mean.size();
   std::vector<std::vector<double>> covariance(size, std::vector<double>(size));
-  for_each_index(size, jobs, [&](std::size_t i) {
+  content::for_each_index(size, jobs, [&](std::size_t i) {
     std::vector<double>& row = covariance[i];
     for (const Window& window : windows) {
       const float from_mean = window[i] - mean[i];
@@ -128,7 +128,7 @@ Directions principal_components(const std::vector<Window>& windows, const Window
   constexpr int rounds = 30;
   for (int round = 0; round < rounds; ++round) {
     Directions next(directions.size(), std::vector<double>(size));
-    for_each_index(directions.size(), jobs, [&](std::size_t d) {
+    content::for_each_index(directions.size(), jobs, [&](std::size_t d) {
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < size; ++j) next[d][i] += covariance[i][j] * directions[d][j];
     });
@@ -187,7 +187,7 @@ PoseFeatures make_pose_features(std::span<const PoseCloud> clouds, std::size_t h
   const Projection projection(mean, principal_components(windows, mean, jobs));
 
   constexpr std::size_t share = 1024;  // Points that a thread makes at a time.
-  for_each_index((frames.size() + share - 1) / share, jobs, [&](std::size_t part) {
+  content::for_each_index((frames.size() + share - 1) / share, jobs, [&](std::size_t part) {
     Window window;
     const std::size_t end = std::min((part + 1) * share, frames.size());
     for (std::size_t i = part * share; i < end; ++i) {
@@ -211,4 +211,4 @@ float square_between(const PoseFeatures::Point& a, const PoseFeatures::Point& b)
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -7,7 +7,7 @@
 #include "content/motion/pose_distance.h"
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The frames of many clips as points in a space of few dimensions, in which the distance of two
 /// points is close to the pose distance of their frames, and mostly a little less.
@@ -33,4 +33,4 @@ PoseFeatures make_pose_features(std::span<const PoseCloud> clouds, std::size_t h
 /// The square of the distance of two points, m2; the same on every processor.
 float square_between(const PoseFeatures::Point& a, const PoseFeatures::Point& b);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 using Node = std::size_t;
@@ -170,4 +170,4 @@ std::vector<std::uint32_t> own_graph(const MotionGraph& graph, const std::string
   return own;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

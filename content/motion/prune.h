@@ -6,7 +6,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// What pruning left out, for the report.
 struct Pruning {
@@ -26,4 +26,4 @@ Pruning prune(MotionGraph& graph);
 /// graph, in which a walk never runs into a dead end. Ascending; none where its clips do not meet.
 std::vector<std::uint32_t> own_graph(const MotionGraph& graph, const std::string& motion_class);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

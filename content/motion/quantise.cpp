@@ -7,7 +7,7 @@
 #include "content/import/motion/motion_file.h"
 #include "runtime/model/motion/motion_grid.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 using namespace motion_grid;
@@ -69,8 +69,8 @@ class Difference {
       : skeleton_(skeleton), a_(a), b_(b) {}
 
   double in_frame(std::size_t frame) {
-    place_joints(skeleton_, a_, frame, place_a_);
-    place_joints(skeleton_, b_, frame, place_b_);
+    import::place_joints(skeleton_, a_, frame, place_a_);
+    import::place_joints(skeleton_, b_, frame, place_b_);
     double largest = 0;
     for (std::size_t j = 0; j < place_a_.size(); ++j)
       largest = std::max<double>(largest, glm::distance(place_a_[j], place_b_[j]));
@@ -111,4 +111,4 @@ double largest_difference(const Skeleton& skeleton, const MotionClip& a, const M
   return largest;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

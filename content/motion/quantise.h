@@ -3,7 +3,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// How far a joint's end may move for the sake of a small database, metres.
 inline constexpr double quantise_tolerance = 0.001;
@@ -21,4 +21,4 @@ void quantise(const Skeleton& skeleton, MotionClip& clip);
 /// other, metres, over all frames. They have as many frames and joints.
 double largest_difference(const Skeleton& skeleton, const MotionClip& a, const MotionClip& b);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 constexpr double look_seconds = 0.025;   // between two rows of the matrix
@@ -141,4 +141,4 @@ Registration register_clips(const RegisteredClip& a, const RegisteredClip& b) {
   return way.a.size() < 2 ? way : smoothed(way, a.clip.frame_rate);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -6,7 +6,7 @@
 #include "content/motion/pose_distance.h"
 #include "runtime/model/motion/motion_clip.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// A clip that is to be registered with another; borrowed.
 struct RegisteredClip {
@@ -28,4 +28,4 @@ struct Registration {
 /// together: half of one's turn is done when half of the other's is.
 Registration register_clips(const RegisteredClip& a, const RegisteredClip& b);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

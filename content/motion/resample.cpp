@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// The Catmull-Rom curve between the middle two of four values that are one step apart.
@@ -43,4 +43,4 @@ MotionClip resample(const MotionClip& clip, double frame_rate) {
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -8,7 +8,7 @@
 
 #include "content/motion/track.h"
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 /// World rotations of all joints in a frame.
@@ -93,4 +93,4 @@ void rest_upright(Skeleton& skeleton, std::span<MotionClip* const> clips) {
       joint.offset = rest[index_of(joint.parent)] * joint.offset;
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

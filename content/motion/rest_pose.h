@@ -5,7 +5,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// Is its rest pose, without any rotation, that of a body upright: the head well above the hips,
 /// and those above the feet? In some rigs every bone points along its own axis there, and no body
@@ -16,4 +16,4 @@ bool stands_at_rest(const Skeleton& skeleton);
 /// and rewrites the clips: no joint moves by that.
 void rest_upright(Skeleton& skeleton, std::span<MotionClip* const> clips);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

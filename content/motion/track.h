@@ -5,7 +5,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// The joints of a clip where they are in the world, all frames, metres: what is measured on a
 /// motion (plants, faults, distances) is measured on these.
@@ -25,4 +25,4 @@ double size_of(const Skeleton& skeleton);
 /// Frames in a span of time, at least one.
 std::uint32_t frames_in(double seconds, double frame_rate);
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::motion::offline {
 namespace {
 
 using Frame = std::uint32_t;
@@ -60,4 +60,4 @@ std::optional<std::uint32_t> section_radius(const MotionGraph& graph,
   return std::min(sections.longest[t], middle - at);
 }
 
-}  // namespace docent
+}  // namespace docent::motion::offline

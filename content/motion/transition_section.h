@@ -6,7 +6,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::motion::offline {
 
 /// How far a graph's transitions may reach (Wang et al., section 3.1.3). A transition is no point
 /// but a section of radius L round its two middles: one leaves the source clip at `from - L` and is
@@ -38,4 +38,4 @@ std::optional<std::uint32_t> section_radius(const MotionGraph& graph,
                                             const TransitionSections& sections, std::uint32_t t,
                                             std::uint32_t at) noexcept;
 
-}  // namespace docent
+}  // namespace docent::motion::offline

@@ -10,7 +10,7 @@
 
 #include "content/parallel.h"
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -322,7 +322,7 @@ void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
 
   // Every row is computed from the field alone, so how rows are shared out does not matter.
   const std::uint32_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-  for_each_index(field.height(), workers, [&](std::size_t y) {
+  content::for_each_index(field.height(), workers, [&](std::size_t y) {
     light.bake_row(static_cast<std::uint32_t>(y),
                    std::span(scenery.lightmap).subspan(y * stride, stride));
   });
@@ -330,4 +330,4 @@ void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery) {
   fill_under_solids(field, scenery);
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

@@ -3,7 +3,7 @@
 #include "content/scenery/height_field.h"
 #include "runtime/model/scenery.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// The sun: a soft disc in the sky. Floor frame.
 struct Sun {
@@ -28,4 +28,4 @@ Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double heig
 /// the shade stands above it.
 void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery);
 
-}  // namespace docent
+}  // namespace docent::scenery

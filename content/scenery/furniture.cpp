@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 double signed_area(const Outline& outline) {
@@ -347,4 +347,4 @@ void build_stand(const Stand& stand, MeshBuilder& mesh, std::vector<Blocker>& bl
        board.bottom + board.height * std::cos(board.lean)});
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

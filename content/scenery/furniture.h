@@ -8,7 +8,7 @@
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// What a hole of the plan stands for.
 enum class HoleKind : std::uint8_t {
@@ -51,4 +51,4 @@ bool contains(const Outline& outline, Vec2 point);
 /// Metres above the floor at which walls and columns are cut.
 constexpr double cut_height = 1.45;
 
-}  // namespace docent
+}  // namespace docent::scenery

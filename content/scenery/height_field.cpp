@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::scenery {
 
 HeightField::HeightField(Vec2 low, Vec2 high, double texel)
     : low_(low),
@@ -53,4 +53,4 @@ float HeightField::at(Vec2 point) const noexcept {
   return metres_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

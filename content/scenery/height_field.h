@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// What stands on the floor, seen from above: the height over each texel of a grid. Floor frame;
 /// texel (0, 0) is in the south-west corner. Beyond the grid nothing stands.
@@ -38,4 +38,4 @@ class HeightField {
   std::vector<float> metres_;
 };
 
-}  // namespace docent
+}  // namespace docent::scenery

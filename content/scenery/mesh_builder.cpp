@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 Vec3 unit(Vec3 v) {
@@ -159,4 +159,4 @@ Outline rectangle(Vec2 centre, double heading, Vec2 half) {
           centre + along * half.y - across * half.x, centre + along * half.y + across * half.x};
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

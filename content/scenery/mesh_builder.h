@@ -8,7 +8,7 @@
 
 #include "runtime/model/scenery.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// A convex polygon of the floor frame, counter-clockwise.
 using Outline = std::vector<Vec2>;
@@ -53,4 +53,4 @@ Outline inset(const Outline& outline, double distance);
 /// A rectangle about `centre`: `half` across and along `heading`.
 Outline rectangle(Vec2 centre, double heading, Vec2 half);
 
-}  // namespace docent
+}  // namespace docent::scenery

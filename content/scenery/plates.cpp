@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -230,4 +230,4 @@ Plates divide(const FloorPlan& plan, const std::vector<bool>& furniture, double 
   return plates;
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

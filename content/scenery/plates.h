@@ -7,7 +7,7 @@
 
 #include "content/scenery/scenery.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// What a piece of the plan's plane is.
 enum class Region : std::uint8_t {
@@ -42,4 +42,4 @@ struct Plates {
 Plates divide(const FloorPlan& plan, const std::vector<bool>& furniture, double thickness,
               std::span<const PavedArea> paving);
 
-}  // namespace docent
+}  // namespace docent::scenery

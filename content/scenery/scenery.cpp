@@ -9,7 +9,7 @@
 #include "content/scenery/mesh_builder.h"
 #include "content/scenery/plates.h"
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 constexpr double wall_thickness = 0.4;
@@ -160,4 +160,4 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
   return scenery;
 }
 
-}  // namespace docent
+}  // namespace docent::scenery

@@ -9,7 +9,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/scenery.h"
 
-namespace docent {
+namespace docent::scenery {
 
 /// What a part of the floor is laid with.
 enum class Paving : std::uint8_t { Oak, Stone };
@@ -39,4 +39,4 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
                      std::span<const float> image_aspect, std::span<const PavedArea> paving,
                      const SceneryOptions& options = {});
 
-}  // namespace docent
+}  // namespace docent::scenery

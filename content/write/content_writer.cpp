@@ -19,13 +19,13 @@
 #include "runtime/schema/schema.h"
 #include "schema_sql.h"
 
-namespace docent {
+namespace docent::write {
 
 namespace {
 
 [[noreturn]] void fail(sqlite3* database) {
-  throw ContentError(Errc::Environment, "the database", "database-failed",
-                     database != nullptr ? sqlite3_errmsg(database) : "out of memory");
+  throw content::ContentError(Errc::Environment, "the database", "database-failed",
+                              database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
 void execute(sqlite3* database, const std::string& sql) {
@@ -96,7 +96,7 @@ class Writer {
   template <typename Map>
   void texts(std::string_view subject, std::size_t owner, const Map& map) {
     for (const auto& [key, text] : map) {
-      const Statement statement = prepare("INSERT INTO text VALUES (?, ?, ?, ?)");
+      const sqlite::Statement statement = prepare("INSERT INTO text VALUES (?, ?, ?, ?)");
       ColumnWriter writer{statement.get(), 1};
       writer("subject", subject);
       writer("owner", owner);
@@ -112,7 +112,7 @@ class Writer {
               const T& value) {
     InsertColumns columns;
     schema::columns(columns, value);
-    const Statement statement =
+    const sqlite::Statement statement =
         prepare(fmt::format("INSERT INTO {} ({}{}) VALUES ({}{})", table, key_names, columns.names,
                             key_values, columns.places));
     ColumnWriter writer{statement.get(), 1};
@@ -120,10 +120,10 @@ class Writer {
     step(statement.get());
   }
 
-  Statement prepare(const std::string& sql) {
+  sqlite::Statement prepare(const std::string& sql) {
     sqlite3_stmt* raw = nullptr;
     if (sqlite3_prepare_v2(database_, sql.c_str(), -1, &raw, nullptr) != SQLITE_OK) fail(database_);
-    return Statement(raw);
+    return sqlite::Statement(raw);
   }
 
   void step(sqlite3_stmt* statement) {
@@ -135,7 +135,7 @@ class Writer {
 
 /// Stands where the checksum will be until all other bytes are known.
 constexpr std::string_view marker = "the file's checksum belongs here";
-static_assert(marker.size() == std::tuple_size_v<Checksum>);
+static_assert(marker.size() == std::tuple_size_v<sqlite::Checksum>);
 
 void write_marker(sqlite3* database) {
   execute(database, fmt::format("INSERT INTO checksum VALUES (0, CAST('{}' AS BLOB))",
@@ -143,28 +143,28 @@ void write_marker(sqlite3* database) {
 }
 
 void replace_marker_by_checksum(std::span<std::byte> file) {
-  Checksum sum{};
+  sqlite::Checksum sum{};
   std::memcpy(sum.data(), marker.data(), sum.size());
-  const auto place = place_of(file, sum);
+  const auto place = sqlite::place_of(file, sum);
   if (!place)
-    throw ContentError(Errc::Environment, "the database", "database-failed",
-                       "the place of the checksum cannot be told from other content");
-  sum = checksum_of(file, *place);
+    throw content::ContentError(Errc::Environment, "the database", "database-failed",
+                                "the place of the checksum cannot be told from other content");
+  sum = sqlite::checksum_of(file, *place);
   std::memcpy(file.data() + *place, sum.data(), sum.size());
 }
 
 /// A database as the bytes of its file, which lie in the memory that it was made in: an hour of
 /// motion is a quarter of a gigabyte, and is there only once.
 struct MadeDatabase {
-  DatabaseHandle database;
+  sqlite::DatabaseHandle database;
   std::span<std::byte> file;
 };
 
-DatabaseHandle open_in_memory() {
+sqlite::DatabaseHandle open_in_memory() {
   sqlite3* raw = nullptr;
   const int opened =
       sqlite3_open_v2("museum", &raw, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "memdb");
-  DatabaseHandle database(raw);
+  sqlite::DatabaseHandle database(raw);
   if (opened != SQLITE_OK) fail(raw);
   sqlite3_int64 most = std::int64_t{1} << 40;  // Else a gigabyte would be the end.
   sqlite3_file_control(raw, "main", SQLITE_FCNTL_SIZE_LIMIT, &most);
@@ -203,4 +203,4 @@ std::size_t write_museum(const Museum& museum, const std::filesystem::path& file
   return made.file.size();
 }
 
-}  // namespace docent
+}  // namespace docent::write

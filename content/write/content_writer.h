@@ -6,7 +6,7 @@
 
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::write {
 
 /// The museum as the bytes of a database file: the same museum always gives the same bytes.
 /// Throws ContentError where SQLite fails, which is out of memory.
@@ -17,4 +17,4 @@ std::vector<std::byte> encode_museum(const Museum& museum);
 /// Environment or NotFound, and leaves what existed before, where it cannot be written.
 std::size_t write_museum(const Museum& museum, const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::write

@@ -12,7 +12,7 @@
 #include "content/content_error.h"
 #include "platform/file/read_file.h"
 
-namespace docent {
+namespace docent::write {
 
 namespace {
 
@@ -60,22 +60,22 @@ void flush_folder(const std::filesystem::path& folder) {
 }
 
 [[noreturn]] void fail(const std::filesystem::path& file) {
-  throw ContentError(Errc::Environment, file.string(), "cannot-write",
-                     fmt::format("cannot be written: {}", std::strerror(errno)),
-                     "what was there before is unchanged");
+  throw content::ContentError(Errc::Environment, file.string(), "cannot-write",
+                              fmt::format("cannot be written: {}", std::strerror(errno)),
+                              "what was there before is unchanged");
 }
 
 }  // namespace
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!is_folder(folder))
-    throw ContentError(Errc::NotFound, file.string(), "missing-folder",
-                       fmt::format("the folder '{}' does not exist", folder.string()),
-                       "create it, or name another output with -o");
+  if (!file::is_folder(folder))
+    throw content::ContentError(Errc::NotFound, file.string(), "missing-folder",
+                                fmt::format("the folder '{}' does not exist", folder.string()),
+                                "create it, or name another output with -o");
   const TemporaryFile temporary(file);
   if (!temporary.is_open() || !temporary.write(bytes) || !temporary.rename_to(file)) fail(file);
   flush_folder(folder);
 }
 
-}  // namespace docent
+}  // namespace docent::write

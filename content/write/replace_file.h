@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-namespace docent {
+namespace docent::write {
 
 /// Puts `bytes` in the place of `file`, whole or not at all: they are written beside it, flushed to
 /// the disk and renamed, so that neither a full disk, an interruption nor a power cut leaves half a
@@ -12,4 +12,4 @@ namespace docent {
 /// Environment where the disk refuses.
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
-}  // namespace docent
+}  // namespace docent::write

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::clock {
 
 std::chrono::nanoseconds monotonic_now() noexcept {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -18,4 +18,4 @@ std::chrono::duration<float> FrameClock::since_last_frame() noexcept {
   return std::clamp(passed, Seconds::zero(), longest);
 }
 
-}  // namespace docent
+}  // namespace docent::clock

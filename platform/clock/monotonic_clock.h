@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace docent {
+namespace docent::clock {
 
 /// Time that only moves forward (CLOCK_MONOTONIC): nanoseconds since some fixed moment.
 std::chrono::nanoseconds monotonic_now() noexcept;
@@ -21,4 +21,4 @@ class FrameClock {
   std::chrono::nanoseconds last_;
 };
 
-}  // namespace docent
+}  // namespace docent::clock

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent {
+namespace docent::egl {
 namespace {
 
 std::string_view name_of_error(EGLint error) {
@@ -105,4 +105,4 @@ Result<void> make_current(EGLDisplay display, EGLSurface surface, EGLContext con
   return {};
 }
 
-}  // namespace docent
+}  // namespace docent::egl

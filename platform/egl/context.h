@@ -8,7 +8,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::egl {
 
 struct TerminateDisplay {
   void operator()(EGLDisplay display) const noexcept { eglTerminate(display); }
@@ -56,4 +56,4 @@ Result<EglSurface> make_window_surface(EGLDisplay display, EGLConfig config, voi
 /// objects only). OpenGL calls are made on this thread alone from then on.
 Result<void> make_current(EGLDisplay display, EGLSurface surface, EGLContext context);
 
-}  // namespace docent
+}  // namespace docent::egl

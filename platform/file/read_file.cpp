@@ -11,7 +11,7 @@
 #include <cstring>
 #include <new>
 
-namespace docent {
+namespace docent::file {
 namespace {
 
 /// Closes a file descriptor when it goes.
@@ -92,4 +92,4 @@ bool is_folder(const std::filesystem::path& name) noexcept {
   return std::filesystem::is_directory(name, ignored);
 }
 
-}  // namespace docent
+}  // namespace docent::file

@@ -6,7 +6,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::file {
 
 /// No file that people write, and no database, is larger: what is has been taken for another.
 constexpr std::size_t largest_file = std::size_t{4} << 30U;
@@ -22,4 +22,4 @@ Result<std::string> read_file(const std::filesystem::path& file, std::size_t mos
 bool is_there(const std::filesystem::path& name) noexcept;
 bool is_folder(const std::filesystem::path& name) noexcept;
 
-}  // namespace docent
+}  // namespace docent::file

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/scene/body_detail.h"
 #include "platform/gles/shaders.h"
+#include "runtime/scene/body_detail.h"
 #include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 constexpr std::size_t most_joints = 64;
@@ -48,11 +48,11 @@ constexpr std::size_t most_triangles = 80'000;
 
 // Parts of a look in look.glsl.
 constexpr std::size_t second_part = 7, build_part = 8, bands_part = 9, parts_of_look = 11;
-static_assert(looks.size() * parts_of_look == 132);
+static_assert(scene::looks.size() * parts_of_look == 132);
 static_assert(static_cast<std::size_t>(Material::Count) == second_part);
 
 Vec4 matte(std::uint32_t hex, float shine = 0) noexcept {
-  const Colour c = srgb(hex);
+  const scene::Colour c = scene::srgb(hex);
   return {c.r, c.g, c.b, shine};
 }
 
@@ -63,32 +63,32 @@ struct Cloth {
   Vec4 one{0}, other{0};
 };
 
-Cloth cloth_of(CoatPattern pattern) noexcept {
+Cloth cloth_of(scene::CoatPattern pattern) noexcept {
   constexpr float far = 4;  // metres: a period of which a body sees one band only
   constexpr Vec4 everywhere{0, 0, 0.5F, 1};
   switch (pattern) {
-    case CoatPattern::Hoops:
+    case scene::CoatPattern::Hoops:
       return {{0, 1 / 0.19F, 0.2F, 0.3F}, everywhere};
-    case CoatPattern::Stripes:
+    case scene::CoatPattern::Stripes:
       return {{1 / 0.075F, 0, 0, 0.34F}, everywhere};
-    case CoatPattern::Yoke:
+    case scene::CoatPattern::Yoke:
       return {{0, 1 / far, 0.25F - 1.235F / far, 0.5F}, everywhere};
-    case CoatPattern::Skirt:
+    case scene::CoatPattern::Skirt:
       return {{0, 1 / far, 0.75F - 0.86F / far, 0.5F}, everywhere};
-    case CoatPattern::Sash:
+    case scene::CoatPattern::Sash:
       return {{1.35F / far, -1 / far, 0.5F + 1.16F / far, 0.17F / far},
               {1 / far, 0, 0.5F, 0.38F / far}};
-    case CoatPattern::Diamonds:
+    case scene::CoatPattern::Diamonds:
       return {{1 / 0.13F, 1 / 0.19F, 0.3F, 0.45F}, {1 / 0.13F, -1 / 0.19F, 0.3F, 0.45F}};
-    case CoatPattern::Checks:
+    case scene::CoatPattern::Checks:
       return {{0, 1 / 0.15F, 0, 0.5F}, {1 / 0.15F, 0, 0, 0.5F}};
-    case CoatPattern::Plain:
+    case scene::CoatPattern::Plain:
       break;
   }
   return {};
 }
 
-std::array<Vec4, parts_of_look> parts_of(const Look& look) noexcept {
+std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   std::array<Vec4, parts_of_look> parts{};
   const auto at = [&](Material material) -> Vec4& {
     return parts[static_cast<std::size_t>(material)];
@@ -170,14 +170,14 @@ struct Bounds {
     outside &= beyond;
   }
   /// Not beside it and not behind a part of the interface that lets nothing through.
-  bool is_in_picture(std::span<const Quad> interface) const noexcept {
+  bool is_in_picture(std::span<const scene::Quad> interface) const noexcept {
     if (outside != 0) return false;
     if (reaches_behind_eye) return true;
     const float x = 0.5F + 0.5F * left, end_x = 0.5F + 0.5F * right;
     const float y = 0.5F - 0.5F * high, end_y = 0.5F - 0.5F * low;
-    return std::ranges::none_of(interface, [&](const Quad& quad) {
-      const Rect& r = quad.rect;
-      return quad.fill == QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
+    return std::ranges::none_of(interface, [&](const scene::Quad& quad) {
+      const scene::Rect& r = quad.rect;
+      return quad.fill == scene::QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
              (r.x <= 0 || r.x <= x) && (r.y <= 0 || r.y <= y) &&
              (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
              (r.y + r.height >= 1 || r.y + r.height >= end_y);
@@ -231,7 +231,7 @@ Result<void> AvatarPass::compile() {
 
   no_attributes_ = make_vertex_array();
   std::vector<Vec4> parts;
-  for (const Look& look : looks) {
+  for (const scene::Look& look : scene::looks) {
     const auto of_look = parts_of(look);
     parts.insert(parts.end(), of_look.begin(), of_look.end());
   }
@@ -280,7 +280,7 @@ void AvatarPass::upload(const SkinnedMesh& mesh) {
   levels_[0] = {0, static_cast<GLsizei>(indices.size())};
   for (std::size_t i = 0; i < coarse_levels.size(); ++i) {
     const std::vector<std::uint32_t> coarse =
-        coarser(mesh, coarse_levels[i].cell * stature_ / modelled_stature);
+        scene::coarser(mesh, coarse_levels[i].cell * stature_ / modelled_stature);
     levels_[i + 1] = {indices.size(), static_cast<GLsizei>(coarse.size())};
     indices.insert(indices.end(), coarse.begin(), coarse.end());
   }
@@ -298,7 +298,7 @@ void AvatarPass::upload(const SkinnedMesh& mesh) {
   glBindVertexArray(0);
 }
 
-void AvatarPass::choose(const DrawList& list, Vec3 sun, PixelSize picture) noexcept {
+void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept {
   seen_count_ = 0;
   const Mat4 to_clip = list.camera.projection * list.camera.view;
   const float scale = 0.5F * static_cast<float>(picture.height) * body_height *
@@ -351,13 +351,13 @@ void AvatarPass::reserve(std::size_t avatars) noexcept {
                nullptr, GL_STREAM_DRAW);
 }
 
-void AvatarPass::write_record(const DrawList& list, std::size_t place,
+void AvatarPass::write_record(const scene::DrawList& list, std::size_t place,
                               Vec4* record) const noexcept {
   const Seen& seen = seen_[place];
-  const AvatarDraw& avatar = list.avatars[seen.avatar];
+  const scene::AvatarDraw& avatar = list.avatars[seen.avatar];
   record[0] = Vec4(avatar.feet[0], avatar.foot_height[0]);
   record[1] = Vec4(avatar.feet[1], avatar.foot_height[1]);
-  record[2] = Vec4(avatar.centre, static_cast<float>(avatar.look % looks.size()));
+  record[2] = Vec4(avatar.centre, static_cast<float>(avatar.look % scene::looks.size()));
   record[3] = seen.window;
   record[4] = tile_of(place, seen_count_);
   const std::size_t first = std::min<std::size_t>(avatar.first_matrix, list.palette.size());
@@ -370,7 +370,7 @@ void AvatarPass::write_record(const DrawList& list, std::size_t place,
   std::fill(row, record + record_size_, Vec4(0));
 }
 
-void AvatarPass::send(const DrawList& list) noexcept {
+void AvatarPass::send(const scene::DrawList& list) noexcept {
   reserve(seen_count_);
   glBindBuffer(GL_UNIFORM_BUFFER, records_.get());
   void* mapped = glMapBufferRange(
@@ -446,7 +446,7 @@ void AvatarPass::soften_shadows() const noexcept {
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), soft_atlas_.get());
 }
 
-void AvatarPass::prepare(const DrawList& list, Vec3 sun, PixelSize picture) noexcept {
+void AvatarPass::prepare(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept {
   seen_count_ = 0;
   if (levels_[0].count == 0) return;
   choose(list, sun, picture);
@@ -477,4 +477,4 @@ void AvatarPass::draw_shadows(SceneBuffer::Rows rows) const noexcept {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::gles

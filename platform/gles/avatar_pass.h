@@ -7,7 +7,7 @@
 #include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// Draws the avatars and what they take from the floor's light: an instance each, in batches of as
 /// many as one uniform block holds, and with fewer triangles the smaller they appear.
@@ -22,7 +22,7 @@ class AvatarPass {
 
   /// Chooses who is in the picture and how detailed, sends the palettes and throws the bodies'
   /// shadows into the atlas. Before any strip; leaves its own framebuffer bound.
-  void prepare(const DrawList& list, Vec3 sun, PixelSize picture) noexcept;
+  void prepare(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept;
   /// Those that reach into these rows of the picture.
   void draw_bodies(SceneBuffer::Rows rows) const noexcept;
   void draw_shadows(SceneBuffer::Rows rows) const noexcept;
@@ -40,11 +40,11 @@ class AvatarPass {
     Vec4 window{};                   ///< Floor square that its shadow fits in.
     SceneBuffer::Rows body, shadow;  ///< Where they are in the picture.
   };
-  void choose(const DrawList& list, Vec3 sun, PixelSize picture) noexcept;
+  void choose(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept;
   void choose_levels() noexcept;
   void reserve(std::size_t avatars) noexcept;
-  void send(const DrawList& list) noexcept;
-  void write_record(const DrawList& list, std::size_t place, Vec4* record) const noexcept;
+  void send(const scene::DrawList& list) noexcept;
+  void write_record(const scene::DrawList& list, std::size_t place, Vec4* record) const noexcept;
   void draw_shadow_atlas() const noexcept;
   void soften_shadows() const noexcept;
   template <typename Draw>
@@ -71,4 +71,4 @@ class AvatarPass {
   } at_{};
 };
 
-}  // namespace docent
+}  // namespace docent::gles

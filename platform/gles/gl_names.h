@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace docent {
+namespace docent::gles {
 
 /// Owns an OpenGL name; the deleting function is part of the type.
 template <void (*remove)(GLuint) noexcept>
@@ -96,4 +96,4 @@ inline const void* buffer_offset(std::size_t bytes) noexcept {
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
-}  // namespace docent
+}  // namespace docent::gles

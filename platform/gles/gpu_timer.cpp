@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 bool has_extension(std::string_view wanted) noexcept {
@@ -57,4 +57,4 @@ std::optional<std::chrono::nanoseconds> GpuTimer::take() noexcept {
   return std::chrono::nanoseconds(nanoseconds);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace docent {
+namespace docent::gles {
 
 /// How long the GPU works on a frame (EXT_disjoint_timer_query). The answer comes a few frames
 /// later and is never waited for. Where the driver keeps no time there is none. Frame thread, with
@@ -33,4 +33,4 @@ class GpuTimer {
   bool running_ = false;
 };
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 Result<GlShader> compile(GLenum stage, std::string_view name,
@@ -73,4 +73,4 @@ Result<Program> link_program(std::string_view name, std::initializer_list<std::s
   return program;
 }
 
-}  // namespace docent
+}  // namespace docent::gles

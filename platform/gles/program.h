@@ -8,7 +8,7 @@
 #include "runtime/model/result.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// Texture units that samplers of a name are bound to, once, when a program is linked.
 enum class Unit : GLuint { Image, LightMap, ShadowAtlas };
@@ -36,8 +36,8 @@ class Program {
 Result<Program> link_program(std::string_view name, std::initializer_list<std::string_view> vertex,
                              std::initializer_list<std::string_view> fragment);
 
-inline void set(GLint uniform, const Colour& c) noexcept {
+inline void set(GLint uniform, const scene::Colour& c) noexcept {
   glUniform4f(uniform, c.r, c.g, c.b, c.a);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -7,17 +7,18 @@
 
 #include "platform/gles/shaders.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 constexpr std::size_t most_instances = 1024;  // a batch; longer lists take several
 
-bool uses_texture(QuadFill fill) noexcept {
-  return fill == QuadFill::Text || fill == QuadFill::Image;
+bool uses_texture(scene::QuadFill fill) noexcept {
+  return fill == scene::QuadFill::Text || fill == scene::QuadFill::Image;
 }
 
 /// A text is drawn texel for pixel: on whole pixels, as large as its texture's part.
-Rect text_rect(const Quad& quad, PixelSize screen, const Textures::Entry& texture) noexcept {
+scene::Rect text_rect(const scene::Quad& quad, PixelSize screen,
+                      const Textures::Entry& texture) noexcept {
   return {std::round(quad.rect.x * static_cast<float>(screen.width)),
           std::round(quad.rect.y * static_cast<float>(screen.height)),
           std::round(quad.uv.width * static_cast<float>(texture.width)),
@@ -56,7 +57,7 @@ void QuadPass::flush(GLuint texture) noexcept {
   staging_.clear();
 }
 
-void QuadPass::draw(std::span<const Quad> quads, PixelSize screen,
+void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
                     const Textures& textures) noexcept {
   if (quads.empty()) return;
   program_.use();
@@ -67,7 +68,7 @@ void QuadPass::draw(std::span<const Quad> quads, PixelSize screen,
   glBindVertexArray(array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.get());
   GLuint bound = 0;
-  for (const Quad& quad : quads) {
+  for (const scene::Quad& quad : quads) {
     const Textures::Entry* texture = nullptr;
     if (uses_texture(quad.fill)) {
       texture = textures.find(quad.texture);
@@ -76,14 +77,14 @@ void QuadPass::draw(std::span<const Quad> quads, PixelSize screen,
       bound = texture->texture.get();
     }
     if (staging_.size() == most_instances) flush(bound);
-    const Rect rect = quad.fill == QuadFill::Text
-                          ? text_rect(quad, screen, *texture)
-                          : Rect{quad.rect.x * width, quad.rect.y * height, quad.rect.width * width,
-                                 quad.rect.height * height};
+    const scene::Rect rect = quad.fill == scene::QuadFill::Text
+                                 ? text_rect(quad, screen, *texture)
+                                 : scene::Rect{quad.rect.x * width, quad.rect.y * height,
+                                               quad.rect.width * width, quad.rect.height * height};
     const float softness = quad.softness * shorter;
-    const float beyond = quad.fill == QuadFill::Text     ? 0
-                         : quad.fill == QuadFill::Shadow ? softness
-                                                         : 1;
+    const float beyond = quad.fill == scene::QuadFill::Text     ? 0
+                         : quad.fill == scene::QuadFill::Shadow ? softness
+                                                                : 1;
     staging_.push_back({{rect.x, rect.y, rect.width, rect.height},
                         {quad.uv.x, quad.uv.y, quad.uv.width, quad.uv.height},
                         {quad.colour.r, quad.colour.g, quad.colour.b, quad.colour.a},
@@ -92,4 +93,4 @@ void QuadPass::draw(std::span<const Quad> quads, PixelSize screen,
   flush(bound);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

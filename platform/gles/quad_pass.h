@@ -8,13 +8,14 @@
 #include "platform/gles/program.h"
 #include "platform/gles/textures.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// Draws the interface: rectangles in order, as few calls as their textures allow.
 class QuadPass {
  public:
   Result<void> compile();
-  void draw(std::span<const Quad> quads, PixelSize screen, const Textures& textures) noexcept;
+  void draw(std::span<const scene::Quad> quads, PixelSize screen,
+            const Textures& textures) noexcept;
 
  private:
   /// One instance, in pixels.
@@ -30,4 +31,4 @@ class QuadPass {
   GLint screen_ = -1;
 };
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -14,7 +14,7 @@
 #include "platform/gles/way_pass.h"
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 /// Block `Frame` of frame.glsl, in std140 layout.
@@ -31,7 +31,7 @@ constexpr Vec4 bounce_colour{0.70F, 0.615F, 0.52F, 0};
 constexpr float fade_of_far_galleries = 0.62F;
 constexpr float light_of_goal = 0.16F;
 
-Vec4 colour_of(const Colour& c) noexcept {
+Vec4 colour_of(const scene::Colour& c) noexcept {
   return {c.r, c.g, c.b, c.a};
 }
 
@@ -40,8 +40,8 @@ Vec4 place_on_floor(Vec2 place, float radius, float amount) noexcept {
   return {world.x, world.z, radius, amount};
 }
 
-FrameBlock frame_block(const DrawList& list, const SceneryPass& buildings,
-                       const Theme& theme) noexcept {
+FrameBlock frame_block(const scene::DrawList& list, const SceneryPass& buildings,
+                       const scene::Theme& theme) noexcept {
   const Scenery* scenery = buildings.scenery_of(list.floor);
   FrameBlock frame{};
   frame.view_projection = list.camera.projection * list.camera.view;
@@ -73,12 +73,12 @@ struct Renderer::Parts {
         array(make_vertex_array()) {}
 
   Result<void> compile();
-  void draw_model(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
-  void draw_strip(const DrawList& list, SceneBuffer::Rows rows) noexcept;
-  void draw_interface(const DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
+  void draw_model(const scene::DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
+  void draw_strip(const scene::DrawList& list, SceneBuffer::Rows rows) noexcept;
+  void draw_interface(const scene::DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
-  Theme theme;
+  scene::Theme theme;
   Textures textures;
   SceneBuffer buffer;
   Picture picture;
@@ -106,7 +106,7 @@ Result<void> Renderer::Parts::compile() {
 }
 
 /// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
-void Renderer::Parts::draw_strip(const DrawList& list, SceneBuffer::Rows rows) noexcept {
+void Renderer::Parts::draw_strip(const scene::DrawList& list, SceneBuffer::Rows rows) noexcept {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -132,7 +132,7 @@ void Renderer::Parts::draw_strip(const DrawList& list, SceneBuffer::Rows rows) n
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Parts::draw_model(const DrawList& list, GLuint framebuffer,
+void Renderer::Parts::draw_model(const scene::DrawList& list, GLuint framebuffer,
                                  PixelSize size) noexcept {
   const FrameBlock block = frame_block(list, scenery, theme);
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
@@ -149,7 +149,7 @@ void Renderer::Parts::draw_model(const DrawList& list, GLuint framebuffer,
   }
 }
 
-void Renderer::Parts::draw_interface(const DrawList& list, GLuint framebuffer,
+void Renderer::Parts::draw_interface(const scene::DrawList& list, GLuint framebuffer,
                                      PixelSize size) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
@@ -180,25 +180,25 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-TextureId Renderer::upload_text(std::uint32_t width, std::uint32_t height,
-                                std::span<const std::uint8_t> coverage) noexcept {
+scene::TextureId Renderer::upload_text(std::uint32_t width, std::uint32_t height,
+                                       std::span<const std::uint8_t> coverage) noexcept {
   return parts_->textures.add_text(width, height, coverage);
 }
 
-TextureId Renderer::upload_image(const Pixels& picture) noexcept {
+scene::TextureId Renderer::upload_image(const Pixels& picture) noexcept {
   return parts_->textures.add_image(picture, Levels::One);
 }
 
-TextureId Renderer::upload_scenery_image(const Pixels& picture) noexcept {
+scene::TextureId Renderer::upload_scenery_image(const Pixels& picture) noexcept {
   return parts_->textures.add_image(picture, Levels::All);
 }
 
-void Renderer::release(TextureId texture) noexcept {
+void Renderer::release(scene::TextureId texture) noexcept {
   parts_->textures.release(texture);
 }
 
 void Renderer::upload_scenery(std::uint32_t floor, const Scenery& scenery,
-                              std::span<const TextureId> image_of) {
+                              std::span<const scene::TextureId> image_of) {
   parts_->scenery.upload(floor, scenery, image_of);
 }
 
@@ -206,7 +206,7 @@ void Renderer::upload_avatar(const SkinnedMesh& mesh) {
   parts_->avatars.upload(mesh);
 }
 
-void Renderer::draw(const DrawList& list, const RenderTarget& target) noexcept {
+void Renderer::draw(const scene::DrawList& list, const RenderTarget& target) noexcept {
   if (target.size.width == 0 || target.size.height == 0) return;
   const bool direct = target.encoding == Encoding::Srgb;
   if (!direct) parts_->picture.fit(target.size);
@@ -220,9 +220,9 @@ void Renderer::draw(const DrawList& list, const RenderTarget& target) noexcept {
 void Renderer::warm_up(const RenderTarget& target) {
   const Pixels dot{1, 1, std::vector<std::byte>(4, std::byte{255})};
   const std::array<std::uint8_t, 1> coverage{255};
-  const TextureId image = upload_image(dot);
-  const TextureId text = upload_text(1, 1, coverage);
-  DrawList list;
+  const scene::TextureId image = upload_image(dot);
+  const scene::TextureId text = upload_text(1, 1, coverage);
+  scene::DrawList list;
   list.camera.eye = {0, 10, 0};
   list.ribbon_point = {{0, 0}, {1, 0}};
   list.ribbons.emplace_back();
@@ -231,11 +231,12 @@ void Renderer::warm_up(const RenderTarget& target) {
   list.markers.emplace_back();
   list.palette.assign(64, Mat4(1));
   list.avatars.emplace_back();
-  for (const QuadFill fill : {QuadFill::Solid, QuadFill::Text, QuadFill::Image}) {
-    Quad quad;
+  for (const scene::QuadFill fill :
+       {scene::QuadFill::Solid, scene::QuadFill::Text, scene::QuadFill::Image}) {
+    scene::Quad quad;
     quad.rect = {0, 0, 1, 1};
     quad.fill = fill;
-    quad.texture = fill == QuadFill::Text ? text : image;
+    quad.texture = fill == scene::QuadFill::Text ? text : image;
     list.quads.push_back(quad);
   }
   draw(list, target);
@@ -250,4 +251,4 @@ Result<Renderer> make_renderer(const RendererOptions& options) {
   return Renderer(std::move(parts));
 }
 
-}  // namespace docent
+}  // namespace docent::gles

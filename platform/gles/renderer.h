@@ -12,7 +12,7 @@
 #include "runtime/model/scenery.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::gles {
 
 struct RendererOptions {
   std::uint32_t samples = 4;  ///< A pixel of the model; 0 or 1: jagged edges, half the time.
@@ -34,18 +34,18 @@ class Renderer {
 
   /// Keeps how much of each pixel a set text covers: `width` times `height` bytes, rows from the
   /// top. None where there is no more room (4096 textures) or no pixel.
-  TextureId upload_text(std::uint32_t width, std::uint32_t height,
-                        std::span<const std::uint8_t> coverage) noexcept;
+  scene::TextureId upload_text(std::uint32_t width, std::uint32_t height,
+                               std::span<const std::uint8_t> coverage) noexcept;
   /// Keeps a picture that is drawn texel for pixel.
-  TextureId upload_image(const Pixels& picture) noexcept;
+  scene::TextureId upload_image(const Pixels& picture) noexcept;
   /// Keeps a picture of the building, with smaller versions of itself for the distance.
-  TextureId upload_scenery_image(const Pixels& picture) noexcept;
+  scene::TextureId upload_scenery_image(const Pixels& picture) noexcept;
   /// Gives a texture's memory back; its id may be handed out again.
-  void release(TextureId texture) noexcept;
+  void release(scene::TextureId texture) noexcept;
 
   /// The building of a floor. `image_of` holds a texture per exhibit (SceneryPart::exhibit).
   void upload_scenery(std::uint32_t floor, const Scenery& scenery,
-                      std::span<const TextureId> image_of);
+                      std::span<const scene::TextureId> image_of);
   /// The body that every avatar wears.
   void upload_avatar(const SkinnedMesh& mesh);
 
@@ -54,7 +54,7 @@ class Renderer {
   void warm_up(const RenderTarget& target);
 
   /// Draws everything into the target.
-  void draw(const DrawList& list, const RenderTarget& target) noexcept;
+  void draw(const scene::DrawList& list, const RenderTarget& target) noexcept;
 
  private:
   friend Result<Renderer> make_renderer(const RendererOptions&);
@@ -66,4 +66,4 @@ class Renderer {
 /// Compiles the shaders in the current context. Fails with the driver's own words.
 Result<Renderer> make_renderer(const RendererOptions& options = {});
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::gles {
 
 SceneBuffer::SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept
     : most_bytes_(most_bytes) {
@@ -90,4 +90,4 @@ void Picture::fit(PixelSize size) noexcept {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -6,7 +6,7 @@
 #include "platform/display.h"
 #include "platform/gles/gl_names.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// The multisampled buffers that the model is drawn into, a horizontal strip of the picture at a
 /// time.
@@ -50,4 +50,4 @@ class Picture {
   GlFramebuffer framebuffer_;
 };
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -5,7 +5,7 @@
 
 #include "platform/gles/shaders.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 struct Paving {
@@ -17,7 +17,7 @@ constexpr Paving stone_slabs{1.2F, 0.8F, 0.07F, 0.004F};
 /// Oak floors of museums are soaped: paler than the timber, so that what stands on them is seen.
 constexpr float soap = 0.08F;
 
-Colour mixed(const Colour& a, const Colour& b, float share) noexcept {
+scene::Colour mixed(const scene::Colour& a, const scene::Colour& b, float share) noexcept {
   return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share, 1};
 }
 
@@ -87,7 +87,7 @@ Result<void> SceneryPass::compile() {
 }
 
 void SceneryPass::upload(std::uint32_t floor, const Scenery& scenery,
-                         std::span<const TextureId> image_of) {
+                         std::span<const scene::TextureId> image_of) {
   if (buildings_.size() <= floor) buildings_.resize(floor + 1);
   Building building;
   building.image_of.assign(image_of.begin(), image_of.end());
@@ -157,11 +157,11 @@ void SceneryPass::draw_solids(std::uint32_t floor, std::int32_t highlighted,
   glBindVertexArray(found->array.get());
   solid_.use();
   glUniform1f(at_.solid_glow, 0);
-  const std::pair<Surface, Colour> plain[] = {{Surface::Plaster, theme_.plaster},
-                                              {Surface::CutFace, theme_.cut_face},
-                                              {Surface::CaseBody, srgb(0xDCD3C3)},
-                                              {Surface::Frame, srgb(0x6B5A49)},
-                                              {Surface::Object, srgb(0xEFE9DD)}};
+  const std::pair<Surface, scene::Colour> plain[] = {{Surface::Plaster, theme_.plaster},
+                                                     {Surface::CutFace, theme_.cut_face},
+                                                     {Surface::CaseBody, scene::srgb(0xDCD3C3)},
+                                                     {Surface::Frame, scene::srgb(0x6B5A49)},
+                                                     {Surface::Object, scene::srgb(0xEFE9DD)}};
   for (const auto& [surface, colour] : plain) {
     set(at_.solid_albedo, colour);
     draw_surface(*found, surface);
@@ -183,7 +183,7 @@ void SceneryPass::draw_floors(std::uint32_t floor) const noexcept {
   if (!found) return;
   glBindVertexArray(found->array.get());
   floor_.use();
-  const auto pave = [&](Surface surface, const Colour& colour, const Paving& paving) {
+  const auto pave = [&](Surface surface, const scene::Colour& colour, const Paving& paving) {
     set(at_.floor_albedo, colour);
     glUniform4f(at_.floor_grain, paving.length, paving.width, paving.difference, paving.joint);
     draw_surface(*found, surface);
@@ -202,4 +202,4 @@ void SceneryPass::draw_glass(std::uint32_t floor) const noexcept {
   draw_surface(*found, Surface::Glass);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -8,13 +8,14 @@
 #include "runtime/model/scenery.h"
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// Draws the building.
 class SceneryPass {
  public:
   Result<void> compile();
-  void upload(std::uint32_t floor, const Scenery& scenery, std::span<const TextureId> image_of);
+  void upload(std::uint32_t floor, const Scenery& scenery,
+              std::span<const scene::TextureId> image_of);
 
   /// The building of a floor without its vertices and texels; null where there is none.
   const Scenery* scenery_of(std::uint32_t floor) const noexcept;
@@ -38,7 +39,7 @@ class SceneryPass {
     GlBuffer vertices, indices;
     GlVertexArray array;
     GlTexture lightmap;
-    std::vector<TextureId> image_of;
+    std::vector<scene::TextureId> image_of;
   };
   const Building* building(std::uint32_t floor) const noexcept;
   void draw_surface(const Building& building, Surface surface) const noexcept;
@@ -48,7 +49,7 @@ class SceneryPass {
   struct {
     GLint solid_albedo, solid_glow, picture_glow, floor_albedo, floor_grain;
   } at_{};
-  Theme theme_;
+  scene::Theme theme_;
 };
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 constexpr std::size_t most_textures = 4096;
@@ -21,22 +21,23 @@ Textures::Textures() {
   released_.reserve(most_textures);
 }
 
-TextureId Textures::keep(GlTexture texture, std::uint32_t width, std::uint32_t height) noexcept {
+scene::TextureId Textures::keep(GlTexture texture, std::uint32_t width,
+                                std::uint32_t height) noexcept {
   if (!released_.empty()) {
     const std::uint32_t slot = released_.back();
     released_.pop_back();
     entries_[slot] = {std::move(texture), width, height};
-    return TextureId{slot + 1};
+    return scene::TextureId{slot + 1};
   }
-  if (entries_.size() == most_textures) return TextureId::None;
+  if (entries_.size() == most_textures) return scene::TextureId::None;
   entries_.push_back({std::move(texture), width, height});
-  return TextureId{static_cast<std::uint32_t>(entries_.size())};
+  return scene::TextureId{static_cast<std::uint32_t>(entries_.size())};
 }
 
-TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
-                             std::span<const std::uint8_t> coverage) noexcept {
+scene::TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
+                                    std::span<const std::uint8_t> coverage) noexcept {
   if (width == 0 || height == 0 || coverage.size() < std::size_t{width} * height)
-    return TextureId::None;
+    return scene::TextureId::None;
   GlTexture texture = make_texture();
   bind_texture(0, texture.get());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -48,8 +49,8 @@ TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
   return keep(std::move(texture), width, height);
 }
 
-TextureId Textures::add_image(const Pixels& picture, Levels levels) noexcept {
-  if (picture.rgba.empty()) return TextureId::None;
+scene::TextureId Textures::add_image(const Pixels& picture, Levels levels) noexcept {
+  if (picture.rgba.empty()) return scene::TextureId::None;
   GLsizei count = 1;
   if (levels == Levels::All)
     for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++count;
@@ -66,17 +67,17 @@ TextureId Textures::add_image(const Pixels& picture, Levels levels) noexcept {
   return keep(std::move(texture), picture.width, picture.height);
 }
 
-void Textures::release(TextureId id) noexcept {
+void Textures::release(scene::TextureId id) noexcept {
   if (find(id) == nullptr) return;
   const std::uint32_t slot = static_cast<std::uint32_t>(id) - 1;
   entries_[slot] = {};
   released_.push_back(slot);
 }
 
-const Textures::Entry* Textures::find(TextureId id) const noexcept {
+const Textures::Entry* Textures::find(scene::TextureId id) const noexcept {
   const auto slot = static_cast<std::size_t>(id) - 1;  // None wraps beyond the end
   if (slot >= entries_.size() || !entries_[slot].texture) return nullptr;
   return &entries_[slot];
 }
 
-}  // namespace docent
+}  // namespace docent::gles

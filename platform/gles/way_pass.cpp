@@ -8,7 +8,7 @@
 #include "platform/gles/shaders.h"
 #include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 constexpr std::size_t most_vertices = 32768;
@@ -38,59 +38,62 @@ Result<void> WayPass::compile() {
   glBindVertexArray(array_.get());
   vertices_ = make_buffer();
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  glBufferData(GL_ARRAY_BUFFER, most_vertices * sizeof(RibbonVertex), nullptr, GL_DYNAMIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, most_vertices * sizeof(scene::RibbonVertex), nullptr,
+               GL_DYNAMIC_DRAW);
   for (GLuint i = 0; i < 2; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
-                        buffer_offset(offsetof(RibbonVertex, place)));
-  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(RibbonVertex),
-                        buffer_offset(offsetof(RibbonVertex, ribbon)));
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(scene::RibbonVertex),
+                        buffer_offset(offsetof(scene::RibbonVertex, place)));
+  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(scene::RibbonVertex),
+                        buffer_offset(offsetof(scene::RibbonVertex, ribbon)));
   return {};
 }
 
-bool WayPass::is_current(const DrawList& list) const noexcept {
+bool WayPass::is_current(const scene::DrawList& list) const noexcept {
   const std::size_t count = std::min(list.ribbons.size(), most_ribbons);
   return count == strip_count_ &&
          std::equal(strips_.begin(), strips_.begin() + static_cast<std::ptrdiff_t>(count),
-                    list.ribbons.begin(), [](const Strip& strip, const RibbonDraw& ribbon) {
+                    list.ribbons.begin(), [](const Strip& strip, const scene::RibbonDraw& ribbon) {
                       return strip.revision == ribbon.revision &&
                              strip.first_point == ribbon.first && strip.point_count == ribbon.count;
                     });
 }
 
-void WayPass::prepare(const DrawList& list) noexcept {
+void WayPass::prepare(const scene::DrawList& list) noexcept {
   if (is_current(list)) return;
   staging_.clear();
   strip_count_ = std::min(list.ribbons.size(), most_ribbons);
   for (std::size_t i = 0; i < strip_count_; ++i) {
-    const RibbonDraw& ribbon = list.ribbons[i];
+    const scene::RibbonDraw& ribbon = list.ribbons[i];
     const std::size_t first = std::min<std::size_t>(ribbon.first, list.ribbon_point.size());
     const std::size_t count = std::min<std::size_t>(ribbon.count, list.ribbon_point.size() - first);
     const auto before = static_cast<GLint>(staging_.size());
-    const std::size_t made = append_ribbon(std::span(list.ribbon_point).subspan(first, count),
-                                           ribbon.length, rounded_, staging_);
+    const std::size_t made = scene::append_ribbon(
+        std::span(list.ribbon_point).subspan(first, count), ribbon.length, rounded_, staging_);
     strips_[i] = {ribbon.revision, ribbon.first, ribbon.count, before, static_cast<GLsizei>(made)};
   }
   glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
   glBufferSubData(GL_ARRAY_BUFFER, 0,
-                  static_cast<GLsizeiptr>(staging_.size() * sizeof(RibbonVertex)), staging_.data());
+                  static_cast<GLsizeiptr>(staging_.size() * sizeof(scene::RibbonVertex)),
+                  staging_.data());
 }
 
-void WayPass::draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const noexcept {
-  const Colour tone = ribbon.look < 0 ? route_colour(theme_, ribbon.kind)
-                                      : trail_colour(static_cast<std::size_t>(ribbon.look));
-  set(at_.tone, with_opacity(tone, ribbon.opacity));
+void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept {
+  const scene::Colour tone = ribbon.look < 0
+                                 ? scene::route_colour(theme_, ribbon.kind)
+                                 : scene::trail_colour(static_cast<std::size_t>(ribbon.look));
+  set(at_.tone, scene::with_opacity(tone, ribbon.opacity));
   glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
-              static_cast<float>(ribbon_half_width));
+              static_cast<float>(scene::ribbon_half_width));
   glUniform1i(at_.kind, static_cast<GLint>(ribbon.kind));
   glDrawArrays(GL_TRIANGLE_STRIP, strip.first, strip.count);
 }
 
-void WayPass::draw_marker(const MarkerDraw& marker) const noexcept {
-  using Kind = MarkerDraw::Kind;
+void WayPass::draw_marker(const scene::MarkerDraw& marker) const noexcept {
+  using Kind = scene::MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
-  Colour tone = is_exhibit ? theme_.quiet_ink : theme_.shortest;
-  if (marker.look >= 0) tone = trail_colour(static_cast<std::size_t>(marker.look));
-  set(at_.marker_tone, with_opacity(tone, marker.opacity));
+  scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.shortest;
+  if (marker.look >= 0) tone = scene::trail_colour(static_cast<std::size_t>(marker.look));
+  set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float reach =
       marker.kind == Kind::YouAreHere ? 2.7F : 1.3F;  // radii that marker.frag draws
@@ -101,7 +104,7 @@ void WayPass::draw_marker(const MarkerDraw& marker) const noexcept {
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void WayPass::draw(const DrawList& list) const noexcept {
+void WayPass::draw(const scene::DrawList& list) const noexcept {
   ribbon_.use();
   glUniform1f(at_.lift, ribbon_lift);
   glBindVertexArray(array_.get());
@@ -110,8 +113,8 @@ void WayPass::draw(const DrawList& list) const noexcept {
       draw_ribbon(list.ribbons[i], strips_[i]);
   marker_.use();
   glBindVertexArray(no_attributes_.get());
-  for (const MarkerDraw& marker : list.markers)
+  for (const scene::MarkerDraw& marker : list.markers)
     if (marker.opacity > 0) draw_marker(marker);
 }
 
-}  // namespace docent
+}  // namespace docent::gles

@@ -7,7 +7,7 @@
 #include "runtime/scene/ribbon_mesh.h"
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::gles {
 
 /// Draws the way on the floor: ribbons and markers.
 class WayPass {
@@ -17,8 +17,8 @@ class WayPass {
 
   Result<void> compile();
   /// Rebuilds the strips of ribbons whose revision has changed. Before any strip of the picture.
-  void prepare(const DrawList& list) noexcept;
-  void draw(const DrawList& list) const noexcept;
+  void prepare(const scene::DrawList& list) noexcept;
+  void draw(const scene::DrawList& list) const noexcept;
 
  private:
   struct Strip {
@@ -26,13 +26,13 @@ class WayPass {
     GLint first = 0;
     GLsizei count = 0;
   };
-  bool is_current(const DrawList& list) const noexcept;
-  void draw_ribbon(const RibbonDraw& ribbon, const Strip& strip) const noexcept;
-  void draw_marker(const MarkerDraw& marker) const noexcept;
+  bool is_current(const scene::DrawList& list) const noexcept;
+  void draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept;
+  void draw_marker(const scene::MarkerDraw& marker) const noexcept;
 
   GlBuffer vertices_;
   GlVertexArray array_, no_attributes_;
-  std::vector<RibbonVertex> staging_;
+  std::vector<scene::RibbonVertex> staging_;
   std::vector<Vec2> rounded_;
   std::array<Strip, most_ribbons> strips_{};
   std::size_t strip_count_ = 0;
@@ -40,7 +40,7 @@ class WayPass {
   struct {
     GLint lift, tone, way, kind, place, marker_tone, mark, inner_tone;
   } at_{};
-  Theme theme_;
+  scene::Theme theme_;
 };
 
-}  // namespace docent
+}  // namespace docent::gles

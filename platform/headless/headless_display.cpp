@@ -11,7 +11,7 @@
 
 #include "platform/egl/context.h"
 
-namespace docent {
+namespace docent::headless {
 namespace {
 
 /// A framebuffer that encodes sRGB itself, so blending is in linear light.
@@ -29,7 +29,7 @@ struct Framebuffer {
 
 class Headless final : public HeadlessDisplay {
  public:
-  Headless(EglDisplay display, EglContext context, PixelSize size)
+  Headless(egl::EglDisplay display, egl::EglContext context, PixelSize size)
       : display_(std::move(display)), context_(std::move(context)), size_(size) {}
 
   bool make_framebuffer() noexcept {
@@ -71,8 +71,8 @@ class Headless final : public HeadlessDisplay {
       std::swap_ranges(top, top + stride, bottom);
   }
 
-  EglDisplay display_;
-  EglContext context_;
+  egl::EglDisplay display_;
+  egl::EglContext context_;
   PixelSize size_;
   Framebuffer framebuffer_;  // last: it goes while the context is still there
 };
@@ -80,13 +80,14 @@ class Headless final : public HeadlessDisplay {
 }  // namespace
 
 Result<std::unique_ptr<HeadlessDisplay>> open_headless(PixelSize size) {
-  auto display = open_egl(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+  auto display = egl::open_egl(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
   if (!display) return std::unexpected(display.error());
-  const auto config = choose_config(display->get(), {});
+  const auto config = egl::choose_config(display->get(), {});
   if (!config) return std::unexpected(config.error());
-  auto context = make_context(display->get(), *config);
+  auto context = egl::make_context(display->get(), *config);
   if (!context) return std::unexpected(context.error());
-  if (const auto current = make_current(display->get(), EGL_NO_SURFACE, context->get()); !current)
+  if (const auto current = egl::make_current(display->get(), EGL_NO_SURFACE, context->get());
+      !current)
     return std::unexpected(current.error());
 
   GLint longest = 0;
@@ -103,4 +104,4 @@ Result<std::unique_ptr<HeadlessDisplay>> open_headless(PixelSize size) {
   return headless;
 }
 
-}  // namespace docent
+}  // namespace docent::headless

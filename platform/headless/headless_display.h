@@ -8,7 +8,7 @@
 #include "platform/image/image.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::headless {
 
 /// A display in memory: nothing is shown, frames can be read back. It never waits.
 class HeadlessDisplay : public Display {
@@ -21,4 +21,4 @@ class HeadlessDisplay : public Display {
 /// sentence where there is no such EGL, or where no framebuffer of this size can be made.
 Result<std::unique_ptr<HeadlessDisplay>> open_headless(PixelSize size);
 
-}  // namespace docent
+}  // namespace docent::headless

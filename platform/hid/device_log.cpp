@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::hid {
 
 std::optional<std::string> DeviceLog::failed(const std::string& path, const std::string& reason,
                                              Time now) {
@@ -24,4 +24,4 @@ void DeviceLog::keep(std::span<const std::string> present) {
   });
 }
 
-}  // namespace docent
+}  // namespace docent::hid

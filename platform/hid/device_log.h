@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace docent {
+namespace docent::hid {
 
 /// What the journal is told about devices that cannot be used: each reason once, and not before it
 /// has lasted, because a device that is being plugged in may refuse for a moment.
@@ -33,4 +33,4 @@ class DeviceLog {
   std::map<std::string, Failure> failures_;
 };
 
-}  // namespace docent
+}  // namespace docent::hid

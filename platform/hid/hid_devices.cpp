@@ -12,7 +12,7 @@
 #include "platform/handle.h"
 #include "platform/hid/touch_device.h"
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 /// Names come as wide characters; what is not plain text is shown as a question mark.
@@ -34,13 +34,13 @@ HidDevice describe(const hid_device_info& info) {
     device.unreadable = bytes.error().what;
     return device;
   }
-  auto descriptor = parse_report_descriptor(*bytes);
+  auto descriptor = input::parse_report_descriptor(*bytes);
   if (!descriptor) {
     device.unreadable = descriptor.error().what;
     return device;
   }
   device.descriptor = std::move(*descriptor);
-  device.kind = classify(device.descriptor);
+  device.kind = input::classify(device.descriptor);
   return device;
 }
 
@@ -53,14 +53,15 @@ void try_to_open(std::span<HidDevice> devices) {
 }
 
 bool is_for_visitors(const HidDevice& device) noexcept {
-  const bool pad = device.kind.touch && device.kind.touch->surface == TouchLayout::Surface::Pad;
+  const bool pad =
+      device.kind.touch && device.kind.touch->surface == input::TouchLayout::Surface::Pad;
   return (device.kind.touch && !pad) || !device.kind.keys.empty();
 }
 
 Result<std::vector<std::byte>> read_report_descriptor(const std::string& path,
                                                       const std::filesystem::path& sysfs) {
   const auto node = std::filesystem::path(path).filename();
-  const Result<std::string> text = read_file(sysfs / node / "device/report_descriptor");
+  const Result<std::string> text = file::read_file(sysfs / node / "device/report_descriptor");
   if (!text)
     return std::unexpected(
         Error{Errc::Environment,
@@ -85,4 +86,4 @@ std::vector<HidDevice> list_hid_devices() {
   return devices;
 }
 
-}  // namespace docent
+}  // namespace docent::hid

@@ -10,15 +10,15 @@
 #include "runtime/input/hid_device_kind.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::hid {
 
 /// A hidraw device that is present, and what it is taken for.
 struct HidDevice {
   std::string path;  ///< "/dev/hidraw0".
   std::string name;
   std::uint16_t vendor = 0, product = 0;
-  ReportDescriptor descriptor;
-  HidDeviceKind kind;
+  input::ReportDescriptor descriptor;
+  input::HidDeviceKind kind;
   std::string unreadable;  ///< Why its descriptor could not be read; empty otherwise.
   std::string closed;      ///< Why it cannot be opened; empty where it can, or was not tried.
 };
@@ -37,4 +37,4 @@ std::vector<HidDevice> list_hid_devices();
 Result<std::vector<std::byte>> read_report_descriptor(
     const std::string& path, const std::filesystem::path& sysfs = "/sys/class/hidraw");
 
-}  // namespace docent
+}  // namespace docent::hid

@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 std::string kind_of(const HidDevice& device) {
@@ -17,23 +17,23 @@ std::string reason_of(const HidDevice& device) {
   return device.closed.empty() || !is_for_visitors(device) ? device.kind.ignored : device.closed;
 }
 
-std::string field_name(Usage usage) {
+std::string field_name(input::Usage usage) {
   switch (usage) {
-    case usages::x:
+    case input::usages::x:
       return "X";
-    case usages::y:
+    case input::usages::y:
       return "Y";
-    case usages::tip_switch:
+    case input::usages::tip_switch:
       return "Tip Switch";
-    case usages::in_range:
+    case input::usages::in_range:
       return "In Range";
-    case usages::confidence:
+    case input::usages::confidence:
       return "Confidence";
-    case usages::contact_identifier:
+    case input::usages::contact_identifier:
       return "Contact Identifier";
-    case usages::contact_count:
+    case input::usages::contact_count:
       return "Contact Count";
-    case usages::scan_time:
+    case input::usages::scan_time:
       return "Scan Time";
     default:
       return fmt::format("{:04x}:{:04x}", usage >> 16U, usage & 0xffffU);
@@ -60,7 +60,7 @@ std::string describe_devices(std::span<const HidDevice> devices) {
     const std::string reason = reason_of(d);
     fmt::format_to(std::back_inserter(out), "{}  {:04x}:{:04x}  {}: {}{}{}\n", d.path, d.vendor,
                    d.product, d.name, kind_of(d), reason.empty() ? "" : ", ", reason);
-    for (const ReportField& f : d.descriptor.inputs)
+    for (const input::ReportField& f : d.descriptor.inputs)
       if (!f.is_array)
         fmt::format_to(std::back_inserter(out), "    report {} bit {} size {}: {} {}..{}\n",
                        f.report_id, f.bit_offset, f.bit_size, field_name(f.usage), f.logical_min,
@@ -78,7 +78,7 @@ std::string describe_devices_json(std::span<const HidDevice> devices) {
                    out.size() > 1 ? "," : "", json_text(d.path), json_text(d.name), d.vendor,
                    d.product, json_text(kind_of(d)), json_text(reason_of(d)));
     bool first = true;
-    for (const ReportField& f : d.descriptor.inputs) {
+    for (const input::ReportField& f : d.descriptor.inputs) {
       fmt::format_to(std::back_inserter(out),
                      "{}{{\"report\": {}, \"bit\": {}, \"size\": {}, \"usage\": {}, "
                      "\"logical_min\": {}, \"logical_max\": {}}}",
@@ -91,4 +91,4 @@ std::string describe_devices_json(std::span<const HidDevice> devices) {
   return out + "\n]\n";
 }
 
-}  // namespace docent
+}  // namespace docent::hid

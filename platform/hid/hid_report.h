@@ -5,7 +5,7 @@
 
 #include "platform/hid/hid_devices.h"
 
-namespace docent {
+namespace docent::hid {
 
 /// What `docent hid list` prints: a line or more for each device, what it is taken for, and its
 /// fields.
@@ -13,4 +13,4 @@ std::string describe_devices(std::span<const HidDevice> devices);
 /// The same as JSON: an array of objects with `path name vendor product kind reason fields`.
 std::string describe_devices_json(std::span<const HidDevice> devices);
 
-}  // namespace docent
+}  // namespace docent::hid

@@ -17,7 +17,7 @@
 #include "runtime/input/event_queue.h"
 #include "runtime/model/last_catch.h"
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 using namespace std::chrono_literals;
@@ -37,7 +37,7 @@ class EventMaker {
     if (!device.kind.keys.empty()) keys_.emplace(device.descriptor, device.kind.keys);
   }
 
-  std::span<const InputEvent> take(std::span<const std::byte> report) noexcept {
+  std::span<const input::InputEvent> take(std::span<const std::byte> report) noexcept {
     std::size_t count = 0;
     if (contacts_ && contacts_->take(report)) count = contact_changes(contacts_->contacts());
     if (keys_) count += key_changes(report, std::span(events_).subspan(count));
@@ -45,42 +45,44 @@ class EventMaker {
   }
 
   /// Everything that is down goes up: the device has gone.
-  std::span<const InputEvent> lift_all() noexcept {
+  std::span<const input::InputEvent> lift_all() noexcept {
     return std::span(events_).first(contact_changes({}));
   }
 
  private:
-  std::size_t contact_changes(std::span<const Contact> now) noexcept {
-    std::array<Contact, max_contacts> after{};
+  std::size_t contact_changes(std::span<const input::Contact> now) noexcept {
+    std::array<input::Contact, input::max_contacts> after{};
     const std::size_t count = std::min(now.size(), after.size());
     for (std::size_t i = 0; i < count; ++i) {
       after[i] = now[i];
       after[i].id = first_id_ + now[i].id % ids_per_device;
     }
-    const std::size_t events = contact_events(std::span(before_).first(before_count_),
-                                              std::span(after).first(count), events_);
+    const std::size_t events = input::contact_events(std::span(before_).first(before_count_),
+                                                     std::span(after).first(count), events_);
     before_ = after;
     before_count_ = count;
     return events;
   }
 
-  std::size_t key_changes(std::span<const std::byte> report, std::span<InputEvent> out) noexcept {
-    std::array<KeyEdge, 64> edges;
+  std::size_t key_changes(std::span<const std::byte> report,
+                          std::span<input::InputEvent> out) noexcept {
+    std::array<input::KeyEdge, 64> edges;
     const std::size_t count = std::min(keys_->take(report, edges), out.size());
     for (std::size_t i = 0; i < count; ++i)
-      out[i] = {.kind = edges[i].down ? InputEvent::Kind::KeyDown : InputEvent::Kind::KeyUp,
-                .contact = {},
-                .key = edges[i].key.key,
-                .character = edges[i].key.character};
+      out[i] = {
+          .kind = edges[i].down ? input::InputEvent::Kind::KeyDown : input::InputEvent::Kind::KeyUp,
+          .contact = {},
+          .key = edges[i].key.key,
+          .character = edges[i].key.character};
     return count;
   }
 
   std::uint32_t first_id_;
-  std::optional<ContactDecoder> contacts_;
-  std::optional<KeyDecoder> keys_;
-  std::array<Contact, max_contacts> before_{};
+  std::optional<input::ContactDecoder> contacts_;
+  std::optional<input::KeyDecoder> keys_;
+  std::array<input::Contact, input::max_contacts> before_{};
   std::size_t before_count_ = 0;
-  std::array<InputEvent, 2 * max_contacts> events_{};
+  std::array<input::InputEvent, 2 * input::max_contacts> events_{};
 };
 
 /// A place for one device: its queue stays when the device goes, so the frame thread can always
@@ -88,12 +90,13 @@ class EventMaker {
 struct Slot {
   std::string path;  ///< Empty while free. Only the supervisor touches it.
   std::atomic<bool> reading{false};
-  EventQueue queue;
+  input::EventQueue queue;
   std::jthread reader;
 };
 
-void deliver(Slot& slot, std::span<const InputEvent> events, const std::stop_token& stop) noexcept {
-  for (const InputEvent& event : events)
+void deliver(Slot& slot, std::span<const input::InputEvent> events,
+             const std::stop_token& stop) noexcept {
+  for (const input::InputEvent& event : events)
     while (!slot.queue.push(event) && !stop.stop_requested()) std::this_thread::sleep_for(1ms);
 }
 
@@ -217,7 +220,7 @@ Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const auto bytes = read_report_descriptor(path);
     if (!bytes) return std::unexpected(bytes.error());
-    const auto descriptor = parse_report_descriptor(*bytes);
+    const auto descriptor = input::parse_report_descriptor(*bytes);
     if (!descriptor) return std::unexpected(descriptor.error());
     const auto opened = TouchDevice::open(path);
     if (!opened) return std::unexpected(opened.error());
@@ -230,11 +233,11 @@ Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths) {
   return InputDevices(std::move(state));
 }
 
-std::size_t InputDevices::arrived(std::span<InputEvent> out) noexcept {
+std::size_t InputDevices::arrived(std::span<input::InputEvent> out) noexcept {
   std::size_t count = 0;
   for (Slot& slot : state_->slots)
     while (count < out.size() && slot.queue.pop(out[count])) ++count;
   return count;
 }
 
-}  // namespace docent
+}  // namespace docent::hid

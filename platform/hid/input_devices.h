@@ -9,7 +9,7 @@
 #include "runtime/input/contact.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::hid {
 
 /// All touch screens and keypads of the kiosk: each has a reader thread of its own, and one more
 /// thread looks after devices that come and go.
@@ -25,7 +25,7 @@ class InputDevices {
   /// Writes the events that arrived since the last call into `out`, oldest first for each device,
   /// and returns how many. Screen frame of the panel, before rotation. Contact identifiers are
   /// unique across devices. For the frame thread: never waits, never allocates.
-  std::size_t arrived(std::span<InputEvent> out) noexcept;
+  std::size_t arrived(std::span<input::InputEvent> out) noexcept;
 
  private:
   struct State;
@@ -33,4 +33,4 @@ class InputDevices {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace docent
+}  // namespace docent::hid

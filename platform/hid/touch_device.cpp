@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace docent {
+namespace docent::hid {
 
 void TouchDevice::Close::operator()(hid_device_* device) const noexcept {
   hid_close(device);
@@ -33,4 +33,4 @@ std::span<const std::byte> TouchDevice::read(std::chrono::milliseconds patience)
   return std::as_bytes(std::span(buffer_)).first(count > 0 ? static_cast<std::size_t>(count) : 0);
 }
 
-}  // namespace docent
+}  // namespace docent::hid

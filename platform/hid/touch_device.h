@@ -11,7 +11,7 @@
 
 struct hid_device_;  // hidapi's handle
 
-namespace docent {
+namespace docent::hid {
 
 /// One opened hidraw device: bytes in, no meaning.
 class TouchDevice {
@@ -38,4 +38,4 @@ class TouchDevice {
   std::array<unsigned char, 16384> buffer_{};  // the kernel's largest report
 };
 
-}  // namespace docent
+}  // namespace docent::hid

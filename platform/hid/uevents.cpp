@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace docent {
+namespace docent::hid {
 
 Result<Uevents> Uevents::open() {
   const int fd =
@@ -51,4 +51,4 @@ bool Uevents::hidraw_changed(std::chrono::milliseconds patience) noexcept {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::hid

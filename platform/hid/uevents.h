@@ -4,7 +4,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::hid {
 
 /// Listens to the kernel's own messages about devices that come and go (NETLINK_KOBJECT_UEVENT);
 /// needs no udev daemon.
@@ -26,4 +26,4 @@ class Uevents {
   int socket_;
 };
 
-}  // namespace docent
+}  // namespace docent::hid

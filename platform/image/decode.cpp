@@ -8,7 +8,7 @@
 #include "platform/image/image.h"
 #include "platform/image/jpeg.h"
 
-namespace docent {
+namespace docent::image {
 namespace {
 
 struct FreeContext {
@@ -81,4 +81,4 @@ Result<Pixels> read_image_size(std::span<const std::byte> file, const ImageLimit
   return unknown_kind();
 }
 
-}  // namespace docent
+}  // namespace docent::image

@@ -11,7 +11,7 @@
 
 #include "platform/image/image.h"
 
-namespace docent {
+namespace docent::image {
 namespace {
 
 struct FreeContext {
@@ -86,4 +86,4 @@ Result<void> write_png(const std::filesystem::path& file, const Pixels& picture)
   return std::unexpected(error);
 }
 
-}  // namespace docent
+}  // namespace docent::image

@@ -9,7 +9,7 @@
 #include "runtime/model/pixels.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::image {
 
 /// What a picture may be at most; a larger one is refused before its memory is taken.
 struct ImageLimits {
@@ -47,4 +47,4 @@ Result<std::vector<std::byte>> encode_jpeg(const Pixels& picture);
 /// Writes a PNG file whole or not at all: a temporary file beside it, then a rename.
 Result<void> write_png(const std::filesystem::path& file, const Pixels& picture);
 
-}  // namespace docent
+}  // namespace docent::image

@@ -8,7 +8,7 @@
 
 #include <jpeglib.h>
 
-namespace docent {
+namespace docent::image {
 namespace {
 
 /// libjpeg reports a fatal error by calling back, and the callback may not return: it jumps out.
@@ -137,4 +137,4 @@ Result<Pixels> decode_jpeg(std::span<const std::byte> file, const ImageLimits& l
   return picture;
 }
 
-}  // namespace docent
+}  // namespace docent::image

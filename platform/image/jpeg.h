@@ -2,7 +2,7 @@
 
 #include "platform/image/image.h"
 
-namespace docent {
+namespace docent::image {
 
 enum class JpegPart : std::uint8_t { Header, Pixels };
 
@@ -13,4 +13,4 @@ Result<Pixels> decode_jpeg(std::span<const std::byte> file, const ImageLimits& l
 /// The sentence for a picture that is larger than the limits; empty where it is not.
 std::string too_large(std::uint64_t width, std::uint64_t height, const ImageLimits& limits);
 
-}  // namespace docent
+}  // namespace docent::image

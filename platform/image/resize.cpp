@@ -5,7 +5,7 @@
 
 #include "platform/image/image.h"
 
-namespace docent {
+namespace docent::image {
 namespace {
 
 /// IEC 61966-2-1.
@@ -126,4 +126,4 @@ Pixels fill(const Pixels& picture, std::uint32_t width, std::uint32_t height) {
                   whole_pixels(rows.length()));
 }
 
-}  // namespace docent
+}  // namespace docent::image

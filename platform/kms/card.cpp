@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-namespace docent {
+namespace docent::kms {
 namespace {
 
 using Resources = std::unique_ptr<drmModeRes, CloseWith<drmModeFreeResources>>;
@@ -175,4 +175,4 @@ Result<Card> open_card(PixelSize wanted) {
   return std::unexpected(why);
 }
 
-}  // namespace docent
+}  // namespace docent::kms

@@ -12,7 +12,7 @@
 #include "platform/handle.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kms {
 
 /// Owns a file descriptor.
 class FileDescriptor {
@@ -55,4 +55,4 @@ struct Card {
 /// the preferred one, or that nearest to `wanted`.
 Result<Card> open_card(PixelSize wanted);
 
-}  // namespace docent
+}  // namespace docent::kms

@@ -4,7 +4,7 @@
 #include <linux/kd.h>
 #include <sys/ioctl.h>
 
-namespace docent {
+namespace docent::kms {
 
 std::optional<QuietConsole> QuietConsole::take() noexcept {
   FileDescriptor tty(open("/dev/tty", O_RDWR | O_CLOEXEC | O_NOCTTY));
@@ -25,4 +25,4 @@ QuietConsole::~QuietConsole() {
   ioctl(tty_.get(), KDSETMODE, mode_);
 }
 
-}  // namespace docent
+}  // namespace docent::kms

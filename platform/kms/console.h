@@ -4,7 +4,7 @@
 
 #include "platform/kms/card.h"
 
-namespace docent {
+namespace docent::kms {
 
 /// Takes the text console out of the way while the kiosk draws: no cursor over the picture, no
 /// typed keys in the shell behind it. The console comes back when this goes.
@@ -24,4 +24,4 @@ class QuietConsole {
   int mode_, keyboard_;  ///< What they were before.
 };
 
-}  // namespace docent
+}  // namespace docent::kms

@@ -16,7 +16,7 @@
 #include "platform/kms/card.h"
 #include "platform/kms/console.h"
 
-namespace docent {
+namespace docent::kms {
 namespace {
 
 using GbmDevice = std::unique_ptr<gbm_device, CloseWith<gbm_device_destroy>>;
@@ -65,19 +65,20 @@ class Kms final : public KmsDisplay {
     const int fd = card_.fd.get();
     gbm_.reset(gbm_create_device(fd));
     if (!gbm_) return failed("GBM cannot use it");
-    auto display = open_egl(EGL_PLATFORM_GBM_KHR, gbm_.get());
+    auto display = egl::open_egl(EGL_PLATFORM_GBM_KHR, gbm_.get());
     if (!display) return std::unexpected(display.error());
     egl_ = std::move(*display);
-    const auto config = choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(format)});
+    const auto config =
+        egl::choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(format)});
     if (!config) return std::unexpected(config.error());
     const PixelSize size = mode_size();
     surface_.reset(gbm_surface_create(gbm_.get(), size.width, size.height, format,
                                       GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING));
     if (!surface_) return failed("it has no memory for the screen's buffers");
-    auto context = make_context(egl_.get(), *config);
+    auto context = egl::make_context(egl_.get(), *config);
     if (!context) return std::unexpected(context.error());
     context_ = std::move(*context);
-    auto egl_surface = make_window_surface(egl_.get(), *config, surface_.get());
+    auto egl_surface = egl::make_window_surface(egl_.get(), *config, surface_.get());
     if (!egl_surface) return std::unexpected(egl_surface.error());
     egl_surface_ = std::move(*egl_surface);
     if (drmModeCreatePropertyBlob(fd, &card_.pipe.mode, sizeof card_.pipe.mode, &mode_blob_) != 0)
@@ -85,7 +86,7 @@ class Kms final : public KmsDisplay {
     if (auto console = QuietConsole::take()) console_.emplace(std::move(*console));
     request_.reset(drmModeAtomicAlloc());
     if (!request_) return failed("out of memory");
-    return make_current(egl_.get(), egl_surface_.get(), context_.get());
+    return egl::make_current(egl_.get(), egl_surface_.get(), context_.get());
   }
 
   bool wait_for_page_flip() noexcept override {
@@ -194,10 +195,10 @@ class Kms final : public KmsDisplay {
   std::optional<QuietConsole> console_;
   Card card_;
   GbmDevice gbm_;
-  EglDisplay egl_;
+  egl::EglDisplay egl_;
   GbmSurface surface_;
-  EglContext context_;
-  EglSurface egl_surface_;
+  egl::EglContext context_;
+  egl::EglSurface egl_surface_;
   AtomicRequest request_;
   std::uint32_t mode_blob_ = 0;
   gbm_bo* shown_ = nullptr;     ///< On the glass.
@@ -220,4 +221,4 @@ bool is_kms_free() noexcept {
   return open_card({}).has_value();
 }
 
-}  // namespace docent
+}  // namespace docent::kms

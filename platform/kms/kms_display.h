@@ -6,7 +6,7 @@
 #include "platform/display.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kms {
 
 /// A screen driven straight through the kernel: GBM buffers, atomic mode setting, page flips; no
 /// window system.
@@ -22,4 +22,4 @@ Result<std::unique_ptr<KmsDisplay>> open_kms(PixelSize wanted = {});
 /// holds it. Changes nothing.
 bool is_kms_free() noexcept;
 
-}  // namespace docent
+}  // namespace docent::kms

@@ -10,7 +10,7 @@
 
 #include "platform/handle.h"
 
-namespace docent {
+namespace docent::pango {
 namespace {
 
 using FontMap = std::unique_ptr<PangoFontMap, CloseWith<g_object_unref>>;
@@ -36,8 +36,8 @@ const std::array<std::uint8_t, 256> strengthened = [] {
 }();
 
 /// The house's two families and their companions. Pango takes what is missing from the next.
-const char* families(const TextStyle& style) {
-  const bool serif = style.family == Family::Serif;
+const char* families(const interface::TextStyle& style) {
+  const bool serif = style.family == interface::Family::Serif;
   if (style.language.starts_with("zh"))
     return serif ? "Noto Serif CJK SC, Noto Serif" : "Noto Sans CJK SC, Inter, Noto Sans";
   if (style.language.starts_with("ja"))
@@ -62,13 +62,15 @@ class TextSetter {
     pango_context_set_round_glyph_positions(context_.get(), FALSE);
   }
 
-  TextBitmap set(const TextStyle& style, std::string_view text, std::uint32_t width) const {
+  interface::TextBitmap set(const interface::TextStyle& style, std::string_view text,
+                            std::uint32_t width) const {
     const Layout layout = lay_out(style, text, width);
     return draw(layout.get());
   }
 
  private:
-  Layout lay_out(const TextStyle& style, std::string_view text, std::uint32_t width) const {
+  Layout lay_out(const interface::TextStyle& style, std::string_view text,
+                 std::uint32_t width) const {
     const std::string language(style.language);
     pango_context_set_language(context_.get(), pango_language_from_string(language.c_str()));
     pango_context_set_base_dir(context_.get(),
@@ -102,7 +104,7 @@ class TextSetter {
     return layout;
   }
 
-  static TextBitmap draw(PangoLayout* layout) {
+  static interface::TextBitmap draw(PangoLayout* layout) {
     PangoRectangle ink, logical;
     pango_layout_get_pixel_extents(layout, &ink, &logical);
     // Some letters reach out of their advance width or, where lines are close, out of their line;
@@ -112,7 +114,7 @@ class TextSetter {
     const int right = std::max(ink.x + ink.width, logical.x + logical.width);
     const int overhang =
         std::max({logical.y - ink.y, ink.y + ink.height - (logical.y + logical.height), 0});
-    TextBitmap bitmap;
+    interface::TextBitmap bitmap;
     bitmap.lines = static_cast<std::uint32_t>(pango_layout_get_line_count(layout));
     bitmap.cut = pango_layout_is_ellipsized(layout) != FALSE;
     bitmap.width = static_cast<std::uint32_t>(std::clamp(right - left, 0, most_pixels));
@@ -146,7 +148,7 @@ class TextSetter {
 
 }  // namespace
 
-Result<SetText> make_text_setter() {
+Result<interface::SetText> make_text_setter() {
   FontMap fonts(pango_cairo_font_map_new());
   PangoFontFamily** all = nullptr;
   int count = 0;
@@ -158,9 +160,9 @@ Result<SetText> make_text_setter() {
                                  "fonts-noto-cjk"});
   // std::function copies what it holds, and a setter cannot be copied.
   auto setter = std::make_shared<TextSetter>(std::move(fonts));
-  return [setter](const TextStyle& style, std::string_view text, std::uint32_t width) {
+  return [setter](const interface::TextStyle& style, std::string_view text, std::uint32_t width) {
     return setter->set(style, text, width);
   };
 }
 
-}  // namespace docent
+}  // namespace docent::pango

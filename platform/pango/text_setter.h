@@ -1,14 +1,14 @@
 #pragma once
 
-#include "runtime/model/result.h"
 #include "runtime/interface/text.h"
+#include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::pango {
 
 /// A type setter on Pango and Cairo: shapes any script, breaks lines, right to left where the text
 /// is, and gives back coverage. Families by language: Inter and Noto Serif, Noto CJK SC, Noto Sans
 /// Arabic and Noto Naskh Arabic; what they lack comes from whatever font has it. The result is
 /// called by one thread at a time. Fails where no font at all can be found.
-Result<SetText> make_text_setter();
+Result<interface::SetText> make_text_setter();
 
-}  // namespace docent
+}  // namespace docent::pango

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace docent {
+namespace docent::sqlite {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::optional<std::size_t> place_of(std::span<const std::byte> file, const Check
   return static_cast<std::size_t>(first - file.begin());
 }
 
-}  // namespace docent
+}  // namespace docent::sqlite

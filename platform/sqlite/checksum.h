@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace docent {
+namespace docent::sqlite {
 
 /// BLAKE2b-256, as row 0 of table `checksum` holds it.
 using Checksum = std::array<std::byte, 32>;
@@ -18,4 +18,4 @@ Checksum checksum_of(std::span<const std::byte> file, std::size_t place);
 /// Where the value lies in the file; empty unless it does exactly once.
 std::optional<std::size_t> place_of(std::span<const std::byte> file, const Checksum& value);
 
-}  // namespace docent
+}  // namespace docent::sqlite

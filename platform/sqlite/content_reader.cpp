@@ -15,7 +15,7 @@
 #include "runtime/schema/invariants.h"
 #include "runtime/schema/rows.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 namespace {
 
@@ -167,7 +167,8 @@ Result<Museum> read_museum(const Database& database, const std::filesystem::path
   Museum museum;
   Reader reader(database.handle.get());
   schema::tables(reader, museum);
-  const std::string fault = reader.sound() ? broken_invariant(museum) : reader.first_fault();
+  const std::string fault =
+      reader.sound() ? schema::broken_invariant(museum) : reader.first_fault();
   if (!fault.empty())
     return std::unexpected(
         Error{Errc::Damaged,
@@ -181,4 +182,4 @@ Result<Museum> load_museum(const std::filesystem::path& file) {
   return read_museum(*database, file);
 }
 
-}  // namespace docent
+}  // namespace docent::sqlite

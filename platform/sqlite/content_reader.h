@@ -6,7 +6,7 @@
 #include "runtime/model/museum.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 /// Reads a museum from its database and checks every index in it once, so that nobody who gets the
 /// museum needs to. Fails as open_database does; a database whose rows do not make a museum is
@@ -16,4 +16,4 @@ Result<Museum> read_museum(const Database& database, const std::filesystem::path
 /// Opens and reads.
 Result<Museum> load_museum(const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::sqlite

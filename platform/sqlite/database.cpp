@@ -13,7 +13,7 @@
 #include "platform/sqlite/checksum.h"
 #include "runtime/schema/schema.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 namespace {
 
@@ -135,4 +135,4 @@ Result<Database> open_database(const std::filesystem::path& file) {
   return database;
 }
 
-}  // namespace docent
+}  // namespace docent::sqlite

@@ -10,7 +10,7 @@
 #include "platform/handle.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 using DatabaseHandle = std::unique_ptr<sqlite3, CloseWith<sqlite3_close_v2>>;
 using Statement = std::unique_ptr<sqlite3_stmt, CloseWith<sqlite3_finalize>>;
@@ -31,4 +31,4 @@ struct Database {
 ///  - Damaged: it is cut short, or a byte of it has changed.
 Result<Database> open_database(const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::sqlite

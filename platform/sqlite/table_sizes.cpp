@@ -1,6 +1,6 @@
 #include "platform/sqlite/table_sizes.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 std::map<std::string, std::uint64_t> table_sizes(const Database& database) {
   std::map<std::string, std::uint64_t> sizes;
@@ -16,4 +16,4 @@ std::map<std::string, std::uint64_t> table_sizes(const Database& database) {
   return sizes;
 }
 
-}  // namespace docent
+}  // namespace docent::sqlite

@@ -6,9 +6,9 @@
 
 #include "platform/sqlite/database.h"
 
-namespace docent {
+namespace docent::sqlite {
 
 /// The bytes that each table takes in the file, indices included.
 std::map<std::string, std::uint64_t> table_sizes(const Database& database);
 
-}  // namespace docent
+}  // namespace docent::sqlite

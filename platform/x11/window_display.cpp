@@ -22,7 +22,7 @@
 #include "platform/handle.h"
 #include "platform/x11/window_keys.h"
 
-namespace docent {
+namespace docent::x11 {
 namespace {
 
 using Connection = std::unique_ptr<xcb_connection_t, CloseWith<xcb_disconnect>>;
@@ -52,32 +52,32 @@ class Window final : public WindowDisplay {
   Window(Connection connection, PixelSize size) : connection_(std::move(connection)), size_(size) {}
 
   Result<void> open(xcb_screen_t* screen) {
-    auto display = open_egl(EGL_PLATFORM_XCB_EXT, connection_.get());
+    auto display = egl::open_egl(EGL_PLATFORM_XCB_EXT, connection_.get());
     if (!display) return std::unexpected(display.error());
     egl_ = std::move(*display);
     const auto config =
-        choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(screen->root_visual)});
+        egl::choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(screen->root_visual)});
     if (!config) return std::unexpected(config.error());
     make_window(screen);
-    auto context = make_context(egl_.get(), *config);
+    auto context = egl::make_context(egl_.get(), *config);
     if (!context) return std::unexpected(context.error());
     context_ = std::move(*context);
-    auto surface = make_window_surface(egl_.get(), *config, &window_);
+    auto surface = egl::make_window_surface(egl_.get(), *config, &window_);
     if (!surface) return std::unexpected(surface.error());
     surface_ = std::move(*surface);
-    return make_current(egl_.get(), surface_.get(), context_.get());
+    return egl::make_current(egl_.get(), surface_.get(), context_.get());
   }
 
   bool wait_for_page_flip() noexcept override {
     read_events();
     // A virtual X server swaps at once, so the frame keeps its own time.
-    const auto now = monotonic_now();
+    const auto now = clock::monotonic_now();
     if (now < next_frame_) {
       const auto wait = next_frame_ - now;
       const timespec pause{.tv_sec = 0, .tv_nsec = static_cast<long>(wait.count())};
       nanosleep(&pause, nullptr);
     }
-    next_frame_ = std::max(next_frame_ + frame_time, monotonic_now());
+    next_frame_ = std::max(next_frame_ + frame_time, clock::monotonic_now());
     return !closed_;
   }
 
@@ -88,7 +88,7 @@ class Window final : public WindowDisplay {
     if (!closed_ && !eglSwapBuffers(egl_.get(), surface_.get())) closed_ = true;
   }
 
-  std::size_t arrived(std::span<InputEvent> out) noexcept override {
+  std::size_t arrived(std::span<input::InputEvent> out) noexcept override {
     const std::size_t count = std::min(out.size(), event_count_);
     std::copy_n(events_.begin(), count, out.begin());
     std::copy(events_.begin() + static_cast<std::ptrdiff_t>(count),
@@ -159,10 +159,10 @@ class Window final : public WindowDisplay {
     const bool motion = type == XCB_MOTION_NOTIFY;
     if (!motion && mouse.detail != left_button) return;
     if (motion && (mouse.state & XCB_BUTTON_MASK_1) == 0) return;
-    InputEvent finger;
-    finger.kind = motion                     ? InputEvent::Kind::Move
-                  : type == XCB_BUTTON_PRESS ? InputEvent::Kind::Down
-                                             : InputEvent::Kind::Up;
+    input::InputEvent finger;
+    finger.kind = motion                     ? input::InputEvent::Kind::Move
+                  : type == XCB_BUTTON_PRESS ? input::InputEvent::Kind::Down
+                                             : input::InputEvent::Kind::Up;
     finger.contact = {1, share(mouse.event_x, size_.width), share(mouse.event_y, size_.height)};
     push(finger);
   }
@@ -173,16 +173,17 @@ class Window final : public WindowDisplay {
 
   void handle_key(const xcb_key_press_event_t& event) noexcept {
     if (!keys_) return;
-    const KeyName key = key_of_keysym(xcb_key_symbols_get_keysym(keys_.get(), event.detail, 0));
-    if (key.key == Key::None) return;
+    const input::KeyName key =
+        key_of_keysym(xcb_key_symbols_get_keysym(keys_.get(), event.detail, 0));
+    if (key.key == input::Key::None) return;
     const bool down = (event.response_type & 0x7fU) == XCB_KEY_PRESS;
-    push({.kind = down ? InputEvent::Kind::KeyDown : InputEvent::Kind::KeyUp,
+    push({.kind = down ? input::InputEvent::Kind::KeyDown : input::InputEvent::Kind::KeyUp,
           .contact = {},
           .key = key.key,
           .character = key.character});
   }
 
-  void push(const InputEvent& event) noexcept {
+  void push(const input::InputEvent& event) noexcept {
     if (event_count_ < events_.size()) events_[event_count_++] = event;
   }
 
@@ -193,11 +194,11 @@ class Window final : public WindowDisplay {
   PixelSize size_;
   bool closed_ = false;
   std::chrono::nanoseconds next_frame_{0};
-  std::array<InputEvent, 256> events_{};
+  std::array<input::InputEvent, 256> events_{};
   std::size_t event_count_ = 0;
-  EglDisplay egl_;
-  EglContext context_;
-  EglSurface surface_;
+  egl::EglDisplay egl_;
+  egl::EglContext context_;
+  egl::EglSurface surface_;
 };
 
 }  // namespace
@@ -222,4 +223,4 @@ Result<std::unique_ptr<WindowDisplay>> open_window(PixelSize size) {
   return window;
 }
 
-}  // namespace docent
+}  // namespace docent::x11

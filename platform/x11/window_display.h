@@ -8,7 +8,7 @@
 #include "runtime/input/contact.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::x11 {
 
 /// A window on an X11 desktop, for development: the mouse stands in for a finger, the keyboard for
 /// the keypad.
@@ -16,11 +16,11 @@ class WindowDisplay : public Display {
  public:
   /// Writes what mouse and keyboard did since the last call, oldest first, and returns how many.
   /// Screen frame of the window. Does not allocate.
-  virtual std::size_t arrived(std::span<InputEvent> out) noexcept = 0;
+  virtual std::size_t arrived(std::span<input::InputEvent> out) noexcept = 0;
 };
 
 /// Opens a window of this size on $DISPLAY and makes its OpenGL context current on this thread.
 /// Fails with a sentence where there is no X server, or none that EGL can draw to.
 Result<std::unique_ptr<WindowDisplay>> open_window(PixelSize size);
 
-}  // namespace docent
+}  // namespace docent::x11

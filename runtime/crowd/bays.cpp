@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/bisector.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 /// What is no further from a square than this is in it. Metres.
@@ -85,7 +85,7 @@ struct Bays::Cut {
   }
 };
 
-Bays::Bays(const FloorMap& map, double size) : map_(map) {
+Bays::Bays(const path::FloorMap& map, double size) : map_(map) {
   const FloorPlan& plan = map.plan();
   const VoronoiDiagram& diagram = map.floor().diagram;
   Vec2 low{}, high{};
@@ -268,4 +268,4 @@ void Bays::sort_corners() {
   std::partial_sum(corner_first_.begin(), corner_first_.end(), corner_first_.begin());
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

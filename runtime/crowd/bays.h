@@ -10,7 +10,7 @@
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// A floor cut into bays: pieces of it, a step or two wide, that no wall divides.
 ///
@@ -30,9 +30,9 @@ class Bays {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// Squares of `size` metres; larger ones on floors that would have over a million.
-  Bays(const FloorMap& map, double size);
+  Bays(const path::FloorMap& map, double size);
 
-  const FloorMap& map() const noexcept { return map_; }
+  const path::FloorMap& map() const noexcept { return map_; }
   double size() const noexcept { return size_; }
   std::size_t count() const noexcept { return centre_.size(); }
 
@@ -129,7 +129,7 @@ class Bays {
   void sort_walls();
   void sort_corners();
 
-  const FloorMap& map_;
+  const path::FloorMap& map_;
   double size_ = 1, per_metre_ = 1;
   Vec2 origin_{};
   std::int32_t columns_ = 1, rows_ = 1;
@@ -145,4 +145,4 @@ class Bays {
   std::vector<Vec2> corner_;
 };
 
-}  // namespace docent
+}  // namespace docent::crowd

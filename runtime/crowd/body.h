@@ -2,7 +2,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// What one avatar takes up of the floor: a disc, and where it is going.
 ///
@@ -13,4 +13,4 @@ struct Body {
   double radius = 0;  ///< Metres, not negative.
 };
 
-}  // namespace docent
+}  // namespace docent::crowd

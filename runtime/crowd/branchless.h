@@ -2,7 +2,7 @@
 
 #include <concepts>
 
-namespace docent {
+namespace docent::crowd {
 
 /// Conditions taken together without a jump between them: where each is cheap and none foreseeable,
 /// that is quicker than && and ||.
@@ -15,4 +15,4 @@ constexpr bool any_holds(Conditions... condition) noexcept {
   return (static_cast<unsigned>(condition) | ...) != 0;
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

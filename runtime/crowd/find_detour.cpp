@@ -7,7 +7,7 @@
 #include "runtime/crowd/line_distance.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 constexpr double spare = 0.1;             // metres kept from who stands
@@ -15,14 +15,14 @@ constexpr std::size_t most_places = 400;  // that are tried
 
 }  // namespace
 
-Way find_detour(const FloorMap& map, const Timetable& timetable, std::uint32_t body,
-                const RouteQuery& query, double seconds) {
+path::Way find_detour(const path::FloorMap& map, const ReservationTable& reservations,
+                      std::uint32_t body, const path::RouteQuery& query, double seconds) {
   std::vector<Vec2> standing;
-  for (const Timetable::Entry& entry : timetable.entries())
-    if (entry.body != body && entry.course.end() <= seconds)
-      standing.push_back(entry.course.place.back());
-  const double apart = 2 * timetable.body_radius() + spare;
-  const auto is_free = [&](const Way& way) {
+  for (const ReservationTable::Entry& entry : reservations.entries())
+    if (entry.body != body && entry.trajectory.end() <= seconds)
+      standing.push_back(entry.trajectory.place.back());
+  const double apart = 2 * reservations.body_radius() + spare;
+  const auto is_free = [&](const path::Way& way) {
     return std::ranges::all_of(standing,
                                [&](Vec2 place) { return distance_to(way.points, place) >= apart; });
   };
@@ -35,17 +35,17 @@ Way find_detour(const FloorMap& map, const Timetable& timetable, std::uint32_t b
   std::ranges::sort(places, {}, &std::pair<double, Vec2>::first);
   if (places.size() > most_places) places.resize(most_places);
 
-  Way best;
+  path::Way best;
   for (const auto& [at_least, place] : places) {
-    if (best.status == RouteStatus::Ok && at_least >= best.length) break;
-    RouteQuery first = query, second = query;
+    if (best.status == path::RouteStatus::Ok && at_least >= best.length) break;
+    path::RouteQuery first = query, second = query;
     first.to = second.from = place;
-    Way there = route(map, first);
-    if (there.status != RouteStatus::Ok || !is_free(there)) continue;
-    const Way on = route(map, second);
-    if (on.status != RouteStatus::Ok || !is_free(on)) continue;
+    path::Way there = path::route(map, first);
+    if (there.status != path::RouteStatus::Ok || !is_free(there)) continue;
+    const path::Way on = path::route(map, second);
+    if (on.status != path::RouteStatus::Ok || !is_free(on)) continue;
     there.length += on.length;
-    if (best.status == RouteStatus::Ok && there.length >= best.length) continue;
+    if (best.status == path::RouteStatus::Ok && there.length >= best.length) continue;
     there.clearance_min = std::min(there.clearance_min, on.clearance_min);
     there.points.insert(there.points.end(), on.points.begin() + 1, on.points.end());
     best = std::move(there);
@@ -53,4 +53,4 @@ Way find_detour(const FloorMap& map, const Timetable& timetable, std::uint32_t b
   return best;
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

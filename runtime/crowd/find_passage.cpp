@@ -10,7 +10,7 @@
 
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 constexpr double column_step = 0.25;   // metres along the way
@@ -22,8 +22,8 @@ constexpr double horizon = 10;         // seconds that are thought ahead
 constexpr double time_step = 0.2;      // seconds: times nearer than that are alike, and a wait
 constexpr double moving_spare = 0.12;  // metres kept from others, since nobody walks to the tick
 constexpr double standing_spare = 0.06;
-constexpr double wall_spare = 0.02;    // metres: a walking body rounds corners a little
-constexpr double company_reach = 1.2;  // metres about the way in which others make it crowded
+constexpr double wall_spare = 0.02;  // metres: a walking body rounds corners a little
+constexpr double crowd_reach = 1.2;  // metres about the way in which others make it crowded
 constexpr int right_lane = -3;
 constexpr double off_lane_cost = 0.6;     // seconds a second and metre
 constexpr double aside_cost = 0.12;       // seconds for a step to another lane
@@ -82,15 +82,16 @@ std::vector<Vec2> resampled(std::span<const Vec2> line, double step, double most
 /// Another body while this one is on its way.
 struct Other {
   std::uint32_t body = 0;
-  const Course* course = nullptr;
+  const Trajectory* trajectory = nullptr;
   bool obliging = false;
   bool stands = false;  ///< From the beginning on.
 };
 
 class PassageSearch {
  public:
-  PassageSearch(const FloorMap& map, const Timetable& timetable, const PassageQuery& query)
-      : map_(map), timetable_(timetable), query_(query), radius_(timetable.body_radius()) {
+  PassageSearch(const path::FloorMap& map, const ReservationTable& reservations,
+                const PassageQuery& query)
+      : map_(map), reservations_(reservations), query_(query), radius_(reservations.body_radius()) {
     lay_columns();
     find_others();
   }
@@ -143,23 +144,23 @@ class PassageSearch {
 
   void find_others() {
     const double last = query_.seconds + horizon;
-    for (const Timetable::Entry& entry : timetable_.entries()) {
+    for (const ReservationTable::Entry& entry : reservations_.entries()) {
       if (entry.body == query_.body) continue;
-      const Course& course = entry.course;
+      const Trajectory& trajectory = entry.trajectory;
       double nearest = never;
       for (const Column& column : columns_) {
         // Coarsely: places half a second apart, the way's own steps.
         for (double t = query_.seconds;; t += 0.5) {
-          const Vec2 off = place_at(course, t) - column.place;
+          const Vec2 off = place_at(trajectory, t) - column.place;
           nearest = std::min(nearest, dot(off, off));
-          if (t > last || t > course.end()) break;
+          if (t > last || t > trajectory.end()) break;
         }
       }
       nearest = std::sqrt(nearest);
       if (nearest > most_lanes * lane_step + 2 * radius_ + 1) continue;
-      if (nearest < company_reach) is_crowded_ = true;
+      if (nearest < crowd_reach) is_crowded_ = true;
       const bool obliging = std::ranges::find(query_.obliging, entry.body) != query_.obliging.end();
-      others_.push_back({entry.body, &course, obliging, course.end() <= query_.seconds});
+      others_.push_back({entry.body, &trajectory, obliging, trajectory.end() <= query_.seconds});
     }
   }
 
@@ -208,15 +209,15 @@ class PassageSearch {
   Encounter met(Vec2 a, Vec2 b, double from, double seconds) const {
     Encounter out;
     for (const Other& other : others_) {
-      const Vec2 then = place_at(*other.course, from);
-      const Vec2 later = place_at(*other.course, from + seconds);
-      const bool stands = other.course->end() <= from;
+      const Vec2 then = place_at(*other.trajectory, from);
+      const Vec2 later = place_at(*other.trajectory, from + seconds);
+      const bool stands = other.trajectory->end() <= from;
       double distance = 2 * radius_ + (stands ? standing_spare : moving_spare);
       // Who begins near another may leave.
       if (from < query_.seconds + 1.0)
         distance = std::min(distance, std::max(2 * radius_ + 0.015, glm::distance(then, a) - 0.01));
       const Vec2 velocity = ((later - then) - (b - a)) / std::max(seconds, 1e-6);
-      if (!first_meeting(then - a, velocity, distance, seconds)) continue;
+      if (!first_impact(then - a, velocity, distance, seconds)) continue;
       if (!(other.obliging && stands)) return {other.body, false};
       out = {other.body, true};
     }
@@ -231,14 +232,14 @@ class PassageSearch {
     const Vec2 here = place(node);
     const double distance = 2 * radius_ + standing_spare;
     for (const Other& other : others_) {
-      const Course& course = *other.course;
-      const Vec2 end = course.place.back() - here;
+      const Trajectory& trajectory = *other.trajectory;
+      const Vec2 end = trajectory.place.back() - here;
       if (dot(end, end) < distance * distance) {
         if (!other.obliging) until = never;
         continue;
       }
-      for (double t = course.end(); t > std::max(query_.seconds, until); t -= 0.1) {
-        const Vec2 off = place_at(course, t) - here;
+      for (double t = trajectory.end(); t > std::max(query_.seconds, until); t -= 0.1) {
+        const Vec2 off = place_at(trajectory, t) - here;
         if (dot(off, off) < (distance + 0.05) * (distance + 0.05)) {
           until = std::max(until, t + 0.1);
           break;
@@ -409,8 +410,8 @@ class PassageSearch {
     return passage;
   }
 
-  const FloorMap& map_;
-  const Timetable& timetable_;
+  const path::FloorMap& map_;
+  const ReservationTable& reservations_;
   const PassageQuery& query_;
   double radius_;
   std::vector<Column> columns_;
@@ -424,8 +425,9 @@ class PassageSearch {
 
 }  // namespace
 
-Passage find_passage(const FloorMap& map, const Timetable& timetable, const PassageQuery& query) {
-  return PassageSearch(map, timetable, query).find();
+Passage find_passage(const path::FloorMap& map, const ReservationTable& reservations,
+                     const PassageQuery& query) {
+  return PassageSearch(map, reservations, query).find();
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/crowd/timetable.h"
+#include "runtime/crowd/reservation_table.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// A body that wants to get on along its way, among others.
 struct PassageQuery {
@@ -35,10 +35,11 @@ struct Passage {
   std::vector<std::uint32_t> in_the_way;  ///< Obliging bodies that have to make room first.
 };
 
-/// Finds how to get along a way in the next seconds without coming near any other's course: on it
-/// where it is free; else to its right, around, waiting, or back, whatever takes least time (A*
+/// Finds how to get along a way in the next seconds without coming near any other's trajectory: on
+/// it where it is free; else to its right, around, waiting, or back, whatever takes least time (A*
 /// over metres along the way, metres beside it and time). Keeps the body's circle clear of the
 /// walls.
-Passage find_passage(const FloorMap& map, const Timetable& timetable, const PassageQuery& query);
+Passage find_passage(const path::FloorMap& map, const ReservationTable& reservations,
+                     const PassageQuery& query);
 
-}  // namespace docent
+}  // namespace docent::crowd

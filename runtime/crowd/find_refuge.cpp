@@ -8,7 +8,7 @@
 #include "runtime/crowd/line_distance.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 constexpr double ring_step = 0.2;  // metres
@@ -17,30 +17,32 @@ constexpr int directions = 24;
 constexpr double spare = 0.08;       // metres kept from the line and from others
 constexpr double wall_spare = 0.02;  // metres
 
-bool is_taken(const Timetable& timetable, std::uint32_t body, Vec2 place, double distance) {
-  return std::ranges::any_of(timetable.entries(), [&](const Timetable::Entry& entry) {
-    return entry.body != body && glm::distance(entry.course.place.back(), place) < distance;
+bool is_taken(const ReservationTable& reservations, std::uint32_t body, Vec2 place,
+              double distance) {
+  return std::ranges::any_of(reservations.entries(), [&](const ReservationTable::Entry& entry) {
+    return entry.body != body && glm::distance(entry.trajectory.place.back(), place) < distance;
   });
 }
 
 }  // namespace
 
-std::vector<Refuge> find_refuges(const FloorMap& map, const Timetable& timetable,
+std::vector<Refuge> find_refuges(const path::FloorMap& map, const ReservationTable& reservations,
                                  std::uint32_t body, Vec2 from, std::span<const Vec2> line,
                                  std::size_t most) {
-  const double radius = timetable.body_radius(), apart = 2 * radius + spare;
+  const double radius = reservations.body_radius(), apart = 2 * radius + spare;
   std::vector<std::pair<double, Refuge>> found;
   for (int ring = 1; ring <= rings && found.size() < most; ++ring)
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5 * (ring % 2)) / directions;
       const Vec2 place = from + ring_step * ring * Vec2(std::cos(angle), std::sin(angle));
       if (!map.has_room(place, radius + wall_spare) || distance_to(line, place) < apart ||
-          is_taken(timetable, body, place, apart))
+          is_taken(reservations, body, place, apart))
         continue;
-      RouteQuery query{
+      path::RouteQuery query{
           .from = from, .to = place, .radius = radius + wall_spare, .tell_clearance = false};
-      Way way = route(map, query);
-      if (way.status != RouteStatus::Ok || way.length > 2.5 * ring_step * ring + 0.5) continue;
+      path::Way way = path::route(map, query);
+      if (way.status != path::RouteStatus::Ok || way.length > 2.5 * ring_step * ring + 0.5)
+        continue;
       found.emplace_back(way.length, Refuge{place, std::move(way.points)});
     }
   std::ranges::stable_sort(found, {}, &std::pair<double, Refuge>::first);
@@ -50,4 +52,4 @@ std::vector<Refuge> find_refuges(const FloorMap& map, const Timetable& timetable
   return out;
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "runtime/crowd/timetable.h"
+#include "runtime/crowd/reservation_table.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// A place to step aside to.
 struct Refuge {
@@ -16,8 +16,8 @@ struct Refuge {
 
 /// Places near a body where it would stand out of the way of a line that another wants to go along,
 /// clear of walls and of where others will stand; the nearest to walk to first, at most `most`.
-std::vector<Refuge> find_refuges(const FloorMap& map, const Timetable& timetable,
+std::vector<Refuge> find_refuges(const path::FloorMap& map, const ReservationTable& reservations,
                                  std::uint32_t body, Vec2 from, std::span<const Vec2> line,
                                  std::size_t most);
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// From a point to the nearest place of a polyline, metres; infinite where that has no point.
 inline double distance_to(std::span<const Vec2> line, Vec2 point) noexcept {
@@ -20,4 +20,4 @@ inline double distance_to(std::span<const Vec2> line, Vec2 point) noexcept {
   return nearest;
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -10,7 +10,7 @@
 #include "runtime/crowd/branchless.h"
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 Vec2 place_at(const Body& body, double time) noexcept {
@@ -38,7 +38,7 @@ class Moments {
 /// The last time, up to `last`, to which the straight way of a centre stays on the floor, given
 /// that it does to `first`.
 double last_on_floor(const Bays& floor, const Body& body, double first, double last) noexcept {
-  const WallGrid& walls = floor.map().walls();
+  const path::WallGrid& walls = floor.map().walls();
   const auto is_clear_to = [&](double time) {
     return walls.segment_clear(body.position, place_at(body, time));
   };
@@ -241,8 +241,8 @@ double clamp_horizon(double horizon) noexcept {
   return horizon > 0 ? std::min(horizon, largest_horizon) : 0;
 }
 
-std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Body& b,
-                                      double horizon) noexcept {
+std::optional<double> time_of_impact(const Bays& floor, const Body& a, const Body& b,
+                                     double horizon) noexcept {
   if (!takes_part(a) || !takes_part(b)) return {};
   const auto contact = contact_of_circles(a, b, clamp_horizon(horizon));
   if (!contact) return {};
@@ -253,7 +253,7 @@ std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Bo
 
 std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
                                     const Collision& contact) noexcept {
-  const WallGrid& walls = floor.map().walls();
+  const path::WallGrid& walls = floor.map().walls();
   const auto in_sight = [&](double time) {
     return walls.segment_clear(place_at(a, time), place_at(b, time));
   };
@@ -294,4 +294,4 @@ std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body
   return {};
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -8,7 +8,7 @@
 #include "runtime/crowd/bays.h"
 #include "runtime/crowd/body.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// Numbers beyond this are no places on a floor; who has any, or one that is not finite, or a
 /// radius below 0, takes no part and meets nobody. Metres, or metres a second.
@@ -81,8 +81,8 @@ inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
 /// A body whose centre is off the floor, where nobody should be, is held by no wall: there only the
 /// circles count. Where more than 64 corners pass between two bodies they count from the first
 /// touch. The same for (b, a), but for rounding of the time. Does not allocate.
-std::optional<double> time_of_meeting(const Bays& floor, const Body& a, const Body& b,
-                                      double horizon) noexcept;
+std::optional<double> time_of_impact(const Bays& floor, const Body& a, const Body& b,
+                                     double horizon) noexcept;
 
 /// The same for bodies that take part and stand on the floor, with their contact at hand.
 std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
@@ -105,4 +105,4 @@ enum class Sight : std::uint8_t {
 };
 Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexcept;
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -7,10 +7,10 @@
 
 #include "runtime/crowd/branchless.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
-/// Measured (tests/bench, bench_company): smaller bays are shared by fewer, larger ones are fewer.
+/// Measured (tests/bench, bench_crowd): smaller bays are shared by fewer, larger ones are fewer.
 /// Metres.
 constexpr double bay_size = 2.5;
 /// A cover is kept until the body, or where it is going, has moved so far from the line between
@@ -41,7 +41,7 @@ float rounded_down(double value) noexcept {
 
 }  // namespace
 
-Meetings::Meetings(const FloorMap& map, std::size_t most_bodies)
+Meetings::Meetings(const path::FloorMap& map, std::size_t most_bodies)
     : regions_(map), bays_(map, bay_size), most_bodies_(most_bodies) {
   index_of_.resize(most_bodies);
   std::iota(index_of_.begin(), index_of_.end(), 0U);
@@ -74,7 +74,7 @@ void Meetings::update(std::span<const Body> bodies) noexcept {
   numbers_ = std::max(numbers_, count_);
   for (std::uint32_t index = 0; index < numbers_; ++index) {
     Mover& body = body_[number_of_[index]];
-    body.takes_part = index < count_ && docent::takes_part(bodies[index]);
+    body.takes_part = index < count_ && crowd::takes_part(bodies[index]);
     if (body.takes_part) body.now = bodies[index];
   }
   if (steps_++ % steps_of_a_numbering == 0) sort_bodies();
@@ -469,4 +469,4 @@ void Meetings::sort_found() {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -15,7 +15,7 @@
 #include "runtime/crowd/regions.h"
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// Two bodies that collide now or soon.
 struct Meeting {
@@ -23,7 +23,7 @@ struct Meeting {
   double time = 0;             ///< Seconds from now; 0 where they touch already.
 };
 
-/// Who meets whom, step after step: all pairs for which `time_of_meeting` (meet.h) has an answer,
+/// Who meets whom, step after step: all pairs for which `time_of_impact` (meet.h) has an answer,
 /// and no others, found without comparing everybody with everybody.
 ///
 /// Every body is known by its Voronoi region, followed from neighbour to neighbour, and by the bays
@@ -40,7 +40,7 @@ struct Meeting {
 /// no more than ever before.
 class Meetings {
  public:
-  Meetings(const FloorMap& map, std::size_t most_bodies);
+  Meetings(const path::FloorMap& map, std::size_t most_bodies);
 
   /// Where everybody is now. More than promised are left out, the last ones.
   void update(std::span<const Body> bodies) noexcept;
@@ -168,4 +168,4 @@ class Meetings {
   std::vector<std::uint32_t> first_found_;
 };
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -6,7 +6,7 @@
 #include "runtime/path/floor_map.h"
 #include "runtime/path/index/predicates.h"
 
-namespace docent {
+namespace docent::crowd {
 namespace {
 
 /// So many steps in a row are no walk any more.
@@ -29,7 +29,7 @@ Regions::Foot Regions::foot_on(const SiteShape& shape, Vec2 point) noexcept {
   return {beside * beside, at};
 }
 
-Regions::Regions(const FloorMap& map) : map_(map) {
+Regions::Regions(const path::FloorMap& map) : map_(map) {
   const FloorPlan& plan = map.plan();
   const VoronoiDiagram& diagram = map.floor().diagram;
   const auto regions = static_cast<std::uint32_t>(diagram.site.size());
@@ -128,11 +128,11 @@ Regions::Place Regions::follow(Vec2 point, std::uint32_t region) const noexcept 
     const SiteShape& own = shape_[region];
     const bool is_clear_of_walls = foot.distance_squared > at_wall * at_wall;
     const bool is_before_wall = !own.is_wall || (foot.at > 0 && foot.at < own.length &&
-                                                 orientation(own.a, own.b, point) > 0);
+                                                 path::orientation(own.a, own.b, point) > 0);
     if (!is_clear_of_walls || !is_before_wall) break;
     return place;
   }
   return find(point);
 }
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::crowd {
 
 /// The Voronoi regions of a floor as neighbours, for following what moves from one to the next.
 ///
@@ -17,7 +17,7 @@ class Regions {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  explicit Regions(const FloorMap& map);
+  explicit Regions(const path::FloorMap& map);
 
   /// Where a point is.
   struct Place {
@@ -57,9 +57,9 @@ class Regions {
   static Foot foot_on(const SiteShape& shape, Vec2 point) noexcept;
   Place place_in(Vec2 point, std::uint32_t region, Foot foot, Nearer& nearer) const noexcept;
 
-  const FloorMap& map_;
+  const path::FloorMap& map_;
   std::vector<SiteShape> shape_;
   std::vector<std::uint32_t> next_first_, next_;
 };
 
-}  // namespace docent
+}  // namespace docent::crowd

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 /// How long the breathing takes to give way to the first step.
@@ -25,7 +25,7 @@ Placement interpolated(const Placement& a, const Placement& b, double t) noexcep
 
 /// Where the body is on its walk at this moment.
 void follow(Avatar& avatar) noexcept {
-  const Walk& walk = avatar.plan->walk;
+  const motion::Walk& walk = avatar.plan->walk;
   if (walk.body.empty()) return;
   const double at =
       std::clamp(avatar.seconds * walk.frame_rate, 0.0, static_cast<double>(walk.body.size() - 1));
@@ -35,12 +35,12 @@ void follow(Avatar& avatar) noexcept {
   avatar.body = interpolated(walk.body[frame], walk.body[after], t);
   avatar.along =
       std::lerp(static_cast<double>(walk.along[frame]), static_cast<double>(walk.along[after]), t);
-  avatar.gait = has_finished(avatar) ? Gait::Idle : walk.gait[frame];
+  avatar.gait = has_finished(avatar) ? motion::Gait::Idle : walk.gait[frame];
 }
 
 /// When the next plan takes over, in seconds of the present one.
 double change_of(const Avatar& avatar) noexcept {
-  const WalkOrder& order = avatar.next->order;
+  const plan::WalkOrder& order = avatar.next->order;
   return order.seconds ? order.before_seconds : order.before_frame / avatar.plan->walk.frame_rate;
 }
 
@@ -54,12 +54,12 @@ void change_plan(Avatar& avatar) noexcept {
 }
 
 double wanted_gaze(const Avatar& avatar) noexcept {
-  const Plan& plan = *avatar.plan;
+  const plan::Plan& plan = *avatar.plan;
   if (has_finished(avatar) || plan.points.size() < 2 || plan.walk.body.empty()) return 0;
   const bool near = plan.is_whole && avatar.along > plan.reach.back() - nearly_there;
   double heading = plan.walk.body.back().heading;
   if (!near) {
-    const Vec2 to = point_along(plan, avatar.along + looks_ahead) - avatar.body.position;
+    const Vec2 to = plan::point_along(plan, avatar.along + looks_ahead) - avatar.body.position;
     if (dot(to, to) < 0.01) return 0;
     heading = std::atan2(to.y, to.x);
   }
@@ -76,21 +76,21 @@ void look_ahead(Avatar& avatar, double seconds) noexcept {
 }
 
 void pose(const Museum& museum, Avatar& avatar) noexcept {
-  const Walk& walk = avatar.plan->walk;
+  const motion::Walk& walk = avatar.plan->walk;
   if (walk.joint_count == 0 || walk.joint_count != avatar.rotation.size()) return;
-  PoseView view{.root = {}, .rotation = avatar.rotation};
-  sample(walk, avatar.seconds, view);
+  motion::PoseView view{.root = {}, .rotation = avatar.rotation};
+  motion::sample(walk, avatar.seconds, view);
   if (avatar.idle_weight > 0) {
     std::ranges::copy(avatar.rotation, avatar.still.begin());
-    PoseView living{.root = view.root, .rotation = avatar.still};
-    add_idle(museum.motion.skeleton, avatar.standing, living);
+    motion::PoseView living{.root = view.root, .rotation = avatar.still};
+    motion::add_idle(museum.motion.skeleton, avatar.standing, living);
     const auto weight = static_cast<float>(avatar.idle_weight);
     view.root = glm::mix(view.root, living.root, weight);
     for (std::size_t j = 0; j < avatar.rotation.size(); ++j)
       avatar.rotation[j] = glm::slerp(avatar.rotation[j], avatar.still[j], weight);
   }
-  turn_head(museum.motion.skeleton, static_cast<float>(avatar.gaze), view);
-  to_world_space(museum.motion.skeleton, view, avatar.world);
+  motion::turn_head(museum.motion.skeleton, static_cast<float>(avatar.gaze), view);
+  motion::to_world_space(museum.motion.skeleton, view, avatar.world);
   const auto height = static_cast<float>(museum.floors[avatar.floor].plan.height);
   for (Mat4& joint : avatar.world) joint[3].y += height;
 }
@@ -104,7 +104,8 @@ Vec3 place_of(const Museum& museum, const Avatar& avatar, BodyPart part) noexcep
 
 }  // namespace
 
-Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<Plan> standing) {
+Avatar make_avatar(const Museum& museum, std::uint32_t floor,
+                   std::unique_ptr<plan::Plan> standing) {
   Avatar avatar;
   avatar.floor = floor;
   avatar.plan = std::move(standing);
@@ -122,14 +123,14 @@ bool has_finished(const Avatar& avatar) noexcept {
 }
 
 std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {
-  const Walk& walk = avatar.plan->walk;
+  const motion::Walk& walk = avatar.plan->walk;
   if (walk.root.empty()) return 0;
   const double frame = std::ceil((avatar.seconds + lead) * walk.frame_rate);
   return static_cast<std::uint32_t>(std::min(frame, static_cast<double>(walk.root.size() - 1)));
 }
 
-bool take_plan(Avatar& avatar, std::unique_ptr<Plan> plan) noexcept {
-  const Walk& walk = avatar.plan->walk;
+bool take_plan(Avatar& avatar, std::unique_ptr<plan::Plan> plan) noexcept {
+  const motion::Walk& walk = avatar.plan->walk;
   if (plan->order.seconds) {
     if (avatar.seconds > plan->order.before_seconds + 1e-6) return false;
     avatar.next = std::move(plan);
@@ -163,15 +164,15 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   pose(museum, avatar);
 }
 
-void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept {
+void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noexcept {
   const std::vector<Mat4>& inverse_bind = museum.avatar.inverse_bind;
   if (avatar.world.empty() || inverse_bind.size() != avatar.world.size()) return;
   const std::size_t first = list.palette.size();
   list.palette.resize(first + avatar.world.size());
-  fill_skinning_palette(avatar.world, inverse_bind,
-                        std::span(list.palette).subspan(first, avatar.world.size()));
+  motion::fill_skinning_palette(avatar.world, inverse_bind,
+                                std::span(list.palette).subspan(first, avatar.world.size()));
 
-  AvatarDraw it;
+  scene::AvatarDraw it;
   it.first_matrix = static_cast<std::uint32_t>(first);
   it.look = avatar.look;
   it.centre = Vec3(avatar.world[0][3]);
@@ -188,4 +189,4 @@ void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept {
   list.avatars.push_back(it);
 }
 
-}  // namespace docent
+}  // namespace docent::guide

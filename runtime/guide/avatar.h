@@ -8,7 +8,7 @@
 #include "runtime/plan/plan.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::guide {
 
 /// What an avatar does, as states.csv names it.
 enum class AvatarState : std::uint8_t { Idle, Turn, Walk, Wait, Look, Gesture };
@@ -16,15 +16,15 @@ enum class AvatarState : std::uint8_t { Idle, Turn, Walk, Wait, Look, Gesture };
 /// Someone who walks: the plan being walked, and the pose at this moment.
 struct Avatar {
   std::uint32_t floor = 0;
-  std::uint32_t look = 0;      ///< Of `looks` (runtime/scene/look.h).
-  std::unique_ptr<Plan> plan;  ///< Never empty; standing at its last frame when it is over.
-  std::unique_ptr<Plan> next;  ///< Takes over at next->order.before_frame of plan.
-  double seconds = 0;          ///< Since the first frame of plan's walk.
-  double standing = 0;         ///< Seconds that it has stood; keeps its value while it sets out...
-  double idle_weight = 1;      ///< ... and this fades the idle motion out.
+  std::uint32_t look = 0;            ///< Of `looks` (runtime/scene/look.h).
+  std::unique_ptr<plan::Plan> plan;  ///< Never empty; standing at its last frame when it is over.
+  std::unique_ptr<plan::Plan> next;  ///< Takes over at next->order.before_frame of plan.
+  double seconds = 0;                ///< Since the first frame of plan's walk.
+  double standing = 0;     ///< Seconds that it has stood; keeps its value while it sets out...
+  double idle_weight = 1;  ///< ... and this fades the idle motion out.
   Placement body;
   double along = 0;  ///< Metres of the plan's way behind it.
-  Gait gait = Gait::Idle;
+  motion::Gait gait = motion::Gait::Idle;
   double gaze = 0, gaze_rate = 0;  ///< Radians that the head looks aside of the body, a second.
 
   std::vector<Quat> rotation, still;   ///< One per joint.
@@ -33,7 +33,7 @@ struct Avatar {
 };
 
 /// An avatar that stands at the given place. Sizes all that it will need.
-Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<Plan> standing);
+Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing);
 
 /// Is it at the end of its plan?
 bool has_finished(const Avatar& avatar) noexcept;
@@ -43,12 +43,12 @@ std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept;
 
 /// Hands it the plan that was made from `frame_ahead`. False where that frame has passed already:
 /// then it has to be asked for again.
-bool take_plan(Avatar& avatar, std::unique_ptr<Plan> plan) noexcept;
+bool take_plan(Avatar& avatar, std::unique_ptr<plan::Plan> plan) noexcept;
 
 /// One step of time: follows the plan, changes to the next at its frame, poses the body.
 void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept;
 
 /// Appends the avatar to a draw list.
-void draw(const Museum& museum, const Avatar& avatar, DrawList& list) noexcept;
+void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noexcept;
 
-}  // namespace docent
+}  // namespace docent::guide

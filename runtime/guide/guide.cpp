@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "runtime/guide/waiting_places.h"
-#include "runtime/scene/look.h"
 #include "runtime/interface/seats.h"
+#include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
@@ -21,41 +21,42 @@ constexpr double guide_rank = 100;      ///< Visitors on their own make room for
 constexpr double touching = 0.01;       ///< Metres of the body that may be in a wall unremarked.
 constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
 constexpr float reach_up = 0.3F;        ///< Of a millimetre upwards, what it counts to the side.
-constexpr float told_for = 8;           ///< Seconds.
+constexpr float refusal_shown_for = 8;  ///< Seconds.
 constexpr float strays_columns = 1.5F;  ///< A territory that far from its card draws it along.
 
 std::size_t guides_on(const GuideSettings& settings) noexcept {
-  return seats_on(settings.shape, settings.visitors) > 1 ? guide_look_count : 1;
+  return interface::seats_on(settings.shape, settings.visitors) > 1 ? scene::guide_look_count : 1;
 }
 
 }  // namespace
 
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
-  const std::size_t seats = seats_on(settings.shape, settings.visitors);
+  const std::size_t seats = interface::seats_on(settings.shape, settings.visitors);
   return {guides_on(settings) + museum.ambient.count, seats > 1 ? 1 + seats : 1};
 }
 
-Guide::Guide(const Museum& museum, Planner& planner, const GuideSettings& settings)
+Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
     : museum_(museum),
       planner_(planner),
       settings_(settings),
-      company_(museum, planner),
+      crowd_(museum, planner),
       strollers_(museum),
       stage_(museum),
-      memory_(most_pieces, TextureId::None) {
+      memory_(most_pieces, scene::TextureId::None) {
   enter_guides();
-  strollers_.enter(company_);
+  strollers_.enter(crowd_);
   take_seats();
-  bodies_.reserve(company_.size());
-  if (company_.size() > 1 && museum.kiosk_floor < planner.maps().size())
-    meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], company_.size());
-  list_.avatars.reserve(company_.size());
-  list_.palette.reserve(company_.size() * leader().world.size());
+  bodies_.reserve(crowd_.size());
+  if (crowd_.size() > 1 && museum.kiosk_floor < planner.maps().size())
+    meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], crowd_.size());
+  list_.avatars.reserve(crowd_.size());
+  list_.palette.reserve(crowd_.size() * leader().world.size());
   const auto guides =
-      static_cast<std::size_t>(std::ranges::count_if(company_.members(), leaves_a_trail));
+      static_cast<std::size_t>(std::ranges::count_if(crowd_.members(), leaves_a_trail));
   list_.ribbons.reserve(guides);
   list_.ribbon_point.reserve(most_ribbon_points + (guides - 1) * points_of_a_trail);
-  list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) + 2 * most_seats);
+  list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) +
+                        2 * interface::most_seats);
   list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512) +
                       tours_.size() * quads_of_a_card);
 }
@@ -72,29 +73,29 @@ void Guide::enter_guides() {
                             museum_.body_radius, keep_clear);
   }
   for (const Placement& home : homes_) {
-    const std::uint32_t who = company_.add(museum_.kiosk_floor, home, guide_rank, 1);
-    company_.dress(who, who);
+    const std::uint32_t who = crowd_.add(museum_.kiosk_floor, home, guide_rank, 1);
+    crowd_.set_look(who, who);
   }
 }
 
 /// One visitor has the whole glass; several have a seat each, and a guide as soon as they pick one.
 void Guide::take_seats() {
-  const std::size_t seats =
-      std::min<std::size_t>(seats_on(settings_.shape, settings_.visitors), homes_.size());
-  const House house{museum_, planner_, company_, settings_.shape, homes_};
+  const std::size_t seats = std::min<std::size_t>(
+      interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
+  const TourContext context{museum_, planner_, crowd_, settings_.shape, homes_};
   const bool shared = seats > 1;
   tours_.reserve(shared ? 1 + seats : 1);
-  InterfaceState state;
-  state.glass = shared ? Glass::Quiet : Glass::Whole;
+  interface::InterfaceState state;
+  state.glass = shared ? interface::Glass::Quiet : interface::Glass::Whole;
   state.seats = shared ? static_cast<std::uint8_t>(seats) : 0;
-  tours_.emplace_back(house, 0, state, shared ? std::nullopt : std::optional<std::uint32_t>(0));
+  tours_.emplace_back(context, 0, state, shared ? std::nullopt : std::optional<std::uint32_t>(0));
   for (std::size_t seat = 0; shared && seat < seats; ++seat) {
     state.seat = static_cast<std::int8_t>(seat);
-    tours_.emplace_back(house, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
+    tours_.emplace_back(context, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
   }
   territory_.resize(tours_.size());
   held_.reserve(most_contacts);
-  led_.reserve(tours_.size());
+  led_visitors_.reserve(tours_.size());
   speaker_ = shared ? 1 : 0;
 }
 
@@ -117,13 +118,13 @@ bool Guide::is_vacant() const noexcept {
 }
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
-  const Companion& one = company_[who];
+  const Agent& one = crowd_[who];
   switch (one.avatar.gait) {
-    case Gait::Turn:
+    case motion::Gait::Turn:
       return AvatarState::Turn;
-    case Gait::Walk:
+    case motion::Gait::Walk:
       return AvatarState::Walk;
-    case Gait::Idle:
+    case motion::Gait::Idle:
       break;
   }
   if (one.goal && !one.has_arrived) return AvatarState::Wait;
@@ -136,35 +137,36 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
 
 // Who touches what.
 
-void Guide::touch(const InputEvent& event) noexcept {
+void Guide::touch(const input::InputEvent& event) noexcept {
   switch (event.kind) {
-    case InputEvent::Kind::KeyUp:
+    case input::InputEvent::Kind::KeyUp:
       return;
-    case InputEvent::Kind::KeyDown:
+    case input::InputEvent::Kind::KeyDown:
       if (tours_[speaker_].is_vacant()) territory_[speaker_] = middle_of_card(speaker_);
       tours_[speaker_].press_key(event.key);
       return tell_each_other();
-    case InputEvent::Kind::Down:
+    case input::InputEvent::Kind::Down:
       put_down(event);
       break;
-    case InputEvent::Kind::Move:
-    case InputEvent::Kind::Up:
+    case input::InputEvent::Kind::Move:
+    case input::InputEvent::Kind::Up:
       break;
   }
   const auto held = std::ranges::find(held_, event.contact.id, &Held::contact);
   if (held == held_.end()) return;
   const Held finger = *held;
-  if (event.kind == InputEvent::Kind::Up) held_.erase(held);
+  if (event.kind == input::InputEvent::Kind::Up) held_.erase(held);
   const bool meant = tours_[finger.visitor].touch(event, tours_[finger.surface].overlay());
   // Perhaps somebody who found no seat.
-  if (!meant && finger.surface == 0 && state().glass == Glass::Full) told_seconds_ = told_for;
+  if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
+    refusal_seconds_ = refusal_shown_for;
   tell_each_other();
 }
 
 /// Each contact belongs to the visitor nearest to it.
-void Guide::put_down(const InputEvent& event) noexcept {
+void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
-  const ScreenPoint at{event.contact.x, event.contact.y};
+  const scene::ScreenPoint at{event.contact.x, event.contact.y};
   std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
   if (!is_shared()) {
@@ -173,25 +175,25 @@ void Guide::put_down(const InputEvent& event) noexcept {
   }
   const std::size_t visitor = visitor_at(at);
   if (visitor == 0) {
-    told_seconds_ = told_for;
+    refusal_seconds_ = refusal_shown_for;
     Overlay& model = tours_[0].overlay();
     model.touch_down({event.contact, event.contact, 0});
     model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
     return;
   }
-  const bool on_model = at.y < strip_of(settings_.shape).y;
+  const bool on_model = at.y < interface::strip_of(settings_.shape).y;
   speaker_ = visitor;
-  ScreenPoint& territory = territory_[visitor];
-  territory = tours_[visitor].is_vacant()
-                  ? at
-                  : ScreenPoint{std::midpoint(territory.x, at.x), std::midpoint(territory.y, at.y)};
+  scene::ScreenPoint& territory = territory_[visitor];
+  territory = tours_[visitor].is_vacant() ? at
+                                          : scene::ScreenPoint{std::midpoint(territory.x, at.x),
+                                                               std::midpoint(territory.y, at.y)};
   if (on_model) follow_territory(visitor);
   held_.push_back({event.contact.id, visitor, on_model ? 0 : visitor});
 }
 
 /// The part whose visitor touches there; 0 where that is somebody for whom there is no seat.
-std::size_t Guide::visitor_at(ScreenPoint at) const noexcept {
-  if (at.y >= strip_of(settings_.shape).y) return seat_at(at.x);
+std::size_t Guide::visitor_at(scene::ScreenPoint at) const noexcept {
+  if (at.y >= interface::strip_of(settings_.shape).y) return seat_at(at.x);
   std::size_t nearest = 0;
   const std::size_t vacant = vacant_seat_near(at.x);
   float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres()) : arms_reach;
@@ -224,21 +226,22 @@ std::size_t Guide::vacant_seat_near(float x) const noexcept {
 }
 
 /// Who stands before a glass reaches up further than to the side.
-float Guide::millimetres(ScreenPoint a, ScreenPoint b) const noexcept {
+float Guide::millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept {
   const float across = (a.x - b.x) * static_cast<float>(settings_.shape.width);
   const float down = (a.y - b.y) * static_cast<float>(settings_.shape.height);
-  return std::hypot(across, reach_up * down) / measures_of(settings_.shape).mm;
+  return std::hypot(across, reach_up * down) / interface::measures_of(settings_.shape).mm;
 }
 
 float Guide::column_millimetres() const noexcept {
   return static_cast<float>(settings_.shape.width) / static_cast<float>(seats()) /
-         measures_of(settings_.shape).mm;
+         interface::measures_of(settings_.shape).mm;
 }
 
-ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
+scene::ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
   if (part == 0) return {0.5F, 0.5F};
-  const Rect card = card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
-                            static_cast<std::uint32_t>(tours_[part].state().seat));
+  const scene::Rect card =
+      interface::card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
+                         static_cast<std::uint32_t>(tours_[part].state().seat));
   return {card.x + card.width / 2, card.y + card.height / 2};
 }
 
@@ -251,7 +254,7 @@ void Guide::follow_territory(std::size_t part) noexcept {
                     static_cast<float>(tours_[of].state().seat) - 0.5F);
   };
   if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
-  InterfaceState mine = tours_[part].state(), theirs = tours_[other].state();
+  interface::InterfaceState mine = tours_[part].state(), theirs = tours_[other].state();
   std::swap(mine.seat, theirs.seat);
   tours_[part].show(mine);
   tours_[other].show(theirs);
@@ -266,48 +269,50 @@ void Guide::tell_each_other() noexcept {
   for (const Tour& tour : seated)
     if (tour.guide()) taken = static_cast<std::uint8_t>(taken | 1U << *tour.guide());
   // Guides for whom there was no room to wait are never free.
-  for (std::size_t i = homes_.size(); i < guide_look_count; ++i)
+  for (std::size_t i = homes_.size(); i < scene::guide_look_count; ++i)
     taken = static_cast<std::uint8_t>(taken | 1U << i);
-  const Glass glass = there == 0 ? Glass::Quiet : Glass::Busy;
+  const interface::Glass glass = there == 0 ? interface::Glass::Quiet : interface::Glass::Busy;
   for (Tour& tour : seated) {
     // Only to whom it matters: a card that changes is laid out anew.
-    InterfaceState state = tour.state();
-    state.glass = tour.is_vacant() ? glass : Glass::Busy;
+    interface::InterfaceState state = tour.state();
+    state.glass = tour.is_vacant() ? glass : interface::Glass::Busy;
     state.taken = tour.guide() ? 0 : taken;
     tour.show(state);
   }
   const bool is_full = there == static_cast<std::ptrdiff_t>(seated.size());
-  InterfaceState model = tours_[0].state();
-  model.glass = !is_full ? glass : told_seconds_ > 0 ? Glass::Told : Glass::Full;
+  interface::InterfaceState model = tours_[0].state();
+  model.glass = !is_full               ? glass
+                : refusal_seconds_ > 0 ? interface::Glass::Told
+                                       : interface::Glass::Full;
   tours_[0].show(model);
 }
 
 // What the planner answers.
 
-void Guide::resize(const ScreenShape& shape) noexcept {
+void Guide::resize(const interface::ScreenShape& shape) noexcept {
   if (shape == settings_.shape) return;
   settings_.shape = shape;
   for (Tour& tour : tours_) tour.request_view();
 }
 
-void Guide::bind(TextureId piece, TextureId memory) noexcept {
+void Guide::bind(scene::TextureId piece, scene::TextureId memory) noexcept {
   const auto i = static_cast<std::size_t>(piece);
   if (i < memory_.size()) memory_[i] = memory;
 }
 
-TextureId Guide::memory_of(TextureId piece) const noexcept {
+scene::TextureId Guide::memory_of(scene::TextureId piece) const noexcept {
   const auto i = static_cast<std::size_t>(piece);
-  return i < memory_.size() ? memory_[i] : TextureId::None;
+  return i < memory_.size() ? memory_[i] : scene::TextureId::None;
 }
 
 void Guide::take_answers() noexcept {
-  while (std::unique_ptr<View> view = planner_.take_view()) {
+  while (std::unique_ptr<interface::View> view = planner_.take_view()) {
     const std::size_t part = view->part;
     if (part >= tours_.size() || !tours_[part].take_view(std::move(view))) continue;
     ++counters_.views;
     if (part == 0)
-      stage_.enter(tours_[0].state(), tours_[0].view()->free, aspect_ratio(settings_.shape),
-                   leader());
+      stage_.enter(tours_[0].state(), tours_[0].view()->free,
+                   interface::aspect_ratio(settings_.shape), leader());
   }
 }
 
@@ -316,11 +321,11 @@ void Guide::take_answers() noexcept {
 void Guide::step(Seconds dt) noexcept {
   const float seconds = dt.count();
   take_answers();
-  company_.step(seconds);
-  strollers_.step(company_);
-  const Companion& guide = company_[0];
+  crowd_.step(seconds);
+  strollers_.step(crowd_);
+  const Agent& guide = crowd_[0];
   if (!is_shared() && guide.is_answered) {
-    const Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
+    const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
     if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
   }
   counters_.routes = 0;
@@ -328,7 +333,7 @@ void Guide::step(Seconds dt) noexcept {
     tour.step(seconds, settings_.idle_reset.count());
     counters_.routes += tour.routes();
   }
-  told_seconds_ = std::max(0.0F, told_seconds_ - seconds);
+  refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   stage_.advance(state(), leader(), seconds);
   count_collisions();
@@ -337,45 +342,45 @@ void Guide::step(Seconds dt) noexcept {
 void Guide::count_collisions() noexcept {
   bodies_.clear();
   const double radius = museum_.body_radius - touching;
-  for (const Companion& one : company_.members()) {
+  for (const Agent& one : crowd_.members()) {
     if (!one.is_here) continue;
     const Vec2 place = one.avatar.body.position;
     bodies_.push_back({.position = place, .radius = radius});
     if (one.avatar.floor < planner_.maps().size() &&
-        clearance_at(*planner_.maps()[one.avatar.floor], place) < radius)
+        path::clearance_at(*planner_.maps()[one.avatar.floor], place) < radius)
       ++counters_.collisions;
   }
   if (bodies_.size() < 2) return;
-  for (Meetings& meetings : meetings_) {
+  for (crowd::Meetings& meetings : meetings_) {
     meetings.update(bodies_);
     counters_.collisions += meetings.find(0).size();
   }
 }
 
-std::span<const Led> Guide::led() noexcept {
-  led_.clear();
+std::span<const LedVisitor> Guide::led_visitors() noexcept {
+  led_visitors_.clear();
   for (const Tour& tour : tours_)
     if (tour.guide() && tour.leads_to_exhibit())
-      led_.push_back({*tour.guide(), tour.state().exhibit, tour.state().arrived});
-  return led_;
+      led_visitors_.push_back({*tour.guide(), tour.state().exhibit, tour.state().arrived});
+  return led_visitors_;
 }
 
-const DrawList& Guide::draw_list() noexcept {
+const scene::DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
   list_.quads.clear();
-  for (const Companion& one : company_.members())
+  for (const Agent& one : crowd_.members())
     if (one.is_here) draw(museum_, one.avatar, list_);
-  stage_.draw(state(), company_, led(), list_);
+  stage_.draw(state(), crowd_, led_visitors(), list_);
   const double floor_height = museum_.floors[leader().floor].plan.height;
-  const bool names = is_shared() || state().screen == Screen::Choosing;
+  const bool names = is_shared() || state().screen == interface::Screen::Choosing;
   for (Tour& tour : tours_) {
     tour.overlay().follow(list_.camera, static_cast<float>(floor_height));
     tour.overlay().draw(static_cast<float>(tour.remaining()), names && !stage_.is_flying() ? 1 : 0,
                         list_);
   }
-  for (Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
+  for (scene::Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
   return list_;
 }
 
-}  // namespace docent
+}  // namespace docent::guide

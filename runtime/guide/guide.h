@@ -8,23 +8,23 @@
 #include <vector>
 
 #include "runtime/crowd/meetings.h"
-#include "runtime/guide/company.h"
+#include "runtime/guide/crowd.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
 #include "runtime/guide/tour.h"
 #include "runtime/input/contact.h"
+#include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/draw_list.h"
-#include "runtime/interface/layout.h"
 
-namespace docent {
+namespace docent::guide {
 
 using Seconds = std::chrono::duration<float>;
 
 /// What an operator set for this device.
 struct GuideSettings {
-  ScreenShape shape;
+  interface::ScreenShape shape;
   Seconds idle_reset{60};
   std::uint32_t visitors = 1;  ///< Who may use the glass at the same time; 1 to most_seats.
 };
@@ -62,36 +62,38 @@ struct GuideCounters {
 /// the museum and the planner.
 class Guide {
  public:
-  Guide(const Museum& museum, Planner& planner, const GuideSettings& settings);
+  Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings);
 
-  void touch(const InputEvent& event) noexcept;
+  void touch(const input::InputEvent& event) noexcept;
   void step(Seconds dt) noexcept;
   /// What to draw of the state after the last step, in the names of texture memory: so the pieces
   /// that step() let go have to be applied before.
-  const DrawList& draw_list() noexcept;
+  const scene::DrawList& draw_list() noexcept;
 
   /// The screen has another size: a view is laid out for it.
-  void resize(const ScreenShape& shape) noexcept;
+  void resize(const interface::ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
-  std::unique_ptr<PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
+  std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
   /// Views name their texts and pictures; this says which texture memory holds one. The draw list
   /// has the memory's names. TextureId::None: it is gone.
-  void bind(TextureId piece, TextureId memory) noexcept;
-  TextureId memory_of(TextureId piece) const noexcept;
+  void bind(scene::TextureId piece, scene::TextureId memory) noexcept;
+  scene::TextureId memory_of(scene::TextureId piece) const noexcept;
   /// All texture memory that pieces are bound to.
-  std::span<const TextureId> memory() const noexcept { return memory_; }
+  std::span<const scene::TextureId> memory() const noexcept { return memory_; }
 
   const Museum& museum() const noexcept { return museum_; }
-  const ScreenShape& shape() const noexcept { return settings_.shape; }
+  const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.
   std::size_t seats() const noexcept { return is_shared() ? tours_.size() - 1 : 1; }
   /// The part of the glass that a seat is, counted from 1 and from the left; 0: the part that was
   /// touched last.
   std::size_t part_of(std::uint32_t seat) const noexcept;
   /// Parts of the glass: the whole of it, or the model, is 0; then the tours at the seats.
-  const InterfaceState& state(std::size_t part = 0) const noexcept { return tours_[part].state(); }
+  const interface::InterfaceState& state(std::size_t part = 0) const noexcept {
+    return tours_[part].state();
+  }
   /// The view on the screen; empty before the first one. Its spots follow the camera.
-  const View* view(std::size_t part = 0) const noexcept { return tours_[part].view(); }
+  const interface::View* view(std::size_t part = 0) const noexcept { return tours_[part].view(); }
   /// Does the screen show the state that the visitor asked for?
   bool shows_its_state(std::size_t part = 0) const noexcept;
   /// And does nothing fly or fade any more?
@@ -99,7 +101,7 @@ class Guide {
   /// Nobody is there.
   bool is_vacant() const noexcept;
   /// All who walk; the guides come first.
-  const Company& company() const noexcept { return company_; }
+  const Crowd& crowd() const noexcept { return crowd_; }
   AvatarState state_of(std::uint32_t who) const noexcept;
   const GuideCounters& counters() const noexcept { return counters_; }
 
@@ -111,40 +113,40 @@ class Guide {
   };
   void enter_guides();
   void take_seats();
-  void put_down(const InputEvent& event) noexcept;
-  std::size_t visitor_at(ScreenPoint at) const noexcept;
+  void put_down(const input::InputEvent& event) noexcept;
+  std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
   std::size_t seat_at(float x) const noexcept;
   std::size_t vacant_seat_near(float x) const noexcept;
-  float millimetres(ScreenPoint a, ScreenPoint b) const noexcept;
+  float millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept;
   float column_millimetres() const noexcept;
-  ScreenPoint middle_of_card(std::size_t part) const noexcept;
+  scene::ScreenPoint middle_of_card(std::size_t part) const noexcept;
   void follow_territory(std::size_t part) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
   void count_collisions() noexcept;
-  std::span<const Led> led() noexcept;
+  std::span<const LedVisitor> led_visitors() noexcept;
 
   bool is_shared() const noexcept { return tours_.size() > 1; }
-  const Avatar& leader() const noexcept { return company_[0].avatar; }
+  const Avatar& leader() const noexcept { return crowd_[0].avatar; }
 
   const Museum& museum_;
-  Planner& planner_;
+  plan::Planner& planner_;
   GuideSettings settings_;
-  Company company_;
+  Crowd crowd_;
   Strollers strollers_;
-  std::vector<Placement> homes_;        ///< Of the guides.
-  std::vector<Body> bodies_;            ///< Of those who are here, for counting collisions.
-  std::vector<Meetings> meetings_;      ///< One, of the kiosk's floor.
-  std::vector<Tour> tours_;             ///< By part.
-  std::vector<ScreenPoint> territory_;  ///< By part: where its visitor touches.
+  std::vector<Placement> homes_;               ///< Of the guides.
+  std::vector<crowd::Body> bodies_;            ///< Of those who are here, for counting collisions.
+  std::vector<crowd::Meetings> meetings_;      ///< One, of the kiosk's floor.
+  std::vector<Tour> tours_;                    ///< By part.
+  std::vector<scene::ScreenPoint> territory_;  ///< By part: where its visitor touches.
   std::vector<Held> held_;
-  std::vector<Led> led_;
-  std::size_t speaker_ = 0;  ///< The part whose visitor touched last.
-  float told_seconds_ = 0;   ///< For so long somebody who found no seat is still told so.
+  std::vector<LedVisitor> led_visitors_;
+  std::size_t speaker_ = 0;    ///< The part whose visitor touched last.
+  float refusal_seconds_ = 0;  ///< For so long somebody who found no seat is still told so.
   Stage stage_;
   GuideCounters counters_;
-  std::vector<TextureId> memory_;  ///< By piece.
-  DrawList list_;
+  std::vector<scene::TextureId> memory_;  ///< By piece.
+  scene::DrawList list_;
 };
 
-}  // namespace docent
+}  // namespace docent::guide

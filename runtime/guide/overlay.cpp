@@ -6,62 +6,64 @@
 
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much smaller.
 constexpr float release_seconds = 0.15F;
 
-const Theme theme;
+const scene::Theme theme;
 
-bool same(const Rect& a, const Rect& b) noexcept {
+bool same(const scene::Rect& a, const scene::Rect& b) noexcept {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
 
-bool same(const Colour& a, const Colour& b) noexcept {
+bool same(const scene::Colour& a, const scene::Colour& b) noexcept {
   return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
 }
 
-bool same(const Quad& a, const Quad& b) noexcept {
+bool same(const scene::Quad& a, const scene::Quad& b) noexcept {
   return a.fill == b.fill && a.texture == b.texture && same(a.rect, b.rect) &&
          same(a.colour, b.colour);
 }
 
-Rect scaled(const Rect& rect, const Rect& about, float scale) noexcept {
+scene::Rect scaled(const scene::Rect& rect, const scene::Rect& about, float scale) noexcept {
   const float x = about.x + about.width / 2, y = about.y + about.height / 2;
   return {x + (rect.x - x) * scale, y + (rect.y - y) * scale, rect.width * scale,
           rect.height * scale};
 }
 
-Rect between(const Rect& a, const Rect& b, float t) noexcept {
+scene::Rect between(const scene::Rect& a, const scene::Rect& b, float t) noexcept {
   return {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t), std::lerp(a.width, b.width, t),
           std::lerp(a.height, b.height, t)};
 }
 
-Rect around(float x, float y, float width, float height) noexcept {
+scene::Rect around(float x, float y, float width, float height) noexcept {
   return {x - width / 2, y - height / 2, width, height};
 }
 
-float shorter_px(const View& view) noexcept {
+float shorter_px(const interface::View& view) noexcept {
   return std::min(view.pixel_width, view.pixel_height);
 }
 
 /// Marks what two views have in common: it is drawn once and does not fade.
-void note_what_stays(View& leaving, View& entering) noexcept {
-  for (Element& old : leaving.elements) old.stays = false;
-  for (Element& element : entering.elements) {
-    const auto twin = std::ranges::find_if(
-        leaving.elements, [&](const Element& old) { return same(old.quad, element.quad); });
+void note_what_stays(interface::View& leaving, interface::View& entering) noexcept {
+  for (interface::Element& old : leaving.elements) old.stays = false;
+  for (interface::Element& element : entering.elements) {
+    const auto twin = std::ranges::find_if(leaving.elements, [&](const interface::Element& old) {
+      return same(old.quad, element.quad);
+    });
     element.stays = twin != leaving.elements.end();
     if (element.stays) twin->stays = true;
   }
 }
 
 /// The control of `to` that is what that one of `from` was, for the finger that holds it.
-std::int32_t twin_of(std::int32_t control, const View& from, const View& to) noexcept {
+std::int32_t twin_of(std::int32_t control, const interface::View& from,
+                     const interface::View& to) noexcept {
   if (control < 0) return -1;
-  const Control& old = from.controls[static_cast<std::size_t>(control)];
-  const auto twin = std::ranges::find_if(to.controls, [&](const Control& c) {
+  const interface::Control& old = from.controls[static_cast<std::size_t>(control)];
+  const auto twin = std::ranges::find_if(to.controls, [&](const interface::Control& c) {
     return c.enabled && c.role == old.role && c.name == old.name;
   });
   return twin == to.controls.end() ? -1 : static_cast<std::int32_t>(twin - to.controls.begin());
@@ -69,7 +71,7 @@ std::int32_t twin_of(std::int32_t control, const View& from, const View& to) noe
 
 }  // namespace
 
-void Overlay::enter(std::unique_ptr<View> view) noexcept {
+void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
   if (view_) note_what_stays(*view_, *view);
   leaving_ = std::exchange(view_, std::move(view));
   age_ = leaving_ ? 0 : fade_seconds;
@@ -90,21 +92,21 @@ void Overlay::advance(float seconds) noexcept {
     if (!press.held) press.age += seconds;
 }
 
-void Overlay::follow(const CameraView& camera, float floor_height) noexcept {
-  for (View* view : {view_.get(), leaving_.get()}) {
+void Overlay::follow(const scene::CameraView& camera, float floor_height) noexcept {
+  for (interface::View* view : {view_.get(), leaving_.get()}) {
     if (view == nullptr) continue;
-    for (FloorLabel& label : view->labels) {
-      const auto at = project(camera, to_world(label.position, floor_height + label.height));
+    for (interface::FloorLabel& label : view->labels) {
+      const auto at = scene::project(camera, to_world(label.position, floor_height + label.height));
       label.rect = {};
-      const bool in_picture = at && contains(view->free, at->x, at->y);
+      const bool in_picture = at && scene::contains(view->free, at->x, at->y);
       if (in_picture)
         label.rect = around(at->x, at->y, label.width_px / view->pixel_width,
                             label.height_px / view->pixel_height);
       if (label.control < 0) continue;
-      Rect& spot = view->controls[static_cast<std::size_t>(label.control)].rect;
+      scene::Rect& spot = view->controls[static_cast<std::size_t>(label.control)].rect;
       spot = in_picture ? around(at->x, at->y, view->spot_px / view->pixel_width,
                                  view->spot_px / view->pixel_height)
-                        : Rect{};
+                        : scene::Rect{};
     }
   }
 }
@@ -114,13 +116,13 @@ std::int32_t Overlay::control_at(float x, float y) const noexcept {
   std::int32_t nearest = -1;
   float nearest_square = 1e9F;
   for (std::size_t i = 0; i < view_->controls.size(); ++i) {
-    const Control& control = view_->controls[i];
-    if (!control.enabled || !contains(control.rect, x, y)) continue;
-    if (control.role != Role::Spot) return static_cast<std::int32_t>(i);
+    const interface::Control& control = view_->controls[i];
+    if (!control.enabled || !scene::contains(control.rect, x, y)) continue;
+    if (control.role != interface::Role::Spot) return static_cast<std::int32_t>(i);
     const float across = (control.rect.x + control.rect.width / 2 - x) * view_->pixel_width;
     const float down = (control.rect.y + control.rect.height / 2 - y) * view_->pixel_height;
     const float square = across * across + down * down;
-    if (square < nearest_square && !contains(view_->panel, x, y)) {
+    if (square < nearest_square && !scene::contains(view_->panel, x, y)) {
       nearest_square = square;
       nearest = static_cast<std::int32_t>(i);
     }
@@ -128,14 +130,14 @@ std::int32_t Overlay::control_at(float x, float y) const noexcept {
   return nearest;
 }
 
-void Overlay::touch_down(const Finger& finger) noexcept {
+void Overlay::touch_down(const input::Finger& finger) noexcept {
   rings_[next_ring_++ % rings_.size()] = {finger.at.x, finger.at.y, 0};
   Press& press = *std::ranges::min_element(presses_, {},
                                            [](const Press& p) { return p.held ? 1e9F : -p.age; });
   press = {finger.at.id, control_at(finger.at.x, finger.at.y), true, 0};
 }
 
-std::int32_t Overlay::touch_up(const Finger& finger) noexcept {
+std::int32_t Overlay::touch_up(const input::Finger& finger) noexcept {
   const auto press = std::ranges::find_if(
       presses_, [&](const Press& p) { return p.held && p.finger == finger.at.id; });
   if (press == presses_.end()) return -1;
@@ -151,8 +153,9 @@ void Overlay::move_focus(int step) noexcept {
   std::int32_t at = focus_ < 0 && step < 0 ? 0 : focus_;
   for (std::int32_t tried = 0; tried < count; ++tried) {
     at = (at + step + count) % count;
-    const Control& control = view_->controls[static_cast<std::size_t>(at)];
-    if (control.role == Role::Spot || !control.enabled || control.rect.width <= 0) continue;
+    const interface::Control& control = view_->controls[static_cast<std::size_t>(at)];
+    if (control.role == interface::Role::Spot || !control.enabled || control.rect.width <= 0)
+      continue;
     focus_ = at;
     return;
   }
@@ -166,17 +169,17 @@ float Overlay::press_depth(std::int32_t control) const noexcept {
   return depth;
 }
 
-void Overlay::draw_elements(const View& view, float opacity, float unchanged_opacity, bool leaving,
-                            DrawList& list) const noexcept {
-  for (const Element& element : view.elements) {
+void Overlay::draw_elements(const interface::View& view, float opacity, float unchanged_opacity,
+                            bool leaving, scene::DrawList& list) const noexcept {
+  for (const interface::Element& element : view.elements) {
     if (element.is_panel && leaving) continue;
-    Quad quad = element.quad;
+    scene::Quad quad = element.quad;
     float shown = element.stays ? unchanged_opacity : opacity;
     if (element.is_panel) {
       shown = 1;
       if (leaving_ && !same(leaving_->panel, view.panel)) {
-        const Rect at =
-            between(leaving_->panel, view.panel, static_cast<float>(ease_out(age_ / fade_seconds)));
+        const scene::Rect at = between(leaving_->panel, view.panel,
+                                       static_cast<float>(scene::ease_out(age_ / fade_seconds)));
         quad.rect.x += at.x - view.panel.x;
         quad.rect.y += at.y - view.panel.y;
       }
@@ -185,21 +188,21 @@ void Overlay::draw_elements(const View& view, float opacity, float unchanged_opa
       if (const float depth = press_depth(element.control); depth > 0)
         quad.rect = scaled(quad.rect, view.controls[static_cast<std::size_t>(element.control)].rect,
                            1 - press_depth_share * depth);
-    quad.colour = with_opacity(quad.colour, shown);
+    quad.colour = scene::with_opacity(quad.colour, shown);
     if (quad.colour.a > 0.002F) list.quads.push_back(quad);
   }
 }
 
-void Overlay::draw_focus(DrawList& list) const noexcept {
+void Overlay::draw_focus(scene::DrawList& list) const noexcept {
   if (focus_ < 0 || !view_) return;
-  const Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
+  const scene::Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
   if (rect.width <= 0) return;
   // Two nested frames, dark round light, are seen on every ground.
   const float thick = view_->unit_px * 0.5F;
   for (const auto& [reach, colour] :
        {std::pair{1.6F, theme.skeleton}, std::pair{0.9F, theme.paper}}) {
     const float x = reach * thick / view_->pixel_width, y = reach * thick / view_->pixel_height;
-    Quad frame;
+    scene::Quad frame;
     frame.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y};
     frame.colour = colour;
     frame.corner = (1.5F * view_->unit_px + reach * thick) / shorter_px(*view_);
@@ -207,59 +210,60 @@ void Overlay::draw_focus(DrawList& list) const noexcept {
   }
 }
 
-void Overlay::draw_labels(const View& view, float opacity, DrawList& list) const noexcept {
+void Overlay::draw_labels(const interface::View& view, float opacity,
+                          scene::DrawList& list) const noexcept {
   if (opacity <= 0.002F) return;
   const float shorter = shorter_px(view);
-  for (const FloorLabel& label : view.labels) {
-    if (label.rect.width <= 0 || label.texture == TextureId::None) continue;
+  for (const interface::FloorLabel& label : view.labels) {
+    if (label.rect.width <= 0 || label.texture == scene::TextureId::None) continue;
     const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
-    const Control* spot =
+    const interface::Control* spot =
         label.control < 0 ? nullptr : &view.controls[static_cast<std::size_t>(label.control)];
     const bool selected = spot != nullptr && spot->selected;
     if (label.on_disc) {
       const float size = std::max(4.2F * view.unit_px,
                                   std::max(label.width_px + 1.4F * view.unit_px, label.height_px)) *
                          (1 - 0.1F * press_depth(label.control)) * (selected ? 1.2F : 1);
-      Quad disc;
+      scene::Quad disc;
       disc.rect = around(x, y, size / view.pixel_width, size / view.pixel_height);
       disc.corner = size / 2 / shorter;
-      disc.colour = with_opacity(selected ? theme.shortest : theme.paper, opacity);
+      disc.colour = scene::with_opacity(selected ? theme.shortest : theme.paper, opacity);
       list.quads.push_back(disc);
     }
     if (!label.on_disc) {
-      Quad slip;
+      scene::Quad slip;
       const float pad = 0.8F * view.unit_px;
       slip.rect = around(x, y, (label.width_px + 2 * pad) / view.pixel_width,
                          (label.height_px * 0.82F) / view.pixel_height);
       slip.corner = 0.8F * view.unit_px / shorter;
-      slip.colour = with_opacity(theme.paper, 0.74F * opacity);
+      slip.colour = scene::with_opacity(theme.paper, 0.74F * opacity);
       list.quads.push_back(slip);
     }
-    Quad text;
-    text.fill = QuadFill::Text;
+    scene::Quad text;
+    text.fill = scene::QuadFill::Text;
     text.texture = label.texture;
     text.rect = label.rect;
     text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
     text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;
-    text.colour = with_opacity(selected ? theme.paper : theme.ink, opacity);
+    text.colour = scene::with_opacity(selected ? theme.paper : theme.ink, opacity);
     list.quads.push_back(text);
   }
 }
 
-void Overlay::draw_remaining(const View& view, float metres, float opacity,
-                             DrawList& list) const noexcept {
-  for (const CountedText& text : view.remaining) {
+void Overlay::draw_remaining(const interface::View& view, float metres, float opacity,
+                             scene::DrawList& list) const noexcept {
+  for (const interface::CountedText& text : view.remaining) {
     if (metres > text.metres) continue;
-    Quad quad = text.quad;
-    quad.colour = with_opacity(quad.colour, opacity);
+    scene::Quad quad = text.quad;
+    quad.colour = scene::with_opacity(quad.colour, opacity);
     list.quads.push_back(quad);
     return;
   }
 }
 
-void Overlay::draw(float remaining, float labels_opacity, DrawList& list) const noexcept {
+void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept {
   if (!view_) return;
-  const float t = is_fading() ? static_cast<float>(ease_out(age_ / fade_seconds)) : 1;
+  const float t = is_fading() ? static_cast<float>(scene::ease_out(age_ / fade_seconds)) : 1;
   if (leaving_) draw_labels(*leaving_, labels_opacity * (1 - t), list);
   draw_labels(*view_, labels_opacity * t, list);
 
@@ -274,14 +278,14 @@ void Overlay::draw(float remaining, float labels_opacity, DrawList& list) const 
   for (const Ring& ring : rings_) {
     if (ring.age >= ring_seconds) continue;
     const float share = ring.age / ring_seconds;
-    const float size = (3 + 5 * static_cast<float>(ease_out(share))) * view_->unit_px * 2;
-    Quad quad;
-    quad.fill = QuadFill::Ring;
+    const float size = (3 + 5 * static_cast<float>(scene::ease_out(share))) * view_->unit_px * 2;
+    scene::Quad quad;
+    quad.fill = scene::QuadFill::Ring;
     quad.rect = around(ring.x, ring.y, size / view_->pixel_width, size / view_->pixel_height);
     quad.softness = 0.6F * view_->unit_px / shorter_px(*view_);
-    quad.colour = with_opacity(view_->accent, (1 - share) * 0.9F);
+    quad.colour = scene::with_opacity(view_->accent, (1 - share) * 0.9F);
     list.quads.push_back(quad);
   }
 }
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -6,41 +6,41 @@
 #include <optional>
 
 #include "runtime/input/gesture.h"
+#include "runtime/interface/view.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/draw_list.h"
-#include "runtime/interface/view.h"
 
-namespace docent {
+namespace docent::guide {
 
 /// The interface on the glass: the view that is shown, the one that is leaving, what is pressed,
 /// what has the keypad's focus, and the rings that answer touches.
 class Overlay {
  public:
   /// Another view: the panel stays, what both have in common stays, the rest fades.
-  void enter(std::unique_ptr<View> view) noexcept;
+  void enter(std::unique_ptr<interface::View> view) noexcept;
   void advance(float seconds) noexcept;
   /// Spots and names follow the camera.
-  void follow(const CameraView& camera, float floor_height) noexcept;
+  void follow(const scene::CameraView& camera, float floor_height) noexcept;
 
   /// The control at a point of the screen: one of the panel's, or else the nearest spot of the
   /// model within reach; -1 where there is none.
   std::int32_t control_at(float x, float y) const noexcept;
   /// A finger came down: answers with a ring and holds the control under it.
-  void touch_down(const Finger& finger) noexcept;
+  void touch_down(const input::Finger& finger) noexcept;
   /// A finger left; the control that it pressed, if it left the one it came down on.
-  std::int32_t touch_up(const Finger& finger) noexcept;
+  std::int32_t touch_up(const input::Finger& finger) noexcept;
 
   /// Moves the keypad's focus by `step` in focus order; nothing has it before the first key.
   void move_focus(int step) noexcept;
   void clear_focus() noexcept { focus_ = -1; }
   std::int32_t focus() const noexcept { return focus_; }
 
-  const View* view() const noexcept { return view_.get(); }
+  const interface::View* view() const noexcept { return view_.get(); }
   bool is_fading() const noexcept { return age_ < fade_seconds; }
 
   /// Appends the quads of the interface. `remaining`: metres to go; `away`: the camera still flies,
   /// so what is written on the model waits.
-  void draw(float remaining, float labels_opacity, DrawList& list) const noexcept;
+  void draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept;
 
  private:
   static constexpr float fade_seconds = 0.26F;
@@ -58,13 +58,15 @@ class Overlay {
   };
 
   float press_depth(std::int32_t control) const noexcept;
-  void draw_elements(const View& view, float opacity, float unchanged_opacity, bool leaving,
-                     DrawList& list) const noexcept;
-  void draw_focus(DrawList& list) const noexcept;
-  void draw_labels(const View& view, float opacity, DrawList& list) const noexcept;
-  void draw_remaining(const View& view, float metres, float opacity, DrawList& list) const noexcept;
+  void draw_elements(const interface::View& view, float opacity, float unchanged_opacity,
+                     bool leaving, scene::DrawList& list) const noexcept;
+  void draw_focus(scene::DrawList& list) const noexcept;
+  void draw_labels(const interface::View& view, float opacity,
+                   scene::DrawList& list) const noexcept;
+  void draw_remaining(const interface::View& view, float metres, float opacity,
+                      scene::DrawList& list) const noexcept;
 
-  std::unique_ptr<View> view_, leaving_;
+  std::unique_ptr<interface::View> view_, leaving_;
   float age_ = 1;  ///< Seconds since view_ was entered.
   std::int32_t focus_ = -1;
   std::array<Ring, most_presses> rings_{};
@@ -72,4 +74,4 @@ class Overlay {
   std::size_t next_ring_ = 0;
 };
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -7,7 +7,7 @@
 
 #include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr double long_flight_seconds = 1.1;  ///< From over the whole floor down to the guide.
@@ -17,8 +17,8 @@ constexpr double most_turn = 0.8;           ///< ... and never faster than 46 de
 constexpr float way_fade_seconds = 0.3F;
 constexpr float flow_speed = 0.35F;  ///< Metres a second that the ribbon's pattern moves.
 
-bool seen_from_above(Screen screen) noexcept {
-  return screen == Screen::Welcome || screen == Screen::Choosing;
+bool seen_from_above(interface::Screen screen) noexcept {
+  return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing;
 }
 
 double height_of(const Museum& museum, std::uint32_t floor) noexcept {
@@ -34,23 +34,23 @@ struct AheadPoints {
 
 AheadPoints ahead_of(const Avatar& avatar) noexcept {
   AheadPoints ahead;
-  const Plan& plan = *avatar.plan;
+  const plan::Plan& plan = *avatar.plan;
   if (plan.points.size() < 2) return ahead;
-  for (double metres = 1; metres <= view_ahead; metres += 1) {
+  for (double metres = 1; metres <= scene::view_ahead; metres += 1) {
     if (avatar.along + metres > plan.reach.back() + 1) break;
-    ahead.point[ahead.count++] = point_along(plan, avatar.along + metres);
+    ahead.point[ahead.count++] = plan::point_along(plan, avatar.along + metres);
   }
   return ahead;
 }
 
 }  // namespace
 
-bool leaves_a_trail(const Companion& one) noexcept {
-  return one.avatar.look < guide_look_count;
+bool leaves_a_trail(const Agent& one) noexcept {
+  return one.avatar.look < scene::guide_look_count;
 }
 
-void draw_trail(const Avatar& avatar, float flow, DrawList& list) noexcept {
-  const Plan& plan = *avatar.plan;
+void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcept {
+  const plan::Plan& plan = *avatar.plan;
   const std::size_t room = list.ribbon_point.capacity() - list.ribbon_point.size();
   if (plan.points.size() < 2 || plan.points.size() > room ||
       list.ribbons.size() == list.ribbons.capacity())
@@ -73,13 +73,13 @@ Stage::Stage(const Museum& museum) : museum_(museum) {
   }
 }
 
-void Stage::enter(const InterfaceState& state, const Rect& free, float aspect,
+void Stage::enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
                   const Avatar& leader) noexcept {
   const bool same_free = free_.x == free.x && free_.y == free.y && free_.width == free.width;
   const bool both_above = seen_from_above(screen_) && seen_from_above(state.screen);
   const bool flies = (screen_ != state.screen && !both_above) || !same_free || aspect_ != aspect;
   const bool long_way = seen_from_above(screen_) != seen_from_above(state.screen);
-  if (state.screen == Screen::Walking && screen_ != Screen::Walking) {
+  if (state.screen == interface::Screen::Walking && screen_ != interface::Screen::Walking) {
     yaw_ = rig_.yaw;
     distance_ = 9;
   }
@@ -87,8 +87,8 @@ void Stage::enter(const InterfaceState& state, const Rect& free, float aspect,
   aspect_ = aspect;
   screen_ = state.screen;
   if (leader.floor < outlines_.size())
-    overview_ = overview_of(outlines_[leader.floor], height_of(museum_, leader.floor),
-                            museum_.kiosk.heading, free_, aspect_);
+    overview_ = scene::overview_of(outlines_[leader.floor], height_of(museum_, leader.floor),
+                                   museum_.kiosk.heading, free_, aspect_);
   if (!entered_) {
     rig_ = wanted_rig(state, leader);
     flight_ = 1;
@@ -100,37 +100,39 @@ void Stage::enter(const InterfaceState& state, const Rect& free, float aspect,
   entered_ = true;
 }
 
-CameraRig Stage::wanted_rig(const InterfaceState& state, const Avatar& leader) const noexcept {
+scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
+                                   const Avatar& leader) const noexcept {
   const double height = height_of(museum_, leader.floor);
-  if (state.screen == Screen::Arrived && state.exhibit >= 0) {
+  if (state.screen == interface::Screen::Arrived && state.exhibit >= 0) {
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
-    return beside(leader.body, exhibit.placement.position, height, free_, aspect_);
+    return scene::beside(leader.body, exhibit.placement.position, height, free_, aspect_);
   }
-  if (state.screen == Screen::Walking) {
+  if (state.screen == interface::Screen::Walking) {
     const AheadPoints ahead = ahead_of(leader);
-    CameraRig rig = behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
+    scene::CameraRig rig = scene::behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
     rig.distance = distance_;
     return rig;
   }
   return overview_;
 }
 
-void Stage::advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept {
+void Stage::advance(const interface::InterfaceState& state, const Avatar& leader,
+                    float seconds) noexcept {
   time_ += seconds;
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
   const AheadPoints ahead = ahead_of(leader);
-  const Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
-  yaw_ = turn_smoothly(yaw_, yaw_towards(walker, leader.body.heading), seconds, turn_time_constant,
-                       most_turn);
-  const double roomy = behind(walker, yaw_, free_, aspect_).distance;
+  const scene::Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
+  yaw_ = scene::turn_smoothly(yaw_, scene::yaw_towards(walker, leader.body.heading), seconds,
+                              turn_time_constant, most_turn);
+  const double roomy = scene::behind(walker, yaw_, free_, aspect_).distance;
   distance_ += (roomy - distance_) * (1 - std::exp(-seconds / 0.8));
 
   flight_ = std::min(1.0, flight_ + seconds / flight_seconds_);
-  const CameraRig wanted = wanted_rig(state, leader);
-  rig_ = flight_ < 1 ? blend(from_, wanted, smooth_step(flight_)) : wanted;
+  const scene::CameraRig wanted = wanted_rig(state, leader);
+  rig_ = flight_ < 1 ? scene::blend(from_, wanted, scene::smooth_step(flight_)) : wanted;
 }
 
-void Stage::show_way(const Plan& plan, DrawList& list) noexcept {
+void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   ++revision_;
   way_opacity_ = 0;
   way_kind_ = plan.order.kind;
@@ -141,12 +143,12 @@ void Stage::show_way(const Plan& plan, DrawList& list) noexcept {
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
 }
 
-void Stage::draw(const InterfaceState& state, const Company& company, std::span<const Led> led,
-                 DrawList& list) const noexcept {
-  const Avatar& leader = company[0].avatar;
+void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
+                 std::span<const LedVisitor> led_visitors, scene::DrawList& list) const noexcept {
+  const Avatar& leader = crowd[0].avatar;
   const double height = height_of(museum_, leader.floor);
   list.floor = leader.floor;
-  list.camera = view_of(rig_, aspect_);
+  list.camera = scene::view_of(rig_, aspect_);
   const bool above = seen_from_above(screen_);
   list.focus = leader.body.position;
   list.focus_radius = above ? 1e3F : 16.0F;
@@ -155,40 +157,41 @@ void Stage::draw(const InterfaceState& state, const Company& company, std::span<
 
   list.ribbons.clear();
   list.markers.clear();
-  const auto mark = [&](MarkerDraw::Kind kind, Vec2 at, float radius, double heading) {
+  const auto mark = [&](scene::MarkerDraw::Kind kind, Vec2 at, float radius, double heading) {
     list.markers.push_back({.kind = kind,
                             .position = to_world(at, height),
                             .radius = radius,
                             .heading = static_cast<float>(heading)});
   };
   if (museum_.kiosk_floor == leader.floor)
-    mark(MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
+    mark(scene::MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
   const auto is_chosen = [&](std::int32_t exhibit) {
     return exhibit == state.exhibit ||
-           std::ranges::any_of(led, [&](const Led& one) { return one.exhibit == exhibit; });
+           std::ranges::any_of(led_visitors,
+                               [&](const LedVisitor& one) { return one.exhibit == exhibit; });
   };
   if (above)
     for (std::size_t i = 0; i < museum_.exhibits.size(); ++i)
       if (museum_.exhibits[i].floor == leader.floor)
-        mark(is_chosen(static_cast<std::int32_t>(i)) ? MarkerDraw::Kind::SelectedExhibit
-                                                     : MarkerDraw::Kind::Exhibit,
+        mark(is_chosen(static_cast<std::int32_t>(i)) ? scene::MarkerDraw::Kind::SelectedExhibit
+                                                     : scene::MarkerDraw::Kind::Exhibit,
              museum_.exhibits[i].placement.position, 0.3F, 0);
   list.ribbon_point.resize(way_count_);
-  if (state.glass != Glass::Whole)
-    draw_ways(company, led, list);
-  else if (!led.empty())
+  if (state.glass != interface::Glass::Whole)
+    draw_ways(crowd, led_visitors, list);
+  else if (!led_visitors.empty())
     draw_own_way(state, leader, list);
 }
 
-void Stage::draw_own_way(const InterfaceState& state, const Avatar& leader,
-                         DrawList& list) const noexcept {
+void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
+                         scene::DrawList& list) const noexcept {
   if (state.exhibit >= 0) {
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
     list.goal = exhibit.view.position;
     list.goal_radius = 6;
     if (!state.arrived)
       list.markers.push_back(
-          {.kind = MarkerDraw::Kind::Goal,
+          {.kind = scene::MarkerDraw::Kind::Goal,
            .position = to_world(exhibit.view.position, height_of(museum_, leader.floor)),
            .radius = 0.35F,
            .heading = static_cast<float>(exhibit.view.heading)});
@@ -204,15 +207,15 @@ void Stage::draw_own_way(const InterfaceState& state, const Avatar& leader,
                             .opacity = way_opacity_});
 }
 
-void Stage::draw_ways(const Company& company, std::span<const Led> led,
-                      DrawList& list) const noexcept {
-  for (const Led& one : led) {
-    const Companion& guide = company[one.guide];
+void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,
+                      scene::DrawList& list) const noexcept {
+  for (const LedVisitor& one : led_visitors) {
+    const Agent& guide = crowd[one.guide];
     if (one.exhibit < 0 || guide.avatar.floor != list.floor) continue;
     if (guide.is_on_its_way) draw_trail(guide.avatar, time_ * flow_speed, list);
     const Placement& view = museum_.exhibits[static_cast<std::size_t>(one.exhibit)].view;
     if (!one.arrived)
-      list.markers.push_back({.kind = MarkerDraw::Kind::Goal,
+      list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
                               .look = static_cast<std::int32_t>(guide.avatar.look),
                               .position = to_world(view.position, height_of(museum_, list.floor)),
                               .radius = 0.35F,
@@ -220,4 +223,4 @@ void Stage::draw_ways(const Company& company, std::span<const Led> led,
   }
 }
 
-}  // namespace docent
+}  // namespace docent::guide

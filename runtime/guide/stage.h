@@ -4,23 +4,23 @@
 #include <vector>
 
 #include "runtime/guide/avatar.h"
-#include "runtime/guide/company.h"
+#include "runtime/guide/crowd.h"
+#include "runtime/interface/control.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/camera.h"
-#include "runtime/interface/control.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::guide {
 
 /// Does it guide somebody, and not stroll?
-bool leaves_a_trail(const Companion& one) noexcept;
+bool leaves_a_trail(const Agent& one) noexcept;
 
 /// Appends the way of someone who guides as a trail in the colour of their look, `flow` metres on;
 /// nothing where the list has no more capacity. Does not allocate.
-void draw_trail(const Avatar& avatar, float flow, DrawList& list) noexcept;
+void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcept;
 
 /// A guide who leads a visitor to an exhibit.
-struct Led {
+struct LedVisitor {
   std::uint32_t guide = 0;
   std::int32_t exhibit = -1;
   bool arrived = false;
@@ -33,44 +33,47 @@ class Stage {
   explicit Stage(const Museum& museum);
 
   /// A view is entered: which part of the screen it leaves free. The camera flies where it must.
-  void enter(const InterfaceState& state, const Rect& free, float aspect,
+  void enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
              const Avatar& leader) noexcept;
-  void advance(const InterfaceState& state, const Avatar& leader, float seconds) noexcept;
-  /// Fills in camera, light, ways and marks. The company's first is the leader. On a glass of one
+  void advance(const interface::InterfaceState& state, const Avatar& leader,
+               float seconds) noexcept;
+  /// Fills in camera, light, ways and marks. The crowd's first is the leader. On a glass of one
   /// visitor the way has the colour of its kind, which the panel explains; on a shared one each way
   /// has its guide's, and the pattern alone tells the kind.
-  void draw(const InterfaceState& state, const Company& company, std::span<const Led> led,
-            DrawList& list) const noexcept;
+  void draw(const interface::InterfaceState& state, const Crowd& crowd,
+            std::span<const LedVisitor> led_visitors, scene::DrawList& list) const noexcept;
   /// The leader follows another way: its points go into the draw list.
-  void show_way(const Plan& plan, DrawList& list) noexcept;
+  void show_way(const plan::Plan& plan, scene::DrawList& list) noexcept;
 
   bool is_flying() const noexcept { return flight_ < 1; }
-  const CameraRig& rig() const noexcept { return rig_; }
+  const scene::CameraRig& rig() const noexcept { return rig_; }
 
  private:
-  void draw_own_way(const InterfaceState& state, const Avatar& leader,
-                    DrawList& list) const noexcept;
-  void draw_ways(const Company& company, std::span<const Led> led, DrawList& list) const noexcept;
-  CameraRig wanted_rig(const InterfaceState& state, const Avatar& leader) const noexcept;
+  void draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
+                    scene::DrawList& list) const noexcept;
+  void draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,
+                 scene::DrawList& list) const noexcept;
+  scene::CameraRig wanted_rig(const interface::InterfaceState& state,
+                              const Avatar& leader) const noexcept;
 
   const Museum& museum_;
   std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
-  CameraRig rig_, from_;
+  scene::CameraRig rig_, from_;
   double flight_ = 1;          ///< Share of the flight from `from_`.
   double flight_seconds_ = 1;  ///< What a flight takes.
-  Screen screen_ = Screen::Welcome;
+  interface::Screen screen_ = interface::Screen::Welcome;
   bool entered_ = false;
-  Rect free_{0, 0, 1, 1};
+  scene::Rect free_{0, 0, 1, 1};
   float aspect_ = 16.0F / 9;
-  double yaw_ = 0;       ///< Of the walking camera; turns slower than the guide.
-  double distance_ = 9;  ///< Of the walking camera.
-  CameraRig overview_;   ///< Of the free part.
+  double yaw_ = 0;             ///< Of the walking camera; turns slower than the guide.
+  double distance_ = 9;        ///< Of the walking camera.
+  scene::CameraRig overview_;  ///< Of the free part.
   float time_ = 0;
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;
-  RouteKind way_kind_ = RouteKind::Shortest;
+  path::RouteKind way_kind_ = path::RouteKind::Shortest;
   std::uint32_t way_count_ = 0;
   float way_length_ = 0;
 };
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -6,7 +6,7 @@
 
 #include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr double slowest = 0.7;  // share of the clips' pace
@@ -39,64 +39,65 @@ Placement Strollers::start_of(std::size_t i) const noexcept {
   return museum_.kiosk;
 }
 
-void Strollers::enter(Company& company) {
+void Strollers::enter(Crowd& crowd) {
   for (std::size_t i = 0; i < museum_.ambient.count; ++i) {
     Stroller stroller;
     stroller.chance = 1000003 * (i + 1);
     const double pace = slowest + (1 - slowest) * random(stroller);
     const bool comes_in = !museum_.ambient.entrances.empty();
-    stroller.who = company.add(museum_.kiosk_floor, start_of(i), 0, pace);
-    company.dress(stroller.who, static_cast<std::uint32_t>(guide_look_count +
-                                                           i % (looks.size() - guide_look_count)));
+    stroller.who = crowd.add(museum_.kiosk_floor, start_of(i), 0, pace);
+    crowd.set_look(stroller.who,
+                   static_cast<std::uint32_t>(scene::guide_look_count +
+                                              i % (scene::looks.size() - scene::guide_look_count)));
     stroller.goes_on_at = comes_in ? 0 : museum_.ambient.look_most * random(stroller);
     strollers_.push_back(stroller);
   }
 }
 
-void Strollers::step(Company& company) noexcept {
+void Strollers::step(Crowd& crowd) noexcept {
   for (Stroller& stroller : strollers_) {
-    const Companion& one = company[stroller.who];
+    const Agent& one = crowd[stroller.who];
     if (!one.is_here || (one.goal && !one.has_arrived)) {
       stroller.looks = false;
       continue;
     }
     if (!stroller.looks) {
       stroller.looks = true;
-      stroller.goes_on_at =
-          company.clock() +
-          std::lerp(museum_.ambient.look_least, museum_.ambient.look_most, random(stroller));
+      stroller.goes_on_at = crowd.clock() + std::lerp(museum_.ambient.look_least,
+                                                      museum_.ambient.look_most, random(stroller));
     }
-    if (company.clock() >= stroller.goes_on_at) choose(stroller, company);
+    if (crowd.clock() >= stroller.goes_on_at) choose(stroller, crowd);
   }
 }
 
 /// Where to next: to an exhibit that nobody else is at or goes to, or somewhere on the medial axis.
-void Strollers::choose(Stroller& stroller, Company& company) const noexcept {
+void Strollers::choose(Stroller& stroller, Crowd& crowd) const noexcept {
   const auto is_taken = [&](Vec2 place) {
-    return std::ranges::any_of(company.members(), [&](const Companion& other) {
-      if (&other == &company[stroller.who] || !other.is_here) return false;
+    return std::ranges::any_of(crowd.members(), [&](const Agent& other) {
+      if (&other == &crowd[stroller.who] || !other.is_here) return false;
       return glm::distance(other.avatar.body.position, place) < taken ||
              (other.goal && glm::distance(other.goal->position, place) < taken);
     });
   };
   const Roadmap& roads = museum_.floors[museum_.kiosk_floor].roadmap;
   for (int i = 0; i < most_tries; ++i) {
-    const auto kind = static_cast<RouteKind>(std::min(2, static_cast<int>(3 * random(stroller))));
+    const auto kind =
+        static_cast<path::RouteKind>(std::min(2, static_cast<int>(3 * random(stroller))));
     if (random(stroller) < aimless && !roads.position.empty()) {
       const auto node =
           static_cast<std::size_t>(random(stroller) * static_cast<double>(roads.position.size()));
       const double heading = 2 * std::numbers::pi * (random(stroller) - 0.5);
       if (roads.clearance[node] < 2 * museum_.body_radius || is_taken(roads.position[node]))
         continue;
-      return company.send(stroller.who, {roads.position[node], heading}, RouteKind::Skeleton);
+      return crowd.send(stroller.who, {roads.position[node], heading}, path::RouteKind::Skeleton);
     }
     if (museum_.exhibits.empty()) continue;
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(
         random(stroller) * static_cast<double>(museum_.exhibits.size()))];
     if (exhibit.floor != museum_.kiosk_floor || is_taken(exhibit.view.position)) continue;
-    return company.send(stroller.who, exhibit.view, kind);
+    return crowd.send(stroller.who, exhibit.view, kind);
   }
   stroller.looks = false;  // everything is taken: it looks on
 }
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr double at_home = 0.3;      ///< Metres from its place that still count as home.
@@ -12,16 +12,16 @@ constexpr float left_for = 0.4F;     ///< Seconds in which a touch is still of w
 /// On a card a flick is shorter than on the whole glass: this share of its column.
 constexpr float flick_share = 0.3F;
 
-GestureRecogniser recogniser_for(const InterfaceState& state) noexcept {
-  return state.seat < 0 ? GestureRecogniser()
-                        : GestureRecogniser(flick_share / static_cast<float>(state.seats));
+input::GestureRecogniser recogniser_for(const interface::InterfaceState& state) noexcept {
+  return state.seat < 0 ? input::GestureRecogniser()
+                        : input::GestureRecogniser(flick_share / static_cast<float>(state.seats));
 }
 
 }  // namespace
 
-Tour::Tour(const House& house, std::uint32_t part, const InterfaceState& state,
+Tour::Tour(const TourContext& context, std::uint32_t part, const interface::InterfaceState& state,
            std::optional<std::uint32_t> guide)
-    : house_(house),
+    : context_(context),
       part_(part),
       state_(state),
       vacant_(state),
@@ -35,45 +35,46 @@ bool Tour::shows_its_state() const noexcept {
 }
 
 bool Tour::is_out() const noexcept {
-  const Avatar& avatar = companion().avatar;
-  const Vec2 off = avatar.body.position - house_.homes[*guide_].position;
+  const Avatar& avatar = agent().avatar;
+  const Vec2 off = avatar.body.position - context_.homes[*guide_].position;
   return dot(off, off) > at_home * at_home || !stands(avatar) ||
-         (companion().goal && !companion().has_arrived);
+         (agent().goal && !agent().has_arrived);
 }
 
 double Tour::remaining() const noexcept {
   if (!guide_) return 0;
-  const Avatar& avatar = companion().avatar;
+  const Avatar& avatar = agent().avatar;
   return (avatar.plan->reach.empty() ? 0 : avatar.plan->reach.back()) - avatar.along;
 }
 
 // What the visitor does.
 
-bool Tour::touch(const InputEvent& event, Overlay& surface) noexcept {
+bool Tour::touch(const input::InputEvent& event, Overlay& surface) noexcept {
   // What lies on the glass and trembles is nobody.
-  if (event.kind != InputEvent::Kind::Move) idle_seconds_ = 0;
-  const std::optional<Gesture> gesture = gestures_.take(event);
-  if (event.kind == InputEvent::Kind::Down) {
+  if (event.kind != input::InputEvent::Kind::Move) idle_seconds_ = 0;
+  const std::optional<input::Gesture> gesture = gestures_.take(event);
+  if (event.kind == input::InputEvent::Kind::Down) {
     overlay_.clear_focus();
     surface.touch_down({event.contact, event.contact, 0});
   }
   return !gesture || press(*gesture, surface);
 }
 
-bool Tour::press(const Gesture& gesture, Overlay& surface) noexcept {
+bool Tour::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   const std::int32_t control = surface.touch_up(gesture.finger);
-  const View* shown = surface.view();
+  const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
   if (state_.seat >= 0 && is_vacant() &&
       (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
     return true;
   const bool on_own = &surface == &overlay_;
-  if (gesture.kind != Gesture::Kind::Release && on_own && state_.screen == Screen::Choosing)
-    swipe(gesture.kind == Gesture::Kind::SwipeLeft);
+  if (gesture.kind != input::Gesture::Kind::Release && on_own &&
+      state_.screen == interface::Screen::Choosing)
+    swipe(gesture.kind == input::Gesture::Kind::SwipeLeft);
   else if (control >= 0)
     act(shown->controls[static_cast<std::size_t>(control)].action);
   else if (is_vacant())
-    act({Action::Kind::Begin});  // the whole glass invites
+    act({interface::Action::Kind::Begin});  // the whole glass invites
   else
     return false;
   return true;
@@ -81,59 +82,62 @@ bool Tour::press(const Gesture& gesture, Overlay& surface) noexcept {
 
 void Tour::swipe(bool left) noexcept {
   // What is further on comes from the side where lines end.
-  const bool forwards = left != runs_right_to_left(house_.museum, state_.language);
-  const std::uint32_t pages = page_count(house_.museum, exhibits_per_page(house_.shape, state_));
-  if (forwards && state_.page + 1 < pages) act({Action::Kind::TurnPage, state_.page + 1});
-  if (!forwards && state_.page > 0) act({Action::Kind::TurnPage, state_.page - 1});
+  const bool forwards = left != interface::runs_right_to_left(context_.museum, state_.language);
+  const std::uint32_t pages =
+      interface::page_count(context_.museum, interface::exhibits_per_page(context_.shape, state_));
+  if (forwards && state_.page + 1 < pages)
+    act({interface::Action::Kind::TurnPage, state_.page + 1});
+  if (!forwards && state_.page > 0) act({interface::Action::Kind::TurnPage, state_.page - 1});
 }
 
-void Tour::press_key(Key key) noexcept {
+void Tour::press_key(input::Key key) noexcept {
   idle_seconds_ = 0;
   switch (key) {
-    case Key::Up:
-    case Key::Left:
+    case input::Key::Up:
+    case input::Key::Left:
       return overlay_.move_focus(-1);
-    case Key::Down:
-    case Key::Right:
+    case input::Key::Down:
+    case input::Key::Right:
       return overlay_.move_focus(1);
-    case Key::Enter:
+    case input::Key::Enter:
       if (overlay_.focus() >= 0 && view() != nullptr)
         act(view()->controls[static_cast<std::size_t>(overlay_.focus())].action);
       else if (is_vacant())
-        act({Action::Kind::Begin});
+        act({interface::Action::Kind::Begin});
       return;
-    case Key::Back:
-      if (state_.screen == Screen::Choosing)
-        act({state_.exhibit >= 0 ? Action::Kind::Return : Action::Kind::Home});
-      else if (state_.screen == Screen::Picking)
-        act({Action::Kind::Home});
+    case input::Key::Back:
+      if (state_.screen == interface::Screen::Choosing)
+        act({state_.exhibit >= 0 ? interface::Action::Kind::Return
+                                 : interface::Action::Kind::Home});
+      else if (state_.screen == interface::Screen::Picking)
+        act({interface::Action::Kind::Home});
       else if (!is_vacant())
-        act({Action::Kind::ShowExhibits});
+        act({interface::Action::Kind::ShowExhibits});
       return;
     default:
       return;
   }
 }
 
-void Tour::act(Action action) noexcept {
-  const InterfaceState before = state_;
-  show(after(state_, action));
+void Tour::act(interface::Action action) noexcept {
+  const interface::InterfaceState before = state_;
+  show(interface::after(state_, action));
   switch (action.kind) {
-    case Action::Kind::Pick:
+    case interface::Action::Kind::Pick:
       if (state_.look != static_cast<int>(action.argument)) break;
       guide_ = action.argument;
       set_out();  // where they have touched an exhibit first
       break;
-    case Action::Kind::Choose:
+    case interface::Action::Kind::Choose:
       set_out();
       break;
-    case Action::Kind::TakeRoute:
+    case interface::Action::Kind::TakeRoute:
       if (leads_to_exhibit() && !before.arrived) set_out();
       break;
-    case Action::Kind::Stop:
+    case interface::Action::Kind::Stop:
       order({.kind = Errand::Kind::Stop});
       break;
-    case Action::Kind::Home:
+    case interface::Action::Kind::Home:
       go_home();
       break;
     default:
@@ -157,15 +161,15 @@ void Tour::order(const Errand& errand) noexcept {
   trip_.reset();
   switch (errand.kind) {
     case Errand::Kind::ToExhibit:
-      house_.company.send(*guide_,
-                          house_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
+      context_.crowd.send(*guide_,
+                          context_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
                           errand.route);
       break;
     case Errand::Kind::Home:
-      house_.company.send(*guide_, house_.homes[*guide_], errand.route);
+      context_.crowd.send(*guide_, context_.homes[*guide_], errand.route);
       break;
     default:
-      house_.company.stop(*guide_);
+      context_.crowd.stop(*guide_);
       break;
   }
   request_view();
@@ -181,7 +185,7 @@ void Tour::go_home() noexcept {
   vacant_seconds_ = 0;
 }
 
-void Tour::show(const InterfaceState& state) noexcept {
+void Tour::show(const interface::InterfaceState& state) noexcept {
   if (state_ == state) return;
   state_ = state;
   request_view();
@@ -191,22 +195,23 @@ void Tour::show(const InterfaceState& state) noexcept {
 
 void Tour::request_view() noexcept {
   awaiting_view_ = true;
-  house_.planner.ask(ViewRequest{++last_request_, state_, house_.shape, trip_, part_});
+  context_.planner.ask(
+      interface::ViewRequest{++last_request_, state_, context_.shape, trip_, part_});
 }
 
-bool Tour::take_view(std::unique_ptr<View> view) noexcept {
+bool Tour::take_view(std::unique_ptr<interface::View> view) noexcept {
   if (view->request != last_request_) return false;  // the visitor has gone on
   awaiting_view_ = false;
   overlay_.enter(std::move(view));
   return true;
 }
 
-/// The company has been told about the guide's way.
+/// The crowd has been told about the guide's way.
 void Tour::take_way() noexcept {
-  if (!guide_ || !companion().is_answered || !leads_to_exhibit()) return;
+  if (!guide_ || !agent().is_answered || !leads_to_exhibit()) return;
   if (!trip_) ++routes_;
-  trip_ = companion().trip;
-  if (trip_ && trip_->status != RouteStatus::Ok) errand_ = {};
+  trip_ = agent().trip;
+  if (trip_ && trip_->status != path::RouteStatus::Ok) errand_ = {};
   request_view();
 }
 
@@ -222,35 +227,37 @@ void Tour::step(float seconds, float absent_after) noexcept {
 }
 
 void Tour::notice_arrival() noexcept {
-  if (!guide_ || errand_.kind == Errand::Kind::None || companion().awaits_answer ||
-      !stands(companion().avatar) || !companion().has_arrived)
+  if (!guide_ || errand_.kind == Errand::Kind::None || agent().awaits_answer ||
+      !stands(agent().avatar) || !agent().has_arrived)
     return;
   if (errand_.kind != Errand::Kind::ToExhibit) {
     errand_ = {};
     return;
   }
-  InterfaceState now = state_;
+  interface::InterfaceState now = state_;
   if (now.arrived) return;
   now.arrived = true;
-  if (now.screen == Screen::Walking) now.screen = Screen::Arrived;
+  if (now.screen == interface::Screen::Walking) now.screen = interface::Screen::Arrived;
   show(now);
 }
 
 /// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
 void Tour::notice_absence(float seconds, float absent_after) noexcept {
-  const bool follows = state_.screen == Screen::Walking && guide_ && !stands(companion().avatar);
+  const bool follows =
+      state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
-  if (state_.screen == Screen::Picking) absent_after = std::min(absent_after, undecided_for);
+  if (state_.screen == interface::Screen::Picking)
+    absent_after = std::min(absent_after, undecided_for);
   if (idle_seconds_ < absent_after) return;
   idle_seconds_ = 0;
   overlay_.clear_focus();
-  InterfaceState vacant = vacant_;
+  interface::InterfaceState vacant = vacant_;
   vacant.glass = state_.glass;
   vacant.seat = state_.seat;
   vacant.taken = state_.taken;
   if (state_ == vacant) return;
-  act({Action::Kind::Home});
+  act({interface::Action::Kind::Home});
   show(vacant);
 }
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -6,29 +6,29 @@
 #include <span>
 #include <vector>
 
-#include "runtime/guide/company.h"
+#include "runtime/guide/crowd.h"
 #include "runtime/guide/overlay.h"
 #include "runtime/input/gesture.h"
+#include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
-#include "runtime/interface/layout.h"
 
-namespace docent {
+namespace docent::guide {
 
 /// What a guide was sent to do.
 struct Errand {
   enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
   Kind kind = Kind::None;
   std::int32_t exhibit = -1;
-  RouteKind route = RouteKind::Shortest;
+  path::RouteKind route = path::RouteKind::Shortest;
 };
 
 /// What the tours of a kiosk have in common; borrowed from it.
-struct House {
+struct TourContext {
   const Museum& museum;
-  Planner& planner;
-  Company& company;  ///< Its first are the guides; guide i waits at home i.
-  const ScreenShape& shape;
+  plan::Planner& planner;
+  Crowd& crowd;  ///< Its first are the guides; guide i waits at home i.
+  const interface::ScreenShape& shape;
   std::span<const Placement> homes;
 };
 
@@ -40,38 +40,38 @@ struct House {
 class Tour {
  public:
   /// Of a part of the glass (ViewRequest::part). `guide`: who leads it; none before one is picked.
-  Tour(const House& house, std::uint32_t part, const InterfaceState& state,
+  Tour(const TourContext& context, std::uint32_t part, const interface::InterfaceState& state,
        std::optional<std::uint32_t> guide);
 
   /// An event of the glass on this part of it; `surface` is the overlay that was touched, which may
   /// be that of the model. True unless a finger left the glass where nothing is.
-  bool touch(const InputEvent& event, Overlay& surface) noexcept;
-  void press_key(Key key) noexcept;
-  void act(Action action) noexcept;
+  bool touch(const input::InputEvent& event, Overlay& surface) noexcept;
+  void press_key(input::Key key) noexcept;
+  void act(interface::Action action) noexcept;
   /// Another state without anybody's asking.
-  void show(const InterfaceState& state) noexcept;
+  void show(const interface::InterfaceState& state) noexcept;
   void request_view() noexcept;
   /// The planner's answer; true where it is now on the glass.
-  bool take_view(std::unique_ptr<View> view) noexcept;
-  /// After the company's step. `absent_after`: seconds without a touch.
+  bool take_view(std::unique_ptr<interface::View> view) noexcept;
+  /// After the crowd's step. `absent_after`: seconds without a touch.
   void step(float seconds, float absent_after) noexcept;
 
-  const InterfaceState& state() const noexcept { return state_; }
+  const interface::InterfaceState& state() const noexcept { return state_; }
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }
-  const View* view() const noexcept { return overlay_.view(); }
+  const interface::View* view() const noexcept { return overlay_.view(); }
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_exhibit() const noexcept { return errand_.kind == Errand::Kind::ToExhibit; }
   /// Does the glass show the state that the visitor asked for?
   bool shows_its_state() const noexcept;
-  bool is_vacant() const noexcept { return state_.screen == Screen::Welcome; }
+  bool is_vacant() const noexcept { return state_.screen == interface::Screen::Welcome; }
   /// Metres that the guide still has to walk.
   double remaining() const noexcept;
   /// Ways that were begun so far.
   std::uint64_t routes() const noexcept { return routes_; }
 
  private:
-  bool press(const Gesture& gesture, Overlay& surface) noexcept;
+  bool press(const input::Gesture& gesture, Overlay& surface) noexcept;
   void swipe(bool left) noexcept;
   void set_out() noexcept;
   void order(const Errand& errand) noexcept;
@@ -80,16 +80,16 @@ class Tour {
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;
 
-  const Companion& companion() const noexcept { return house_.company[*guide_]; }
+  const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
   bool is_out() const noexcept;
 
-  House house_;
+  TourContext context_;
   std::uint32_t part_;
-  InterfaceState state_, vacant_;
+  interface::InterfaceState state_, vacant_;
   std::optional<std::uint32_t> guide_;
   Errand errand_;
-  std::optional<Trip> trip_;  ///< Of the errand, once it is planned.
-  GestureRecogniser gestures_;
+  std::optional<interface::Trip> trip_;  ///< Of the errand, once it is planned.
+  input::GestureRecogniser gestures_;
   Overlay overlay_;
   float idle_seconds_ = 0;       ///< Since they last touched anything.
   float vacant_seconds_ = 1e9F;  ///< Since the last visitor left the seat.
@@ -97,4 +97,4 @@ class Tour {
   bool awaiting_view_ = false;
 };
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr double farthest = 10, step = 0.3;          // metres from the kiosk, between candidates
@@ -20,27 +20,27 @@ struct Candidate {
 
 /// Who stands there looks into the room, the wall behind; nothing where there is no such wall, as
 /// in a doorway, or no such room, as in a corridor.
-std::optional<double> heading_at(const FloorMap& map, Vec2 at, double radius) noexcept {
+std::optional<double> heading_at(const path::FloorMap& map, Vec2 at, double radius) noexcept {
   constexpr int directions = 16;
-  const double here = clearance_at(map, at);
+  const double here = path::clearance_at(map, at);
   double widest = 0, heading = 0;
   for (int i = 0; i < directions; ++i) {
     const double angle = 2 * std::numbers::pi * i / directions;
     const Vec2 before = at + ahead * Vec2{std::cos(angle), std::sin(angle)};
-    const double clearance = is_inside(map, before) ? clearance_at(map, before) : 0;
+    const double clearance = path::is_inside(map, before) ? path::clearance_at(map, before) : 0;
     if (clearance <= widest) continue;
     widest = clearance;
     heading = angle;
   }
   const Vec2 back = at - 0.5 * radius * Vec2{std::cos(heading), std::sin(heading)};
-  const bool wall_behind = clearance_at(map, back) < here - 0.25 * radius;
+  const bool wall_behind = path::clearance_at(map, back) < here - 0.25 * radius;
   if (!wall_behind || widest < here + 0.75 * ahead) return std::nullopt;
   return heading;
 }
 
 }  // namespace
 
-std::vector<Placement> waiting_places(const FloorMap& map, const Placement& kiosk,
+std::vector<Placement> waiting_places(const path::FloorMap& map, const Placement& kiosk,
                                       std::size_t count, double radius,
                                       std::span<const Vec2> keep_clear) {
   std::vector<Candidate> candidates;
@@ -49,9 +49,9 @@ std::vector<Placement> waiting_places(const FloorMap& map, const Placement& kios
     for (int j = -steps; j <= steps; ++j) {
       const Vec2 at = kiosk.position + step * Vec2{i, j};
       const double cost = glm::distance(at, kiosk.position);
-      const double clearance = clearance_at(map, at);
-      if (cost > farthest || !is_inside(map, at) || clearance < radius + least_back ||
-          clearance > radius + most_back || !can_see(map, kiosk.position, at))
+      const double clearance = path::clearance_at(map, at);
+      if (cost > farthest || !path::is_inside(map, at) || clearance < radius + least_back ||
+          clearance > radius + most_back || !path::can_see(map, kiosk.position, at))
         continue;
       if (const auto heading = heading_at(map, at, radius))
         candidates.push_back({{at, *heading}, cost});
@@ -73,4 +73,4 @@ std::vector<Placement> waiting_places(const FloorMap& map, const Placement& kios
   return places;
 }
 
-}  // namespace docent
+}  // namespace docent::guide

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace docent {
+namespace docent::input {
 
 /// A finger on the glass. Screen frame after rotation.
 struct Contact {
@@ -35,4 +35,4 @@ struct InputEvent {
   char character = 0;   ///< Key::Character: 'A'..'Z', '0'..'9'. Key::Function: its number.
 };
 
-}  // namespace docent
+}  // namespace docent::input

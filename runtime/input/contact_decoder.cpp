@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 bool in_application(const ReportDescriptor& descriptor, const ReportField& field,
@@ -281,4 +281,4 @@ std::size_t contact_events(std::span<const Contact> before, std::span<const Cont
   return written;
 }
 
-}  // namespace docent
+}  // namespace docent::input

@@ -10,7 +10,7 @@
 #include "runtime/input/contact.h"
 #include "runtime/input/report_descriptor.h"
 
-namespace docent {
+namespace docent::input {
 
 inline constexpr std::size_t max_contacts = 64;
 
@@ -86,4 +86,4 @@ class ContactDecoder {
 std::size_t contact_events(std::span<const Contact> before, std::span<const Contact> after,
                            std::span<InputEvent> out) noexcept;
 
-}  // namespace docent
+}  // namespace docent::input

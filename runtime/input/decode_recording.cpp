@@ -6,7 +6,7 @@
 
 #include "runtime/input/hid_device_kind.h"
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 void append_contacts(std::string& csv, std::size_t report, std::span<const Contact> contacts,
@@ -55,4 +55,4 @@ Result<std::string> decode_recording(const HidRecording& recording) {
       fmt::format("{}: neither a touch screen nor a keypad: {}", recording.name, kind.ignored)});
 }
 
-}  // namespace docent
+}  // namespace docent::input

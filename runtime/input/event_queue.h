@@ -6,7 +6,7 @@
 
 #include "runtime/input/contact.h"
 
-namespace docent {
+namespace docent::input {
 
 /// Events on their way from one reader thread to the frame loop. One thread pushes, one pops;
 /// neither ever waits for the other and nothing allocates.
@@ -37,4 +37,4 @@ class EventQueue {
   std::atomic<std::size_t> tail_{0};
 };
 
-}  // namespace docent
+}  // namespace docent::input

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 /// A flick ends within this time, and goes mostly sideways.
@@ -53,4 +53,4 @@ void GestureRecogniser::advance(float seconds) noexcept {
   for (std::size_t i = 0; i < count_; ++i) fingers_[i].seconds += seconds;
 }
 
-}  // namespace docent
+}  // namespace docent::input

@@ -7,7 +7,7 @@
 
 #include "runtime/input/contact.h"
 
-namespace docent {
+namespace docent::input {
 
 /// A finger while it is on the glass.
 struct Finger {
@@ -52,4 +52,4 @@ class GestureRecogniser {
   std::size_t count_ = 0;
 };
 
-}  // namespace docent
+}  // namespace docent::input

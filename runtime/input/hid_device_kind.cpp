@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 std::string describe_other(const ReportDescriptor& descriptor) {
@@ -31,4 +31,4 @@ HidDeviceKind classify(const ReportDescriptor& descriptor) {
   return kind;
 }
 
-}  // namespace docent
+}  // namespace docent::input

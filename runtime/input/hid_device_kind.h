@@ -7,7 +7,7 @@
 #include "runtime/input/contact_decoder.h"
 #include "runtime/input/key_decoder.h"
 
-namespace docent {
+namespace docent::input {
 
 /// What a HID device is taken for, from its report descriptor alone.
 struct HidDeviceKind {
@@ -21,4 +21,4 @@ struct HidDeviceKind {
 /// keypad.
 HidDeviceKind classify(const ReportDescriptor& descriptor);
 
-}  // namespace docent
+}  // namespace docent::input

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 std::string_view next_word(std::string_view& text) {
@@ -77,4 +77,4 @@ Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view
   return recording;
 }
 
-}  // namespace docent
+}  // namespace docent::input

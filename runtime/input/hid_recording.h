@@ -8,7 +8,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::input {
 
 /// What a HID device said, in the text form of hid-recorder: `R:` descriptor, `N:` name, `I:` bus,
 /// vendor and product, `E:` time, size and bytes of each report.
@@ -21,4 +21,4 @@ struct HidRecording {
 /// Reads a recording; `file` names it in errors. Fails with line and sentence on text that is none.
 Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view file);
 
-}  // namespace docent
+}  // namespace docent::input

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <utility>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 constexpr std::uint16_t keyboard_page = 0x07;
@@ -194,4 +194,4 @@ std::size_t KeyDecoder::take(std::span<const std::byte> report, std::span<KeyEdg
   return written;
 }
 
-}  // namespace docent
+}  // namespace docent::input

@@ -11,7 +11,7 @@
 #include "runtime/input/contact.h"
 #include "runtime/input/report_descriptor.h"
 
-namespace docent {
+namespace docent::input {
 
 /// A key as the kiosk names it.
 struct KeyName {
@@ -61,4 +61,4 @@ class KeyDecoder {
   std::array<std::bitset<key_slots>, 256> down_by_report_{};
 };
 
-}  // namespace docent
+}  // namespace docent::input

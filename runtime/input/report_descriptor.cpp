@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace docent {
+namespace docent::input {
 namespace {
 
 // A HID descriptor is at most 4096 bytes in Linux, and a report at most 16 KiB; more is a fault.
@@ -285,4 +285,4 @@ ReportBytes split_report(const ReportDescriptor& descriptor,
   return {std::to_integer<std::uint8_t>(report[0]), report.subspan(1)};
 }
 
-}  // namespace docent
+}  // namespace docent::input

@@ -7,7 +7,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::input {
 
 /// A HID usage: its page in the upper half, its id in the lower (HID 1.11, section 5.5).
 using Usage = std::uint32_t;
@@ -82,4 +82,4 @@ struct ReportBytes {
 ReportBytes split_report(const ReportDescriptor& descriptor,
                          std::span<const std::byte> report) noexcept;
 
-}  // namespace docent
+}  // namespace docent::input

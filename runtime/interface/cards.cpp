@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/scene/look.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
 #include "runtime/interface/sheet.h"
+#include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 constexpr float card_margin = 2;  // units
@@ -25,37 +25,37 @@ float height_of_row(const Measures& m) noexcept {
 }
 
 /// A guide's coat with its pattern; `box` is what the pattern may cover.
-void draw_pattern(Sheet& sheet, const Look& look, const Box& box, float opacity,
+void draw_pattern(Sheet& sheet, const scene::Look& look, const Box& box, float opacity,
                   std::int32_t control) {
-  const Colour second = srgb(look.second, opacity);
+  const scene::Colour second = scene::srgb(look.second, opacity);
   const float w = box.width, h = box.height;
   const auto patch = [&](float x, float y, float width, float height, float corner) {
     sheet.fill({box.x + x * w, box.y + y * h, width * w, height * h}, second, corner, control);
   };
   switch (look.pattern) {
-    case CoatPattern::Plain:
+    case scene::CoatPattern::Plain:
       return;
-    case CoatPattern::Hoops:
+    case scene::CoatPattern::Hoops:
       for (const float y : {0.12F, 0.44F, 0.76F}) patch(0, y, 1, 0.16F, 0);
       return;
-    case CoatPattern::Stripes:
+    case scene::CoatPattern::Stripes:
       for (const float x : {0.12F, 0.44F, 0.76F}) patch(x, 0, 0.12F, 1, 0);
       return;
-    case CoatPattern::Yoke:
+    case scene::CoatPattern::Yoke:
       return patch(0, 0, 1, 0.32F, 0.1F * h);
-    case CoatPattern::Skirt:
+    case scene::CoatPattern::Skirt:
       return patch(0, 0.55F, 1, 0.45F, 0);
-    case CoatPattern::Sash:
+    case scene::CoatPattern::Sash:
       for (int i = 0; i < 9; ++i) {
         const float at = static_cast<float>(i) / 9;
         patch(at, at, 0.18F, 0.14F, 0.05F * w);
       }
       return;
-    case CoatPattern::Diamonds:
+    case scene::CoatPattern::Diamonds:
       for (const float y : {0.1F, 0.42F, 0.74F})
         for (const float x : {0.14F, 0.44F, 0.74F}) patch(x, y, 0.14F, 0.14F * w / h, 0.05F * w);
       return;
-    case CoatPattern::Checks:
+    case scene::CoatPattern::Checks:
       for (int i = 0; i < 5; ++i)
         for (int j = 0; j < 5; ++j)
           if ((i + j) % 2 == 0)
@@ -66,12 +66,13 @@ void draw_pattern(Sheet& sheet, const Look& look, const Box& box, float opacity,
 
 /// A guide as large as the box allows, standing on its lower edge. Lengths are shares of a guide of
 /// ordinary height.
-void draw_figure(Sheet& sheet, const Look& look, const Box& box, float opacity,
+void draw_figure(Sheet& sheet, const scene::Look& look, const Box& box, float opacity,
                  std::int32_t control) {
   constexpr float tallest = 1.07F, widest = 0.44F;
   const float h = std::min(box.height / tallest, box.width / widest);
   const float middle = box.x + box.width / 2, floor = box.bottom();
-  const auto part = [&](float x, float from, float to, float width, Colour colour, float corner) {
+  const auto part = [&](float x, float from, float to, float width, scene::Colour colour,
+                        float corner) {
     const Box at{middle + (x - width / 2) * h, floor - to * look.height * h, width * h,
                  (to - from) * look.height * h};
     sheet.fill(at, colour, corner * h, control);
@@ -79,20 +80,21 @@ void draw_figure(Sheet& sheet, const Look& look, const Box& box, float opacity,
   };
   const float wide = 0.34F * look.shoulders, leg = 0.115F * look.hips;
   for (const float side : {-0.52F, 0.52F}) {
-    part(side * leg, 0, 0.06F, leg, srgb(look.shoes, opacity), 0.02F);
-    part(side * leg, 0.04F, 0.45F, 0.95F * leg, srgb(look.trousers, opacity), 0.02F);
+    part(side * leg, 0, 0.06F, leg, scene::srgb(look.shoes, opacity), 0.02F);
+    part(side * leg, 0.04F, 0.45F, 0.95F * leg, scene::srgb(look.trousers, opacity), 0.02F);
   }
   const float hair = 0.1F + look.hair_volume, head = 0.88F;
-  part(0, head - hair + 0.015F, head + hair + 0.015F, 2 * hair, srgb(look.hair, opacity), hair);
+  part(0, head - hair + 0.015F, head + hair + 0.015F, 2 * hair, scene::srgb(look.hair, opacity),
+       hair);
   if (look.hair_length > 0)
-    part(0, head - look.hair_length, head, 0.2F, srgb(look.hair, opacity), 0.06F);
-  const Box coat = part(0, 0.34F, 0.79F, wide, srgb(look.coat, opacity), 0.09F);
+    part(0, head - look.hair_length, head, 0.2F, scene::srgb(look.hair, opacity), 0.06F);
+  const Box coat = part(0, 0.34F, 0.79F, wide, scene::srgb(look.coat, opacity), 0.09F);
   const float inset = 0.045F * h;
   draw_pattern(sheet, look,
                {coat.x + inset, coat.y + inset, coat.width - 2 * inset, coat.height - 2 * inset},
                opacity, control);
-  part(0, 0.74F, 0.82F, 0.09F, srgb(look.shirt, opacity), 0.03F);
-  part(0, head - 0.085F, head + 0.085F, 0.17F, srgb(look.skin, opacity), 0.085F);
+  part(0, 0.74F, 0.82F, 0.09F, scene::srgb(look.shirt, opacity), 0.03F);
+  part(0, head - 0.085F, head + 0.085F, 0.17F, scene::srgb(look.skin, opacity), 0.085F);
 }
 
 /// A band in the guide's colour along the card's upper edge: whose card it is.
@@ -102,7 +104,7 @@ void draw_band(Sheet& sheet, const Box& card) {
   if (look < 0) return;
   draw_stroke(sheet,
               {card.x + m.corner, card.y, card.width - 2 * m.corner, std::round(0.8F * m.unit)},
-              trail_colour(static_cast<std::size_t>(look)), 0, -1);
+              scene::trail_colour(static_cast<std::size_t>(look)), 0, -1);
 }
 
 /// Buttons side by side on the lowest row, those that this state has; returns its top.
@@ -128,7 +130,7 @@ void lay_out_vacant(Sheet& sheet, const Box& card) {
   const std::int32_t join = sheet.control("begin");
   sheet.place(join, card);
   if (sheet.request().state.glass == Glass::Quiet) return;
-  sheet.fill(card, with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
+  sheet.fill(card, scene::with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
   const Box inside = card.inset(card_margin * m.unit);
   const TextPiece words =
       sheet.fitted(sheet.style(Letters::Label, 3), sheet.word("join"), inside.width);
@@ -149,11 +151,11 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
   const float top = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
                                content.width, sheet.theme().ink, 2) +
                     gap;
-  constexpr std::uint32_t columns = 4, rows = guide_look_count / columns;
+  constexpr std::uint32_t columns = 4, rows = scene::guide_look_count / columns;
   const float width = std::floor((content.width - (columns - 1) * gap / 2) / columns);
   const float height = std::floor((bottom - gap - top - (rows - 1) * gap) / rows);
-  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
-    const std::int32_t control = sheet.control("look:" + std::string(looks[i].name));
+  for (std::uint32_t i = 0; i < scene::guide_look_count; ++i) {
+    const std::int32_t control = sheet.control("look:" + std::string(scene::looks[i].name));
     if (control < 0) continue;
     const std::uint32_t column = i % columns, row = i / columns;
     const Box cell{content.x + static_cast<float>(column) * (width + gap / 2),
@@ -165,7 +167,7 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
     const float pad = std::round(0.4F * m.unit);
     const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell.width - 2 * pad);
     const float words = std::ceil(style.size * style.line_height);
-    draw_figure(sheet, looks[i],
+    draw_figure(sheet, scene::looks[i],
                 {cell.x + pad, cell.y + pad, cell.width - 2 * pad, cell.height - 2 * pad - words},
                 it.enabled ? 1 : taken_opacity, control);
     if (!it.enabled) continue;
@@ -248,9 +250,9 @@ void lay_out_visit(Sheet& sheet, const Box& content) {
 
 /// All the guides side by side.
 void draw_guides(Sheet& sheet, const Box& box) {
-  const float width = box.width / guide_look_count;
-  for (std::size_t i = 0; i < guide_look_count; ++i)
-    draw_figure(sheet, looks[i],
+  const float width = box.width / scene::guide_look_count;
+  for (std::size_t i = 0; i < scene::guide_look_count; ++i)
+    draw_figure(sheet, scene::looks[i],
                 {box.x + (static_cast<float>(i) + 0.08F) * width, box.y, 0.84F * width, box.height},
                 1, -1);
 }
@@ -353,4 +355,4 @@ void lay_out_model(Sheet& sheet) {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::interface

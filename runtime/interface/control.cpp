@@ -7,10 +7,11 @@
 
 #include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
-constexpr std::array route_kinds{RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset};
+constexpr std::array route_kinds{path::RouteKind::Shortest, path::RouteKind::Skeleton,
+                                 path::RouteKind::Offset};
 
 /// A word in every language that has it.
 LocalText word_in_all(const Museum& museum, std::string_view key) {
@@ -51,7 +52,7 @@ void add_languages(const Museum& museum, const InterfaceState& state, std::vecto
 }
 
 void add_routes(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
-  for (const RouteKind kind : route_kinds) {
+  for (const path::RouteKind kind : route_kinds) {
     const std::string name(name_of(kind));
     Control control = button(museum, "route:" + name, "route_" + name,
                              {Action::Kind::TakeRoute, static_cast<std::uint32_t>(kind)});
@@ -63,8 +64,8 @@ void add_routes(const Museum& museum, const InterfaceState& state, std::vector<C
 
 /// The guides, of whom those that others have cannot be picked.
 void add_looks(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
-  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
-    const std::string name(looks[i].name);
+  for (std::uint32_t i = 0; i < scene::guide_look_count; ++i) {
+    const std::string name(scene::looks[i].name);
     Control control = button(museum, "look:" + name, "look_" + name, {Action::Kind::Pick, i});
     control.role = Role::Choice;
     control.selected = state.look == static_cast<int>(i);
@@ -216,7 +217,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.language = action.argument;
       break;
     case Action::Kind::TakeRoute:
-      state.kind = static_cast<RouteKind>(action.argument);
+      state.kind = static_cast<path::RouteKind>(action.argument);
       break;
     case Action::Kind::Return:
       if (state.exhibit < 0)
@@ -354,16 +355,16 @@ std::string_view in_language(const Museum& museum, std::uint32_t language,
   return text.empty() ? std::string_view{} : std::string_view(text.begin()->second);
 }
 
-std::string_view name_of(RouteKind kind) noexcept {
+std::string_view name_of(path::RouteKind kind) noexcept {
   switch (kind) {
-    case RouteKind::Skeleton:
+    case path::RouteKind::Skeleton:
       return "skeleton";
-    case RouteKind::Offset:
+    case path::RouteKind::Offset:
       return "offset";
-    case RouteKind::Shortest:
+    case path::RouteKind::Shortest:
       break;
   }
   return "shortest";
 }
 
-}  // namespace docent
+}  // namespace docent::interface

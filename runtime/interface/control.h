@@ -11,7 +11,7 @@
 #include "runtime/path/way.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// The faces of the kiosk.
 enum class Screen : std::uint8_t {
@@ -39,7 +39,7 @@ struct InterfaceState {
   std::uint32_t language = 0;  ///< Index into Museum::languages.
   std::uint32_t page = 0;      ///< Of the list of exhibits, on the choosing screen.
   std::int32_t exhibit = -1;   ///< Where the visitor is going or has arrived; -1: nowhere.
-  RouteKind kind = RouteKind::Shortest;
+  path::RouteKind kind = path::RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
   Glass glass = Glass::Whole;
   std::uint8_t seats = 0;  ///< Of a shared glass.
@@ -89,7 +89,8 @@ struct Control {
   Action action;
   bool selected = false;
   bool enabled = true;
-  Rect rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
+  scene::Rect
+      rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
 };
 
 /// The controls of a state in focus order, without their rectangles. `per_page` is how many
@@ -124,6 +125,6 @@ std::string_view word(const Museum& museum, std::uint32_t language, std::string_
 std::string_view in_language(const Museum& museum, std::uint32_t language,
                              const LocalText& text) noexcept;
 /// The stable name of a route kind: "shortest", "skeleton", "offset".
-std::string_view name_of(RouteKind kind) noexcept;
+std::string_view name_of(path::RouteKind kind) noexcept;
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <string>
 
-#include "runtime/scene/look.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
 #include "runtime/interface/sheet.h"
+#include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 /// The panel in pixels, left to right.
@@ -73,7 +73,7 @@ void lay_out_shared(Sheet& sheet) {
     add_floor_labels(sheet);
     return;
   }
-  const Rect card =
+  const scene::Rect card =
       card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
   lay_out_seat(sheet, {card.x * view.pixel_width, card.y * view.pixel_height,
                        card.width * view.pixel_width, card.height * view.pixel_height});
@@ -85,14 +85,14 @@ bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept {
   return language < museum.languages.size() && museum.languages[language].right_to_left;
 }
 
-Rect panel_of(const ScreenShape& shape) noexcept {
+scene::Rect panel_of(const ScreenShape& shape) noexcept {
   const Box box = panel_box(shape);
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   return {box.x / width, box.y / height, box.width / width, box.height / height};
 }
 
-Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept {
-  const Rect panel = panel_of(shape);
+scene::Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept {
+  const scene::Rect panel = panel_of(shape);
   if (!is_landscape(shape)) return {0, 0, 1, panel.y};
   return {right_to_left ? 0 : panel.width, 0, 1 - panel.width, 1};
 }
@@ -139,7 +139,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   Sheet sheet(museum, request, pieces, *view);
   view->accent = request.state.look < 0
                      ? sheet.theme().shortest
-                     : trail_colour(static_cast<std::size_t>(request.state.look));
+                     : scene::trail_colour(static_cast<std::size_t>(request.state.look));
   if (request.state.glass != Glass::Whole) {
     lay_out_shared(sheet);
     sheet.finish();
@@ -168,4 +168,4 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   return view;
 }
 
-}  // namespace docent
+}  // namespace docent::interface

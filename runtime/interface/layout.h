@@ -3,17 +3,17 @@
 #include <memory>
 #include <optional>
 
-#include "runtime/model/museum.h"
-#include "runtime/path/way.h"
 #include "runtime/interface/measures.h"
 #include "runtime/interface/piece_cache.h"
 #include "runtime/interface/view.h"
+#include "runtime/model/museum.h"
+#include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// What is known of the way that the guide is about to take.
 struct Trip {
-  RouteStatus status = RouteStatus::Ok;
+  path::RouteStatus status = path::RouteStatus::Ok;
   double metres = 0;
   double seconds = 0;
 
@@ -41,10 +41,10 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept;
 
 /// The panel and what it leaves free, left to right; a share of the screen.
-Rect panel_of(const ScreenShape& shape) noexcept;
-Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept;
+scene::Rect panel_of(const ScreenShape& shape) noexcept;
+scene::Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept;
 
 /// Does the language at this index run from right to left?
 bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept;
 
-}  // namespace docent
+}  // namespace docent::interface

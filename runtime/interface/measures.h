@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace docent {
+namespace docent::interface {
 
 /// The glass as the visitor sees it, after rotation.
 struct ScreenShape {
@@ -50,4 +50,4 @@ inline Measures measures_of(const ScreenShape& shape) noexcept {
   return m;
 }
 
-}  // namespace docent
+}  // namespace docent::interface

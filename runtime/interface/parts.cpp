@@ -3,13 +3,14 @@
 #include <array>
 #include <cmath>
 
-#include "runtime/scene/look.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/sheet.h"
+#include "runtime/scene/look.h"
 
-namespace docent {
+namespace docent::interface {
 
-void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control) {
+void draw_stroke(Sheet& sheet, const Box& box, scene::Colour colour, float corner,
+                 std::int32_t control) {
   constexpr float pale = 0.6F;  // linear light, from where paper is no ground for it
   if (colour.g > pale)
     sheet.fill(box.inset(-std::max(1.0F, 0.12F * sheet.measures().unit)), sheet.theme().quiet_ink,
@@ -20,22 +21,23 @@ void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std:
 namespace {
 
 /// A sample of a route kind's ribbon: solid, long dashes, round dots.
-void draw_pattern(Sheet& sheet, RouteKind kind, const Box& box, std::int32_t control) {
+void draw_pattern(Sheet& sheet, path::RouteKind kind, const Box& box, std::int32_t control) {
   const InterfaceState& state = sheet.request().state;
-  const Colour colour = state.look >= 0 ? trail_colour(static_cast<std::size_t>(state.look))
-                                        : route_colour(sheet.theme(), kind);
+  const scene::Colour colour = state.look >= 0
+                                   ? scene::trail_colour(static_cast<std::size_t>(state.look))
+                                   : scene::route_colour(sheet.theme(), kind);
   const float thick = box.height;
   switch (kind) {
-    case RouteKind::Shortest:
+    case path::RouteKind::Shortest:
       draw_stroke(sheet, box, colour, thick / 2, control);
       break;
-    case RouteKind::Skeleton: {
+    case path::RouteKind::Skeleton: {
       const float dash = (box.width - thick) / 2;
       for (const float x : {box.x, box.x + dash + thick})
         draw_stroke(sheet, {x, box.y, dash, thick}, colour, thick / 2, control);
       break;
     }
-    case RouteKind::Offset: {
+    case path::RouteKind::Offset: {
       constexpr int dots = 4;
       const float step = (box.width - thick) / (dots - 1);
       for (int i = 0; i < dots; ++i)
@@ -50,14 +52,14 @@ void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along)
   const Measures& m = sheet.measures();
   sheet.place(control, box);
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-  const auto kind = static_cast<RouteKind>(it.action.argument);
+  const auto kind = static_cast<path::RouteKind>(it.action.argument);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
 
   const bool narrow = along != Along::Column;
   TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
   style.weight = it.selected ? 600 : 400;
   style.line_height = style.right_to_left ? 1.25F : 1.1F;
-  const Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
+  const scene::Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
   const float pad = std::round(1.5F * m.unit), thick = std::round(0.9F * m.unit);
   const float sample = std::round((narrow ? 4.5F : 7) * m.unit);
   draw_pattern(sheet, kind,
@@ -176,4 +178,4 @@ float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name) 
   return top;
 }
 
-}  // namespace docent
+}  // namespace docent::interface

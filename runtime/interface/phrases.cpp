@@ -7,7 +7,7 @@
 
 #include "runtime/interface/control.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 /// The pieces of a UTF-8 text, one a character.
@@ -62,4 +62,4 @@ std::string time_in(const Museum& museum, std::uint32_t language, double seconds
   return filled_in(word(museum, language, key), "n", number_in(museum, language, minutes));
 }
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -6,7 +6,7 @@
 
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// `text` with every "{name}" replaced by `value`.
 std::string filled_in(std::string_view text, std::string_view name, std::string_view value);
@@ -21,4 +21,4 @@ std::string distance_in(const Museum& museum, std::uint32_t language, double met
 /// the languages of the world distinguish for such numbers (one, two, few, many).
 std::string time_in(const Museum& museum, std::uint32_t language, double seconds);
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -5,7 +5,7 @@
 
 #include "runtime/model/pixels.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// Makes an image of the museum ready to be drawn `width` by `height` pixels large: its largest
 /// middle part of that shape, made smaller. An image with too few pixels keeps those it has; one
@@ -14,4 +14,4 @@ namespace docent {
 using SetPicture =
     std::function<Pixels(std::uint32_t image, std::uint32_t width, std::uint32_t height)>;
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 std::string key_of(const TextStyle& s, std::string_view text, std::uint32_t width) {
@@ -48,21 +48,22 @@ TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::u
   return piece;
 }
 
-TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width, std::uint32_t height) {
+scene::TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width,
+                                     std::uint32_t height) {
   std::string key = key_of(image, width, height);
   if (const TextPiece* known = find(key)) return known->texture;
-  if (!makers_.set_picture) return TextureId::None;
+  if (!makers_.set_picture) return scene::TextureId::None;
   Pixels pixels = makers_.set_picture(image, width, height);
-  if (pixels.rgba.empty()) return TextureId::None;
-  const TextureId texture = free_texture();
+  if (pixels.rgba.empty()) return scene::TextureId::None;
+  const scene::TextureId texture = free_texture();
   keep(std::move(key), {.texture = texture},
        {.texture = texture, .text = {}, .picture = std::move(pixels)});
   return texture;
 }
 
-TextureId PieceCache::free_texture() {
-  if (free_.empty()) return static_cast<TextureId>(first_ + count_++);
-  const TextureId texture = free_.back();
+scene::TextureId PieceCache::free_texture() {
+  if (free_.empty()) return static_cast<scene::TextureId>(first_ + count_++);
+  const scene::TextureId texture = free_.back();
   free_.pop_back();
   return texture;
 }
@@ -106,4 +107,4 @@ std::unique_ptr<PieceChanges> PieceCache::end_view(std::uint32_t part) {
   return std::make_unique<PieceChanges>(std::exchange(changes_, {}));
 }
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -12,11 +12,11 @@
 #include "runtime/interface/text.h"
 #include "runtime/interface/view.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// A text in texture memory.
 struct TextPiece {
-  TextureId texture = TextureId::None;
+  scene::TextureId texture = scene::TextureId::None;
   float width = 0, height = 0;  ///< Pixels.
   std::uint32_t lines = 0;
   bool cut = false;
@@ -41,7 +41,7 @@ class PieceCache {
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
   /// The middle of an image of the museum, `width` by `height` pixels.
-  TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
+  scene::TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
 
   /// Ends a view of a part of the glass: what changed since the last one, or nothing.
   std::unique_ptr<PieceChanges> end_view(std::uint32_t part = 0);
@@ -61,7 +61,7 @@ class PieceCache {
   void keep(std::string key, const TextPiece& piece, PieceUpload upload);
   void note_what_shows(std::uint32_t part);
   void retire_unused();
-  TextureId free_texture();
+  scene::TextureId free_texture();
 
   /// Going back to one of these is quick.
   static constexpr std::uint64_t kept_views = 4;
@@ -71,8 +71,8 @@ class PieceCache {
   std::size_t budget_, bytes_ = 0;
   std::uint64_t view_ = 0;
   std::map<std::string, Entry, std::less<>> entries_;
-  std::vector<TextureId> free_;  ///< Descending.
+  std::vector<scene::TextureId> free_;  ///< Descending.
   PieceChanges changes_;
 };
 
-}  // namespace docent
+}  // namespace docent::interface

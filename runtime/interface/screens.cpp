@@ -5,7 +5,7 @@
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/sheet.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 /// In portrait the wide panel has two columns.
@@ -68,7 +68,7 @@ float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
   y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
 
   const std::optional<Trip>& trip = sheet.request().trip;
-  if (trip && trip->status == RouteStatus::Ok) {
+  if (trip && trip->status == path::RouteStatus::Ok) {
     prepare_remaining(sheet, style, *trip, box.x, y, box.width);
     return y + line + m.gap;
   }
@@ -230,4 +230,4 @@ void lay_out_arrived(Sheet& sheet, const Box& content) {
   sheet.piece(body, second.x, y, text_width, Align::Start, sheet.theme().ink);
 }
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 constexpr float least_mm = 100, least_units = 26;  // of a seat's width
@@ -19,23 +19,23 @@ std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept 
   return std::clamp(wanted, 1U, std::clamp(room, 1U, most_seats));
 }
 
-Rect strip_of(const ScreenShape& shape) noexcept {
+scene::Rect strip_of(const ScreenShape& shape) noexcept {
   const auto height = static_cast<float>(shape.height);
   const float strip =
       std::round(std::min(most_height * height, most_units * measures_of(shape).unit)) / height;
   return {0, 1 - strip, 1, strip};
 }
 
-Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
-  const Rect strip = strip_of(shape);
+scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
+  const scene::Rect strip = strip_of(shape);
   const float width = 1 / static_cast<float>(seats);
   return {static_cast<float>(seat) * width, strip.y, width, strip.height};
 }
 
-Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
+scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   const Measures m = measures_of(shape);
-  const Rect column = column_of(shape, seats, seat);
+  const scene::Rect column = column_of(shape, seats, seat);
   const float gap = std::round(m.unit);
   const float wide = std::floor(std::min(column.width * width - gap, most_units * m.unit));
   const float left = std::round(column.x * width + (column.width * width - wide) / 2);
@@ -43,4 +43,4 @@ Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) 
           column.height - (gap + m.gap) / height};
 }
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "runtime/scene/draw_list.h"
 #include "runtime/interface/measures.h"
+#include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// How many visitors at most use a glass at the same time.
 inline constexpr std::uint32_t most_seats = 8;
@@ -14,10 +14,10 @@ std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept;
 
 /// The lower edge of a shared glass, where the seats are; a share of the screen. The model keeps
 /// the rest, which is more than 55 %.
-Rect strip_of(const ScreenShape& shape) noexcept;
+scene::Rect strip_of(const ScreenShape& shape) noexcept;
 
 /// The part of the strip that is seat `seat`'s, counted from the left, and the card in its middle.
-Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
-Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
+scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
+scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 /// Capitals of Inter and Noto are this share of the letter size high.
@@ -43,7 +43,7 @@ std::string_view tag_of(const Museum& museum, std::uint32_t language) noexcept {
 }
 
 /// Turns over what is inside `all`.
-void mirror(Rect& rect, const Rect& all) noexcept {
+void mirror(scene::Rect& rect, const scene::Rect& all) noexcept {
   rect.x = 2 * all.x + all.width - rect.x - rect.width;
 }
 
@@ -67,7 +67,7 @@ std::int32_t Sheet::control(std::string_view name) const noexcept {
 }
 
 std::string_view Sheet::word(std::string_view key) const noexcept {
-  return docent::word(museum_, request_.state.language, key);
+  return interface::word(museum_, request_.state.language, key);
 }
 
 std::string_view Sheet::local(const LocalText& text) const noexcept {
@@ -103,22 +103,22 @@ TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
   return piece;
 }
 
-Rect Sheet::share_of(const Box& box) const noexcept {
+scene::Rect Sheet::share_of(const Box& box) const noexcept {
   return {box.x / width_, box.y / height_, box.width / width_, box.height / height_};
 }
 
-void Sheet::add(Quad quad, std::int32_t control) {
+void Sheet::add(scene::Quad quad, std::int32_t control) {
   view_.elements.push_back({quad, control});
 }
 
-void Sheet::fill(const Box& box, Colour colour, float corner, std::int32_t control) {
+void Sheet::fill(const Box& box, scene::Colour colour, float corner, std::int32_t control) {
   add({.rect = share_of(box), .colour = colour, .corner = corner / shorter_}, control);
 }
 
 void Sheet::shadow(const Box& box, float reach, float opacity) {
   add({.rect = share_of(box),
-       .fill = QuadFill::Shadow,
-       .colour = with_opacity(theme_.ink, opacity),
+       .fill = scene::QuadFill::Shadow,
+       .colour = scene::with_opacity(theme_.ink, opacity),
        .corner = measures_.corner / shorter_,
        .softness = reach / shorter_},
       -1);
@@ -128,11 +128,11 @@ void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_
   if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
   const float x = std::round(box.x), y = std::round(box.y);
   const Box whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
-  const TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
-                                            static_cast<std::uint32_t>(whole.height));
-  if (texture == TextureId::None) return;
+  const scene::TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
+                                                   static_cast<std::uint32_t>(whole.height));
+  if (texture == scene::TextureId::None) return;
   add({.rect = share_of(whole),
-       .fill = QuadFill::Image,
+       .fill = scene::QuadFill::Image,
        .colour = {1, 1, 1, 1},
        .texture = texture,
        .corner = corner / shorter_},
@@ -151,24 +151,27 @@ float Sheet::whole_image(const Box& box, std::uint32_t image, float corner) {
   return height;
 }
 
-Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
-                    Colour colour) const {
+scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
+                           scene::Colour colour) const {
   const float spare = width - piece.width;
   if (align == Align::Centre) x += spare / 2;
   if (align == Align::End) x += spare;
   const Box box{std::round(x), std::round(y), piece.width, piece.height};
-  return {
-      .rect = share_of(box), .fill = QuadFill::Text, .colour = colour, .texture = piece.texture};
+  return {.rect = share_of(box),
+          .fill = scene::QuadFill::Text,
+          .colour = colour,
+          .texture = piece.texture};
 }
 
 float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align align,
-                   Colour colour, std::int32_t control) {
-  if (piece.texture != TextureId::None) add(quad_of(piece, x, y, width, align, colour), control);
+                   scene::Colour colour, std::int32_t control) {
+  if (piece.texture != scene::TextureId::None)
+    add(quad_of(piece, x, y, width, align, colour), control);
   return y + piece.height;
 }
 
 float Sheet::text(Letters letters, std::string_view text, float x, float y, float width,
-                  Colour colour, std::uint16_t max_lines) {
+                  scene::Colour colour, std::uint16_t max_lines) {
   return piece(fitted(style(letters, max_lines), text, width), x, y, width, Align::Start, colour);
 }
 
@@ -183,8 +186,8 @@ void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
   const bool strong = emphasis == Emphasis::Strong;
   if (emphasis != Emphasis::Plain && it.enabled)
     fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
-  Colour colour = strong ? theme_.paper : theme_.ink;
-  if (!it.enabled) colour = with_opacity(theme_.quiet_ink, 0.35F);
+  scene::Colour colour = strong ? theme_.paper : theme_.ink;
+  if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
   TextStyle look = style(Letters::Label);
   const float pad = measures_.unit * 1.5F;
   TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
@@ -214,12 +217,12 @@ void Sheet::lie_on(const Box& card, float letters) {
 }
 
 bool Sheet::is_crowded() const {
-  std::vector<Rect> texts;
+  std::vector<scene::Rect> texts;
   for (const Element& element : view_.elements)
-    if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+    if (element.quad.fill == scene::QuadFill::Text) texts.push_back(element.quad.rect);
   if (!view_.remaining.empty()) texts.push_back(view_.remaining.back().quad.rect);
   const float slack = 2 / height_;  // texts are moved to whole pixels
-  const auto overlap = [slack](const Rect& a, const Rect& b) {
+  const auto overlap = [slack](const scene::Rect& a, const scene::Rect& b) {
     return a.x < b.x + b.width && b.x < a.x + a.width && a.y + slack < b.y + b.height &&
            b.y + slack < a.y + a.height;
   };
@@ -238,4 +241,4 @@ void Sheet::finish() {
   for (CountedText& text : view_.remaining) mirror(text.quad.rect, turned_);
 }
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -5,7 +5,7 @@
 #include "runtime/interface/layout.h"
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::interface {
 
 enum class Align : std::uint8_t { Start, Centre, End };
 
@@ -36,7 +36,7 @@ class Sheet {
   Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
 
   const Measures& measures() const noexcept { return measures_; }
-  const Theme& theme() const noexcept { return theme_; }
+  const scene::Theme& theme() const noexcept { return theme_; }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
   View& view() noexcept { return view_; }
@@ -50,7 +50,7 @@ class Sheet {
   /// A text that is at most `width` wide, set smaller, down to 7/10, where it does not fit.
   TextPiece fitted(TextStyle style, std::string_view text, float width);
 
-  void fill(const Box& box, Colour colour, float corner, std::int32_t control = -1);
+  void fill(const Box& box, scene::Colour colour, float corner, std::int32_t control = -1);
   void shadow(const Box& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
   void image(const Box& box, std::uint32_t image, float corner, std::int32_t control = -1);
@@ -58,11 +58,11 @@ class Sheet {
   /// given up for width. Returns its height.
   float whole_image(const Box& box, std::uint32_t image, float corner);
   /// Draws a piece with its top at `y`; returns its bottom.
-  float piece(const TextPiece& piece, float x, float y, float width, Align align, Colour colour,
-              std::int32_t control = -1);
+  float piece(const TextPiece& piece, float x, float y, float width, Align align,
+              scene::Colour colour, std::int32_t control = -1);
   /// Sets and draws; returns the bottom.
-  float text(Letters letters, std::string_view text, float x, float y, float width, Colour colour,
-             std::uint16_t max_lines = 1);
+  float text(Letters letters, std::string_view text, float x, float y, float width,
+             scene::Colour colour, std::uint16_t max_lines = 1);
 
   /// Gives a control its rectangle.
   void place(std::int32_t control, const Box& box);
@@ -70,9 +70,9 @@ class Sheet {
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const Box& box, Emphasis emphasis);
 
-  Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
-               Colour colour) const;
-  Rect share_of(const Box& box) const noexcept;
+  scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
+                      scene::Colour colour) const;
+  scene::Rect share_of(const Box& box) const noexcept;
   /// Marks what is drawn from now on as the panel's own.
   void draw_panel(const Box& box);
   /// All is drawn inside this card, anew, with letters of that share of their size: finish() turns
@@ -84,17 +84,17 @@ class Sheet {
   void finish();
 
  private:
-  void add(Quad quad, std::int32_t control);
+  void add(scene::Quad quad, std::int32_t control);
 
   const Museum& museum_;
   const ViewRequest& request_;
   PieceCache& pieces_;
   View& view_;
   Measures measures_;
-  Theme theme_;
+  scene::Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
-  Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
+  scene::Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
   float letters_ = 1;
 };
 
@@ -126,7 +126,8 @@ struct ListShape {
 ListShape list_shape(const ScreenShape& shape) noexcept;
 
 /// A stroke in a way's colour, outlined where paper would swallow it.
-void draw_stroke(Sheet& sheet, const Box& box, Colour colour, float corner, std::int32_t control);
+void draw_stroke(Sheet& sheet, const Box& box, scene::Colour colour, float corner,
+                 std::int32_t control);
 
 /// Exhibit `i` on a card: its picture, title and gallery.
 void draw_card(Sheet& sheet, std::int32_t control, const Box& box);
@@ -138,4 +139,4 @@ void draw_languages(Sheet& sheet, const Box& box);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.
 float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name);
 
-}  // namespace docent
+}  // namespace docent::interface

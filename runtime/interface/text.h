@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent {
+namespace docent::interface {
 
 enum class Family : std::uint8_t { Sans, Serif };
 
@@ -38,4 +38,4 @@ struct TextBitmap {
 using SetText =
     std::function<TextBitmap(const TextStyle& style, std::string_view text, std::uint32_t width)>;
 
-}  // namespace docent
+}  // namespace docent::interface

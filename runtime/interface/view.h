@@ -4,29 +4,29 @@
 #include <memory>
 #include <vector>
 
-#include "runtime/model/pixels.h"
 #include "runtime/interface/control.h"
-#include "runtime/scene/draw_list.h"
 #include "runtime/interface/text.h"
+#include "runtime/model/pixels.h"
+#include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::interface {
 
 /// A piece of a view that goes into texture memory under `texture` before the next frame is drawn.
 struct PieceUpload {
-  TextureId texture = TextureId::None;
+  scene::TextureId texture = scene::TextureId::None;
   TextBitmap text;  ///< One of the two is empty.
   Pixels picture;
 };
 
 /// What the worker's cache of pieces changed; to be applied in order, retired ones first.
 struct PieceChanges {
-  std::vector<TextureId> retired;
+  std::vector<scene::TextureId> retired;
   std::vector<PieceUpload> uploads;
 };
 
 /// A rectangle of a view, in the order to be drawn.
 struct Element {
-  Quad quad;
+  scene::Quad quad;
   std::int32_t control = -1;  ///< Index of the control it belongs to: it is pressed with it.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
   bool stays = false;  ///< Also in the view before or after this one: the frame thread's note.
@@ -36,17 +36,17 @@ struct Element {
 struct FloorLabel {
   Vec2 position{};   ///< Floor frame.
   float height = 0;  ///< Metres above the floor.
-  TextureId texture = TextureId::None;
+  scene::TextureId texture = scene::TextureId::None;
   float width_px = 0, height_px = 0;
   std::int32_t control = -1;  ///< The spot it marks; -1: it only names.
   bool on_disc = false;       ///< Drawn on a small disc.
-  Rect rect;                  ///< Screen frame, where it was projected last; follows the camera.
+  scene::Rect rect;           ///< Screen frame, where it was projected last; follows the camera.
 };
 
 /// A text out of a row of prepared ones: shown while at most `metres` remain.
 struct CountedText {
   float metres = 0;
-  Quad quad;
+  scene::Quad quad;
 };
 
 /// What the interface shows in one state: made on the worker, shown by the frame thread, which only
@@ -59,12 +59,12 @@ struct View {
   std::vector<Element> elements;
   std::vector<FloorLabel> labels;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where nothing is counted.
-  Rect panel;                          ///< Screen frame.
-  Rect free{0, 0, 1, 1};               ///< What is left to the model; at least 55 % of the screen.
+  scene::Rect panel;                   ///< Screen frame.
+  scene::Rect free{0, 0, 1, 1};        ///< What is left to the model; at least 55 % of the screen.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen, for texel for pixel labels.
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.
-  Colour accent;                            ///< Of the rings that answer touches.
+  scene::Colour accent;                     ///< Of the rings that answer touches.
 };
 
-}  // namespace docent
+}  // namespace docent::interface

@@ -11,7 +11,7 @@ extern "C" const char __executable_start, etext;
 
 namespace {
 
-thread_local docent::Allocations counted;
+thread_local docent::kiosk::Allocations counted;
 
 /// Is this address in the program's own code?
 bool is_own(const void* caller) noexcept {
@@ -94,7 +94,7 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
 
-namespace docent {
+namespace docent::kiosk {
 
 /// Blocks above the threshold are mappings of their own, which go back to the system when freed and
 /// of which only what was written is in memory. Left to itself glibc would raise the threshold with
@@ -115,4 +115,4 @@ Allocations allocations_on_this_thread() noexcept {
   return counted;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

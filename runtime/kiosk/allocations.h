@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace docent {
+namespace docent::kiosk {
 
 /// Calls of operator new on one thread since it began.
 struct Allocations {
@@ -18,4 +18,4 @@ enum class Phase : std::uint8_t { Start, Frames };
 /// Tells glibc's allocator what is to come, so that it keeps little of what starting takes.
 void prepare_allocator_for(Phase phase) noexcept;
 
-}  // namespace docent
+}  // namespace docent::kiosk

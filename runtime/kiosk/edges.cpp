@@ -5,7 +5,7 @@
 
 #include "platform/kms/kms_display.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 constexpr PixelSize usual_size{1920, 1080};
@@ -28,7 +28,7 @@ PixelSize turned(PixelSize size, Rotation rotation) noexcept {
 
 Result<void> open_headless_edge(const EdgeSettings& settings, PixelSize size, Edges& edges) {
   // In memory nothing hangs turned: the picture is as the visitor would see it.
-  auto display = open_headless(turned(size, settings.rotation));
+  auto display = headless::open_headless(turned(size, settings.rotation));
   if (!display) return std::unexpected(display.error());
   edges.headless = display->get();
   edges.rotation = Rotation::None;
@@ -37,7 +37,7 @@ Result<void> open_headless_edge(const EdgeSettings& settings, PixelSize size, Ed
 }
 
 Result<void> open_window_edge(PixelSize size, Edges& edges) {
-  auto display = open_window(size);
+  auto display = x11::open_window(size);
   if (!display) return std::unexpected(display.error());
   edges.window = display->get();
   edges.display = std::move(*display);
@@ -47,12 +47,12 @@ Result<void> open_window_edge(PixelSize size, Edges& edges) {
 Result<void> open_display(const EdgeSettings& settings, Edges& edges) {
   DisplayKind kind = settings.kind;
   if (kind == DisplayKind::Auto)
-    kind = is_kms_free() ? DisplayKind::Kms
-                         : (has_desktop() ? DisplayKind::Window : DisplayKind::Headless);
+    kind = kms::is_kms_free() ? DisplayKind::Kms
+                              : (has_desktop() ? DisplayKind::Window : DisplayKind::Headless);
   const PixelSize size = settings.size.width > 0 ? settings.size : usual_size;
   if (kind == DisplayKind::Headless) return open_headless_edge(settings, size, edges);
   if (kind == DisplayKind::Window) return open_window_edge(size, edges);
-  auto display = open_kms(settings.size);
+  auto display = kms::open_kms(settings.size);
   if (!display) return std::unexpected(display.error());
   edges.display = std::move(*display);
   return {};
@@ -69,7 +69,7 @@ Result<Edges> open_edges(const EdgeSettings& settings) {
   if (edges.headless != nullptr && settings.hid.empty()) return edges;
   // A window has mouse and keyboard; the kiosk's own glass is for the console.
   if (edges.window != nullptr && settings.hid.empty()) return edges;
-  auto devices = InputDevices::open(settings.hid);
+  auto devices = hid::InputDevices::open(settings.hid);
   if (!devices) return std::unexpected(devices.error());
   edges.devices = std::move(*devices);
   return edges;
@@ -82,7 +82,7 @@ RenderTarget target_of(const Edges& edges) noexcept {
   return target;
 }
 
-Contact turned(Contact contact, Rotation rotation) noexcept {
+input::Contact turned(input::Contact contact, Rotation rotation) noexcept {
   const float x = contact.x, y = contact.y;
   switch (rotation) {
     case Rotation::Quarter:
@@ -97,12 +97,13 @@ Contact turned(Contact contact, Rotation rotation) noexcept {
   return contact;
 }
 
-std::size_t arrived(Edges& edges, std::span<InputEvent> out) noexcept {
+std::size_t arrived(Edges& edges, std::span<input::InputEvent> out) noexcept {
   std::size_t count = 0;
   if (edges.window != nullptr) count += edges.window->arrived(out);
   if (edges.devices) count += edges.devices->arrived(out.subspan(count));
-  for (InputEvent& event : out.first(count)) event.contact = turned(event.contact, edges.rotation);
+  for (input::InputEvent& event : out.first(count))
+    event.contact = turned(event.contact, edges.rotation);
   return count;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

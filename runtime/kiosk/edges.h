@@ -12,15 +12,15 @@
 #include "runtime/kiosk/options.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// The screen and the glass, whichever they are. `headless` and `window` point into `display` where
 /// it is one of those.
 struct Edges {
   std::unique_ptr<Display> display;
-  HeadlessDisplay* headless = nullptr;
-  WindowDisplay* window = nullptr;
-  std::optional<InputDevices> devices;
+  headless::HeadlessDisplay* headless = nullptr;
+  x11::WindowDisplay* window = nullptr;
+  std::optional<hid::InputDevices> devices;
   Rotation rotation = Rotation::None;
 };
 
@@ -40,9 +40,9 @@ Result<Edges> open_edges(const EdgeSettings& settings);
 RenderTarget target_of(const Edges& edges) noexcept;
 
 /// Writes what happened since the last call, in the visitor's screen frame; returns how many.
-std::size_t arrived(Edges& edges, std::span<InputEvent> out) noexcept;
+std::size_t arrived(Edges& edges, std::span<input::InputEvent> out) noexcept;
 
 /// A contact of the panel's frame as the visitor sees it.
-Contact turned(Contact contact, Rotation rotation) noexcept;
+input::Contact turned(input::Contact contact, Rotation rotation) noexcept;
 
-}  // namespace docent
+}  // namespace docent::kiosk

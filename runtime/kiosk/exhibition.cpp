@@ -3,11 +3,11 @@
 #include <span>
 #include <utility>
 
-#include "platform/pango/text_setter.h"
 #include "platform/image/image.h"
+#include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 /// A picture on a wall of the model is seldom larger on the screen, and never what one looks at.
@@ -16,7 +16,7 @@ constexpr std::uint32_t scenery_picture_side = 144;
 /// A picture that cannot be decoded is left out: its exhibit is shown without one.
 Pixels decode(const Museum& museum, std::uint32_t image) {
   if (image >= museum.images.size()) return {};
-  return decode_image(museum.images[image].bytes).value_or(Pixels{});
+  return image::decode_image(museum.images[image].bytes).value_or(Pixels{});
 }
 
 /// The guide walks with one radius; labels of the others would lie in memory for the rare way that
@@ -32,10 +32,10 @@ void keep_what_is_walked(Museum& museum) {
 }  // namespace
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
-                                                    const GuideSettings& settings) {
-  Result<Museum> museum = load_museum(database);
+                                                    const guide::GuideSettings& settings) {
+  Result<Museum> museum = sqlite::load_museum(database);
   if (!museum) return std::unexpected(museum.error());
-  Result<SetText> set_text = make_text_setter();
+  Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
 
   auto exhibition = std::make_unique<Exhibition>();
@@ -46,28 +46,33 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
   const Museum& kept = exhibition->museum;
   for (std::uint32_t image = 0; image < kept.images.size(); ++image)
-    exhibition->scenery_pictures.push_back(shrink(decode(kept, image), scenery_picture_side));
-  SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width, std::uint32_t height) {
-    return fill(decode(kept, image), width, height);
+    exhibition->scenery_pictures.push_back(
+        image::shrink(decode(kept, image), scenery_picture_side));
+  interface::SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width,
+                                              std::uint32_t height) {
+    return image::fill(decode(kept, image), width, height);
   };
-  const PlannerSize size = planner_size(kept, settings);
-  exhibition->planner = std::make_unique<Planner>(
-      kept, PieceMakers{std::move(*set_text), std::move(set_picture)}, size.avatars, size.parts);
-  exhibition->guide = std::make_unique<Guide>(exhibition->museum, *exhibition->planner, settings);
+  const guide::PlannerSize size = guide::planner_size(kept, settings);
+  exhibition->planner = std::make_unique<plan::Planner>(
+      kept, interface::PieceMakers{std::move(*set_text), std::move(set_picture)}, size.avatars,
+      size.parts);
+  exhibition->guide =
+      std::make_unique<guide::Guide>(exhibition->museum, *exhibition->planner, settings);
   return exhibition;
 }
 
-void upload(Exhibition& exhibition, Renderer& renderer) {
-  std::vector<TextureId>& memory = exhibition.scenery_memory;
+void upload(Exhibition& exhibition, gles::Renderer& renderer) {
+  std::vector<scene::TextureId>& memory = exhibition.scenery_memory;
   for (const Pixels& picture : exhibition.scenery_pictures)
     memory.push_back(renderer.upload_scenery_image(picture));
   exhibition.scenery_pictures = {};
 
   const Museum& museum = exhibition.museum;
-  std::vector<TextureId> picture_of;
+  std::vector<scene::TextureId> picture_of;
   picture_of.reserve(museum.exhibits.size());
   for (const Exhibit& exhibit : museum.exhibits)
-    picture_of.push_back(exhibit.image < memory.size() ? memory[exhibit.image] : TextureId::None);
+    picture_of.push_back(exhibit.image < memory.size() ? memory[exhibit.image]
+                                                       : scene::TextureId::None);
   for (std::uint32_t i = 0; i < museum.scenery.size(); ++i)
     renderer.upload_scenery(i, museum.scenery[i], picture_of);
   renderer.upload_avatar(museum.avatar);
@@ -77,18 +82,18 @@ void upload(Exhibition& exhibition, Renderer& renderer) {
   exhibition.museum.avatar.indices = {};
 }
 
-void release(const Exhibition& exhibition, Renderer& renderer) noexcept {
-  for (const std::span<const TextureId> all :
-       {exhibition.guide->memory(), std::span<const TextureId>(exhibition.scenery_memory)})
-    for (const TextureId memory : all)
-      if (memory != TextureId::None) renderer.release(memory);
+void release(const Exhibition& exhibition, gles::Renderer& renderer) noexcept {
+  for (const std::span<const scene::TextureId> all :
+       {exhibition.guide->memory(), std::span<const scene::TextureId>(exhibition.scenery_memory)})
+    for (const scene::TextureId memory : all)
+      if (memory != scene::TextureId::None) renderer.release(memory);
 }
 
-void apply_pieces(Guide& guide, Renderer& renderer) noexcept {
-  while (const std::unique_ptr<PieceChanges> changes = guide.take_pieces()) {
-    for (const TextureId piece : changes->retired) {
+void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
+  while (const std::unique_ptr<interface::PieceChanges> changes = guide.take_pieces()) {
+    for (const scene::TextureId piece : changes->retired) {
       renderer.release(guide.memory_of(piece));
-      guide.bind(piece, TextureId::None);
+      guide.bind(piece, scene::TextureId::None);
     }
     for (const auto& [piece, text, picture] : changes->uploads)
       guide.bind(piece, picture.rgba.empty()
@@ -97,4 +102,4 @@ void apply_pieces(Guide& guide, Renderer& renderer) noexcept {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

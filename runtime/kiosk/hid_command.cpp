@@ -13,7 +13,7 @@
 #include "runtime/input/decode_recording.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 constexpr int wrong_usage = 2;
@@ -24,18 +24,18 @@ int say(const Error& error) {
 }
 
 int list(bool as_json) {
-  std::vector<HidDevice> devices = list_hid_devices();
-  try_to_open(devices);
-  fmt::print("{}", as_json ? describe_devices_json(devices) : describe_devices(devices));
+  std::vector<hid::HidDevice> devices = hid::list_hid_devices();
+  hid::try_to_open(devices);
+  fmt::print("{}", as_json ? hid::describe_devices_json(devices) : hid::describe_devices(devices));
   return 0;
 }
 
 int decode(const std::string& file) {
-  const Result<std::string> text = read_file(file);
+  const Result<std::string> text = file::read_file(file);
   if (!text) return say(text.error());
-  const Result<HidRecording> recording = parse_hid_recording(*text, file);
+  const Result<input::HidRecording> recording = input::parse_hid_recording(*text, file);
   if (!recording) return say(recording.error());
-  const Result<std::string> csv = decode_recording(*recording);
+  const Result<std::string> csv = input::decode_recording(*recording);
   if (!csv) return say({csv.error().code, file + ": " + csv.error().what});
   fmt::print("{}", *csv);
   return 0;
@@ -56,4 +56,4 @@ int run_hid_command(std::span<const char* const> arguments) {
   return asked ? 0 : wrong_usage;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -24,7 +24,7 @@
 #include "runtime/kiosk/visit_player.h"
 #include "runtime/model/last_catch.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
@@ -60,7 +60,7 @@ void say(const std::vector<Diagnostic>& mistakes) {
       fmt::print(stderr, "... and {} more\n", mistakes.size() - i);
       return;
     }
-    fmt::print(stderr, "{}", to_text(mistakes[i]));
+    fmt::print(stderr, "{}", config::to_text(mistakes[i]));
   }
 }
 
@@ -70,7 +70,7 @@ bool has_error(const std::vector<Diagnostic>& mistakes) {
 }
 
 /// The command line over kiosk.toml.
-EdgeSettings edge_settings(const Options& options, const KioskConfig& config) {
+EdgeSettings edge_settings(const Options& options, const config::KioskConfig& config) {
   EdgeSettings settings;
   settings.kind = options.display.value_or(display_named(config.display));
   settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
@@ -80,8 +80,8 @@ EdgeSettings edge_settings(const Options& options, const KioskConfig& config) {
   return settings;
 }
 
-ScreenShape shape_of(PixelSize size, const KioskConfig& config) {
-  ScreenShape shape;
+interface::ScreenShape shape_of(PixelSize size, const config::KioskConfig& config) {
+  interface::ScreenShape shape;
   shape.width = size.width;
   shape.height = size.height;
   shape.diagonal_inches = static_cast<float>(config.screen_inches);
@@ -92,8 +92,8 @@ ScreenShape shape_of(PixelSize size, const KioskConfig& config) {
 /// One run of the kiosk: the edges, the guide, and the loop that joins them.
 class Kiosk {
  public:
-  Kiosk(const Options& options, const KioskConfig& config, Edges edges, Renderer renderer,
-        std::chrono::nanoseconds started)
+  Kiosk(const Options& options, const config::KioskConfig& config, Edges edges,
+        gles::Renderer renderer, std::chrono::nanoseconds started)
       : options_(options),
         config_(config),
         edges_(std::move(edges)),
@@ -107,16 +107,16 @@ class Kiosk {
   Result<void> run();
 
  private:
-  GuideSettings guide_settings() const {
+  guide::GuideSettings guide_settings() const {
     return {.shape = shape_of(target_of(edges_).size, config_),
             .idle_reset = config_.idle_reset,
             .visitors = static_cast<std::uint32_t>(config_.visitors)};
   }
-  Guide& guide() noexcept { return *exhibition_->guide; }
+  guide::Guide& guide() noexcept { return *exhibition_->guide; }
 
-  Seconds since_last_frame() noexcept;
+  guide::Seconds since_last_frame() noexcept;
   void take_input() noexcept;
-  void make_frame(Seconds passed) noexcept;
+  void make_frame(guide::Seconds passed) noexcept;
   bool is_seen() const noexcept;
   void tell_seats();
   Result<void> frame();
@@ -125,10 +125,10 @@ class Kiosk {
   bool is_over() const noexcept;
 
   const Options& options_;
-  const KioskConfig& config_;
+  const config::KioskConfig& config_;
   Edges edges_;
-  Renderer renderer_;
-  GpuTimer gpu_timer_;
+  gles::Renderer renderer_;
+  gles::GpuTimer gpu_timer_;
   bool simulated_;
   std::chrono::nanoseconds started_;
   std::filesystem::path database_;
@@ -137,9 +137,9 @@ class Kiosk {
   std::optional<VisitPlayer> visit_;
   std::optional<Recorder> recorder_;
   Statistics statistics_;
-  GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
-  FrameClock clock_;
-  std::array<InputEvent, 256> events_{};
+  guide::GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
+  clock::FrameClock clock_;
+  std::array<input::InputEvent, 256> events_{};
   double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
   double last_command_ = 0;
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
@@ -190,7 +190,7 @@ Result<void> Kiosk::run() {
   while (!is_over() && edges_.display->wait_for_page_flip())
     if (const Result<void> made = frame(); !made) return made;
 
-  GuideCounters counters = guide().counters();
+  guide::GuideCounters counters = guide().counters();
   counters += counted_;
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
@@ -201,9 +201,9 @@ Result<void> Kiosk::run() {
   return {};
 }
 
-Seconds Kiosk::since_last_frame() noexcept {
-  if (simulated_) return Seconds(statistics_.frames == 0 ? 0 : frame_seconds);
-  const Seconds passed = clock_.since_last_frame();
+guide::Seconds Kiosk::since_last_frame() noexcept {
+  if (simulated_) return guide::Seconds(statistics_.frames == 0 ? 0 : frame_seconds);
+  const guide::Seconds passed = clock_.since_last_frame();
   const double periods = std::round(passed.count() / frame_seconds);
   if (statistics_.frames > 0 && periods > 1)
     statistics_.dropped_frames += static_cast<std::uint64_t>(periods) - 1;
@@ -212,24 +212,25 @@ Seconds Kiosk::since_last_frame() noexcept {
 
 void Kiosk::take_input() noexcept {
   const std::size_t count = arrived(edges_, events_);
-  for (const InputEvent& event : std::span(events_).first(count)) guide().touch(event);
-  if (count > 0) touched_ = monotonic_now();
+  for (const input::InputEvent& event : std::span(events_).first(count)) guide().touch(event);
+  if (count > 0) touched_ = clock::monotonic_now();
 }
 
 Result<void> Kiosk::frame() {
   take_up_content();
-  const Seconds passed = since_last_frame();
+  const guide::Seconds passed = since_last_frame();
   time_ = simulated_ ? static_cast<double>(statistics_.frames) * frame_seconds
                      : time_ + static_cast<double>(passed.count());
   const std::uint64_t touches = guide().counters().touches;
   if (visit_)
     if (const Result<void> played = visit_->play(time_, guide()); !played) return played;
   touched_.reset();
-  if (guide().counters().touches != touches) touched_ = monotonic_now();
+  if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
   make_frame(passed);
-  if (statistics_.frames++ == 0) statistics_.start_to_first_frame = monotonic_now() - started_;
-  if (touched_) statistics_.input_to_frame.add(monotonic_now() - *touched_);
+  if (statistics_.frames++ == 0)
+    statistics_.start_to_first_frame = clock::monotonic_now() - started_;
+  if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);
   return record();
 }
 
@@ -252,7 +253,7 @@ std::uint64_t own_allocations_since(const Allocations& before) noexcept {
 }
 
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
-void Kiosk::make_frame(Seconds passed) noexcept {
+void Kiosk::make_frame(guide::Seconds passed) noexcept {
   const RenderTarget target = target_of(edges_);
   const Allocations before = allocations_on_this_thread();
   const auto begun = thread_cpu_now();
@@ -263,7 +264,7 @@ void Kiosk::make_frame(Seconds passed) noexcept {
   const auto stepped = thread_cpu_now();
   apply_pieces(guide(), renderer_);
   const auto applied = thread_cpu_now();
-  const DrawList& list = guide().draw_list();
+  const scene::DrawList& list = guide().draw_list();
   const auto listed = thread_cpu_now();
   const Allocations made = allocations_on_this_thread();
   const bool seen = is_seen();
@@ -296,7 +297,7 @@ Result<void> Kiosk::record() {
   if (frame_due)
     if (const Result<void> written = recorder_->add_frame(picture); !written) return written;
   for (const std::filesystem::path& shot : shots)
-    if (const Result<void> written = write_png(shot, picture); !written) return written;
+    if (const Result<void> written = image::write_png(shot, picture); !written) return written;
   return {};
 }
 
@@ -342,16 +343,16 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
     say(visit->mistakes);
     if (!visit->mistakes.empty()) return 1;
   }
-  if (options.config_given && !is_there(options.config))
+  if (options.config_given && !file::is_there(options.config))
     return say({Errc::NotFound, options.config.string() + ": there is no such settings file"});
-  const Loaded<KioskConfig> config = load_kiosk_config(options.config);
+  const config::Loaded<config::KioskConfig> config = config::load_kiosk_config(options.config);
   say(config.diagnostics);
   if (has_error(config.diagnostics) || !config.value) return 1;
 
   expect_end();
   Result<Edges> edges = open_edges(edge_settings(options, *config.value));
   if (!edges) return say(edges.error());
-  Result<Renderer> renderer = make_renderer();
+  Result<gles::Renderer> renderer = gles::make_renderer();
   if (!renderer) return say(renderer.error());
   Kiosk kiosk(options, *config.value, std::move(*edges), std::move(*renderer), started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
@@ -359,4 +360,4 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   return 0;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

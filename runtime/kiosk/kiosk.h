@@ -5,7 +5,7 @@
 #include "runtime/kiosk/options.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// From here on SIGHUP asks for a new database. The first thing in main(): a hang-up of the console
 /// comes as soon as another program takes it, and must not end this one without a word.
@@ -16,4 +16,4 @@ void expect_reloads() noexcept;
 /// every problem has been said on standard error. `started`: when the program began.
 int run_kiosk(const Options& options, std::chrono::nanoseconds started);
 
-}  // namespace docent
+}  // namespace docent::kiosk

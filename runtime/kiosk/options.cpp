@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string_view>
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 std::optional<PixelSize> parse_size(const std::string& text) {
@@ -83,4 +83,4 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   return line;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

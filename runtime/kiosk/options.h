@@ -9,7 +9,7 @@
 
 #include "platform/display.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 enum class DisplayKind : std::uint8_t { Auto, Kms, Window, Headless };
 
@@ -37,4 +37,4 @@ DisplayKind display_named(std::string_view name) noexcept;
 
 CommandLine parse_command_line(int argc, const char* const* argv);
 
-}  // namespace docent
+}  // namespace docent::kiosk

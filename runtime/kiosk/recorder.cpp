@@ -10,21 +10,21 @@
 #include "platform/file/read_file.h"
 #include "runtime/kiosk/statistics.h"
 
-namespace docent {
+namespace docent::kiosk {
 
-std::string_view name_of(AvatarState state) noexcept {
+std::string_view name_of(guide::AvatarState state) noexcept {
   switch (state) {
-    case AvatarState::Turn:
+    case guide::AvatarState::Turn:
       return "turn";
-    case AvatarState::Walk:
+    case guide::AvatarState::Walk:
       return "walk";
-    case AvatarState::Wait:
+    case guide::AvatarState::Wait:
       return "wait";
-    case AvatarState::Look:
+    case guide::AvatarState::Look:
       return "look";
-    case AvatarState::Gesture:
+    case guide::AvatarState::Gesture:
       return "gesture";
-    case AvatarState::Idle:
+    case guide::AvatarState::Idle:
       break;
   }
   return "idle";
@@ -33,17 +33,17 @@ std::string_view name_of(AvatarState state) noexcept {
 Result<Recorder> Recorder::open(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error || !is_folder(folder))
+  if (error || !file::is_folder(folder))
     return std::unexpected(
         Error{Errc::Environment, folder.string() + ": this folder cannot be made"});
   return Recorder(folder);
 }
 
-void Recorder::add_states(double time, const Guide& guide) {
-  for (std::uint32_t i = 0; i < guide.company().size(); ++i) {
-    const Companion& one = guide.company()[i];
+void Recorder::add_states(double time, const guide::Guide& guide) {
+  for (std::uint32_t i = 0; i < guide.crowd().size(); ++i) {
+    const guide::Agent& one = guide.crowd()[i];
     if (!one.is_here) continue;
-    const Avatar& avatar = one.avatar;
+    const guide::Avatar& avatar = one.avatar;
     const double turned = std::remainder(avatar.body.heading, 2 * std::numbers::pi);
     fmt::format_to(std::back_inserter(states_), "{:.4f},{},{:.4f},{:.4f},{:.2f},{}\n", time, i,
                    avatar.body.position.x, avatar.body.position.y, turned * 180 / std::numbers::pi,
@@ -57,11 +57,11 @@ bool Recorder::wants_frame(double time) const noexcept {
 }
 
 Result<void> Recorder::add_frame(const Pixels& picture) {
-  return write_png(folder_ / fmt::format("frame-{:06}.png", frames_++), picture);
+  return image::write_png(folder_ / fmt::format("frame-{:06}.png", frames_++), picture);
 }
 
 Result<void> Recorder::finish() {
   return write_whole(folder_ / "states.csv", states_);
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -11,7 +11,7 @@
 #include "runtime/guide/guide.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// Writes what happened into a folder: CONTRACT's frame-000000.png... and states.csv.
 class Recorder {
@@ -20,7 +20,7 @@ class Recorder {
   static Result<Recorder> open(const std::filesystem::path& folder);
 
   /// A row per avatar of this frame.
-  void add_states(double time, const Guide& guide);
+  void add_states(double time, const guide::Guide& guide);
   /// Is a picture due at this time? 30 are, every second.
   bool wants_frame(double time) const noexcept;
   Result<void> add_frame(const Pixels& picture);
@@ -34,6 +34,6 @@ class Recorder {
   std::uint64_t frames_ = 0;
 };
 
-std::string_view name_of(AvatarState state) noexcept;
+std::string_view name_of(guide::AvatarState state) noexcept;
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 constexpr double bin_ratio = 1.02;
@@ -88,4 +88,4 @@ std::chrono::nanoseconds thread_cpu_now() noexcept {
   return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -8,7 +8,7 @@
 
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// How often a duration was how long, in bins of 2 %: takes no memory as it fills.
 class Durations {
@@ -41,4 +41,4 @@ Result<void> write_whole(const std::filesystem::path& file, std::string_view tex
 /// CPU time of this thread.
 std::chrono::nanoseconds thread_cpu_now() noexcept;
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -12,7 +12,7 @@
 #include "platform/file/read_file.h"
 #include "runtime/interface/seats.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 /// A word of a line and where it begins (from 1).
@@ -121,9 +121,9 @@ class LineReader {
 
   bool read_seat(VisitCommand& command) {
     const std::optional<std::uint32_t> seat = finger(words_[4].text);
-    if (!seat || *seat < 1 || *seat > most_seats) {
+    if (!seat || *seat < 1 || *seat > interface::most_seats) {
       wrong(4, "bad-seat", fmt::format("'{}' is not a seat's number", words_[4].text),
-            fmt::format("seats are counted from the left, 1 to {}", most_seats));
+            fmt::format("seats are counted from the left, 1 to {}", interface::most_seats));
       return false;
     }
     command.seat = *seat;
@@ -156,7 +156,7 @@ class LineReader {
       command.kind = Kind::Press;
       if (!has(1, "TIME key NAME")) return false;
       command.key = key_named(words_[2].text);
-      if (command.key.key != Key::None) return true;
+      if (command.key.key != input::Key::None) return true;
       wrong(2, "unknown-key", fmt::format("there is no key '{}'", words_[2].text),
             "keys are UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a letter, a digit "
             "or F1 to F24");
@@ -183,30 +183,30 @@ class LineReader {
 
 }  // namespace
 
-InputEvent key_named(std::string_view name) noexcept {
-  InputEvent event{.kind = InputEvent::Kind::KeyDown, .contact = {}};
-  constexpr std::array<std::pair<std::string_view, Key>, 9> named{
-      {{"UP", Key::Up},
-       {"DOWN", Key::Down},
-       {"LEFT", Key::Left},
-       {"RIGHT", Key::Right},
-       {"ENTER", Key::Enter},
-       {"BACK", Key::Back},
-       {"HELP", Key::Help},
-       {"VOLUME_UP", Key::VolumeUp},
-       {"VOLUME_DOWN", Key::VolumeDown}}};
+input::InputEvent key_named(std::string_view name) noexcept {
+  input::InputEvent event{.kind = input::InputEvent::Kind::KeyDown, .contact = {}};
+  constexpr std::array<std::pair<std::string_view, input::Key>, 9> named{
+      {{"UP", input::Key::Up},
+       {"DOWN", input::Key::Down},
+       {"LEFT", input::Key::Left},
+       {"RIGHT", input::Key::Right},
+       {"ENTER", input::Key::Enter},
+       {"BACK", input::Key::Back},
+       {"HELP", input::Key::Help},
+       {"VOLUME_UP", input::Key::VolumeUp},
+       {"VOLUME_DOWN", input::Key::VolumeDown}}};
   for (const auto& [text, key] : named)
     if (name == text) event.key = key;
   if (name.size() == 1) {
     const char c = name[0];
     const bool digit = c >= '0' && c <= '9', upper = c >= 'A' && c <= 'Z',
                lower = c >= 'a' && c <= 'z';
-    if (digit || upper || lower) event.key = Key::Character;
+    if (digit || upper || lower) event.key = input::Key::Character;
     event.character = static_cast<char>(lower ? c - 'a' + 'A' : c);
   } else if (name.starts_with('F')) {
     const std::optional<std::uint32_t> which = finger(name.substr(1));
     if (which && *which >= 1 && *which <= 24) {
-      event.key = Key::Function;
+      event.key = input::Key::Function;
       event.character = static_cast<char>(*which);
     }
   }
@@ -233,7 +233,7 @@ Visit parse_visit(std::string_view text, std::string_view file) {
 }
 
 Visit load_visit(const std::filesystem::path& file) {
-  const Result<std::string> text = read_file(file);
+  const Result<std::string> text = file::read_file(file);
   if (text) return parse_visit(*text, file.string());
   Visit visit;
   visit.mistakes.push_back({.file = file.string(),
@@ -242,4 +242,4 @@ Visit load_visit(const std::filesystem::path& file) {
   return visit;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -9,16 +9,16 @@
 #include "runtime/input/contact.h"
 #include "runtime/model/diagnostic.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// One command of a scripted visit.
 struct VisitCommand {
   enum class Kind : std::uint8_t { Tap, TapNamed, Down, Move, Up, Press, Shot, Quit };
   double time = 0;  ///< Seconds.
   Kind kind = Kind::Quit;
-  Contact contact;   ///< Tap, Down, Move, Up.
-  InputEvent key;    ///< Press.
-  std::string name;  ///< TapNamed: the control's name without "@". Shot: the file.
+  input::Contact contact;  ///< Tap, Down, Move, Up.
+  input::InputEvent key;   ///< Press.
+  std::string name;        ///< TapNamed: the control's name without "@". Shot: the file.
   /// TapNamed, on a shared glass: the seat from which it is reached, 1 being the leftmost. 0: where
   /// somebody touched last.
   std::uint32_t seat = 0;
@@ -39,6 +39,6 @@ Visit load_visit(const std::filesystem::path& file);
 
 /// The key of a name in a visit: UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a
 /// letter, a digit or F1...; Key::None where there is no such key.
-InputEvent key_named(std::string_view name) noexcept;
+input::InputEvent key_named(std::string_view name) noexcept;
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 constexpr double tap_seconds = 0.1;  ///< How long a tap's finger stays down.
@@ -13,8 +13,8 @@ constexpr std::size_t most_touches_at_seat = 10;   ///< Its list has small pages
 constexpr std::uint32_t first_tap_finger = 10000;  ///< Apart from the fingers that visits number.
 
 /// The control of that name on the screen: a card before a spot.
-const Control* on_screen(const View& view, const Control& wanted) {
-  const auto found = std::ranges::find_if(view.controls, [&](const Control& c) {
+const interface::Control* on_screen(const interface::View& view, const interface::Control& wanted) {
+  const auto found = std::ranges::find_if(view.controls, [&](const interface::Control& c) {
     return c.name == wanted.name && c.enabled && c.rect.width > 0 && c.role == wanted.role;
   });
   return found == view.controls.end() ? nullptr : &*found;
@@ -26,11 +26,11 @@ bool VisitPlayer::is_over() const noexcept {
   return quit_ || (next_ == visit_.commands.size() && named_.empty() && lifts_.empty());
 }
 
-Result<void> VisitPlayer::play(double time, Guide& guide) {
+Result<void> VisitPlayer::play(double time, guide::Guide& guide) {
   constexpr double tolerance = 1e-9;
   std::erase_if(lifts_, [&](const Lift& lift) {
     if (lift.time > time + tolerance) return false;
-    guide.touch({.kind = InputEvent::Kind::Up, .contact = lift.contact});
+    guide.touch({.kind = input::InputEvent::Kind::Up, .contact = lift.contact});
     return true;
   });
   while (next_ < visit_.commands.size() && visit_.commands[next_].time <= time + tolerance &&
@@ -39,7 +39,7 @@ Result<void> VisitPlayer::play(double time, Guide& guide) {
   return continue_named_tap(time, guide);
 }
 
-void VisitPlayer::play(const VisitCommand& command, double time, Guide& guide) {
+void VisitPlayer::play(const VisitCommand& command, double time, guide::Guide& guide) {
   using Kind = VisitCommand::Kind;
   switch (command.kind) {
     case Kind::Tap:
@@ -47,15 +47,15 @@ void VisitPlayer::play(const VisitCommand& command, double time, Guide& guide) {
     case Kind::TapNamed:
       return named_.push_back(command);
     case Kind::Down:
-      return guide.touch({.kind = InputEvent::Kind::Down, .contact = command.contact});
+      return guide.touch({.kind = input::InputEvent::Kind::Down, .contact = command.contact});
     case Kind::Move:
-      return guide.touch({.kind = InputEvent::Kind::Move, .contact = command.contact});
+      return guide.touch({.kind = input::InputEvent::Kind::Move, .contact = command.contact});
     case Kind::Up:
-      return guide.touch({.kind = InputEvent::Kind::Up, .contact = command.contact});
+      return guide.touch({.kind = input::InputEvent::Kind::Up, .contact = command.contact});
     case Kind::Press: {
-      InputEvent key = command.key;
+      input::InputEvent key = command.key;
       guide.touch(key);
-      key.kind = InputEvent::Kind::KeyUp;
+      key.kind = input::InputEvent::Kind::KeyUp;
       return guide.touch(key);
     }
     case Kind::Shot:
@@ -65,14 +65,14 @@ void VisitPlayer::play(const VisitCommand& command, double time, Guide& guide) {
   }
 }
 
-void VisitPlayer::tap(float x, float y, double time, Guide& guide) {
-  const Contact contact{first_tap_finger + fingers_++, x, y};
-  guide.touch({.kind = InputEvent::Kind::Down, .contact = contact});
+void VisitPlayer::tap(float x, float y, double time, guide::Guide& guide) {
+  const input::Contact contact{first_tap_finger + fingers_++, x, y};
+  guide.touch({.kind = input::InputEvent::Kind::Down, .contact = contact});
   lifts_.push_back({time + tap_seconds, contact});
 }
 
 /// One touch at a time, each when the last one's view is on the screen.
-Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
+Result<void> VisitPlayer::continue_named_tap(double time, guide::Guide& guide) {
   if (named_.empty() || !lifts_.empty()) return {};
   const VisitCommand& wanted = named_.front();
   if (wanted.seat > guide.seats())
@@ -81,18 +81,19 @@ Result<void> VisitPlayer::continue_named_tap(double time, Guide& guide) {
                                               wanted.line, guide.seats(), wanted.seat)});
   const std::size_t part = guide.part_of(wanted.seat);
   if (!guide.shows_its_state(part)) return {};
-  const InterfaceState& state = guide.state(part);
+  const interface::InterfaceState& state = guide.state(part);
   const std::size_t most = part == 0 ? most_touches : most_touches_at_seat;
-  const std::vector<Control> touches =
-      touches_to(guide.museum(), state, exhibits_per_page(guide.shape(), state), wanted.name, most);
+  const std::vector<interface::Control> touches = interface::touches_to(
+      guide.museum(), state, interface::exhibits_per_page(guide.shape(), state), wanted.name, most);
   if (touches.empty())
     return std::unexpected(
         Error{Errc::InvalidInput,
               fmt::format("line {}: no visitor could touch '@{}' within {} touches from here",
                           wanted.line, wanted.name, most)});
-  const Control* control = on_screen(*guide.view(part), touches.front());
+  const interface::Control* control = on_screen(*guide.view(part), touches.front());
   // Spots stand still only when the camera does.
-  if (control == nullptr || (control->role == Role::Spot && !guide.is_settled(part))) return {};
+  if (control == nullptr || (control->role == interface::Role::Spot && !guide.is_settled(part)))
+    return {};
   tap(control->rect.x + control->rect.width / 2, control->rect.y + control->rect.height / 2, time,
       guide);
   if (touches.size() == 1) named_.pop_front();
@@ -103,7 +104,8 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
                                       std::string_view file) {
   std::vector<Diagnostic> mistakes;
   for (const VisitCommand& command : visit.commands)
-    if (command.kind == VisitCommand::Kind::TapNamed && !is_control_name(museum, command.name))
+    if (command.kind == VisitCommand::Kind::TapNamed &&
+        !interface::is_control_name(museum, command.name))
       mistakes.push_back(
           {.file = std::string(file),
            .line = command.line,
@@ -114,4 +116,4 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
   return mistakes;
 }
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -11,7 +11,7 @@
 #include "runtime/kiosk/visit.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::kiosk {
 
 /// Plays a visit: the hand of a visitor and the keypad, one step before the guide. Named taps look
 /// for their control as a visitor would: on this screen or up to three touches away.
@@ -21,7 +21,7 @@ class VisitPlayer {
 
   /// Does what is due at `time` (seconds since the first frame). Fails when a named control cannot
   /// be reached.
-  Result<void> play(double time, Guide& guide);
+  Result<void> play(double time, guide::Guide& guide);
 
   bool wants_shot() const noexcept { return !shots_.empty(); }
   /// Pictures asked for since the last call: they show the frame about to be drawn.
@@ -33,11 +33,11 @@ class VisitPlayer {
  private:
   struct Lift {
     double time = 0;
-    Contact contact;
+    input::Contact contact;
   };
-  void play(const VisitCommand& command, double time, Guide& guide);
-  void tap(float x, float y, double time, Guide& guide);
-  Result<void> continue_named_tap(double time, Guide& guide);
+  void play(const VisitCommand& command, double time, guide::Guide& guide);
+  void tap(float x, float y, double time, guide::Guide& guide);
+  Result<void> continue_named_tap(double time, guide::Guide& guide);
 
   Visit visit_;
   std::size_t next_ = 0;
@@ -52,4 +52,4 @@ class VisitPlayer {
 std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
                                       std::string_view file);
 
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -9,7 +9,7 @@
 #include "runtime/motion/rotation.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 /// A curve that leaves `value` with `slope` and comes to rest at nothing after `duration`: the
@@ -184,4 +184,4 @@ void append(Draft draft, Walk& walk) {
   walk.search_seconds += more.search_seconds;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

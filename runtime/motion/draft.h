@@ -7,7 +7,7 @@
 #include "runtime/motion/take.h"
 #include "runtime/motion/walk.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// A stretch of walk in the making: poses, and beside them where each foot shall be. The legs of
 /// the poses are only nearly right until place_feet().
@@ -60,4 +60,4 @@ void place_feet(const WalkGraph& graph, Draft& draft);
 /// unless the walk has none.
 void append(Draft draft, Walk& walk);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -13,7 +13,7 @@
 #include "runtime/motion/smoothing.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// What a search knows of a body on its way along a track: how far it is, how it misses the track,
 /// and what that costs.
@@ -176,4 +176,4 @@ struct RawFollower {
   }
 };
 
-}  // namespace docent
+}  // namespace docent::motion

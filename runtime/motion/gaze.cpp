@@ -3,7 +3,7 @@
 
 #include "runtime/motion/pose.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 /// Of the whole turn, what each part adds. The eyes' part is the head's.
@@ -34,4 +34,4 @@ void turn_head(const Skeleton& skeleton, float angle, PoseView& pose) noexcept {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 #include "runtime/motion/leg.h"
 #include "runtime/motion/pose.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double fade_seconds = 2.0;
@@ -59,4 +59,4 @@ void add_idle(const Skeleton& skeleton, double seconds, PoseView& pose) noexcept
     place_foot(skeleton, (*legs)[side], feet[index_of(side)], pose);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 using Vec2f = glm::vec2;  // of a cosine and a sine
@@ -163,4 +163,4 @@ double facing(const Skeleton& skeleton, const Legs& legs, const PoseView& pose) 
   return std::atan2(-left.x, left.y);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

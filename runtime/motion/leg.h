@@ -7,7 +7,7 @@
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/motion/pose.h"
 
-namespace docent {
+namespace docent::motion {
 
 enum class Side : std::uint8_t { Left, Right };
 constexpr std::array<Side, 2> both_sides{Side::Left, Side::Right};
@@ -69,4 +69,4 @@ void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
 /// The heading (floor frame, radians) across the line of the hip joints.
 double facing(const Skeleton& skeleton, const Legs& legs, const PoseView& pose) noexcept;
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -7,7 +7,7 @@
 #include "runtime/motion/follower.h"
 #include "runtime/motion/passages.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr float dead_end = 4;      // what is foreseen where no passage leads on
@@ -233,4 +233,4 @@ Foresight make_foresight(const WalkGraph& graph) {
   return foresight;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

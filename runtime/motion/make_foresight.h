@@ -2,7 +2,7 @@
 
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// How far a search foresees: what comes later counts less, to an e-th at this distance. Metres.
 constexpr double foresight_reach = 3.0;
@@ -21,4 +21,4 @@ void add_bend(const WalkGraph& graph, std::size_t bend, Foresight& foresight);
 /// Both, for all bends, on this thread.
 Foresight make_foresight(const WalkGraph& graph);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -16,7 +16,7 @@
 #include "runtime/motion/walk_graph.h"
 #include "runtime/motion/warp.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double shortest_way = 0.02;          // metres: nearer than that is there already
@@ -257,4 +257,4 @@ Result<Walk> make_walk(const MotionGraph& graph, const WalkRequest& request) {
   return make_walk(*ready, request);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

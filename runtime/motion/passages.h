@@ -7,7 +7,7 @@
 
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// Passages: what a walker can do after a transition, a run of frames and then one of the next
 /// transitions. The searches follow them, and so does whoever works out what they will cost.
@@ -91,4 +91,4 @@ std::size_t walk_from_transition(const WalkGraph& graph, const Choice& choice,
   return has_left ? frame : walk_passages(graph, choice, came.to, blended, step, leave);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double sample_spacing = 0.02;    // metres
@@ -160,4 +160,4 @@ TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) n
   return point;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// How briskly bends are taken.
 struct TrackPace {
@@ -62,4 +62,4 @@ std::vector<Vec2> first_part(std::span<const Vec2> path, double along);
 /// What comes after that.
 std::vector<Vec2> last_part(std::span<const Vec2> path, double along);
 
-}  // namespace docent
+}  // namespace docent::motion

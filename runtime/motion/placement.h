@@ -4,7 +4,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// A placement seen as the rigid motion of the floor that takes the origin, facing east, to it.
 
@@ -33,4 +33,4 @@ inline Vec3 moved(const Placement& motion, Vec3 point) noexcept {
   return to_world(p, point.y);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

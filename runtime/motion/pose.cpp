@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 /// A moment between two frames.
@@ -70,4 +70,4 @@ void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> in
   for (std::size_t j = 0; j < count; ++j) palette[j] = world[j] * inverse_bind[j];
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -6,7 +6,7 @@
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/motion/walk.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// A body at one moment: the root's place in the world and every joint's rotation relative to its
 /// parent.
@@ -36,4 +36,4 @@ void turn_head(const Skeleton& skeleton, float angle, PoseView& pose) noexcept;
 void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,
                            std::span<Mat4> palette) noexcept;
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -7,7 +7,7 @@
 #include "runtime/motion/rotation.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 /// What a foot's own motion must be moved by: place, and heading about the vertical.
@@ -256,4 +256,4 @@ void replant(const WalkGraph& graph, Side side, std::span<Foot> feet, std::span<
   work.apply();
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 
 #include "runtime/motion/draft.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// Where a foot is and how it moves when a stretch of motion begins.
 struct FootStart {
@@ -28,4 +28,4 @@ float drop_into_reach(Vec3 hip, Vec3 ankle, float reach) noexcept;
 /// The heading of a foot from ankle to toe (floor frame, radians).
 double foot_heading(const Leg& leg, const Foot& foot) noexcept;
 
-}  // namespace docent
+}  // namespace docent::motion

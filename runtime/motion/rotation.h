@@ -4,7 +4,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// The rotation as an axis times an angle in (-pi, pi].
 inline Vec3 rotation_vector(Quat q) noexcept {
@@ -23,4 +23,4 @@ inline Quat rotation_of(Vec3 vector) noexcept {
   return glm::angleAxis(angle, vector / angle);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -10,7 +10,7 @@
 #include "runtime/motion/make_foresight.h"
 #include "runtime/motion/passages.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double bucket_size = 0.3;     // metres of progress
@@ -422,4 +422,4 @@ MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
   return BeamSearch<RawFollower>(graph, track, starts).run();
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -7,7 +7,7 @@
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// A way through the motion graph: from a frame, over transitions, to a standing end.
 struct MotionPlan {
@@ -45,4 +45,4 @@ MotionPlan find_warped_motion(const WalkGraph& graph, const PathTrack& track,
 MotionPlan find_raw_motion(const WalkGraph& graph, const PathTrack& track,
                            std::span<const MotionStart> starts);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 void normalise(std::vector<double>& kernel) {
@@ -130,4 +130,4 @@ void unwrap_angles(std::span<double> angles) noexcept {
     angles[i] = angles[i - 1] + wrap_angle(angles[i] - angles[i - 1]);
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// Weights of a bell of 2 * radius + 1 samples that add up to one: a Gaussian of the given
 /// deviation (in samples), cut at three of them.
@@ -35,4 +35,4 @@ double wrap_angle(double angle) noexcept;
 /// Adds whole turns so that neighbours differ by at most half a turn.
 void unwrap_angles(std::span<double> angles) noexcept;
 
-}  // namespace docent
+}  // namespace docent::motion

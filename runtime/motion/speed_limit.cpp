@@ -11,7 +11,7 @@
 #include "runtime/motion/smoothing.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double plausible = 1.14;  // times the quickest that was recorded
@@ -271,4 +271,4 @@ void limit_speeds(const WalkGraph& graph, Walk& walk) {
   walk = out.take();
 }
 
-}  // namespace docent
+}  // namespace docent::motion

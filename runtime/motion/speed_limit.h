@@ -5,7 +5,7 @@
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/motion/walk.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// How quickly bodies and their joints ever move in recorded motion, from one frame to the next.
 struct QuickestMotion {
@@ -24,4 +24,4 @@ struct WalkGraph;
 /// are.
 void limit_speeds(const WalkGraph& graph, Walk& walk);
 
-}  // namespace docent
+}  // namespace docent::motion

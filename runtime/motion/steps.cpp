@@ -8,7 +8,7 @@
 #include "runtime/motion/replant.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double largest_turn = 1.05;     // radians that one pair of steps turns the body by
@@ -280,4 +280,4 @@ Draft make_steps(const WalkGraph& graph, const Momentum& momentum, std::span<con
   return Stepping(graph, momentum, steps, goal, gait).make();
 }
 
-}  // namespace docent
+}  // namespace docent::motion

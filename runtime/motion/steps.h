@@ -6,7 +6,7 @@
 #include "runtime/motion/draft.h"
 #include "runtime/motion/path_track.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// One step: a foot is lifted and set down where it belongs when the body stands at `station`.
 struct Step {
@@ -26,4 +26,4 @@ std::vector<Step> plan_short_walk(const PathTrack& track, const Momentum& moment
 Draft make_steps(const WalkGraph& graph, const Momentum& momentum, std::span<const Step> steps,
                  const Stand& goal, Gait gait);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -6,7 +6,7 @@
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 /// Writes frames of clips, laid onto the floor, one after another.
@@ -204,4 +204,4 @@ Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_
   return take;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -7,7 +7,7 @@
 #include "runtime/motion/search.h"
 #include "runtime/motion/walk_graph.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// Clips played one after another along a plan, blended at the transitions: the motion graph's own
 /// motion before anything is warped. Floor and world frames as in MotionClip.
@@ -25,4 +25,4 @@ struct Take {
 /// Plays a plan. `clip_to_floor` lays the first clip onto the floor.
 Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor);
 
-}  // namespace docent
+}  // namespace docent::motion

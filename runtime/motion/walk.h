@@ -8,7 +8,7 @@
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/result.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// What the avatar is doing in a frame, as states.csv reports it.
 enum class Gait : std::uint8_t { Idle, Turn, Walk };
@@ -78,4 +78,4 @@ Result<Walk> make_walk(const WalkGraph& graph, const WalkRequest& request);
 /// The same for a single walk: makes the graph ready (some milliseconds) and forgets it.
 Result<Walk> make_walk(const MotionGraph& graph, const WalkRequest& request);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -6,7 +6,7 @@
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -365,4 +365,4 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   return graph;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

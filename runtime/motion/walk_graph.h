@@ -11,7 +11,7 @@
 #include "runtime/motion/leg.h"
 #include "runtime/motion/speed_limit.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// What a search and a synthesis need to know of a clip.
 struct ClipPath {
@@ -84,4 +84,4 @@ std::vector<double> effort_along(std::span<const Placement> body);
 /// The pose as it is when the body stands at the origin facing east.
 Stand stand_of(const WalkGraph& graph, const PoseView& pose, const Placement& body);
 
-}  // namespace docent
+}  // namespace docent::motion

@@ -7,7 +7,7 @@
 #include "runtime/motion/replant.h"
 #include "runtime/motion/smoothing.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 constexpr double turn_in_seconds = 0.9;  // time in which a body takes up the track's heading
@@ -154,4 +154,4 @@ Draft as_it_is(const WalkGraph& graph, const Take& take) {
   return draft;
 }
 
-}  // namespace docent
+}  // namespace docent::motion

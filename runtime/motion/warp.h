@@ -4,7 +4,7 @@
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/take.h"
 
-namespace docent {
+namespace docent::motion {
 
 /// Lays a take onto a track (motion path editing: Gleicher 2001): the body's circle runs along the
 /// track, strides stretch evenly so that it ends with the track, and slow down where the track
@@ -19,4 +19,4 @@ Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track
 /// The take as it is.
 Draft as_it_is(const WalkGraph& graph, const Take& take);
 
-}  // namespace docent
+}  // namespace docent::motion

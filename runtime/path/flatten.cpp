@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent {
+namespace docent::path {
 
 void append_point(Vec2 point, std::vector<Vec2>& points) {
   if (points.empty() || points.back() != point) points.push_back(point);
@@ -22,4 +22,4 @@ void append_arc(const ReflexCorner& corner, double radius, double from, double t
     append_point(corner.point_at(from + (to - from) * i / pieces, radius), points);
 }
 
-}  // namespace docent
+}  // namespace docent::path

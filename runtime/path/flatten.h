@@ -4,7 +4,7 @@
 
 #include "runtime/path/shortest/reflex_corner.h"
 
-namespace docent {
+namespace docent::path {
 
 /// How far a flattened curve may be from the true one. Metres.
 inline constexpr double flatness = 1e-3;
@@ -17,4 +17,4 @@ void append_point(Vec2 point, std::vector<Vec2>& points);
 void append_arc(const ReflexCorner& corner, double radius, double from, double to,
                 std::vector<Vec2>& points);
 
-}  // namespace docent
+}  // namespace docent::path

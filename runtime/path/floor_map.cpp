@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/path/shortest/make_tangent_graph.h"
 #include "runtime/path/index/predicates.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
 
-namespace docent {
+namespace docent::path {
 
 FloorMap::FloorMap(const Floor& floor)
     : floor_(floor),
@@ -39,4 +39,4 @@ bool FloorMap::has_room(Vec2 point, double radius) const noexcept {
   return nearest.distance >= radius - touching && walls_.is_inside(point, nearest);
 }
 
-}  // namespace docent
+}  // namespace docent::path

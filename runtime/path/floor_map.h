@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
-#include "runtime/path/medial_axis/medial_axis_map.h"
-#include "runtime/path/shortest/radius_maps.h"
-#include "runtime/path/route.h"
 #include "runtime/path/index/wall_grid.h"
+#include "runtime/path/medial_axis/medial_axis_map.h"
+#include "runtime/path/route.h"
+#include "runtime/path/shortest/radius_maps.h"
 
-namespace docent {
+namespace docent::path {
 
 /// Everything that `route.h` asks of a floor. Immutable as seen from outside; inside, what makes
 /// radii fast that the compiler did not precompute is made in the background and kept.
@@ -49,4 +49,4 @@ class FloorMap {
   RadiusMaps shortest_ways_;
 };
 
-}  // namespace docent
+}  // namespace docent::path

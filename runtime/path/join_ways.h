@@ -5,7 +5,7 @@
 #include "runtime/path/flatten.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// Appends a way that begins where `way` ends. Both are Ok.
 inline void join(Way& way, const Way& next) {
@@ -14,4 +14,4 @@ inline void join(Way& way, const Way& next) {
   for (const Vec2 point : next.points) append_point(point, way.points);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// All places by their distance in a straight line, which no way beats. Places that are no numbers
@@ -49,4 +49,4 @@ std::optional<Reached> nearest_place(const FloorMap& map, Vec2 from, std::span<c
   return best;
 }
 
-}  // namespace docent
+}  // namespace docent::path

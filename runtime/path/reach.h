@@ -8,7 +8,7 @@
 
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::path {
 
 /// One of many places, and how far it is to walk there.
 struct Reached {
@@ -32,4 +32,4 @@ std::optional<Reached> nearest_place(const FloorMap& map, Vec2 from, std::span<c
                                      double radius,
                                      double limit = std::numeric_limits<double>::infinity());
 
-}  // namespace docent
+}  // namespace docent::path

@@ -9,7 +9,7 @@
 
 #include "runtime/path/flatten.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// Flattened curves turn by less than this at their points. Radians.
@@ -150,4 +150,4 @@ void round_corners(const FloorMap& map, double radius, Way& way) {
   way.points.back() = sharp.back();
 }
 
-}  // namespace docent
+}  // namespace docent::path

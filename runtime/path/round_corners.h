@@ -3,7 +3,7 @@
 #include "runtime/path/floor_map.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// Rounds the corners of a way, so that it is smooth where it joins and leaves the medial axis or a
 /// wall's curve, and where axes meet. The ends stay, and so does the radius: whatever replaces a
@@ -13,4 +13,4 @@ namespace docent {
 /// `length` becomes that of the rounded way, to the flatness of its curves.
 void round_corners(const FloorMap& map, double radius, Way& way);
 
-}  // namespace docent
+}  // namespace docent::path

@@ -5,12 +5,12 @@
 
 #include "runtime/path/floor_map.h"
 #include "runtime/path/join_ways.h"
-#include "runtime/path/shortest/make_tangent_graph.h"
 #include "runtime/path/medial_axis/medial_axis_way.h"
 #include "runtime/path/offset/offset_way.h"
 #include "runtime/path/round_corners.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 Way shortest(const FloorMap& map, const RouteQuery& query) {
@@ -80,4 +80,4 @@ std::uint32_t region_at(const FloorMap& map, Vec2 point) noexcept {
   return map.site_at(point);
 }
 
-}  // namespace docent
+}  // namespace docent::path

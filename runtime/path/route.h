@@ -6,7 +6,7 @@
 #include "runtime/model/geometry/floor.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// A floor made ready for queries: what the database holds plus the indices that are quick to
 /// rebuild. Immutable after construction, so any thread may ask. Borrows the floor, which must
@@ -36,4 +36,4 @@ bool can_see(const FloorMap& map, Vec2 from, Vec2 to) noexcept;
 /// The Voronoi region (site index) that holds the point; the nearest one where it is outside.
 std::uint32_t region_at(const FloorMap& map, Vec2 point) noexcept;
 
-}  // namespace docent
+}  // namespace docent::path

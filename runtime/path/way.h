@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::path {
 
 enum class RouteKind : std::uint8_t { Shortest, Skeleton, Offset };
 
@@ -43,4 +43,4 @@ struct Way {
   std::vector<Vec2> points{};
 };
 
-}  // namespace docent
+}  // namespace docent::path

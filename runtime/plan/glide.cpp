@@ -4,7 +4,7 @@
 
 #include "runtime/plan/plan.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
 constexpr double glide_rate = 60;     ///< Frames a second.
@@ -16,7 +16,7 @@ double turn_between(double from, double to) noexcept {
   return std::remainder(to - from, 2 * std::numbers::pi);
 }
 
-void add_frame(Walk& walk, const Placement& body, double along, Gait gait) {
+void add_frame(motion::Walk& walk, const Placement& body, double along, motion::Gait gait) {
   walk.root.push_back(to_world(body.position, 0.95));
   walk.plants.push_back({true, true});
   walk.body.push_back(body);
@@ -25,24 +25,24 @@ void add_frame(Walk& walk, const Placement& body, double along, Gait gait) {
   walk.source.push_back({});
 }
 
-void turn(Walk& walk, Placement& body, double heading, double along) {
+void turn(motion::Walk& walk, Placement& body, double heading, double along) {
   const double angle = turn_between(body.heading, heading);
   const double from = body.heading;
   const int frames = static_cast<int>(std::ceil(std::abs(angle) / turn_speed * glide_rate));
   for (int i = 1; i <= frames; ++i) {
     body.heading = from + angle * i / frames;
-    add_frame(walk, body, along, Gait::Turn);
+    add_frame(walk, body, along, motion::Gait::Turn);
   }
 }
 
 }  // namespace
 
-Walk glide(const Placement& start, std::span<const Vec2> path,
-           std::optional<double> final_heading) {
-  Walk walk;
+motion::Walk glide(const Placement& start, std::span<const Vec2> path,
+                   std::optional<double> final_heading) {
+  motion::Walk walk;
   walk.frame_rate = glide_rate;
   Placement body = start;
-  add_frame(walk, body, 0, Gait::Idle);
+  add_frame(walk, body, 0, motion::Gait::Idle);
 
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) length += glm::length(path[i] - path[i - 1]);
@@ -63,13 +63,13 @@ Walk glide(const Placement& start, std::span<const Vec2> path,
       along = std::min(along + speed / glide_rate, passed + piece);
       body.position = path[i - 1] + step * ((along - passed) / piece);
       body.heading += 0.2 * turn_between(body.heading, heading);
-      add_frame(walk, body, along, Gait::Walk);
+      add_frame(walk, body, along, motion::Gait::Walk);
     }
     passed += piece;
   }
   if (final_heading) turn(walk, body, *final_heading, along);
-  add_frame(walk, body, along, Gait::Idle);
+  add_frame(walk, body, along, motion::Gait::Idle);
   return walk;
 }
 
-}  // namespace docent
+}  // namespace docent::plan

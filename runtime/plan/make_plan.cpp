@@ -7,18 +7,18 @@
 #include "runtime/plan/plan.h"
 #include "runtime/plan/stretch.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
 constexpr double stretch = 8;     // metres of a long way that are walked before the next
 constexpr double least_rest = 4;  // metres that are worth a stretch of their own
 
 /// Makes the walk along a plan's way: all of it, or the first stretch of a long one.
-void walk_way(const MotionGraph& motion, const WalkGraph* walking, const Placement& from,
+void walk_way(const MotionGraph& motion, const motion::WalkGraph* walking, const Placement& from,
               std::span<const Vec2> points, Plan& plan) {
-  const double length = polyline_length(points);
+  const double length = motion::polyline_length(points);
   if (walking != nullptr && plan.order.goal && length > stretch + least_rest) {
-    const std::vector<Vec2> beginning = first_part(points, stretch);
+    const std::vector<Vec2> beginning = motion::first_part(points, stretch);
     plan.walk = walk_along(walking, plan.order, from, beginning, {});
     if (const auto frame = frame_to_go_on(motion, plan.walk)) {
       plan.is_whole = false;
@@ -36,7 +36,7 @@ void walk_way(const MotionGraph& motion, const WalkGraph* walking, const Placeme
 }
 
 /// The next stretch of the way of the plan before.
-std::unique_ptr<Plan> go_on(const MotionGraph& motion, const WalkGraph* walking,
+std::unique_ptr<Plan> go_on(const MotionGraph& motion, const motion::WalkGraph* walking,
                             const WalkOrder& order) {
   const Plan& before = *order.before;
   auto plan = std::make_unique<Plan>();
@@ -47,7 +47,8 @@ std::unique_ptr<Plan> go_on(const MotionGraph& motion, const WalkGraph* walking,
   plan->reach = before.reach;
   const std::vector<Vec2> rest = way_ahead(before, order.before_frame);
   walk_way(motion, walking, last_place(before.walk, order.before_frame, order.start), rest, *plan);
-  const auto done = static_cast<float>(std::max(0.0, plan->reach.back() - polyline_length(rest)));
+  const auto done =
+      static_cast<float>(std::max(0.0, plan->reach.back() - motion::polyline_length(rest)));
   for (float& along : plan->walk.along) along += done;
   return plan;
 }
@@ -64,8 +65,8 @@ Vec2 point_along(const Plan& plan, double metres) noexcept {
   return glm::mix(plan.points[i - 1], plan.points[i], t);
 }
 
-std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, const FloorMap& map,
-                                const WalkOrder& order) {
+std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* walking,
+                                const path::FloorMap& map, const WalkOrder& order) {
   if (order.goes_on && order.before != nullptr && !order.before->reach.empty())
     return go_on(museum.motion, walking, order);
   auto plan = std::make_unique<Plan>();
@@ -75,14 +76,14 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
                              : order.start;
   std::vector<Vec2> points;
   if (order.goal) {
-    Way way = find_way(museum, map, order, from.position);
+    path::Way way = find_way(museum, map, order, from.position);
     plan->status = way.status;
-    if (way.status != RouteStatus::Ok) return plan;
+    if (way.status != path::RouteStatus::Ok) return plan;
     plan->length = way.length;
     points = std::move(way.points);
     if (points.size() < 2) points = {from.position, order.goal->position};
   }
-  plan->status = RouteStatus::Ok;
+  plan->status = path::RouteStatus::Ok;
   walk_way(museum.motion, walking, from, points, *plan);
   keep_way(points, *plan);
   plan->is_new_way = true;
@@ -90,27 +91,27 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, 
 }
 
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place) {
-  const Result<WalkGraph> walking = make_walk_graph(museum.motion);
+  const Result<motion::WalkGraph> walking = motion::make_walk_graph(museum.motion);
   return make_standing(walking ? &*walking : nullptr, place);
 }
 
-std::unique_ptr<Plan> make_standing(const WalkGraph* walking, const Placement& place) {
+std::unique_ptr<Plan> make_standing(const motion::WalkGraph* walking, const Placement& place) {
   auto plan = std::make_unique<Plan>();
   plan->order.start = place;
-  plan->status = RouteStatus::Ok;
+  plan->status = path::RouteStatus::Ok;
   // A walk begins standing: its first frame is the pose.
   const std::array path{place.position,
                         place.position + Vec2{std::cos(place.heading), std::sin(place.heading)}};
   plan->walk = walk_along(walking, plan->order, place, path, {});
-  Walk& walk = plan->walk;
+  motion::Walk& walk = plan->walk;
   walk.root.resize(1);
   walk.rotation.resize(walk.joint_count);
   walk.plants.resize(1);
   walk.body.assign(1, place);
   walk.along.assign(1, 0);
-  walk.gait.assign(1, Gait::Idle);
+  walk.gait.assign(1, motion::Gait::Idle);
   walk.source.resize(1);
   return plan;
 }
 
-}  // namespace docent
+}  // namespace docent::plan

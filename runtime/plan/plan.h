@@ -10,7 +10,7 @@
 #include "runtime/motion/walk_graph.h"
 #include "runtime/path/route.h"
 
-namespace docent {
+namespace docent::plan {
 
 struct Plan;
 
@@ -18,7 +18,7 @@ struct Plan;
 struct WalkOrder {
   std::uint64_t id = 0;
   std::uint32_t floor = 0;
-  RouteKind kind = RouteKind::Shortest;
+  path::RouteKind kind = path::RouteKind::Shortest;
   std::optional<Placement> goal;  ///< Empty: stop as soon as is natural.
   Placement start;                ///< Where it stands, where there is no plan in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
@@ -29,7 +29,7 @@ struct WalkOrder {
   double pace = 1;       ///< Share of the ordinary speed, in (0, 1].
   std::uint32_t avatar = 0;
 
-  /// Only where others walk too: when the new plan takes over, on the company's clock, and when
+  /// Only where others walk too: when the new plan takes over, on the crowd's clock, and when
   /// that is on the clock of `before` (which may have ended). Without, it takes over as soon as it
   /// can.
   std::optional<double> seconds{};
@@ -47,11 +47,11 @@ struct WalkOrder {
 /// the next stretch takes over (an order that `goes_on`), with the same way.
 struct Plan {
   WalkOrder order;
-  RouteStatus status = RouteStatus::NoRoute;
+  path::RouteStatus status = path::RouteStatus::NoRoute;
   double length = 0;              ///< Metres of the way.
   std::vector<Vec2> points;       ///< The way, simplified to 2 mm, floor frame.
   std::vector<double> reach;      ///< Metres along the way of each point.
-  Walk walk;                      ///< At least one frame unless status says there is no way.
+  motion::Walk walk;              ///< At least one frame unless status says there is no way.
   bool is_whole = true;           ///< Does the walk lead to the goal?
   std::uint32_t go_on_frame = 0;  ///< Where it does not.
   double seconds_to_goal = 0;     ///< From the walk's beginning; where it goes on, at its pace.
@@ -70,15 +70,16 @@ Vec2 point_along(const Plan& plan, double metres) noexcept;
 /// Finds a way and makes a walk along it. Where the motion graph cannot walk (a museum compiled
 /// without motion), the body glides along the way instead, so the guide still leads there.
 /// `walking` is the museum's motion graph made ready; null where it has none or cannot walk.
-std::unique_ptr<Plan> make_plan(const Museum& museum, const WalkGraph* walking, const FloorMap& map,
-                                const WalkOrder& order);
+std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* walking,
+                                const path::FloorMap& map, const WalkOrder& order);
 
 /// Standing at a place: a plan of one frame.
-std::unique_ptr<Plan> make_standing(const WalkGraph* walking, const Placement& place);
+std::unique_ptr<Plan> make_standing(const motion::WalkGraph* walking, const Placement& place);
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
 
 /// A walk without a body: turns on the spot, then moves along `path` at walking pace with smooth
 /// starts and stops.
-Walk glide(const Placement& start, std::span<const Vec2> path, std::optional<double> final_heading);
+motion::Walk glide(const Placement& start, std::span<const Vec2> path,
+                   std::optional<double> final_heading);
 
-}  // namespace docent
+}  // namespace docent::plan

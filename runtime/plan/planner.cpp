@@ -4,43 +4,47 @@
 
 #include "runtime/model/last_catch.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
 /// At 1080 lines: all texts of a visit in one language, and the pictures of the views last seen.
 constexpr std::size_t piece_budget = 2 << 20;
 constexpr std::uint32_t first_piece = 1;  // 0 is TextureId::None
 
-/// Puts a parcel on the belt; while the belt is full, the frame thread is behind and gets time.
+/// Puts an answer into the queue; while the queue is full, the frame thread is behind and gets
+/// time.
 template <typename T, std::size_t n>
-void send(Belt<T, n>& belt, std::unique_ptr<T> parcel, const std::atomic<bool>& stop) {
-  while (!belt.put(parcel) && !stop.load(std::memory_order_relaxed)) std::this_thread::yield();
+void send(SingleProducerQueue<T, n>& queue, std::unique_ptr<T> answer,
+          const std::atomic<bool>& stop) {
+  while (!queue.put(answer) && !stop.load(std::memory_order_relaxed)) std::this_thread::yield();
 }
 
 }  // namespace
 
-Planner::Planner(const Museum& museum, PieceMakers makers, std::size_t avatars, std::size_t parts)
+Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_t avatars,
+                 std::size_t parts)
     : museum_(museum),
       cache_(std::move(makers), first_piece, piece_budget),
       traffic_(museum.floors.size()),
       orders_(avatars),
       requests_(parts),
-      round_(avatars + parts) {
-  if (Result<WalkGraph> walking = make_walk_graph(museum.motion)) walking_ = std::move(*walking);
-  for (const Floor& floor : museum.floors) maps_.push_back(make_floor_map(floor));
+      fill_order_(avatars + parts) {
+  if (Result<motion::WalkGraph> walking = motion::make_walk_graph(museum.motion))
+    walking_ = std::move(*walking);
+  for (const Floor& floor : museum.floors) maps_.push_back(path::make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
 }
 
 Planner::~Planner() {
   stop_ = true;
-  letters_.release();
+  waiting_.release();
   thread_.join();
 }
 
-void Planner::announce(std::size_t box) noexcept {
-  if (!round_.add(box)) return;
+void Planner::announce(std::size_t buffer) noexcept {
+  if (!fill_order_.add(buffer)) return;
   asked_.fetch_add(1, std::memory_order_release);
-  letters_.release();
+  waiting_.release();
 }
 
 void Planner::ask(const WalkOrder& order) noexcept {
@@ -49,7 +53,7 @@ void Planner::ask(const WalkOrder& order) noexcept {
   announce(order.avatar);
 }
 
-void Planner::ask(const ViewRequest& request) noexcept {
+void Planner::ask(const interface::ViewRequest& request) noexcept {
   if (request.part >= requests_.size()) return;
   requests_[request.part].put(request);
   announce(orders_.size() + request.part);
@@ -64,7 +68,7 @@ void Planner::wait() const noexcept {
 
 void Planner::work() {
   while (true) {
-    letters_.acquire();
+    waiting_.acquire();
     if (stop_) return;
     guarded("planning", [this] { answer_next(); });  // an answer is lost, and not the worker
     answered_.fetch_add(1, std::memory_order_release);
@@ -73,11 +77,11 @@ void Planner::work() {
 }
 
 void Planner::answer_next() {
-  const auto box = round_.take();
-  if (!box) return;
-  if (*box < orders_.size()) {
-    if (const auto order = orders_[*box].take()) answer(*order);
-  } else if (const auto request = requests_[*box - orders_.size()].take()) {
+  const auto buffer = fill_order_.take();
+  if (!buffer) return;
+  if (*buffer < orders_.size()) {
+    if (const auto order = orders_[*buffer].take()) answer(*order);
+  } else if (const auto request = requests_[*buffer - orders_.size()].take()) {
     answer(*request);
   }
 }
@@ -92,14 +96,14 @@ Traffic& Planner::traffic_on(std::uint32_t floor) {
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
   if (order.seconds) return send(plans_, traffic_on(order.floor).plan(order), stop_);
-  const WalkGraph* walking = walking_ ? &*walking_ : nullptr;
+  const motion::WalkGraph* walking = walking_ ? &*walking_ : nullptr;
   send(plans_, make_plan(museum_, walking, *maps_[order.floor], order), stop_);
 }
 
-void Planner::answer(const ViewRequest& request) {
-  std::unique_ptr<View> view = make_view(museum_, request, cache_);
+void Planner::answer(const interface::ViewRequest& request) {
+  std::unique_ptr<interface::View> view = interface::make_view(museum_, request, cache_);
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
 }
 
-}  // namespace docent
+}  // namespace docent::plan

@@ -5,7 +5,7 @@
 
 #include "runtime/motion/path_track.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
 /// A way is flattened to a millimetre; the ribbon and the camera need no more than this.
@@ -59,7 +59,8 @@ std::vector<Vec2> simplified(std::span<const Vec2> points) {
 
 }  // namespace
 
-Placement last_place(const Walk& walk, std::uint32_t frame, const Placement& otherwise) noexcept {
+Placement last_place(const motion::Walk& walk, std::uint32_t frame,
+                     const Placement& otherwise) noexcept {
   if (walk.body.empty()) return otherwise;
   return walk.body[std::min<std::size_t>(frame, walk.body.size() - 1)];
 }
@@ -73,26 +74,28 @@ std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
   return ahead;
 }
 
-Way find_way(const Museum& museum, const FloorMap& map, const WalkOrder& order, Vec2 from) {
-  RouteQuery query{.kind = order.kind,
-                   .from = from,
-                   .to = order.goal->position,
-                   .smooth = true,
-                   .tell_clearance = false};
-  Way way;
+path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOrder& order,
+                   Vec2 from) {
+  path::RouteQuery query{.kind = order.kind,
+                         .from = from,
+                         .to = order.goal->position,
+                         .smooth = true,
+                         .tell_clearance = false};
+  path::Way way;
   constexpr double spare = Museum::walking_room;
   for (const double more : {spare, 0.0, -spare / 2, -2 * spare, -5 * spare}) {
     query.radius = std::max(0.0, museum.body_radius + more);
-    way = route(map, query);
-    if (way.status == RouteStatus::Ok) break;
-    if (way.status != RouteStatus::StartBlocked && more <= 0) break;
+    way = path::route(map, query);
+    if (way.status == path::RouteStatus::Ok) break;
+    if (way.status != path::RouteStatus::StartBlocked && more <= 0) break;
   }
   return way;
 }
 
-Walk walk_along(const WalkGraph* walking, const WalkOrder& order, const Placement& from,
-                std::span<const Vec2> points, std::optional<double> final_heading) {
-  WalkRequest request;
+motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order,
+                        const Placement& from, std::span<const Vec2> points,
+                        std::optional<double> final_heading) {
+  motion::WalkRequest request;
   request.path = points;
   request.start = from;
   request.final_heading = final_heading;
@@ -105,12 +108,13 @@ Walk walk_along(const WalkGraph* walking, const WalkOrder& order, const Placemen
     request.old_path_ahead = ahead;
   }
   if (walking != nullptr)
-    if (Result<Walk> walk = make_walk(*walking, request); walk && !walk->root.empty())
+    if (Result<motion::Walk> walk = motion::make_walk(*walking, request);
+        walk && !walk->root.empty())
       return std::move(*walk);
   return glide(from, points, final_heading);
 }
 
-std::optional<std::uint32_t> frame_to_go_on(const MotionGraph& motion, const Walk& walk) {
+std::optional<std::uint32_t> frame_to_go_on(const MotionGraph& motion, const motion::Walk& walk) {
   const auto leads_to_stand = [&](std::size_t f) {
     return motion.clips[walk.source[f].clip].role == ClipRole::Stop;
   };
@@ -119,7 +123,7 @@ std::optional<std::uint32_t> frame_to_go_on(const MotionGraph& motion, const Wal
     return now.clip == last.clip && now.frame >= last.frame && now.frame - last.frame < 8;
   };
   std::size_t end = walk.source.size();
-  while (end > 0 && (leads_to_stand(end - 1) || walk.gait[end - 1] != Gait::Walk)) --end;
+  while (end > 0 && (leads_to_stand(end - 1) || walk.gait[end - 1] != motion::Gait::Walk)) --end;
   const auto blended = static_cast<std::size_t>(blend_seconds * walk.frame_rate);
   while (end > 0) {
     std::size_t first = end - 1;
@@ -140,4 +144,4 @@ void keep_way(std::span<const Vec2> points, Plan& plan) {
         i == 0 ? 0 : plan.reach.back() + glm::length(plan.points[i] - plan.points[i - 1]));
 }
 
-}  // namespace docent
+}  // namespace docent::plan

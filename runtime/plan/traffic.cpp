@@ -11,7 +11,7 @@
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/stretch.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
 constexpr double spare = 0.01;          // metres between two bodies that pass each other
@@ -27,29 +27,30 @@ constexpr double wall_spare = 0.008;    // metres by which a circle may be in a 
 constexpr int most_attempts = 4;
 
 /// Where a plan's walk leads its body, from some seconds of it on.
-void append_course(const Walk& walk, double from, double seconds, Course& course) {
+void append_trajectory(const motion::Walk& walk, double from, double seconds,
+                       crowd::Trajectory& trajectory) {
   const auto last = static_cast<double>(walk.body.size() - 1);
-  for (double t = from; t < from + seconds; t += Course::step) {
+  for (double t = from; t < from + seconds; t += crowd::Trajectory::step) {
     const double at = std::clamp(t * walk.frame_rate, 0.0, last);
     const auto f = static_cast<std::size_t>(at);
     const std::size_t next = std::min(f + 1, walk.body.size() - 1);
-    course.place.push_back(
+    trajectory.place.push_back(
         glm::mix(walk.body[f].position, walk.body[next].position, at - static_cast<double>(f)));
   }
 }
 
 /// The plan in progress, from a second before the new one would take over.
-Course course_before(const WalkOrder& order) {
+crowd::Trajectory trajectory_before(const WalkOrder& order) {
   constexpr double before = 1;
-  const Walk& walk = order.before->walk;
-  Course course{*order.seconds - before, {}};
+  const motion::Walk& walk = order.before->walk;
+  crowd::Trajectory trajectory{*order.seconds - before, {}};
   const double left = order.before->seconds() - order.before_seconds;
-  append_course(walk, order.before_seconds - before, before + std::max(0.0, left) + Course::step,
-                course);
-  return course;
+  append_trajectory(walk, order.before_seconds - before,
+                    before + std::max(0.0, left) + crowd::Trajectory::step, trajectory);
+  return trajectory;
 }
 
-double seconds_of(const Walk& walk) {
+double seconds_of(const motion::Walk& walk) {
   return walk.body.empty() ? 0 : static_cast<double>(walk.body.size() - 1) / walk.frame_rate;
 }
 
@@ -63,7 +64,7 @@ Placement takes_over_at(const WalkOrder& order) {
 }
 
 /// What is left of the way of the plan before, joined slantwise by a body that has been beside it.
-std::vector<Vec2> rest_of_way(const FloorMap& map, const WalkOrder& order, double radius) {
+std::vector<Vec2> rest_of_way(const path::FloorMap& map, const WalkOrder& order, double radius) {
   const Plan& before = *order.before;
   std::vector<Vec2> rest = way_ahead(before, order.before_frame);
   if (rest.empty() || before.walk.along.empty()) return rest;
@@ -86,7 +87,7 @@ std::vector<Vec2> rest_of_way(const FloorMap& map, const WalkOrder& order, doubl
 std::vector<Vec2> way_behind(const WalkOrder& order) {
   std::vector<Vec2> behind;
   if (order.before == nullptr) return behind;
-  const Walk& walk = order.before->walk;
+  const motion::Walk& walk = order.before->walk;
   double length = 0;
   for (std::size_t f = std::min<std::size_t>(order.before_frame, walk.body.size() - 1);;) {
     const Vec2 here = walk.body[f].position;
@@ -109,7 +110,7 @@ std::vector<double> reach_of(std::span<const Vec2> points) {
 
 /// Metres walked told as metres of the way.
 void tell_along_way(std::span<const double> reach, std::span<const double> along, double done,
-                    Walk& walk) {
+                    motion::Walk& walk) {
   for (float& walked : walk.along) {
     const auto after = std::ranges::upper_bound(reach, static_cast<double>(walked));
     const auto i = static_cast<std::size_t>(after - reach.begin());
@@ -139,15 +140,16 @@ std::vector<Vec2> straightened(std::span<const Vec2> points) {
 
 }  // namespace
 
-Traffic::Traffic(const Museum& museum, const WalkGraph* walking, const FloorMap& map)
-    : museum_(museum), walking_(walking), map_(map), timetable_(museum.body_radius) {}
+Traffic::Traffic(const Museum& museum, const motion::WalkGraph* walking, const path::FloorMap& map)
+    : museum_(museum), walking_(walking), map_(map), reservations_(museum.body_radius) {}
 
 std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
   members_[order.avatar].rank = order.rank;
   if (order.enters) return enter(order);
   auto plan = order.makes_room_for ? make_room(order) : order.goal ? get_on(order) : stop(order);
   // Whatever had been given it since, it goes on as before now.
-  if (plan->holds && order.before != nullptr) timetable_.put(order.avatar, course_before(order));
+  if (plan->holds && order.before != nullptr)
+    reservations_.put(order.avatar, trajectory_before(order));
   return plan;
 }
 
@@ -161,46 +163,48 @@ std::vector<std::uint32_t> Traffic::obliging(const WalkOrder& order) const {
 std::unique_ptr<Plan> Traffic::enter(const WalkOrder& order) {
   auto plan = make_standing(walking_, order.start);
   plan->order = order;
-  const Course here = standing_course(order.start.position);
-  plan->holds = timetable_.first_conflict(order.avatar, here, spare, *order.seconds).has_value();
-  if (!plan->holds) timetable_.put(order.avatar, here);
+  const crowd::Trajectory here = crowd::standing_trajectory(order.start.position);
+  plan->holds = reservations_.first_conflict(order.avatar, here, spare, *order.seconds).has_value();
+  if (!plan->holds) reservations_.put(order.avatar, here);
   return plan;
 }
 
-std::optional<Conflict> Traffic::commit(Plan& plan, Walk walk) {
+std::optional<crowd::Conflict> Traffic::commit(Plan& plan, motion::Walk walk) {
   const WalkOrder& order = plan.order;
   // What it does until then stays as it was; that it has been committed to already.
   constexpr double before = 1;
-  Course course;
-  course.start = *order.seconds - before;
+  crowd::Trajectory trajectory;
+  trajectory.start = *order.seconds - before;
   if (order.before != nullptr)
-    append_course(order.before->walk, order.before_seconds - before, before - 1e-9, course);
+    append_trajectory(order.before->walk, order.before_seconds - before, before - 1e-9, trajectory);
   else
-    course.place.assign(static_cast<std::size_t>(before / Course::step), order.start.position);
-  append_course(walk, 0, seconds_of(walk) + Course::step, course);
-  auto meeting = timetable_.first_conflict(order.avatar, course, spare, *order.seconds);
-  if (const auto wall = first_wall(course, *order.seconds);
+    trajectory.place.assign(static_cast<std::size_t>(before / crowd::Trajectory::step),
+                            order.start.position);
+  append_trajectory(walk, 0, seconds_of(walk) + crowd::Trajectory::step, trajectory);
+  auto meeting = reservations_.first_conflict(order.avatar, trajectory, spare, *order.seconds);
+  if (const auto wall = first_wall(trajectory, *order.seconds);
       wall && (!meeting || *wall < meeting->seconds))
-    meeting = Conflict{*wall, order.avatar};
+    meeting = crowd::Conflict{*wall, order.avatar};
   if (meeting) return meeting;
-  timetable_.put(order.avatar, std::move(course));
+  reservations_.put(order.avatar, std::move(trajectory));
   plan.walk = std::move(walk);
   return {};
 }
 
-std::optional<double> Traffic::first_wall(const Course& course, double from) const {
+std::optional<double> Traffic::first_wall(const crowd::Trajectory& trajectory, double from) const {
   // Who stands nearer to a wall than it may has to get away from it.
-  const double room = std::min(museum_.body_radius, map_.clearance_at(place_at(course, from)));
-  for (double t = from; t < course.end(); t += Course::step)
-    if (!map_.has_room(place_at(course, t), room - wall_spare)) return t;
+  const double room =
+      std::min(museum_.body_radius, map_.clearance_at(crowd::place_at(trajectory, from)));
+  for (double t = from; t < trajectory.end(); t += crowd::Trajectory::step)
+    if (!map_.has_room(crowd::place_at(trajectory, t), room - wall_spare)) return t;
   return {};
 }
 
 std::unique_ptr<Plan> Traffic::stop(const WalkOrder& order) {
   auto plan = std::make_unique<Plan>();
   plan->order = order;
-  plan->status = RouteStatus::Ok;
-  Walk walk = walk_along(walking_, order, takes_over_at(order), {}, {});
+  plan->status = path::RouteStatus::Ok;
+  motion::Walk walk = walk_along(walking_, order, takes_over_at(order), {}, {});
   plan->holds = commit(*plan, std::move(walk)).has_value();
   plan->seconds_to_goal = plan->seconds();
   return plan;
@@ -209,15 +213,15 @@ std::unique_ptr<Plan> Traffic::stop(const WalkOrder& order) {
 std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
   auto plan = std::make_unique<Plan>();
   plan->order = order;
-  plan->status = RouteStatus::Ok;
+  plan->status = path::RouteStatus::Ok;
   const Placement from = takes_over_at(order);
   const std::vector<Vec2> line = members_[*order.makes_room_for].line;
   constexpr std::size_t most_refuges = 5;
-  for (const Refuge& refuge :
-       find_refuges(map_, timetable_, order.avatar, from.position, line, most_refuges)) {
-    Walk walk = walk_along(walking_, order, from, refuge.way, {});
+  for (const crowd::Refuge& refuge :
+       crowd::find_refuges(map_, reservations_, order.avatar, from.position, line, most_refuges)) {
+    motion::Walk walk = walk_along(walking_, order, from, refuge.way, {});
     if (commit(*plan, std::move(walk))) continue;
-    plan->length = polyline_length(refuge.way);
+    plan->length = motion::polyline_length(refuge.way);
     keep_way(refuge.way, *plan);
     plan->seconds_to_goal = plan->seconds();
     return plan;
@@ -225,10 +229,10 @@ std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
   // Others stand about it: they have to make room for the same line first.
   plan->holds = true;
   members_[order.avatar].line = line;
-  for (const Timetable::Entry& entry : timetable_.entries())
+  for (const crowd::ReservationTable::Entry& entry : reservations_.entries())
     if (entry.body != order.avatar && entry.body != *order.makes_room_for &&
-        entry.course.end() <= *order.seconds && members_[entry.body].rank < 1e6 &&
-        glm::distance(entry.course.place.back(), from.position) < 1.5)
+        entry.trajectory.end() <= *order.seconds && members_[entry.body].rank < 1e6 &&
+        glm::distance(entry.trajectory.place.back(), from.position) < 1.5)
       plan->in_the_way.push_back(entry.body);
   return plan;
 }
@@ -246,11 +250,11 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     plan->points = before.points;
     plan->reach = before.reach;
     way = rest_of_way(map_, order, museum_.body_radius);
-    done = plan->reach.back() - polyline_length(way);
+    done = plan->reach.back() - motion::polyline_length(way);
   } else {
-    Way found = find_way(museum_, map_, order, from.position);
+    path::Way found = find_way(museum_, map_, order, from.position);
     plan->status = found.status;
-    if (found.status != RouteStatus::Ok) return plan;
+    if (found.status != path::RouteStatus::Ok) return plan;
     plan->length = found.length;
     way = std::move(found.points);
     keep_way(way, *plan);
@@ -259,13 +263,13 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   if (way.size() < 2) way = {from.position, order.goal->position};
   if (advance(*plan, from, way, done)) return plan;
   if (order.held_seconds > patience && plan->in_the_way.empty()) {
-    const RouteQuery query{.kind = RouteKind::Shortest,
-                           .from = from.position,
-                           .to = order.goal->position,
-                           .radius = museum_.body_radius + Museum::walking_room,
-                           .tell_clearance = false};
-    Way round = find_detour(map_, timetable_, order.avatar, query, *order.seconds);
-    if (round.status == RouteStatus::Ok) {
+    const path::RouteQuery query{.kind = path::RouteKind::Shortest,
+                                 .from = from.position,
+                                 .to = order.goal->position,
+                                 .radius = museum_.body_radius + Museum::walking_room,
+                                 .tell_clearance = false};
+    path::Way round = crowd::find_detour(map_, reservations_, order.avatar, query, *order.seconds);
+    if (round.status == path::RouteStatus::Ok) {
       plan->length = round.length;
       keep_way(round.points, *plan);
       plan->is_new_way = true;
@@ -279,12 +283,12 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
 bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done) {
   const WalkOrder& order = plan.order;
 
-  PassageQuery query;
+  crowd::PassageQuery query;
   query.body = order.avatar;
   query.seconds = *order.seconds;
   query.way = way;
   query.speed = order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
-  const Vec2 ahead = first_part(way, 0.5).back() - from.position;
+  const Vec2 ahead = motion::first_part(way, 0.5).back() - from.position;
   if (stands(order)) {
     const double turn =
         std::abs(std::remainder(std::atan2(ahead.y, ahead.x) - from.heading, 2 * std::numbers::pi));
@@ -294,13 +298,13 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
   query.behind = behind;
   const std::vector<std::uint32_t> obliging = this->obliging(order);
   query.obliging = obliging;
-  const Passage passage = find_passage(map_, timetable_, query);
+  const crowd::Passage passage = crowd::find_passage(map_, reservations_, query);
   members_[order.avatar].line = passage.line;
   plan.in_the_way = passage.in_the_way;
 
   // As far as it may go at once; where somebody would be met after all, less far.
   const std::vector<double> reach = reach_of(passage.points);
-  const double whole = polyline_length(way);
+  const double whole = motion::polyline_length(way);
   double most = passage.reaches_goal && reach.back() < stretch + least_rest ? 1e9 : stretch;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::optional<std::uint32_t> stop;
@@ -314,10 +318,10 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     // On the way itself its own bends are walked and not those of the passage's steps.
     if (passage.is_straight)
       points = arrives ? std::vector<Vec2>(way.begin(), way.end())
-                       : first_part(way, passage.along[*stop]);
+                       : motion::first_part(way, passage.along[*stop]);
     std::optional<double> facing;
     if (arrives) facing = order.goal->heading;
-    Walk walk = walk_along(walking_, order, from, points, facing);
+    motion::Walk walk = walk_along(walking_, order, from, points, facing);
     const std::vector<double> walked =
         walk.along.empty() ? std::vector<double>{}
                            : std::vector<double>(walk.along.begin(), walk.along.end());
@@ -335,7 +339,7 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     }
     plan.is_whole = arrives;
     if (!arrives) {
-      plan.go_on_frame = frame_count(plan.walk) - 1;
+      plan.go_on_frame = motion::frame_count(plan.walk) - 1;
       if (walking_ != nullptr)
         if (const auto frame = frame_to_go_on(museum_.motion, plan.walk)) plan.go_on_frame = *frame;
     }
@@ -346,4 +350,4 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
   return false;
 }
 
-}  // namespace docent
+}  // namespace docent::plan

@@ -6,24 +6,24 @@
 #include <span>
 #include <vector>
 
-#include "runtime/crowd/timetable.h"
+#include "runtime/crowd/reservation_table.h"
 #include "runtime/plan/plan.h"
 
-namespace docent {
+namespace docent::plan {
 
 /// Everybody who walks on a floor, as the worker knows it: makes plans that nobody is met on.
 ///
-/// A plan is given only where the circle of its walk, frame by frame, stays clear of all courses to
-/// which others are committed, until the last of them stands; otherwise a shorter one that ends at
-/// a safe place, or none for now (`Plan::holds`).
+/// A plan is given only where the circle of its walk, frame by frame, stays clear of all
+/// trajectories to which others are committed, until the last of them stands; otherwise a shorter
+/// one that ends at a safe place, or none for now (`Plan::holds`).
 class Traffic {
  public:
-  Traffic(const Museum& museum, const WalkGraph* walking, const FloorMap& map);
+  Traffic(const Museum& museum, const motion::WalkGraph* walking, const path::FloorMap& map);
 
   /// Answers an order that has `seconds`.
   std::unique_ptr<Plan> plan(const WalkOrder& order);
 
-  const Timetable& timetable() const noexcept { return timetable_; }
+  const crowd::ReservationTable& reservations() const noexcept { return reservations_; }
 
  private:
   struct Member {
@@ -37,18 +37,18 @@ class Traffic {
   /// Gets on along a way, or at least some of it, that begins `done` metres along the plan's; false
   /// where it has to stay.
   bool advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
-  /// When a course leads into a wall.
-  std::optional<double> first_wall(const Course& course, double from) const;
+  /// When a trajectory leads into a wall.
+  std::optional<double> first_wall(const crowd::Trajectory& trajectory, double from) const;
   /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met
   /// on it; else when that is.
-  std::optional<Conflict> commit(Plan& plan, Walk walk);
+  std::optional<crowd::Conflict> commit(Plan& plan, motion::Walk walk);
   std::vector<std::uint32_t> obliging(const WalkOrder& order) const;
 
   const Museum& museum_;
-  const WalkGraph* walking_;
-  const FloorMap& map_;
-  Timetable timetable_;
+  const motion::WalkGraph* walking_;
+  const path::FloorMap& map_;
+  crowd::ReservationTable reservations_;
   std::map<std::uint32_t, Member> members_;
 };
 
-}  // namespace docent
+}  // namespace docent::plan

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 using Cell = std::array<std::int32_t, 4>;  // three of the grid, and the material
@@ -72,4 +72,4 @@ std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell) {
   return indices;
 }
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -5,7 +5,7 @@
 
 #include "runtime/model/motion/skinned_mesh.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// Triangles of a coarser body on the same vertices: those of one material within a cube of `cell`
 /// metres become one, the vertex nearest to their middle (Rossignac and Borrel 1993). Triangles
@@ -13,4 +13,4 @@ namespace docent {
 /// are larger than that looks the same. The same mesh gives the same triangles.
 std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell);
 
-}  // namespace docent
+}  // namespace docent::scene

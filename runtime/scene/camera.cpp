@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -203,4 +203,4 @@ double turn_smoothly(double current, double wanted, double seconds, double time_
   return wrapped(current + std::clamp(step, -most, most));
 }
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -6,7 +6,7 @@
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// How the long lens stands: what it looks at, from where, and where on the screen that appears.
 /// Blending two of these component by component is a smooth flight above the walls.
@@ -74,4 +74,4 @@ double smooth_step(double share) noexcept;
 /// 0 to 1, quick at the beginning and slow at the end.
 double ease_out(double share) noexcept;
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -7,7 +7,7 @@
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// Linear RGB and opacity, premultiplied nowhere: the renderer does that.
 struct Colour {
@@ -70,7 +70,7 @@ struct AvatarDraw {
 /// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
 /// follow the kind.
 struct RibbonDraw {
-  RouteKind kind = RouteKind::Shortest;
+  path::RouteKind kind = path::RouteKind::Shortest;
   std::int32_t look = -1;  ///< Whose trail it is: the colour of that look. -1: that of the kind.
   std::uint32_t first = 0, count = 0;
   std::uint32_t revision =
@@ -112,4 +112,4 @@ struct DrawList {
   std::vector<Quad> quads;  ///< Over everything, in order.
 };
 
-}  // namespace docent
+}  // namespace docent::scene

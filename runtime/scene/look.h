@@ -7,7 +7,7 @@
 
 #include "runtime/scene/theme.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// What a coat is made of besides its own colour, so that two guides are told apart in grey too.
 enum class CoatPattern : std::uint8_t {
@@ -193,4 +193,4 @@ inline Colour trail_colour(std::size_t look) noexcept {
   return srgb(looks[look % looks.size()].coat);
 }
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 /// Corners are rounded with this radius where their sides are long enough: more than half the
@@ -94,4 +94,4 @@ std::size_t append_ribbon(std::span<const Vec2> points, double length, std::vect
   return strip.size() - before;
 }
 
-}  // namespace docent
+}  // namespace docent::scene

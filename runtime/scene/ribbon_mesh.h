@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// A vertex of a ribbon's strip.
 struct RibbonVertex {
@@ -27,4 +27,4 @@ constexpr double ribbon_rim = 0.035;
 std::size_t append_ribbon(std::span<const Vec2> points, double length, std::vector<Vec2>& rounded,
                           std::vector<RibbonVertex>& strip) noexcept;
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -6,7 +6,7 @@
 #include "runtime/path/way.h"
 #include "runtime/scene/draw_list.h"
 
-namespace docent {
+namespace docent::scene {
 
 /// One channel of sRGB, [0, 1], as linear light (IEC 61966-2-1).
 inline float linear_light(float channel) noexcept {
@@ -35,13 +35,13 @@ struct Theme {
   Colour offset = srgb(0xC0841A);    ///< Ochre.
 };
 
-inline Colour route_colour(const Theme& theme, RouteKind kind) noexcept {
+inline Colour route_colour(const Theme& theme, path::RouteKind kind) noexcept {
   switch (kind) {
-    case RouteKind::Skeleton:
+    case path::RouteKind::Skeleton:
       return theme.skeleton;
-    case RouteKind::Offset:
+    case path::RouteKind::Offset:
       return theme.offset;
-    case RouteKind::Shortest:
+    case path::RouteKind::Shortest:
       break;
   }
   return theme.shortest;
@@ -52,4 +52,4 @@ inline Colour with_opacity(Colour colour, float opacity) noexcept {
   return colour;
 }
 
-}  // namespace docent
+}  // namespace docent::scene

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace docent {
+namespace docent::schema {
 
 namespace {
 
@@ -352,4 +352,4 @@ std::string broken_invariant(const Museum& museum) {
   return {};
 }
 
-}  // namespace docent
+}  // namespace docent::schema

@@ -39,7 +39,7 @@ bool same_bits(float a, float b) noexcept {
 }
 
 /// What one number of a motion was in the last two frames, and how well that foretold it.
-struct Course {
+struct Predictor {
   std::int64_t last = 0, before = 0;
   std::uint64_t level = 256;
 
@@ -53,7 +53,7 @@ struct Course {
 
 /// The courses of a rotation's parts, and which of them is derived.
 struct Turning {
-  std::array<Course, 4> part;
+  std::array<Predictor, 4> part;
   std::size_t derived = 3;
   bool negative = false;  ///< The derived part.
 
@@ -68,7 +68,7 @@ struct Turning {
     part[derived].go_to(negative ? -steps : steps);
   }
   void keep_still() noexcept {
-    for (Course& course : part) course.before = course.last;
+    for (Predictor& predictor : part) predictor.before = predictor.last;
   }
 };
 
@@ -165,7 +165,7 @@ class Encoder {
   std::vector<std::byte> encode() && {
     const std::size_t frames = clip_.root.size();
     std::vector<Turning> joint(frames > 0 ? clip_.joint_count : 0, Turning(motion_.bits));
-    std::array<Course, 3> root{};
+    std::array<Predictor, 3> root{};
     for (std::size_t first = 0; first < frames; first += block_frames) {
       const std::size_t end = std::min(first + block_frames, frames);
       for (std::size_t f = first; f < end; ++f) {
@@ -184,9 +184,9 @@ class Encoder {
     return frame * clip_.joint_count + joint;
   }
 
-  void put(Course& course, std::int64_t value) {
-    const std::uint64_t code = code_of(value - course.foretold());
-    const int low = course.parameter();
+  void put(Predictor& predictor, std::int64_t value) {
+    const std::uint64_t code = code_of(value - predictor.foretold());
+    const int low = predictor.parameter();
     const std::uint64_t ones = code >> low;
     if (ones < most_ones) {
       out_.put((std::uint64_t{2} << ones) - 2, static_cast<int>(ones) + 1);
@@ -195,8 +195,8 @@ class Encoder {
       out_.put((std::uint64_t{1} << most_ones) - 1, most_ones);
       out_.put(code, 64);
     }
-    course.learn(code);
-    course.go_to(value);
+    predictor.learn(code);
+    predictor.go_to(value);
   }
 
   void put_block(Turning& turning, std::size_t joint, std::size_t first, std::size_t end) {
@@ -270,7 +270,7 @@ class Decoder {
   [[nodiscard]] bool decode() {
     const std::size_t frames = clip_.root.size();
     std::vector<Turning> joint(frames > 0 ? clip_.joint_count : 0, Turning(bits_));
-    std::array<Course, 3> root{};
+    std::array<Predictor, 3> root{};
     for (std::size_t first = 0; first < frames && is_sound(); first += block_frames) {
       const std::size_t end = std::min(first + block_frames, frames);
       for (std::size_t f = first; f < end; ++f) {
@@ -278,7 +278,7 @@ class Decoder {
         clip_.plants[f].right = in_.take_flag();
       }
       for (std::size_t f = first; f < end; ++f) {
-        for (Course& course : root) take(course, most_root_steps);
+        for (Predictor& predictor : root) take(predictor, most_root_steps);
         clip_.root[f] = {root_at(root[0].last), root_at(root[1].last), root_at(root[2].last)};
       }
       for (std::size_t j = 0; j < joint.size(); ++j) take_block(joint[j], j, first, end);
@@ -293,8 +293,8 @@ class Decoder {
     return clip_.rotation[frame * clip_.joint_count + joint];
   }
 
-  void take(Course& course, std::int64_t most) {
-    const int low = course.parameter();
+  void take(Predictor& predictor, std::int64_t most) {
+    const int low = predictor.parameter();
     const auto ones = static_cast<std::uint64_t>(in_.take_ones(most_ones));
     std::uint64_t code = 0;
     if (ones < most_ones) {
@@ -304,11 +304,11 @@ class Decoder {
       code |= in_.take(32);
     }
     // Damaged bytes may say anything: wraps round instead of overflowing.
-    const auto value = static_cast<std::int64_t>(static_cast<std::uint64_t>(course.foretold()) +
+    const auto value = static_cast<std::int64_t>(static_cast<std::uint64_t>(predictor.foretold()) +
                                                  static_cast<std::uint64_t>(residual_of(code)));
     sound_ = sound_ && value >= -most && value <= most;
-    course.learn(code);
-    course.go_to(sound_ ? value : 0);
+    predictor.learn(code);
+    predictor.go_to(sound_ ? value : 0);
   }
 
   void take_block(Turning& turning, std::size_t joint, std::size_t first, std::size_t end) {

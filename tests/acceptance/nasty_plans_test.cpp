@@ -27,16 +27,16 @@ std::string written(const Points& ring) {
   return text + "]";
 }
 
-std::string geojson(const ImportedPlan& plan) {
-  const ImportedPolygon& polygon = plan.polygons.front();
+std::string geojson(const import::ImportedPlan& plan) {
+  const import::ImportedPolygon& polygon = plan.polygons.front();
   std::string rings = written(polygon.outer.vertex);
-  for (const ImportedRing& hole : polygon.holes) rings += ",\n" + written(hole.vertex);
+  for (const import::ImportedRing& hole : polygon.holes) rings += ",\n" + written(hole.vertex);
   return R"({"type": "Polygon", "coordinates": [)" + rings + "]}";
 }
 
-std::size_t count_vertices(const ImportedPlan& plan) {
+std::size_t count_vertices(const import::ImportedPlan& plan) {
   std::size_t count = plan.polygons.front().outer.vertex.size();
-  for (const ImportedRing& hole : plan.polygons.front().holes) count += hole.vertex.size();
+  for (const import::ImportedRing& hole : plan.polygons.front().holes) count += hole.vertex.size();
   return count;
 }
 

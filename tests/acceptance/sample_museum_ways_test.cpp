@@ -7,24 +7,24 @@
 namespace docent::test {
 namespace {
 
-class SampleMuseum : public testing::TestWithParam<RouteKind> {};
+class SampleMuseum : public testing::TestWithParam<path::RouteKind> {};
 
 TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
-  const auto museum = load_museum(sample_database());
+  const auto museum = sqlite::load_museum(sample_database());
   ASSERT_TRUE(museum.has_value()) << museum.error().what;
   ASSERT_GE(museum->exhibits.size(), 24U);
 
   for (std::uint32_t f = 0; f < museum->floors.size(); ++f) {
     const FloorPlan& plan = museum->floors[f].plan;
-    const auto map = make_floor_map(museum->floors[f]);
+    const auto map = path::make_floor_map(museum->floors[f]);
     for (const Exhibit& from : museum->exhibits)
       for (const Exhibit& to : museum->exhibits) {
         if (from.floor != f || to.floor != f) continue;
-        RouteQuery query{.kind = GetParam(), .radius = museum->body_radius};
+        path::RouteQuery query{.kind = GetParam(), .radius = museum->body_radius};
         query.from = from.view.position;
         query.to = to.view.position;
-        const Way way = route(*map, query);
-        ASSERT_EQ(way.status, RouteStatus::Ok) << from.id << " to " << to.id;
+        const path::Way way = path::route(*map, query);
+        ASSERT_EQ(way.status, path::RouteStatus::Ok) << from.id << " to " << to.id;
         EXPECT_GE(way.clearance_min, museum->body_radius - 1e-6) << from.id << " to " << to.id;
         EXPECT_FALSE(crosses_a_wall(plan, way.points)) << from.id << " to " << to.id;
         for (const Vec2 point : way.points)
@@ -34,8 +34,8 @@ TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachKind, SampleMuseum,
-                         testing::Values(RouteKind::Shortest, RouteKind::Skeleton,
-                                         RouteKind::Offset));
+                         testing::Values(path::RouteKind::Shortest, path::RouteKind::Skeleton,
+                                         path::RouteKind::Offset));
 
 }  // namespace
 }  // namespace docent::test

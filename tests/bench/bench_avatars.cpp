@@ -20,26 +20,26 @@
 namespace docent::bench {
 namespace {
 
-constexpr std::size_t guides = guide_look_count, strollers = 40;
+constexpr std::size_t guides = scene::guide_look_count, strollers = 40;
 
 /// Lets the kiosk run in simulated time, the worker's answers always there.
-void run(Exhibition& exhibition, Renderer& renderer, double seconds) {
+void run(kiosk::Exhibition& exhibition, gles::Renderer& renderer, double seconds) {
   for (int frame = 0; frame < std::lround(60 * seconds); ++frame) {
     exhibition.planner->wait();
-    exhibition.guide->step(Seconds{1.0F / 60});
-    apply_pieces(*exhibition.guide, renderer);
+    exhibition.guide->step(guide::Seconds{1.0F / 60});
+    kiosk::apply_pieces(*exhibition.guide, renderer);
   }
 }
 
-void press(Exhibition& exhibition, Renderer& renderer, Key key) {
-  exhibition.guide->touch({.kind = InputEvent::Kind::KeyDown, .contact = {}, .key = key});
+void press(kiosk::Exhibition& exhibition, gles::Renderer& renderer, input::Key key) {
+  exhibition.guide->touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = key});
   run(exhibition, renderer, 0.1);
 }
 
 /// The leader again, elsewhere and in another look.
-void add_beside(DrawList& list, Vec2 offset, std::uint32_t look) {
+void add_beside(scene::DrawList& list, Vec2 offset, std::uint32_t look) {
   const Vec3 by = to_world(offset);
-  AvatarDraw other = list.avatars.front();
+  scene::AvatarDraw other = list.avatars.front();
   const std::size_t joints = list.palette.size() / list.avatars.size();
   other.look = look;
   other.first_matrix = static_cast<std::uint32_t>(list.palette.size());
@@ -52,8 +52,9 @@ void add_beside(DrawList& list, Vec2 offset, std::uint32_t look) {
 
 /// One guide's picture with seven more guides and forty strolling visitors, scattered evenly over
 /// `width` by `depth` metres from `corner`.
-DrawList with_company(const DrawList& alone, Vec2 corner, double width, double depth) {
-  DrawList list = alone;
+scene::DrawList with_company(const scene::DrawList& alone, Vec2 corner, double width,
+                             double depth) {
+  scene::DrawList list = alone;
   const Vec2 leader = to_floor(list.avatars.front().centre);
   for (std::size_t i = 1; i < guides + strollers; ++i) {
     // The additive recurrence of the plastic number: even, and never on a grid.
@@ -61,7 +62,8 @@ DrawList with_company(const DrawList& alone, Vec2 corner, double width, double d
     const Vec2 at = corner + Vec2{width * std::fmod(0.7548776662 * n, 1.0),
                                   depth * std::fmod(0.5698402910 * n, 1.0)};
     const std::size_t look =
-        i < guides ? i : guide_look_count + i % (looks.size() - guide_look_count);
+        i < guides ? i
+                   : scene::guide_look_count + i % (scene::looks.size() - scene::guide_look_count);
     add_beside(list, at - leader, static_cast<std::uint32_t>(look));
   }
   return list;
@@ -71,7 +73,8 @@ struct Cost {
   std::vector<double> wall, processor;  ///< Milliseconds a frame.
 };
 
-void draw_once(Renderer& renderer, HeadlessDisplay& display, const DrawList& list, Cost& cost) {
+void draw_once(gles::Renderer& renderer, headless::HeadlessDisplay& display,
+               const scene::DrawList& list, Cost& cost) {
   const double begun = now();
   const std::clock_t worked = std::clock();
   renderer.draw(list, display.target());
@@ -81,12 +84,12 @@ void draw_once(Renderer& renderer, HeadlessDisplay& display, const DrawList& lis
 }
 
 /// What do seven more guides and forty visitors cost beside one guide, frame about frame?
-void compare(const char* picture, Renderer& renderer, HeadlessDisplay& display,
-             const DrawList& alone, const DrawList& company, int frames) {
+void compare(const char* picture, gles::Renderer& renderer, headless::HeadlessDisplay& display,
+             const scene::DrawList& alone, const scene::DrawList& crowd, int frames) {
   Cost one, many;
   for (int frame = 0; frame < frames + 2; ++frame) {
     draw_once(renderer, display, alone, one);
-    draw_once(renderer, display, company, many);
+    draw_once(renderer, display, crowd, many);
     if (frame == 1) one = many = {};  // textures and buffers have found their places
   }
   const auto report = [&](const char* clock, std::span<const double> a, std::span<const double> b) {
@@ -99,37 +102,37 @@ void compare(const char* picture, Renderer& renderer, HeadlessDisplay& display,
 
 int measure(const std::string& database, int frames) {
   constexpr PixelSize full_hd{1920, 1080};
-  auto display = open_headless(full_hd);
-  auto renderer = make_renderer();
-  auto loaded = load_exhibition(database, {.shape = {.width = 1920, .height = 1080}});
+  auto display = headless::open_headless(full_hd);
+  auto renderer = gles::make_renderer();
+  auto loaded = kiosk::load_exhibition(database, {.shape = {.width = 1920, .height = 1080}});
   if (!display || !renderer || !loaded) {
     const Error& error =
         !display ? display.error() : (!renderer ? renderer.error() : loaded.error());
     std::fprintf(stderr, "%s\n", error.what.c_str());
     return 1;
   }
-  Exhibition& exhibition = **loaded;
-  upload(exhibition, *renderer);
+  kiosk::Exhibition& exhibition = **loaded;
+  kiosk::upload(exhibition, *renderer);
   renderer->warm_up((*display)->target());
   std::printf("milliseconds a frame at 1920 x 1080     clock      1 avatar       48    ratio\n");
 
   run(exhibition, *renderer, 0.5);
-  press(exhibition, *renderer, Key::Enter);
+  press(exhibition, *renderer, input::Key::Enter);
   run(exhibition, *renderer, 2);
-  const DrawList overview = exhibition.guide->draw_list();
+  const scene::DrawList overview = exhibition.guide->draw_list();
   compare("overview, all over the floor", *renderer, **display, overview,
           with_company(overview, {0.5, 0.5}, 38, 30), frames);
 
-  press(exhibition, *renderer, Key::Down);
-  press(exhibition, *renderer, Key::Enter);
+  press(exhibition, *renderer, input::Key::Down);
+  press(exhibition, *renderer, input::Key::Enter);
   run(exhibition, *renderer, 4);
-  const DrawList walking = exhibition.guide->draw_list();
+  const scene::DrawList walking = exhibition.guide->draw_list();
   compare("walking, all over the floor", *renderer, **display, walking,
           with_company(walking, {0.5, 0.5}, 38, 30), frames);
   const Vec2 leader = to_floor(walking.avatars.front().centre);
   compare("walking, all within 14 m by 14 m", *renderer, **display, walking,
           with_company(walking, leader - Vec2{7, 7}, 14, 14), frames);
-  release(exhibition, *renderer);
+  kiosk::release(exhibition, *renderer);
   return 0;
 }
 

@@ -1,4 +1,4 @@
-/// How long do people need who are in each other's way, and do they stay apart: docent's company
+/// How long do people need who are in each other's way, and do they stay apart: docent's crowd
 /// beside ORCA, in the situations that narrow floors bring about.
 #include <algorithm>
 #include <cmath>
@@ -30,16 +30,17 @@ std::vector<OrcaWall> walls_of(const FloorPlan& plan) {
 }
 
 /// Towards the point half a metre along the shortest way, slower at its end.
-Vec2 preferred_velocity(const FloorMap& map, Vec2 from, Vec2 to, double speed) {
-  RouteQuery query;
+Vec2 preferred_velocity(const path::FloorMap& map, Vec2 from, Vec2 to, double speed) {
+  path::RouteQuery query;
   query.from = from;
   query.to = to;
   query.radius = radius - 0.01;
   query.tell_clearance = false;
-  const Way way = route(map, query);
+  const path::Way way = path::route(map, query);
   Vec2 towards = to;
   double left = 0.5;
-  for (std::size_t i = 1; way.status == RouteStatus::Ok && i < way.points.size() && left > 0; ++i) {
+  for (std::size_t i = 1; way.status == path::RouteStatus::Ok && i < way.points.size() && left > 0;
+       ++i) {
     const double piece = glm::distance(way.points[i - 1], way.points[i]);
     towards =
         piece > left ? glm::mix(way.points[i - 1], way.points[i], left / piece) : way.points[i];
@@ -53,7 +54,7 @@ Vec2 preferred_velocity(const FloorMap& map, Vec2 from, Vec2 to, double speed) {
 
 test::Scene play_orca(const test::Situation& situation, double speed, double horizon) {
   const Floor floor = test::floor_of(situation.plan, {radius - 0.01});
-  const auto map = make_floor_map(floor);
+  const auto map = path::make_floor_map(floor);
   const std::vector<OrcaWall> walls = walls_of(situation.plan);
   OrcaSettings settings;
   settings.horizon = horizon;
@@ -85,7 +86,7 @@ test::Scene play_orca(const test::Situation& situation, double speed, double hor
       bodies[i].velocity = next[i];
       bodies[i].position += frame_seconds * next[i];
       scene.least_clearance =
-          std::min(scene.least_clearance, clearance_at(*map, bodies[i].position));
+          std::min(scene.least_clearance, path::clearance_at(*map, bodies[i].position));
       for (std::size_t j = 0; j < i; ++j)
         scene.deepest_overlap =
             std::max(scene.deepest_overlap,
@@ -126,7 +127,7 @@ void tell(const char* name, const std::string& method, const test::Situation& si
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"docent's company beside ORCA"};
+  CLI::App app{"docent's crowd beside ORCA"};
   double speed = 1.15;
   app.add_option("--speed", speed, "metres a second of ORCA's discs; docent's walk at the clips'");
   CLI11_PARSE(app, argc, argv);

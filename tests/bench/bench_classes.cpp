@@ -43,8 +43,8 @@ std::vector<WalkShape> shapes() {
 /// A graph and what is needed to walk on it; stays where it is, because the graph is borrowed.
 struct Walker {
   Walker(const char* of, MotionGraph of_motion) : name(of), motion(std::move(of_motion)) {
-    motion.foresight = make_foresight(make_walk_graph(motion).value());
-    graph = make_walk_graph(motion).value();
+    motion.foresight = motion::make_foresight(motion::make_walk_graph(motion).value());
+    graph = motion::make_walk_graph(motion).value();
   }
   Walker(const Walker&) = delete;
   Walker& operator=(const Walker&) = delete;
@@ -54,13 +54,13 @@ struct Walker {
     std::size_t within = 0;
     for (std::size_t t = 0; t < motion.transitions.size(); ++t)
       within += graph.clip[motion.transitions[t].from.clip].rank <= scope &&
-                leads_to_stand(graph, t, scope);
+                motion::leads_to_stand(graph, t, scope);
     return within;
   }
 
   const char* name;
   MotionGraph motion;
-  WalkGraph graph;
+  motion::WalkGraph graph;
 };
 
 /// Of all measured paths.
@@ -94,11 +94,12 @@ void print_classes(const Walker& walker) {
 }
 
 /// The share of a walk's frames that each class gives, "walk 90 %, jog 10 %".
-std::string classes_of(const Walk& walk, const std::vector<MotionClip>& clips) {
+std::string classes_of(const motion::Walk& walk, const std::vector<MotionClip>& clips) {
   std::map<std::string, std::size_t> frames;
   std::size_t all = 0;
   for (std::size_t f = 0; f < walk.source.size(); ++f)
-    if (walk.gait[f] == Gait::Walk) ++frames[clips[walk.source[f].clip].motion_class], ++all;
+    if (walk.gait[f] == motion::Gait::Walk)
+      ++frames[clips[walk.source[f].clip].motion_class], ++all;
   std::string text;
   for (const auto& [name, count] : frames)
     text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", name,
@@ -106,15 +107,15 @@ std::string classes_of(const Walk& walk, const std::vector<MotionClip>& clips) {
   return text;
 }
 
-void measure(const Walker& walker, const WalkShape& shape, Fidelity fidelity, int rounds,
+void measure(const Walker& walker, const WalkShape& shape, motion::Fidelity fidelity, int rounds,
              Sums& sums) {
-  WalkRequest request;
+  motion::WalkRequest request;
   request.path = shape.path;
   request.fidelity = fidelity;
   std::vector<double> seconds;
-  Walk walk;
+  motion::Walk walk;
   for (int round = 0; round < rounds; ++round) {
-    walk = make_walk(walker.graph, request).value();
+    walk = motion::make_walk(walker.graph, request).value();
     seconds.push_back(walk.search_seconds);
   }
   const WalkQuality quality =
@@ -129,10 +130,10 @@ void measure(const Walker& walker, const WalkShape& shape, Fidelity fidelity, in
   sums.largest = std::max(sums.largest, quality.deviation.largest);
 }
 
-void compare(std::span<const Walker* const> walkers, Fidelity fidelity, int rounds) {
+void compare(std::span<const Walker* const> walkers, motion::Fidelity fidelity, int rounds) {
   fmt::print("\n{}\n{:<18} {:<16} {:>8} {:>9} {:>8} {:>8} {:>8}\n",
-             fidelity == Fidelity::Raw ? "raw" : "exact", "path", "search", "in scope", "touched",
-             "ms", "mean cm", "max cm");
+             fidelity == motion::Fidelity::Raw ? "raw" : "exact", "path", "search", "in scope",
+             "touched", "ms", "mean cm", "max cm");
   const std::vector<WalkShape> paths = shapes();
   std::vector<Sums> sums(walkers.size());
   for (const WalkShape& shape : paths)
@@ -147,13 +148,13 @@ void compare(std::span<const Walker* const> walkers, Fidelity fidelity, int roun
 void run(const Options& options) {
   std::vector<Diagnostic> problems;
   const std::vector<std::filesystem::path> folders(options.clips.begin(), options.clips.end());
-  const MotionGraph motion = compile_motion(folders, {}, problems);
+  const MotionGraph motion = motion::offline::compile_motion(folders, {}, problems);
   MotionGraph classless = motion;
   classless.classes.clear();
   const Walker with("with classes", motion), without("without classes", std::move(classless));
   print_classes(with);
   const Walker* const walkers[] = {&with, &without};
-  for (const Fidelity fidelity : {Fidelity::Raw, Fidelity::Exact})
+  for (const motion::Fidelity fidelity : {motion::Fidelity::Raw, motion::Fidelity::Exact})
     compare(walkers, fidelity, options.rounds);
 }
 

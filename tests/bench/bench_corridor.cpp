@@ -54,10 +54,10 @@ Panel measure_corridor(const std::string& title, const MakeCorridor& make,
                        std::span<const std::size_t> sizes) {
   using Mark = Series::Mark;
   const std::vector<double> radii{0.0, disc_radius};
-  std::vector<Series> whole{{"point, end to end", std::string(ink::vermilion), Mark::Disc},
-                            {"disc, end to end", std::string(ink::teal), Mark::Square}};
-  std::vector<Series> part{{"point, part of it", std::string(ink::ochre), Mark::Ring},
-                           {"disc, part of it", std::string(ink::quiet), Mark::Diamond}};
+  std::vector<Series> whole{{"point, end to end", std::string(draw::ink::vermilion), Mark::Disc},
+                            {"disc, end to end", std::string(draw::ink::teal), Mark::Square}};
+  std::vector<Series> part{{"point, part of it", std::string(draw::ink::ochre), Mark::Ring},
+                           {"disc, part of it", std::string(draw::ink::quiet), Mark::Diamond}};
   for (const std::size_t turns : sizes) {
     const Corridor corridor = make(turns);
     const auto floor = compile(to_polymap(corridor.plan), radii);

@@ -68,16 +68,16 @@ std::unique_ptr<BenchFloor> compile(const Polymap& map, std::span<const double> 
   result->name = map.name;
   const double begin = now();
   {
-    Report report;
-    Progress progress(Progress::Output::Nothing);
-    plan_floor_stages(progress);
+    compile::Report report;
+    compile::Progress progress(compile::Progress::Output::Nothing);
+    compile::plan_floor_stages(progress);
     const std::vector<std::string> files{file};
-    CompiledFloor compiled =
-        compile_floor(map.name, files, Coordinates::Metres, radii, report, progress);
+    compile::CompiledFloor compiled = compile::compile_floor(
+        map.name, files, import::Coordinates::Metres, radii, report, progress);
     result->floor = std::move(compiled.floor);
   }
   result->compile_seconds = now() - begin;
-  result->map = make_floor_map(result->floor);
+  result->map = path::make_floor_map(result->floor);
   result->megabytes = (heap_in_use() - heap_before) / megabyte;
   return result;
 }
@@ -100,7 +100,7 @@ std::vector<Query> read_answers(const std::filesystem::path& file) {
   return queries;
 }
 
-std::vector<Query> random_queries(const FloorMap& map, const FloorPlan& plan, double radius,
+std::vector<Query> random_queries(const path::FloorMap& map, const FloorPlan& plan, double radius,
                                   std::size_t count, std::mt19937_64& random) {
   Vec2 low = plan.vertex.front(), high = low;
   for (const Vec2 p : plan.vertex) low = glm::min(low, p), high = glm::max(high, p);
@@ -108,15 +108,16 @@ std::vector<Query> random_queries(const FloorMap& map, const FloorPlan& plan, do
   const auto free_point = [&] {
     for (int tries = 0; tries < 100'000; ++tries) {
       const Vec2 p = random_point(low, high, random);
-      if (is_inside(map, p) && clearance_at(map, p) > room) return p;
+      if (path::is_inside(map, p) && path::clearance_at(map, p) > room) return p;
     }
     throw std::runtime_error(fmt::format("{} has no room for a radius of {}", plan.name, radius));
   };
   std::vector<Query> queries;
   for (std::size_t tries = 0; tries < 10 * count && queries.size() < count; ++tries) {
     const Vec2 from = free_point(), to = free_point();
-    const RouteQuery asked{.from = from, .to = to, .radius = radius};
-    if (route(map, asked).status == RouteStatus::Ok) queries.push_back({from, to, radius});
+    const path::RouteQuery asked{.from = from, .to = to, .radius = radius};
+    if (path::route(map, asked).status == path::RouteStatus::Ok)
+      queries.push_back({from, to, radius});
   }
   return queries;
 }

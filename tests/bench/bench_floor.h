@@ -16,7 +16,7 @@ namespace docent::bench {
 struct BenchFloor {
   std::string name;
   Floor floor;
-  std::shared_ptr<const FloorMap> map;
+  std::shared_ptr<const path::FloorMap> map;
   double compile_seconds = 0;
   double megabytes = 0;  ///< Of `floor` and `map` together.
 };
@@ -45,7 +45,7 @@ struct Query {
 std::vector<Query> read_answers(const std::filesystem::path& file);
 
 /// Pairs of random points where a disc has room, between which it can go.
-std::vector<Query> random_queries(const FloorMap& map, const FloorPlan& plan, double radius,
+std::vector<Query> random_queries(const path::FloorMap& map, const FloorPlan& plan, double radius,
                                   std::size_t count, std::mt19937_64& random);
 
 }  // namespace docent::bench

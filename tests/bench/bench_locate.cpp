@@ -40,15 +40,17 @@ void run_map(const Polymap& polymap, int rounds) {
   const auto floor = compile(polymap, std::vector{0.0});
   std::mt19937_64 random(1);
   const auto queries = random_queries(*floor->map, floor->floor.plan, 0, pairs, random);
-  const FloorMap& map = *floor->map;
+  const path::FloorMap& map = *floor->map;
   const double inside = microseconds(
-      queries, rounds, [&](const Query& q) { return is_inside(map, q.from) ? 1.0 : 0.0; });
-  const double clearance =
-      microseconds(queries, rounds, [&](const Query& q) { return clearance_at(map, q.from); });
-  const double region = microseconds(
-      queries, rounds, [&](const Query& q) { return static_cast<double>(region_at(map, q.from)); });
-  const double see = microseconds(
-      queries, rounds, [&](const Query& q) { return can_see(map, q.from, q.to) ? 1.0 : 0.0; });
+      queries, rounds, [&](const Query& q) { return path::is_inside(map, q.from) ? 1.0 : 0.0; });
+  const double clearance = microseconds(
+      queries, rounds, [&](const Query& q) { return path::clearance_at(map, q.from); });
+  const double region = microseconds(queries, rounds, [&](const Query& q) {
+    return static_cast<double>(path::region_at(map, q.from));
+  });
+  const double see = microseconds(queries, rounds, [&](const Query& q) {
+    return path::can_see(map, q.from, q.to) ? 1.0 : 0.0;
+  });
   fmt::print("{:<45.45} {:>8} {:>10.3f} {:>10.3f} {:>10.3f} {:>10.3f} {:>10.3f}\n", polymap.name,
              floor->floor.plan.vertex.size(), inside, clearance, region,
              inside + clearance + region, see);

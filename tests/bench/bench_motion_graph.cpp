@@ -29,9 +29,9 @@ constexpr std::uint64_t seed = 4;
 /// Writes a BVH file per clip; returns the seconds of motion.
 double write_motion(const Recordings& recorded, double seconds,
                     const std::filesystem::path& folder) {
-  return make_motion(recorded, seconds, seed, [&](const SourceClip& made) {
-    write_bvh(recorded.skeleton, {made.clip.frame_rate, made.clip.root, made.clip.rotation},
-              folder / made.file);
+  return make_motion(recorded, seconds, seed, [&](const motion::offline::SourceClip& made) {
+    import::write_bvh(recorded.skeleton, {made.clip.frame_rate, made.clip.root, made.clip.rotation},
+                      folder / made.file);
   });
 }
 
@@ -39,11 +39,13 @@ double write_motion(const Recordings& recorded, double seconds,
 class Search {
  public:
   Search(const Recordings& recorded, double seconds) {
-    make_motion(recorded, seconds, seed, [&](SourceClip made) {
-      const Track track = make_track(recorded.skeleton, made.clip);
-      find_foot_plants(recorded.skeleton, track, made.clip);
-      studied_.cloud.push_back(make_pose_cloud(recorded.skeleton, track));
-      studied_.faults.push_back(find_capture_faults(recorded.skeleton, made.clip, track));
+    make_motion(recorded, seconds, seed, [&](motion::offline::SourceClip made) {
+      const motion::offline::Track track =
+          motion::offline::make_track(recorded.skeleton, made.clip);
+      motion::offline::find_foot_plants(recorded.skeleton, track, made.clip);
+      studied_.cloud.push_back(motion::offline::make_pose_cloud(recorded.skeleton, track));
+      studied_.faults.push_back(
+          motion::offline::find_capture_faults(recorded.skeleton, made.clip, track));
       clips_.push_back(std::move(made.clip));
     });
   }
@@ -54,12 +56,14 @@ class Search {
   };
 
   Found find(std::size_t compare_all_up_to, unsigned jobs) const {
-    TransitionOptions options;
+    motion::offline::TransitionOptions options;
     options.compare_all_up_to = compare_all_up_to;
     Found found;
     const double begin = now();
-    const std::vector<double> threshold = alike_thresholds(clips_, studied_, options);
-    for (const Transition& t : find_transitions(clips_, studied_, threshold, options, jobs))
+    const std::vector<double> threshold =
+        motion::offline::alike_thresholds(clips_, studied_, options);
+    for (const Transition& t :
+         motion::offline::find_transitions(clips_, studied_, threshold, options, jobs))
       found.transitions.insert({t.from.clip, t.from.frame, t.to.clip, t.to.frame});
     found.seconds = now() - begin;
     return found;
@@ -67,24 +71,25 @@ class Search {
 
  private:
   std::vector<MotionClip> clips_;
-  StudiedClips studied_;
+  motion::offline::StudiedClips studied_;
 };
 
 /// Times the matrix of the recordings themselves, every frame with every frame, on one thread.
 void time_matrix(const Recordings& recorded) {
-  std::vector<PoseCloud> clouds;
+  std::vector<motion::offline::PoseCloud> clouds;
   std::size_t frames = 0;
-  for (const SourceClip& source : recorded.clips) {
-    clouds.push_back(
-        make_pose_cloud(recorded.skeleton, make_track(recorded.skeleton, source.clip)));
+  for (const motion::offline::SourceClip& source : recorded.clips) {
+    clouds.push_back(motion::offline::make_pose_cloud(
+        recorded.skeleton, motion::offline::make_track(recorded.skeleton, source.clip)));
     frames += frame_count(source.clip);
   }
-  const std::size_t half = frames_in(0.15, recorded.clips.front().clip.frame_rate);
+  const std::size_t half = motion::offline::frames_in(0.15, recorded.clips.front().clip.frame_rate);
   std::vector<double> seconds;
   for (int round = 0; round < 5; ++round) {
     const double begin = now();
     for (std::size_t a = 0; a < clouds.size(); ++a)
-      for (std::size_t b = a; b < clouds.size(); ++b) measure_distances(clouds[a], clouds[b], half);
+      for (std::size_t b = a; b < clouds.size(); ++b)
+        motion::offline::measure_distances(clouds[a], clouds[b], half);
     seconds.push_back(now() - begin);
   }
   fmt::print("matrix of {} by {} frames: {:.3f} s on one thread\n", frames, frames,
@@ -109,10 +114,11 @@ double worked() {
 }
 
 struct Growth {
-  Series seconds{.name = "files to graph", .colour = std::string(ink::vermilion)};
-  Series processor{
-      .name = "work of all threads", .colour = std::string(ink::ochre), .mark = Series::Mark::Ring};
-  Series megabytes{.name = "memory", .colour = std::string(ink::teal)};
+  Series seconds{.name = "files to graph", .colour = std::string(draw::ink::vermilion)};
+  Series processor{.name = "work of all threads",
+                   .colour = std::string(draw::ink::ochre),
+                   .mark = Series::Mark::Ring};
+  Series megabytes{.name = "memory", .colour = std::string(draw::ink::teal)};
 };
 
 void measure_size(const Recordings& recorded, double minutes, unsigned jobs, Growth& growth) {
@@ -122,7 +128,7 @@ void measure_size(const Recordings& recorded, double minutes, unsigned jobs, Gro
   std::vector<Diagnostic> problems;
   const double begin = now(), work_begin = worked();
   const MotionGraph graph =
-      compile_motion(folder.path(), {.transitions = {}, .jobs = jobs}, problems);
+      motion::offline::compile_motion(folder.path(), {.transitions = {}, .jobs = jobs}, problems);
   const double seconds = now() - begin, work = worked() - work_begin;
   std::size_t frames = 0;
   for (const MotionClip& clip : graph.clips) frames += frame_count(clip);

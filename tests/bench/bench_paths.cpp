@@ -90,18 +90,18 @@ std::vector<Query> queries_of(const BenchFloor& floor, const std::vector<Query>&
   return queries;
 }
 
-bool is_as_known(const Way& way, const Query& query) {
-  if ((way.status == RouteStatus::Ok) != std::isfinite(query.known_length)) return false;
+bool is_as_known(const path::Way& way, const Query& query) {
+  if ((way.status == path::RouteStatus::Ok) != std::isfinite(query.known_length)) return false;
   const double bracket = query.radius > 0 ? reference_bracket : 0;
-  return way.status != RouteStatus::Ok ||
+  return way.status != path::RouteStatus::Ok ||
          std::abs(way.length - query.known_length) <= bracket + exact * query.known_length + 1e-9;
 }
 
 /// How many of our answers differ from the known ones.
 std::ptrdiff_t count_wrong(const BenchFloor& floor, std::span<const Query> queries) {
   return std::ranges::count_if(queries, [&](const Query& query) {
-    const RouteQuery asked{.from = query.from, .to = query.to, .radius = query.radius};
-    return query.known_length != 0 && !is_as_known(route(*floor.map, asked), query);
+    const path::RouteQuery asked{.from = query.from, .to = query.to, .radius = query.radius};
+    return query.known_length != 0 && !is_as_known(path::route(*floor.map, asked), query);
   });
 }
 
@@ -171,7 +171,7 @@ class Benchmark {
       const Query& query = queries[i];
       const double radius = query.radius * (1 - 0.01 * static_cast<double>(i + 1));
       const double begin = now();
-      route(*floor.map, {.from = query.from, .to = query.to, .radius = radius});
+      path::route(*floor.map, {.from = query.from, .to = query.to, .radius = radius});
       microseconds.push_back((now() - begin) * 1e6);
     }
     Score score;
@@ -263,17 +263,18 @@ class Benchmark {
   void write_plot() const {
     using Mark = Series::Mark;
     const auto ours = [&](bool is_disc) {
-      return series_of("docent", is_disc, ink::vermilion, Mark::Disc);
+      return series_of("docent", is_disc, draw::ink::vermilion, Mark::Disc);
     };
     const auto detours = [&](bool is_disc) {
-      return series_of("Detour", is_disc, ink::teal, Mark::Square);
+      return series_of("Detour", is_disc, draw::ink::teal, Mark::Square);
     };
     const std::string x = "vertices of the floor", y = "microseconds, median of a map's queries";
-    const Panel points{"A point, R = 0",
-                       x,
-                       y,
-                       {ours(false), series_of("visibility graph", false, ink::ochre, Mark::Ring),
-                        series_of("Polyanya", false, ink::black, Mark::Diamond), detours(false)}};
+    const Panel points{
+        "A point, R = 0",
+        x,
+        y,
+        {ours(false), series_of("visibility graph", false, draw::ink::ochre, Mark::Ring),
+         series_of("Polyanya", false, draw::ink::black, Mark::Diamond), detours(false)}};
     const Panel discs{"A disc of the usual radius", x, y, {ours(true), detours(true)}};
     std::ofstream(fs::path(options_.out) / "paths.svg")
         << draw_panels("One shortest path, its points in memory",

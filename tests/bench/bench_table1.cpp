@@ -12,9 +12,9 @@
 #include <functional>
 #include <numbers>
 
-#include "content/motion/paper_walk.h"
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
+#include "content/motion/paper_walk.h"
 #include "runtime/motion/make_foresight.h"
 #include "runtime/motion/walk_graph.h"
 #include "tests/bench/measure.h"
@@ -55,14 +55,14 @@ struct Options {
 struct Answer {
   double seconds = 0;  ///< Of search.
   double total = 0;    ///< With everything that follows until the walk can be played.
-  Walk walk;
+  motion::Walk walk;
   WalkQuality quality;
   bool reaches_end = true;
 };
 
 class Table1 {
  public:
-  Table1(const WalkGraph& graph, const Options& options)
+  Table1(const motion::WalkGraph& graph, const Options& options)
       : graph_(graph), options_(options), path_(elliptic_arc()), csv_(file("table1.csv")) {}
 
   void run() {
@@ -96,26 +96,27 @@ class Table1 {
     return answer;
   }
 
-  Answer search_paper(const Row& row, PaperRequest::Bound bound) const {
+  Answer search_paper(const Row& row, motion::offline::PaperRequest::Bound bound) const {
     return timed([&](Answer& answer) {
-      PaperWalk found = make_paper_walk(graph_, {.path = path_,
-                                                 .start = row.start,
-                                                 .lookahead = row.lookahead,
-                                                 .use_rate = row.use_rate,
-                                                 .time_limit = options_.time_limit,
-                                                 .bound = bound});
+      motion::offline::PaperWalk found =
+          motion::offline::make_paper_walk(graph_, {.path = path_,
+                                                    .start = row.start,
+                                                    .lookahead = row.lookahead,
+                                                    .use_rate = row.use_rate,
+                                                    .time_limit = options_.time_limit,
+                                                    .bound = bound});
       answer.reaches_end = found.reaches_end;
       answer.walk = std::move(found.walk);
     });
   }
 
-  Answer search_docent(const Row& row, Fidelity fidelity) const {
+  Answer search_docent(const Row& row, motion::Fidelity fidelity) const {
     return timed([&](Answer& answer) {
-      WalkRequest request;
+      motion::WalkRequest request;
       request.path = path_;
       request.start = row.start;
       request.fidelity = fidelity;
-      Result<Walk> walk = make_walk(graph_, request);
+      Result<motion::Walk> walk = motion::make_walk(graph_, request);
       if (!walk) throw std::runtime_error(walk.error().what);
       answer.walk = std::move(*walk);
     });
@@ -144,10 +145,10 @@ class Table1 {
 
   void run_row(std::size_t i) {
     const Row& row = table1[i];
-    const Answer here = search_paper(row, PaperRequest::Bound::AsPrinted);
-    const Answer bounded = search_paper(row, PaperRequest::Bound::OnTheWay);
-    const Answer raw = search_docent(row, Fidelity::Raw);
-    const Answer exact = search_docent(row, Fidelity::Exact);
+    const Answer here = search_paper(row, motion::offline::PaperRequest::Bound::AsPrinted);
+    const Answer bounded = search_paper(row, motion::offline::PaperRequest::Bound::OnTheWay);
+    const Answer raw = search_docent(row, motion::Fidelity::Raw);
+    const Answer exact = search_docent(row, motion::Fidelity::Exact);
     const double degrees = row.start.heading * 180 / std::numbers::pi;
     const std::string start =
         fmt::format("{:g} {:g} {:g}", row.start.position.x, row.start.position.y, degrees);
@@ -178,8 +179,8 @@ class Table1 {
                                   raw.seconds * 1e3, deviation_text(raw.quality), exact.total * 1e3,
                                   deviation_text(exact.quality))},
          .path = path_,
-         .tracks = {{floor_track(exact.walk), std::string(ink::teal)},
-                    {floor_track(here.walk), std::string(ink::vermilion)}}});
+         .tracks = {{floor_track(exact.walk), std::string(draw::ink::teal)},
+                    {floor_track(here.walk), std::string(draw::ink::vermilion)}}});
   }
 
   static std::string where(const Row& row) {
@@ -193,8 +194,8 @@ class Table1 {
         "Table 1 and Figure 3: nine walks along 33 m of an ellipse",
         "The hips of seven recorded clips, with the sway of the gait. Deviation: mean / largest, "
         "averaged over a second. In print: on an Athlon64 X2 3600+.",
-        {{"the paper's search", std::string(ink::vermilion)},
-         {"docent, exact", std::string(ink::teal)}},
+        {{"the paper's search", std::string(draw::ink::vermilion)},
+         {"docent, exact", std::string(draw::ink::teal)}},
         pictures_, 3);
   }
 
@@ -202,19 +203,19 @@ class Table1 {
     std::vector<WalkPicture> pictures;
     for (const WalkShape& shape : basic_shapes()) {
       WalkPicture picture{.title = shape.name, .captions = {}, .path = shape.path, .tracks = {}};
-      for (const Fidelity fidelity : {Fidelity::Raw, Fidelity::Exact}) {
-        const bool is_raw = fidelity == Fidelity::Raw;
-        WalkRequest request;
+      for (const motion::Fidelity fidelity : {motion::Fidelity::Raw, motion::Fidelity::Exact}) {
+        const bool is_raw = fidelity == motion::Fidelity::Raw;
+        motion::WalkRequest request;
         request.path = shape.path;
         request.fidelity = fidelity;
-        const Result<Walk> walk = make_walk(graph_, request);
+        const Result<motion::Walk> walk = motion::make_walk(graph_, request);
         if (!walk) throw std::runtime_error(walk.error().what);
         const WalkQuality quality = measure_walk(graph_.motion->skeleton, rest_, *walk, shape.path);
         picture.captions.push_back(fmt::format("{}: {} cm, {:.1f} s, skate {:.1f} cm/s",
                                                is_raw ? "raw" : "exact", deviation_text(quality),
                                                quality.seconds, quality.skate * 100));
         picture.tracks.push_back(
-            {floor_track(*walk), std::string(is_raw ? ink::ochre : ink::teal)});
+            {floor_track(*walk), std::string(is_raw ? draw::ink::ochre : draw::ink::teal)});
       }
       pictures.push_back(std::move(picture));
     }
@@ -222,10 +223,11 @@ class Table1 {
         "Figure 8: what the ways through a museum are made of",
         "docent's walks of seven recorded clips: the motion graph's own track, and warped onto the "
         "path. The hips, with the sway of the gait.",
-        {{"raw", std::string(ink::ochre)}, {"exact", std::string(ink::teal)}}, pictures, 4);
+        {{"raw", std::string(draw::ink::ochre)}, {"exact", std::string(draw::ink::teal)}}, pictures,
+        4);
   }
 
-  const WalkGraph& graph_;
+  const motion::WalkGraph& graph_;
   RestingHeights rest_ = resting_heights(*graph_.motion);
   const Options& options_;
   std::vector<Vec2> path_;
@@ -235,9 +237,9 @@ class Table1 {
 
 void run(const Options& options) {
   std::vector<Diagnostic> problems;
-  MotionGraph motion = compile_motion(options.clips, {}, problems);
-  const Result<WalkGraph> graph = make_walk_graph(motion);
-  if (graph) motion.foresight = make_foresight(*graph);
+  MotionGraph motion = motion::offline::compile_motion(options.clips, {}, problems);
+  const Result<motion::WalkGraph> graph = motion::make_walk_graph(motion);
+  if (graph) motion.foresight = motion::make_foresight(*graph);
   if (!graph) throw std::runtime_error(graph.error().what);
   Table1(*graph, options).run();
 }

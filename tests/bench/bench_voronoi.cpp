@@ -63,7 +63,7 @@ void measure_layout(Turn turn, std::span<const std::size_t> sizes, int rounds, G
   for (const std::size_t size : sizes) {
     const FloorPlan plan = generated_museum(size, turn);
     const std::size_t walls = plan.vertex.size();
-    const Cost our_cost = cost_of(rounds, [&] { voronoi_diagram(plan); });
+    const Cost our_cost = cost_of(rounds, [&] { floor::voronoi_diagram(plan); });
     const Cost boost_cost = cost_of(rounds, [&] { make_boost_diagram(plan); });
     ours.add(walls, our_cost);
     boost.add(walls, boost_cost);
@@ -78,10 +78,10 @@ void measure_layout(Turn turn, std::span<const std::size_t> sizes, int rounds, G
 
 void run(std::span<const std::size_t> sizes, int rounds, const std::filesystem::path& out) {
   using Mark = Series::Mark;
-  Growth straight("docent, straight walls", ink::vermilion, Mark::Disc);
-  Growth slanting("docent, slanting walls", ink::ochre, Mark::Ring);
-  Growth boost_straight("Boost.Polygon, straight", ink::teal, Mark::Square);
-  Growth boost_slanting("Boost.Polygon, slanting", ink::black, Mark::Diamond);
+  Growth straight("docent, straight walls", draw::ink::vermilion, Mark::Disc);
+  Growth slanting("docent, slanting walls", draw::ink::ochre, Mark::Ring);
+  Growth boost_straight("Boost.Polygon, straight", draw::ink::teal, Mark::Square);
+  Growth boost_slanting("Boost.Polygon, slanting", draw::ink::black, Mark::Diamond);
   fmt::print("{:<9} {:>8} {:>10} {:>10} {:>8} {:>10} {:>10}\n", "walls", "how many", "ours s",
              "Boost s", "ratio", "ours MB", "Boost MB");
   measure_layout(Turn::Straight, sizes, rounds, straight, boost_straight);

@@ -11,9 +11,9 @@
 #include <functional>
 #include <numbers>
 
-#include "content/motion/paper_walk.h"
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
+#include "content/motion/paper_walk.h"
 #include "runtime/motion/make_foresight.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
@@ -42,46 +42,48 @@ struct Walker {
   std::string name;
   std::string colour;
   Series::Mark mark;
-  std::function<Walk(std::span<const Vec2>)> walk;
+  std::function<motion::Walk(std::span<const Vec2>)> walk;
 };
 
-Walk walk_by_docent(const WalkGraph& graph, std::span<const Vec2> path, Fidelity fidelity) {
-  WalkRequest request;
+motion::Walk walk_by_docent(const motion::WalkGraph& graph, std::span<const Vec2> path,
+                            motion::Fidelity fidelity) {
+  motion::WalkRequest request;
   request.path = path;
   request.fidelity = fidelity;
-  Result<Walk> walk = make_walk(graph, request);
+  Result<motion::Walk> walk = motion::make_walk(graph, request);
   if (!walk) throw std::runtime_error(walk.error().what);
   return std::move(*walk);
 }
 
-std::vector<Walker> make_walkers(const WalkGraph& graph, const MotionMatcher& matcher,
+std::vector<Walker> make_walkers(const motion::WalkGraph& graph, const MotionMatcher& matcher,
                                  double time_limit) {
   using Mark = Series::Mark;
-  const auto docent = [&graph](Fidelity fidelity) {
+  const auto docent = [&graph](motion::Fidelity fidelity) {
     return [&graph, fidelity](std::span<const Vec2> path) {
       return walk_by_docent(graph, path, fidelity);
     };
   };
   const auto paper = [&graph, time_limit](double lookahead, double use_rate) {
     return [&graph, time_limit, lookahead, use_rate](std::span<const Vec2> path) {
-      return make_paper_walk(graph, {.path = path,
-                                     .start = {},
-                                     .lookahead = lookahead,
-                                     .use_rate = use_rate,
-                                     .time_limit = time_limit})
+      return motion::offline::make_paper_walk(graph, {.path = path,
+                                                      .start = {},
+                                                      .lookahead = lookahead,
+                                                      .use_rate = use_rate,
+                                                      .time_limit = time_limit})
           .walk;
     };
   };
-  return {{"docent, exact", std::string(ink::teal), Mark::Disc, docent(Fidelity::Exact)},
-          {"docent, raw", std::string(ink::ochre), Mark::Ring, docent(Fidelity::Raw)},
-          {"paper, 1 m, 0.3", std::string(ink::vermilion), Mark::Square, paper(1.0, 0.3)},
-          {"motion matching", std::string(ink::black), Mark::Diamond,
-           [&matcher](std::span<const Vec2> path) { return matcher.walk_along(path, {}); }}};
+  return {
+      {"docent, exact", std::string(draw::ink::teal), Mark::Disc, docent(motion::Fidelity::Exact)},
+      {"docent, raw", std::string(draw::ink::ochre), Mark::Ring, docent(motion::Fidelity::Raw)},
+      {"paper, 1 m, 0.3", std::string(draw::ink::vermilion), Mark::Square, paper(1.0, 0.3)},
+      {"motion matching", std::string(draw::ink::black), Mark::Diamond,
+       [&matcher](std::span<const Vec2> path) { return matcher.walk_along(path, {}); }}};
 }
 
 /// A walk and the median time that it took to make.
 struct Timed {
-  Walk walk;
+  motion::Walk walk;
   double seconds = 0;
 };
 
@@ -114,7 +116,8 @@ std::vector<WalkShape> contest_paths() {
 
 class Contest {
  public:
-  Contest(const WalkGraph& graph, const std::vector<Walker>& walkers, const Options& options)
+  Contest(const motion::WalkGraph& graph, const std::vector<Walker>& walkers,
+          const Options& options)
       : graph_(graph), walkers_(walkers), options_(options), csv_(file("walks.csv")) {}
 
   void compare_on_paths() {
@@ -181,7 +184,7 @@ class Contest {
   void compare(const Walker& walker, const WalkShape& shape, WalkPicture& picture) {
     const Timed result = timed(walker, shape.path, options_.rounds);
     const WalkQuality q = measure_walk(graph_.motion->skeleton, rest_, result.walk, shape.path);
-    const Walk& walk = result.walk;
+    const motion::Walk& walk = result.walk;
     fmt::print(
         "{:<20} {:<16} {:>9.2f} {:>9.2f} {:>7.1f} {:>7.1f} {:>7.1f} {:>7.0f} {:>7.0f} {:>7} "
         "{:>8.1f} "
@@ -193,14 +196,15 @@ class Contest {
     csv_ << fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{}\n", shape.name,
                         walker.name, walk.search_seconds, result.seconds, q.deviation.mean,
                         q.deviation.largest, q.skate, q.drift, q.flat_share, walk.transitions,
-                        q.seconds, q.end_gap, q.deviation.reached, polyline_length(shape.path));
+                        q.seconds, q.end_gap, q.deviation.reached,
+                        motion::polyline_length(shape.path));
     picture.captions.push_back(fmt::format(
         "{}: {:.1f} / {:.1f}, skate {:.1f}, {:.1f} ms", walker.name, q.deviation.mean * 100,
         q.deviation.largest * 100, q.skate * 100, result.seconds * 1e3));
     picture.tracks.push_back({floor_track(walk), walker.colour});
   }
 
-  const WalkGraph& graph_;
+  const motion::WalkGraph& graph_;
   RestingHeights rest_ = resting_heights(*graph_.motion);
   const std::vector<Walker>& walkers_;
   const Options& options_;
@@ -210,10 +214,10 @@ class Contest {
 /// A hall of avatars, each with a walk of its own and buffers of its own, as the kiosk has them.
 class Hall {
  public:
-  Hall(const WalkGraph& graph, std::size_t avatars) : skeleton_(graph.motion->skeleton) {
-    std::vector<Walk> walks;
+  Hall(const motion::WalkGraph& graph, std::size_t avatars) : skeleton_(graph.motion->skeleton) {
+    std::vector<motion::Walk> walks;
     for (const double length : {9.0, 10.0, 11.0, 12.0})
-      walks.push_back(walk_by_docent(graph, winding_way(length), Fidelity::Exact));
+      walks.push_back(walk_by_docent(graph, winding_way(length), motion::Fidelity::Exact));
     for (std::size_t a = 0; a < avatars; ++a) walk_.push_back(walks[a % walks.size()]);
     const std::size_t joints = skeleton_.joint.size();
     inverse_bind_.assign(joints, Mat4(1));
@@ -225,27 +229,29 @@ class Hall {
   void step(double seconds) {
     const std::size_t joints = inverse_bind_.size();
     for (std::size_t a = 0; a < walk_.size(); ++a) {
-      PoseView pose{{}, std::span(rotation_).subspan(a * joints, joints)};
-      sample(walk_[a], std::fmod(seconds + 0.7 * static_cast<double>(a), 8), pose);
-      to_world_space(skeleton_, pose, world_);
-      fill_skinning_palette(world_, inverse_bind_, std::span(palette_).subspan(a * joints, joints));
+      motion::PoseView pose{{}, std::span(rotation_).subspan(a * joints, joints)};
+      motion::sample(walk_[a], std::fmod(seconds + 0.7 * static_cast<double>(a), 8), pose);
+      motion::to_world_space(skeleton_, pose, world_);
+      motion::fill_skinning_palette(world_, inverse_bind_,
+                                    std::span(palette_).subspan(a * joints, joints));
     }
   }
 
  private:
   const Skeleton& skeleton_;
-  std::vector<Walk> walk_;
+  std::vector<motion::Walk> walk_;
   std::vector<Mat4> inverse_bind_, world_, palette_;
   std::vector<Quat> rotation_;
 };
 
 void Contest::avatars() const {
   Series median_line{
-      .name = "docent, median", .colour = std::string(ink::teal), .mark = Series::Mark::Disc};
-  Series worst{
-      .name = "docent, 99 %", .colour = std::string(ink::vermilion), .mark = Series::Mark::Square};
+      .name = "docent, median", .colour = std::string(draw::ink::teal), .mark = Series::Mark::Disc};
+  Series worst{.name = "docent, 99 %",
+               .colour = std::string(draw::ink::vermilion),
+               .mark = Series::Mark::Square};
   Series goal{.name = "goal",
-              .colour = std::string(ink::black),
+              .colour = std::string(draw::ink::black),
               .label = "goal: 15 us each",
               .is_dashed = true};
   fmt::print("\n{:>8} {:>10} {:>10} {:>12}\n", "avatars", "ms", "ms, 99 %", "us an avatar");
@@ -278,9 +284,9 @@ void Contest::avatars() const {
 
 void run(const Options& options) {
   std::vector<Diagnostic> problems;
-  MotionGraph motion = compile_motion(options.clips, {}, problems);
-  const Result<WalkGraph> graph = make_walk_graph(motion);
-  if (graph) motion.foresight = make_foresight(*graph);
+  MotionGraph motion = motion::offline::compile_motion(options.clips, {}, problems);
+  const Result<motion::WalkGraph> graph = motion::make_walk_graph(motion);
+  if (graph) motion.foresight = motion::make_foresight(*graph);
   if (!graph) throw std::runtime_error(graph.error().what);
   const MotionMatcher matcher(*graph);
   const std::vector<Walker> walkers = make_walkers(*graph, matcher, options.time_limit);

@@ -47,10 +47,10 @@ Score score_of(const Notes& notes, const Notes& first) {
 
 Entrant our_entrant(const BenchFloor& floor, double megabytes) {
   const auto find = [&floor](const Query& query) {
-    Way way = route(
+    path::Way way = path::route(
         *floor.map,
         {.from = query.from, .to = query.to, .radius = query.radius, .tell_clearance = false});
-    if (way.status != RouteStatus::Ok) return FoundPath{};
+    if (way.status != path::RouteStatus::Ok) return FoundPath{};
     return FoundPath{way.length, std::move(way.points)};
   };
   return {"docent", true, find, floor.compile_seconds, megabytes};

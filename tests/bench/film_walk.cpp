@@ -24,46 +24,47 @@ struct Camera {
   bool goes_along = false;  ///< Stays beside the guide.
 };
 
-std::unique_ptr<Plan> plan_along(const Museum& museum, const WalkShape& shape, Vec2 from) {
-  auto plan = std::make_unique<Plan>();
+std::unique_ptr<plan::Plan> plan_along(const Museum& museum, const WalkShape& shape, Vec2 from) {
+  auto plan = std::make_unique<plan::Plan>();
   for (const Vec2 point : shape.path) plan->points.push_back(point + from - shape.path.front());
   plan->reach.push_back(0);
   for (std::size_t i = 1; i < plan->points.size(); ++i)
     plan->reach.push_back(plan->reach.back() + glm::distance(plan->points[i], plan->points[i - 1]));
-  WalkRequest request;
+  motion::WalkRequest request;
   request.path = plan->points;
-  const Result<Walk> walk = make_walk(museum.motion, request);
+  const Result<motion::Walk> walk = motion::make_walk(museum.motion, request);
   if (!walk) return nullptr;
   plan->walk = *walk;
-  plan->status = RouteStatus::Ok;
+  plan->status = path::RouteStatus::Ok;
   plan->length = plan->reach.back();
   return plan;
 }
 
-CameraView seen(const Avatar& avatar, const Camera& camera, double yaw) {
-  CameraRig rig;
+scene::CameraView seen(const guide::Avatar& avatar, const Camera& camera, double yaw) {
+  scene::CameraRig rig;
   rig.target = to_world(avatar.body.position, 0.9);
   rig.yaw = yaw;
   rig.pitch = camera.pitch;
   rig.distance = camera.distance;
-  return view_of(rig, 1);
+  return scene::view_of(rig, 1);
 }
 
-int film(Exhibition& exhibition, const WalkShape& shape, const Camera& camera,
+int film(kiosk::Exhibition& exhibition, const WalkShape& shape, const Camera& camera,
          const std::filesystem::path& folder) {
   constexpr std::uint32_t side = 360;
   const Museum& museum = exhibition.museum;
-  auto display = open_headless({side, side});
-  auto renderer = make_renderer();
+  auto display = headless::open_headless({side, side});
+  auto renderer = gles::make_renderer();
   if (!display || !renderer) return 3;
   auto plan = plan_along(museum, shape, museum.kiosk.position);
   if (!plan) return 1;
-  upload(exhibition, *renderer);
-  Avatar avatar = make_avatar(museum, 0, make_standing(museum, plan->walk.body.front()));
+  kiosk::upload(exhibition, *renderer);
+  guide::Avatar avatar =
+      guide::make_avatar(museum, 0, plan::make_standing(museum, plan->walk.body.front()));
   avatar.look = 1;
   avatar.plan = std::move(plan);
   std::filesystem::create_directories(folder);
-  DrawList list;
+  scene::DrawList list;
   list.ribbons.reserve(1);
   list.ribbon_point.reserve(1 << 14);
   Pixels picture;
@@ -73,16 +74,16 @@ int film(Exhibition& exhibition, const WalkShape& shape, const Camera& camera,
     list.palette.clear();
     list.ribbons.clear();
     list.ribbon_point.clear();
-    draw(museum, avatar, list);
-    draw_trail(avatar, 0, list);
+    guide::draw(museum, avatar, list);
+    guide::draw_trail(avatar, 0, list);
     if (camera.goes_along)
-      yaw = turn_smoothly(yaw, avatar.body.heading + camera.yaw, picture_seconds, 0.6, 1.2);
+      yaw = scene::turn_smoothly(yaw, avatar.body.heading + camera.yaw, picture_seconds, 0.6, 1.2);
     list.camera = seen(avatar, camera, yaw);
     list.focus = avatar.body.position;
     renderer->draw(list, (*display)->target());
     (*display)->read_back(picture);
-    if (!write_png(folder / fmt::format("{}-{:04}.png", shape.name, i), picture)) return 3;
-    advance(museum, avatar, picture_seconds);
+    if (!image::write_png(folder / fmt::format("{}-{:04}.png", shape.name, i), picture)) return 3;
+    guide::advance(museum, avatar, picture_seconds);
   }
   return 0;
 }
@@ -101,7 +102,7 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   for (const WalkShape& one : basic_shapes()) {
     if (!shape.empty() && one.name != shape) continue;
-    auto exhibition = load_exhibition(database, {});
+    auto exhibition = kiosk::load_exhibition(database, {});
     if (!exhibition) {
       fmt::print(stderr, "{}\n", exhibition.error().what);
       return 1;

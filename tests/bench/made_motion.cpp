@@ -123,7 +123,7 @@ Recordings read_recordings(const std::vector<std::filesystem::path>& folders) {
   Recordings recordings;
   std::vector<Diagnostic> problems;
   for (const std::filesystem::path& folder : folders)
-    for (FolderMotion& motion : read_motion_folder(folder, problems)) {
+    for (import::FolderMotion& motion : import::read_motion_folder(folder, problems)) {
       if (recordings.clips.empty()) recordings.skeleton = motion.motion.skeleton;
       const bool same =
           std::ranges::equal(recordings.skeleton.joint, motion.motion.skeleton.joint,
@@ -138,11 +138,11 @@ Recordings read_recordings(const std::vector<std::filesystem::path>& folders) {
 }
 
 double make_motion(const Recordings& recorded, double seconds, std::uint64_t seed,
-                   const std::function<void(SourceClip)>& take) {
+                   const std::function<void(motion::offline::SourceClip)>& take) {
   double so_far = 0;
   for (std::size_t v = 0; so_far < seconds; ++v) {
     const std::size_t round = v / recorded.clips.size();
-    const SourceClip& source = recorded.clips[v % recorded.clips.size()];
+    const motion::offline::SourceClip& source = recorded.clips[v % recorded.clips.size()];
     MotionClip clip = source.clip;
     if (round % 2 == 1) clip = mirrored(recorded.skeleton, clip);
     if (round > 0) clip = Variation(seed + v, recorded.skeleton).of(clip);

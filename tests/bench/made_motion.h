@@ -11,7 +11,7 @@ namespace docent::bench {
 /// Recordings of one body at one rate.
 struct Recordings {
   Skeleton skeleton;
-  std::vector<SourceClip> clips;
+  std::vector<motion::offline::SourceClip> clips;
 };
 
 /// Reads folders of clips, of the skeleton that the first clip shows; others are left out.
@@ -24,6 +24,6 @@ Recordings read_recordings(const std::vector<std::filesystem::path>& folders);
 /// Motion of a length is the beginning of the motion of any greater length. Returns its length in
 /// seconds, which is that asked for and a part of a clip.
 double make_motion(const Recordings& recorded, double seconds, std::uint64_t seed,
-                   const std::function<void(SourceClip)>& take);
+                   const std::function<void(motion::offline::SourceClip)>& take);
 
 }  // namespace docent::bench

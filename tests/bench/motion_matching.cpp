@@ -35,7 +35,7 @@ Vec2 facing_of(double heading) {
 
 /// A body's parts relative to where it stands: x and y of the floor, z up.
 glm::dvec3 relative(const Placement& home, Vec3 world) {
-  const Vec2 p = home.position + turned(to_floor(world), home.heading);
+  const Vec2 p = home.position + motion::turned(to_floor(world), home.heading);
   return {p.x, p.y, static_cast<double>(world.y)};
 }
 
@@ -44,14 +44,14 @@ struct BodyPlaces {
   glm::dvec3 hips{};
 };
 
-BodyPlaces places_in(const WalkGraph& graph, const MotionClip& clip, std::size_t frame,
+BodyPlaces places_in(const motion::WalkGraph& graph, const MotionClip& clip, std::size_t frame,
                      const Placement& home) {
   const Skeleton& skeleton = graph.motion->skeleton;
   std::vector<Quat> rotation(clip.joint_count);
   std::vector<Mat4> world(clip.joint_count);
-  PoseView pose{{}, rotation};
-  sample(clip, static_cast<double>(frame) / clip.frame_rate, pose);
-  to_world_space(skeleton, pose, world);
+  motion::PoseView pose{{}, rotation};
+  motion::sample(clip, static_cast<double>(frame) / clip.frame_rate, pose);
+  motion::to_world_space(skeleton, pose, world);
   const auto place = [&](BodyPart part) {
     return relative(home, Vec3(world[index_of(skeleton[part])][3]));
   };
@@ -72,15 +72,15 @@ void put_ahead(MatchingFeatures& features, std::size_t horizon, const Placement&
   features[6 + 2 * horizon + 1] = facing.y;
 }
 
-MatchingFeatures features_of(const WalkGraph& graph, ClipFrame at) {
+MatchingFeatures features_of(const motion::WalkGraph& graph, ClipFrame at) {
   const MotionClip& clip = graph.motion->clips[at.clip];
   const std::vector<Placement>& body = graph.clip[at.clip].body;
   const std::uint32_t last = frame_count(clip) - 1;
-  const Placement home = inverse(body[at.frame]);
+  const Placement home = motion::inverse(body[at.frame]);
   MatchingFeatures features{};
   for (std::size_t h = 0; h < horizons.size(); ++h) {
     const auto ahead = static_cast<std::uint32_t>(std::lround(horizons[h] * clip.frame_rate));
-    put_ahead(features, h, compose(home, body[std::min(at.frame + ahead, last)]));
+    put_ahead(features, h, motion::compose(home, body[std::min(at.frame + ahead, last)]));
   }
   const std::uint32_t before = at.frame > 0 ? at.frame - 1 : 0;
   const std::uint32_t after = std::min(at.frame + 1, last);
@@ -144,7 +144,7 @@ struct BodyPose {
 
 }  // namespace
 
-MotionMatcher::MotionMatcher(const WalkGraph& graph) : graph_(graph) {
+MotionMatcher::MotionMatcher(const motion::WalkGraph& graph) : graph_(graph) {
   for (std::uint32_t c = 0; c < graph.clip.size(); ++c) {
     first_of_clip_.push_back(static_cast<std::uint32_t>(frame_.size()));
     for (std::uint32_t f = 0; f < graph.clip[c].body.size(); ++f) {
@@ -167,7 +167,7 @@ MotionMatcher::MotionMatcher(const WalkGraph& graph) : graph_(graph) {
 /// A path's points at equal distances.
 class SampledPath {
  public:
-  explicit SampledPath(std::span<const Vec2> path) : length_(polyline_length(path)) {
+  explicit SampledPath(std::span<const Vec2> path) : length_(motion::polyline_length(path)) {
     double walked = 0;
     for (std::size_t i = 1; i < path.size(); ++i) {
       const double length = glm::distance(path[i - 1], path[i]);
@@ -203,7 +203,7 @@ class MatchedWalk {
     fading_.resize(walk_.joint_count + 1);
   }
 
-  Walk make() {
+  motion::Walk make() {
     const double longest = 2 * path_.length() / graph_.speed + 4;
     const auto frames = static_cast<std::size_t>(longest * graph_.frame_rate);
     const auto interval = static_cast<std::size_t>(search_every * graph_.frame_rate);
@@ -223,8 +223,9 @@ class MatchedWalk {
 
   void advance() {
     if (at_.frame + 1 < frame_count(clip())) {
-      const Placement step = compose(inverse(clip_body()[at_.frame]), clip_body()[at_.frame + 1]);
-      body_ = compose(body_, step);
+      const Placement step =
+          motion::compose(motion::inverse(clip_body()[at_.frame]), clip_body()[at_.frame + 1]);
+      body_ = motion::compose(body_, step);
       speed_ = glm::length(step.position) * graph_.frame_rate;
       ++at_.frame;
     }
@@ -254,7 +255,7 @@ class MatchedWalk {
       const Vec2 tangent = path_.at(std::min(s + 0.05, path_.length())) -
                            path_.at(std::min(s, path_.length() - 0.05) - 0.05);
       const Placement place{path_.at(s), std::atan2(tangent.y, tangent.x)};
-      put_ahead(ahead, h, compose(inverse(body_), place));
+      put_ahead(ahead, h, motion::compose(motion::inverse(body_), place));
     }
     for (std::size_t i = 0; i < feet_begin; ++i)
       query[i] = (ahead[i] - matcher_.mean_[i]) * matcher_.scale_[i];
@@ -284,11 +285,11 @@ class MatchedWalk {
 
   BodyPose pose_at(ClipFrame at) const {
     const MotionClip& from = graph_.motion->clips[at.clip];
-    const Placement home = inverse(graph_.clip[at.clip].body[at.frame]);
+    const Placement home = motion::inverse(graph_.clip[at.clip].body[at.frame]);
     const auto first =
         from.rotation.begin() + static_cast<std::ptrdiff_t>(at.frame) * from.joint_count;
-    BodyPose pose{moved(home, from.root[at.frame]), {first, first + from.joint_count}};
-    pose.rotation[0] = world_rotation(home.heading) * pose.rotation[0];
+    BodyPose pose{motion::moved(home, from.root[at.frame]), {first, first + from.joint_count}};
+    pose.rotation[0] = motion::world_rotation(home.heading) * pose.rotation[0];
     return pose;
   }
 
@@ -320,28 +321,29 @@ class MatchedWalk {
 
   void show() {
     const BodyPose pose = pose_at(at_);
-    walk_.root.push_back(moved(body_, pose.root + fading_.back().value));
+    walk_.root.push_back(motion::moved(body_, pose.root + fading_.back().value));
     const std::size_t first = walk_.rotation.size();
     for (std::size_t j = 0; j < pose.rotation.size(); ++j)
       walk_.rotation.push_back(glm::normalize(rotation_by(fading_[j].value) * pose.rotation[j]));
-    walk_.rotation[first] = world_rotation(body_.heading) * walk_.rotation[first];
+    walk_.rotation[first] = motion::world_rotation(body_.heading) * walk_.rotation[first];
     walk_.plants.push_back(clip().plants[at_.frame]);
     walk_.source.push_back(at_);
   }
 
   const MotionMatcher& matcher_;
-  const WalkGraph& graph_;
+  const motion::WalkGraph& graph_;
   SampledPath path_;
   double along_ = 0;  // Metres.
   Placement body_;
   double speed_ = 0;  // Metres a second.
   ClipFrame at_;
   std::vector<Fading> fading_;  // Per joint, as rotation vectors; the last is the root's place.
-  Walk walk_;
+  motion::Walk walk_;
 };
 
-Walk MotionMatcher::walk_along(std::span<const Vec2> path, std::optional<Placement> start) const {
-  const Vec2 way = point_along(path, 0.25) - path.front();
+motion::Walk MotionMatcher::walk_along(std::span<const Vec2> path,
+                                       std::optional<Placement> start) const {
+  const Vec2 way = motion::point_along(path, 0.25) - path.front();
   return MatchedWalk(*this, path, start.value_or(Placement{path.front(), std::atan2(way.y, way.x)}))
       .make();
 }

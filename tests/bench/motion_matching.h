@@ -21,16 +21,17 @@ using MatchingFeatures = std::array<double, 27>;
 /// transitions are found beforehand and no foot is pinned.
 class MotionMatcher {
  public:
-  explicit MotionMatcher(const WalkGraph& graph);
+  explicit MotionMatcher(const motion::WalkGraph& graph);
 
   /// Walks along a path (floor frame, at least two different points) from standing, until it
   /// stands at the end or twice the time has passed that an ordinary walk takes.
-  [[nodiscard]] Walk walk_along(std::span<const Vec2> path, std::optional<Placement> start) const;
+  [[nodiscard]] motion::Walk walk_along(std::span<const Vec2> path,
+                                        std::optional<Placement> start) const;
 
  private:
   friend class MatchedWalk;
 
-  const WalkGraph& graph_;
+  const motion::WalkGraph& graph_;
   std::vector<ClipFrame> frame_;  ///< Every frame that can be jumped to, clip by clip.
   std::vector<std::uint32_t> first_of_clip_;
   std::vector<MatchingFeatures> features_;  ///< Normalised and weighted.

@@ -84,45 +84,46 @@ std::string turned(Vec2 about) {
   return fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", about.x, about.y);
 }
 
-void draw_axes(Svg& svg, const Panel& panel, const Frame& frame) {
+void draw_axes(draw::Svg& svg, const Panel& panel, const Frame& frame) {
   svg.rectangle({frame.left, frame.top}, {panel_width, panel_height},
-                fmt::format("fill=\"{}\"", ink::floor));
-  const std::string grid = fmt::format("stroke=\"{}\" stroke-width=\"1\"", ink::plaster);
+                fmt::format("fill=\"{}\"", draw::ink::floor));
+  const std::string grid = fmt::format("stroke=\"{}\" stroke-width=\"1\"", draw::ink::plaster);
   for (const double x : frame.x.ticks()) {
     const double at = frame.x.pixel(x);
-    svg.path(PathData().move_to({at, frame.top}).line_to({at, frame.bottom}), grid);
-    svg.text({at, frame.bottom + 18}, short_number(x), text_style(12, ink::quiet, "middle"));
+    svg.path(draw::PathData().move_to({at, frame.top}).line_to({at, frame.bottom}), grid);
+    svg.text({at, frame.bottom + 18}, short_number(x), text_style(12, draw::ink::quiet, "middle"));
   }
   for (const double y : frame.y.ticks()) {
     const double at = frame.y.pixel(y);
-    svg.path(PathData().move_to({frame.left, at}).line_to({frame.right, at}), grid);
-    svg.text({frame.left - 8, at + 4}, short_number(y), text_style(12, ink::quiet, "end"));
+    svg.path(draw::PathData().move_to({frame.left, at}).line_to({frame.right, at}), grid);
+    svg.text({frame.left - 8, at + 4}, short_number(y), text_style(12, draw::ink::quiet, "end"));
   }
-  svg.path(PathData()
+  svg.path(draw::PathData()
                .move_to({frame.left, frame.top})
                .line_to({frame.left, frame.bottom})
                .line_to({frame.right, frame.bottom}),
-           fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"", ink::quiet));
-  svg.text({frame.left, frame.top - 14}, panel.title, text_style(15, ink::black, "start", "600"));
+           fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\"", draw::ink::quiet));
+  svg.text({frame.left, frame.top - 14}, panel.title,
+           text_style(15, draw::ink::black, "start", "600"));
   svg.text({(frame.left + frame.right) / 2, frame.bottom + 44}, panel.x_title,
-           text_style(13, ink::quiet, "middle"));
+           text_style(13, draw::ink::quiet, "middle"));
   const Vec2 y_title{frame.left - 54, (frame.top + frame.bottom) / 2};
-  svg.text(y_title, panel.y_title, text_style(13, ink::quiet, "middle") + turned(y_title));
+  svg.text(y_title, panel.y_title, text_style(13, draw::ink::quiet, "middle") + turned(y_title));
 }
 
-void draw_mark(Svg& svg, Vec2 at, const Series& series) {
+void draw_mark(draw::Svg& svg, Vec2 at, const Series& series) {
   const std::string filled = fmt::format("fill=\"{}\"", series.colour);
   switch (series.mark) {
     case Series::Mark::Disc:
       return svg.circle(at, 4, filled);
     case Series::Mark::Ring:
-      return svg.circle(
-          at, 3.6,
-          fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"", ink::floor, series.colour));
+      return svg.circle(at, 3.6,
+                        fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"",
+                                    draw::ink::floor, series.colour));
     case Series::Mark::Square:
       return svg.rectangle(at - 3.5, {7, 7}, filled);
     case Series::Mark::Diamond:
-      return svg.path(PathData()
+      return svg.path(draw::PathData()
                           .move_to(at - Vec2{5, 0})
                           .line_to(at - Vec2{0, 5})
                           .line_to(at + Vec2{5, 0})
@@ -132,12 +133,12 @@ void draw_mark(Svg& svg, Vec2 at, const Series& series) {
   }
 }
 
-void draw_series(Svg& svg, const Frame& frame, const Series& series) {
+void draw_series(draw::Svg& svg, const Frame& frame, const Series& series) {
   const auto pixel = [&](Vec2 p) { return Vec2{frame.x.pixel(p.x), frame.y.pixel(p.y)}; };
   for (const Vec2 p : series.dots)
     svg.circle(pixel(p), 2.2, fmt::format("fill=\"{}\" fill-opacity=\"0.35\"", series.colour));
   if (series.line.empty()) return;
-  PathData line;
+  draw::PathData line;
   line.move_to(pixel(series.line.front()));
   for (const Vec2 p : series.line) line.line_to(pixel(p));
   svg.path(line, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
@@ -149,7 +150,7 @@ void draw_series(Svg& svg, const Frame& frame, const Series& series) {
 }
 
 /// Labels at the ends of the lines, moved apart where they would cover each other.
-void draw_labels(Svg& svg, const Panel& panel, const Frame& frame) {
+void draw_labels(draw::Svg& svg, const Panel& panel, const Frame& frame) {
   struct Label {
     const Series* series;
     Vec2 at;
@@ -168,17 +169,17 @@ void draw_labels(Svg& svg, const Panel& panel, const Frame& frame) {
              text_style(12.5, label.series->colour, "start", "600"));
 }
 
-void draw_legend(Svg& svg, const std::vector<Panel>& panels) {
+void draw_legend(draw::Svg& svg, const std::vector<Panel>& panels) {
   std::vector<std::string> seen;
   double x = margin_left;
   for (const Panel& panel : panels)
     for (const Series& series : panel.series) {
       if (series.is_dashed || std::ranges::find(seen, series.name) != seen.end()) continue;
       seen.push_back(series.name);
-      svg.path(PathData().move_to({x, 72}).line_to({x + 26, 72}),
+      svg.path(draw::PathData().move_to({x, 72}).line_to({x + 26, 72}),
                fmt::format("stroke=\"{}\" stroke-width=\"2.2\"", series.colour));
       draw_mark(svg, {x + 13, 72}, series);
-      svg.text({x + 34, 76}, series.name, text_style(13, ink::black, "start"));
+      svg.text({x + 34, 76}, series.name, text_style(13, draw::ink::black, "start"));
       x += 60 + 7.4 * static_cast<double>(series.name.size());
     }
 }
@@ -190,11 +191,11 @@ std::string draw_panels(const std::string& heading, const std::string& note,
   const double step = margin_left + panel_width + margin_right;
   const Vec2 size{step * static_cast<double>(panels.size()),
                   margin_top + panel_height + margin_bottom};
-  Svg svg(size.x, size.y);
-  svg.rectangle({0, 0}, size, fmt::format("fill=\"{}\"", ink::paper));
+  draw::Svg svg(size.x, size.y);
+  svg.rectangle({0, 0}, size, fmt::format("fill=\"{}\"", draw::ink::paper));
   svg.begin_group(font);
-  svg.text({margin_left, 32}, heading, text_style(19, ink::black, "start", "700"));
-  svg.text({margin_left, 53}, note, text_style(12.5, ink::quiet, "start"));
+  svg.text({margin_left, 32}, heading, text_style(19, draw::ink::black, "start", "700"));
+  svg.text({margin_left, 53}, note, text_style(12.5, draw::ink::quiet, "start"));
   draw_legend(svg, panels);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Frame frame = frame_of(panels[i], margin_left + step * static_cast<double>(i));

@@ -66,9 +66,10 @@ Grid lay_out(const std::vector<WalkPicture>& pictures, std::size_t columns) {
   return grid;
 }
 
-void draw_line(Svg& svg, const std::vector<Vec2>& pixels, std::string_view colour, double width) {
+void draw_line(draw::Svg& svg, const std::vector<Vec2>& pixels, std::string_view colour,
+               double width) {
   if (pixels.empty()) return;
-  PathData data;
+  draw::PathData data;
   data.move_to(pixels.front());
   for (const Vec2 p : pixels) data.line_to(p);
   svg.path(data, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
@@ -84,10 +85,10 @@ std::vector<Vec2> thinned(const std::vector<Vec2>& pixels) {
   return out;
 }
 
-void draw_picture(Svg& svg, const WalkPicture& picture, const Grid& grid, Vec2 corner) {
-  svg.text(corner + Vec2{0, 18}, picture.title, text_style(14.5, ink::black, "600"));
+void draw_picture(draw::Svg& svg, const WalkPicture& picture, const Grid& grid, Vec2 corner) {
+  svg.text(corner + Vec2{0, 18}, picture.title, text_style(14.5, draw::ink::black, "600"));
   const Vec2 top = corner + Vec2{0, title_height};
-  svg.rectangle(top, grid.picture, fmt::format("fill=\"{}\"", ink::floor));
+  svg.rectangle(top, grid.picture, fmt::format("fill=\"{}\"", draw::ink::floor));
   const Vec2 middle = top + 0.5 * grid.picture, centre = box_of(picture).centre();
   const auto pixels = [&](const std::vector<Vec2>& points) {
     std::vector<Vec2> out;
@@ -96,28 +97,29 @@ void draw_picture(Svg& svg, const WalkPicture& picture, const Grid& grid, Vec2 c
     return thinned(out);
   };
   const std::vector<Vec2> path = pixels(picture.path);
-  draw_line(svg, path, mixed(ink::stone, ink::floor, 0.35), 7);
+  draw_line(svg, path, draw::mixed(draw::ink::stone, draw::ink::floor, 0.35), 7);
   for (const DrawnTrack& track : picture.tracks)
     draw_line(svg, pixels(track.points), track.colour, 1.5);
   svg.circle(path.front(), 4.5,
-             fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"", ink::floor, ink::black));
-  svg.circle(path.back(), 4.5, fmt::format("fill=\"{}\"", ink::black));
+             fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.6\"", draw::ink::floor,
+                         draw::ink::black));
+  svg.circle(path.back(), 4.5, fmt::format("fill=\"{}\"", draw::ink::black));
   for (std::size_t i = 0; i < picture.captions.size(); ++i)
     svg.text(top + Vec2{0, grid.picture.y + 18 + caption_height * static_cast<double>(i)},
-             picture.captions[i], text_style(12, ink::quiet));
+             picture.captions[i], text_style(12, draw::ink::quiet));
 }
 
-void draw_legend(Svg& svg, const std::vector<LegendEntry>& legend, const Grid& grid) {
+void draw_legend(draw::Svg& svg, const std::vector<LegendEntry>& legend, const Grid& grid) {
   double x = margin;
   for (const LegendEntry& entry : legend) {
     draw_line(svg, {{x, 84}, {x + 26, 84}}, entry.colour, 2.4);
-    svg.text({x + 34, 88}, entry.name, text_style(13, ink::black));
+    svg.text({x + 34, 88}, entry.name, text_style(13, draw::ink::black));
     x += 66 + 7.2 * static_cast<double>(entry.name.size());
   }
   const double metres = grid.scale > 40 ? 1 : 5, bar = metres * grid.scale;
   const Vec2 from{page_width - margin - bar, 84};
-  draw_line(svg, {from, from + Vec2{bar, 0}}, ink::black, 2);
-  svg.text(from - Vec2{40, -4}, fmt::format("{:g} m", metres), text_style(12, ink::quiet));
+  draw_line(svg, {from, from + Vec2{bar, 0}}, draw::ink::black, 2);
+  svg.text(from - Vec2{40, -4}, fmt::format("{:g} m", metres), text_style(12, draw::ink::quiet));
 }
 
 }  // namespace
@@ -128,11 +130,11 @@ std::string draw_walks(const std::string& heading, const std::string& note,
   const Grid grid = lay_out(pictures, columns);
   const std::size_t rows = (pictures.size() + columns - 1) / columns;
   const double height = head_height + static_cast<double>(rows) * (grid.cell.y + gap) + margin / 2;
-  Svg svg(page_width, height);
-  svg.rectangle({0, 0}, {page_width, height}, fmt::format("fill=\"{}\"", ink::paper));
+  draw::Svg svg(page_width, height);
+  svg.rectangle({0, 0}, {page_width, height}, fmt::format("fill=\"{}\"", draw::ink::paper));
   svg.begin_group(font);
-  svg.text({margin, 36}, heading, text_style(19, ink::black, "700"));
-  svg.text({margin, 58}, note, text_style(12.5, ink::quiet));
+  svg.text({margin, 36}, heading, text_style(19, draw::ink::black, "700"));
+  svg.text({margin, 58}, note, text_style(12.5, draw::ink::quiet));
   draw_legend(svg, legend, grid);
   for (std::size_t i = 0; i < pictures.size(); ++i)
     draw_picture(svg, pictures[i], grid, grid.corner(i));

@@ -34,16 +34,16 @@ void track_feet(const Skeleton& skeleton, const Motion& walk, Feet& feet) {
   std::vector<Quat> rotation(walk.joint_count);
   std::vector<Mat4> world(walk.joint_count);
   for (std::size_t f = 0; f < walk.root.size(); ++f) {
-    PoseView pose{{}, rotation};
-    sample(walk, static_cast<double>(f) / walk.frame_rate, pose);
-    to_world_space(skeleton, pose, world);
+    motion::PoseView pose{{}, rotation};
+    motion::sample(walk, static_cast<double>(f) / walk.frame_rate, pose);
+    motion::to_world_space(skeleton, pose, world);
     const auto place = [&](BodyPart part) { return Vec3(world[index_of(skeleton[part])][3]); };
     feet[0].add(place(BodyPart::LeftAnkle), place(BodyPart::LeftToe));
     feet[1].add(place(BodyPart::RightAnkle), place(BodyPart::RightToe));
   }
 }
 
-void measure_feet(const Skeleton& skeleton, const RestingHeights& rest, const Walk& walk,
+void measure_feet(const Skeleton& skeleton, const RestingHeights& rest, const motion::Walk& walk,
                   WalkQuality& quality) {
   constexpr double shortest_plant = 0.08;  // seconds
   double slid = 0;
@@ -87,18 +87,18 @@ RestingHeights resting_heights(const MotionGraph& motion) {
   return rest;
 }
 
-WalkQuality measure_walk(const Skeleton& skeleton, const RestingHeights& rest, const Walk& walk,
-                         std::span<const Vec2> path) {
+WalkQuality measure_walk(const Skeleton& skeleton, const RestingHeights& rest,
+                         const motion::Walk& walk, std::span<const Vec2> path) {
   WalkQuality quality;
   const std::vector<Vec2> track = floor_track(walk);
-  quality.deviation = measure_deviation(track, walk.frame_rate, path);
+  quality.deviation = motion::offline::measure_deviation(track, walk.frame_rate, path);
   quality.seconds = static_cast<double>(track.size()) / walk.frame_rate;
   quality.end_gap = glm::distance(track.back(), path.back());
   measure_feet(skeleton, rest, walk, quality);
   return quality;
 }
 
-std::vector<Vec2> floor_track(const Walk& walk) {
+std::vector<Vec2> floor_track(const motion::Walk& walk) {
   std::vector<Vec2> track;
   for (const Vec3 root : walk.root) track.push_back(to_floor(root));
   return track;

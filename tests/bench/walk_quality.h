@@ -12,7 +12,7 @@ namespace docent::bench {
 
 /// What is seen of a walk, measured on its frames alone.
 struct WalkQuality {
-  PathDeviation deviation;  ///< Metres, as CONTRACT defines it.
+  motion::offline::PathDeviation deviation;  ///< Metres, as CONTRACT defines it.
   double skate = 0;  ///< Metres a second that the toe joint moves while the foot is flat, mean.
   double drift = 0;  ///< Metres that it wanders in one plant; 95 % of the plants are better.
   double flat_share = 0;  ///< Of the feet's frames in which they are flat; skate and drift are not
@@ -31,10 +31,10 @@ RestingHeights resting_heights(const MotionGraph& motion);
 
 /// A foot is flat while its ankle is lower than 2 cm and its toe joint lower than 1.5 cm above
 /// their resting heights, so that sliding counts and rolling does not.
-WalkQuality measure_walk(const Skeleton& skeleton, const RestingHeights& rest, const Walk& walk,
-                         std::span<const Vec2> path);
+WalkQuality measure_walk(const Skeleton& skeleton, const RestingHeights& rest,
+                         const motion::Walk& walk, std::span<const Vec2> path);
 
 /// The hips on the floor, frame by frame.
-std::vector<Vec2> floor_track(const Walk& walk);
+std::vector<Vec2> floor_track(const motion::Walk& walk);
 
 }  // namespace docent::bench

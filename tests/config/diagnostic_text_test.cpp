@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace docent {
+namespace docent::config {
 namespace {
 
 using testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST(DiagnosticText, ShowsAShortLineWhole) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::config

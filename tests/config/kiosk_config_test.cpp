@@ -10,7 +10,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::config {
 namespace {
 
 using test::TemporaryFolder;
@@ -72,4 +72,4 @@ TEST(KioskConfig, ReadsTheOneThatShips) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::config

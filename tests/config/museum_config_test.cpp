@@ -9,7 +9,7 @@
 #include "config/diagnostic_text.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent {
+namespace docent::config {
 namespace {
 
 using test::MuseumFolder;
@@ -290,4 +290,4 @@ TEST(DiagnosticText, IsOneJsonObjectALine) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::config

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace docent {
+namespace docent::config {
 namespace {
 
 TEST(EditDistance, CountsSlipsOfTheFinger) {
@@ -31,4 +31,4 @@ TEST(Suggestion, IsTheNearestKnownWordAndNothingWhereNoneIsNear) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::config

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace docent {
+namespace docent::config {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(TomlDocument, AnswersAnyBytes) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::config

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace docent {
+namespace docent::content {
 namespace {
 
 TEST(ForEachIndex, ThrowsWhereItWasCalledWhatTheFirstIndexThrew) {
@@ -23,4 +23,4 @@ TEST(ForEachIndex, ThrowsWhereItWasCalledWhatTheFirstIndexThrew) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::content

@@ -20,10 +20,10 @@ constexpr std::size_t most_vertices = 80;  // More only takes more time.
 
 /// Three bytes a corner: decimetres east and north, and what is to be added to both in steps of
 /// 0.25 mm. Two bytes are no corner: the next ring follows.
-ImportedPlan rings_from(std::span<const std::uint8_t> bytes) {
-  ImportedPlan plan;
+import::ImportedPlan rings_from(std::span<const std::uint8_t> bytes) {
+  import::ImportedPlan plan;
   plan.files = {"fuzz"};
-  ImportedRing* ring = &plan.polygons.emplace_back().outer;
+  import::ImportedRing* ring = &plan.polygons.emplace_back().outer;
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < bytes.size() && vertices < most_vertices;) {
     if (bytes[i] == next_area) {
@@ -43,17 +43,17 @@ ImportedPlan rings_from(std::span<const std::uint8_t> bytes) {
       break;
     }
   }
-  const auto is_empty = [](const ImportedRing& r) { return r.vertex.empty(); };
-  for (ImportedPolygon& polygon : plan.polygons) std::erase_if(polygon.holes, is_empty);
-  std::erase_if(plan.polygons, [&](const ImportedPolygon& p) { return is_empty(p.outer); });
+  const auto is_empty = [](const import::ImportedRing& r) { return r.vertex.empty(); };
+  for (import::ImportedPolygon& polygon : plan.polygons) std::erase_if(polygon.holes, is_empty);
+  std::erase_if(plan.polygons, [&](const import::ImportedPolygon& p) { return is_empty(p.outer); });
   return plan;
 }
 
-std::optional<FloorPlan> mended(const ImportedPlan& drawn) {
+std::optional<FloorPlan> mended(const import::ImportedPlan& drawn) {
   try {
     std::vector<Diagnostic> mendings;
-    return mend(drawn, mendings);
-  } catch (const ContentError& error) {
+    return floor::mend(drawn, mendings);
+  } catch (const content::ContentError& error) {
     if (error.code.empty()) __builtin_trap();
     return std::nullopt;
   }
@@ -69,17 +69,18 @@ double distance_to_wall(const FloorPlan& plan, std::uint32_t wall, Vec2 p) {
 /// Whatever rings are drawn, they are refused or mended, and what is mended has a diagram whose
 /// vertices are as far from the walls as they claim.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const ImportedPlan drawn = rings_from({data, size});
+  const import::ImportedPlan drawn = rings_from({data, size});
   if (drawn.polygons.empty()) return 0;
   const std::optional<FloorPlan> plan = mended(drawn);
   if (!plan) return 0;
-  const VoronoiDiagram diagram = voronoi_diagram(*plan);  // Of mended walls, it never throws.
+  const VoronoiDiagram diagram =
+      floor::voronoi_diagram(*plan);  // Of mended walls, it never throws.
   for (std::size_t v = 0; v < diagram.vertex.size(); ++v) {
     double nearest = HUGE_VAL;
     for (std::uint32_t wall = 0; wall < plan->next.size(); ++wall)
       nearest = std::min(nearest, distance_to_wall(*plan, wall, diagram.vertex[v]));
     if (!(std::abs(nearest - diagram.clearance[v]) < 1e-9)) __builtin_trap();
   }
-  medial_axis(*plan, diagram);
+  floor::medial_axis(*plan, diagram);
   return 0;
 }

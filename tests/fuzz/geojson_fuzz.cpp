@@ -13,16 +13,19 @@ using namespace docent;
 /// mender either refuse it with a sentence or make a plan that keeps FloorPlan's invariants.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const Coordinates coordinates = data[0] == 'w' ? Coordinates::Wgs84 : Coordinates::Metres;
-  const GeoJsonText source{"fuzz.geojson", {reinterpret_cast<const char*>(data) + 1, size - 1}};
+  const import::Coordinates coordinates =
+      data[0] == 'w' ? import::Coordinates::Wgs84 : import::Coordinates::Metres;
+  const import::GeoJsonText source{"fuzz.geojson",
+                                   {reinterpret_cast<const char*>(data) + 1, size - 1}};
   try {
     std::vector<Diagnostic> mendings;
-    const FloorPlan plan = mend(parse_floor_plan({&source, 1}, coordinates), mendings);
+    const FloorPlan plan =
+        floor::mend(import::parse_floor_plan({&source, 1}, coordinates), mendings);
     if (plan.vertex.empty() || plan.next.size() != plan.vertex.size()) __builtin_trap();
     for (std::uint32_t i = 0; i < plan.next.size(); ++i)
       if (plan.next[i] >= plan.vertex.size() || plan.vertex[i] == wall_end(plan, i))
         __builtin_trap();
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     if (std::string_view(error.what()).empty() || error.code.empty()) __builtin_trap();
   }
   return 0;

@@ -14,7 +14,7 @@ namespace docent::test {
 
 inline Pixels picture(const std::filesystem::path& file) {
   const std::string bytes = text_of(file);
-  const auto decoded = decode_image(std::as_bytes(std::span(bytes)));
+  const auto decoded = image::decode_image(std::as_bytes(std::span(bytes)));
   return decoded ? *decoded : Pixels{};
 }
 

@@ -10,9 +10,10 @@ namespace docent::test {
 /// the same size: enough for views, without compiling anything. Viewing points are a metre in front
 /// of the exhibits.
 inline Museum sample_museum_without_walls() {
-  const Loaded<MuseumConfig> loaded = load_museum_config(source_dir() / "config/museum");
-  const MuseumConfig& config = loaded.value.value();
-  const auto texts = [](const Located<LocatedTexts>& located) {
+  const config::Loaded<config::MuseumConfig> loaded =
+      config::load_museum_config(source_dir() / "config/museum");
+  const config::MuseumConfig& config = loaded.value.value();
+  const auto texts = [](const config::Located<config::LocatedTexts>& located) {
     LocalText text;
     for (const auto& [tag, value] : located.value) text[tag] = value.value;
     return text;
@@ -21,7 +22,7 @@ inline Museum sample_museum_without_walls() {
   Museum museum;
   museum.title = texts(config.museum.title);
   museum.welcome = texts(config.museum.welcome);
-  for (const WordsFile& file : config.words) {
+  for (const config::WordsFile& file : config.words) {
     Language language;
     language.tag = file.tag;
     language.name = file.name.value;
@@ -35,12 +36,12 @@ inline Museum sample_museum_without_walls() {
   floor.plan.ring = {{0, 4}};
   floor.plan.next = {1, 2, 3, 0};
   museum.floors.push_back(std::move(floor));
-  for (const RoomSection& section : config.rooms)
+  for (const config::RoomSection& section : config.rooms)
     museum.rooms.push_back({.id = section.id.value,
                             .title = texts(section.title),
                             .label = section.label.value,
                             .outline = {}});
-  for (const ExhibitSection& section : config.exhibits) {
+  for (const config::ExhibitSection& section : config.exhibits) {
     Exhibit exhibit;
     exhibit.id = section.id.value;
     exhibit.placement = {section.position.value, glm::radians(section.facing.value)};

@@ -8,7 +8,7 @@
 
 #include "content/draw/svg.h"
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 constexpr double width = 1800, margin = 72, label_width = 300;
@@ -201,4 +201,4 @@ std::string draw_motion_graph(const MotionGraph& graph) {
   return GraphDrawing(graph).draw();
 }
 
-}  // namespace docent
+}  // namespace docent::draw

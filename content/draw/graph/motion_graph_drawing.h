@@ -4,7 +4,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// Draws a motion graph as an SVG document 1,800 pixels wide: each clip a line along its time, with
 /// the foot plants of its left foot above and its right foot below, and each transition an arc from
@@ -13,4 +13,4 @@ namespace docent {
 /// each other.
 std::string draw_motion_graph(const MotionGraph& graph);
 
-}  // namespace docent
+}  // namespace docent::draw

@@ -16,7 +16,7 @@
 #include "content/draw/svg.h"
 #include "runtime/model/geometry/bisector.h"
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 constexpr double longer_side = 1800;  // Pixels.
@@ -400,4 +400,4 @@ std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayer
   return painter.document();
 }
 
-}  // namespace docent
+}  // namespace docent::draw

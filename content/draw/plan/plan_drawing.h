@@ -6,7 +6,7 @@
 
 #include "runtime/model/museum.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// A line over the floor; ways are told apart by colour and pattern as on the kiosk.
 enum class LineKind : std::uint8_t {
@@ -39,4 +39,4 @@ struct PlanLayers {
 std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayers& layers,
                       const std::vector<DrawnLine>& lines);
 
-}  // namespace docent
+}  // namespace docent::draw

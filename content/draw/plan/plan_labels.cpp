@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 struct Box {
@@ -57,4 +57,4 @@ void place_labels(std::vector<Label>& labels, double letter, Vec2 page) {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::draw

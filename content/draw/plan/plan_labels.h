@@ -5,7 +5,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// A word beside a mark. Pixels, y down.
 struct Label {
@@ -18,4 +18,4 @@ struct Label {
 /// there is no such place, where it hides the least. `letter` is the type's size.
 void place_labels(std::vector<Label>& labels, double letter, Vec2 page);
 
-}  // namespace docent
+}  // namespace docent::draw

@@ -6,7 +6,7 @@
 
 #include "content/draw/plan/plan_style.h"
 
-namespace docent {
+namespace docent::draw {
 namespace {
 
 // Pixels.
@@ -116,4 +116,4 @@ void PlanLegend::draw(Svg& svg, Vec2 at, double width) const {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::draw

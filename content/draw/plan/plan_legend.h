@@ -7,7 +7,7 @@
 #include "content/draw/plan/plan_drawing.h"
 #include "content/draw/svg.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// Says what the colours and lines of a drawn plan mean, in rows below it.
 class PlanLegend {
@@ -43,4 +43,4 @@ class PlanLegend {
   std::vector<Entry> entries_;
 };
 
-}  // namespace docent
+}  // namespace docent::draw

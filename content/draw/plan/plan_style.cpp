@@ -10,7 +10,7 @@
 
 #include "content/draw/svg.h"
 
-namespace docent {
+namespace docent::draw {
 
 std::string region_colour(std::size_t tint) {
   constexpr std::array<std::pair<std::string_view, double>, region_tints> tints = {
@@ -55,4 +55,4 @@ std::string level_style(std::size_t levels) {
                      ink::teal, each);
 }
 
-}  // namespace docent
+}  // namespace docent::draw

@@ -5,7 +5,7 @@
 
 #include "content/draw/plan/plan_drawing.h"
 
-namespace docent {
+namespace docent::draw {
 
 /// How many soft tints there are for Voronoi regions.
 constexpr std::size_t region_tints = 8;
@@ -24,4 +24,4 @@ std::string way_stroke(LineKind kind, double width);
 /// such areas one within another: each darkens what lies below a little.
 std::string level_style(std::size_t levels);
 
-}  // namespace docent
+}  // namespace docent::draw

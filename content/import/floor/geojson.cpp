@@ -12,7 +12,7 @@
 #include "content/import/floor/projection.h"
 #include "content/read_source.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 using Kind = JsonValue::Kind;
@@ -61,7 +61,7 @@ class GeoJsonReader {
   [[noreturn]] void fail(const JsonValue& where, const std::string& message,
                          std::string hint = {}) const {
     const auto [line, column] = lines_.at(where.offset);
-    throw ContentError(file_, line, column, "invalid-geojson", message, std::move(hint));
+    throw content::ContentError(file_, line, column, "invalid-geojson", message, std::move(hint));
   }
 
   [[nodiscard]] SourcePlace place(const JsonValue& value) const {
@@ -190,9 +190,10 @@ ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates co
   for (const GeoJsonText& source : texts)
     GeoJsonReader(source, coordinates, plan).read_object(parse_json(source.file, source.text));
   if (plan.polygons.empty())
-    throw ContentError(plan.files.empty() ? "" : plan.files.front(), 0, 0, "no-floor",
-                       "there is no Polygon or MultiPolygon, so there is no floor to walk on",
-                       "draw the walkable floor as areas, not as lines");
+    throw content::ContentError(
+        plan.files.empty() ? "" : plan.files.front(), 0, 0, "no-floor",
+        "there is no Polygon or MultiPolygon, so there is no floor to walk on",
+        "draw the walkable floor as areas, not as lines");
   if (coordinates == Coordinates::Wgs84) project(plan);
   return plan;
 }
@@ -200,11 +201,12 @@ ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates co
 ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coordinates) {
   std::vector<std::string> contents;
   contents.reserve(files.size());
-  for (const std::string& file : files) contents.push_back(read_source(file, "missing-file"));
+  for (const std::string& file : files)
+    contents.push_back(content::read_source(file, "missing-file"));
   std::vector<GeoJsonText> texts;
   texts.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({files[i], contents[i]});
   return parse_floor_plan(texts, coordinates);
 }
 
-}  // namespace docent
+}  // namespace docent::import

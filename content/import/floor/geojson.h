@@ -7,7 +7,7 @@
 
 #include "content/import/floor/imported_plan.h"
 
-namespace docent {
+namespace docent::import {
 
 /// What the numbers of a GeoJSON file mean.
 enum class Coordinates : std::uint8_t {
@@ -33,4 +33,4 @@ ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates co
 /// The same from disk. Throws ContentError for a file that cannot be read, too.
 ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coordinates);
 
-}  // namespace docent
+}  // namespace docent::import

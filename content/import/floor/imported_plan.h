@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Where something stands in a source file, for the sentence that tells its author about it.
 struct SourcePlace {
@@ -42,4 +42,4 @@ struct ImportedPlan {
   std::vector<LeftOut> left_out;
 };
 
-}  // namespace docent
+}  // namespace docent::import

@@ -9,7 +9,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;
@@ -101,8 +101,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
     const auto [line, column] = LineIndex(text_).at(offset);
-    throw ContentError(file_, line, column, "unreadable-json", message,
-                       "check the file with a JSON validator, or export it again");
+    throw content::ContentError(file_, line, column, "unreadable-json", message,
+                                "check the file with a JSON validator, or export it again");
   }
 
   /// A number's end is only known by reading one byte beyond it.
@@ -187,4 +187,4 @@ JsonValue parse_json(const std::string& file, std::string_view text) {
   return builder.take_root();
 }
 
-}  // namespace docent
+}  // namespace docent::import

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent {
+namespace docent::import {
 
 /// A JSON value that remembers where it begins, so that a mistake in it can be pointed at.
 struct JsonValue {
@@ -42,4 +42,4 @@ class LineIndex {
 /// numbers that no double can hold, and nesting deeper than 64.
 JsonValue parse_json(const std::string& file, std::string_view text);
 
-}  // namespace docent
+}  // namespace docent::import

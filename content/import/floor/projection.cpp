@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 constexpr double semi_major_axis = 6378137.0;         // Metres, WGS84.
@@ -37,4 +37,4 @@ Vec2 LocalProjection::to_floor(Vec2 degrees) const noexcept {
   return {n * l * c * (1 + cubic), meridian_arc(origin_.y, point.y) + n * l * l * s * c / 2};
 }
 
-}  // namespace docent
+}  // namespace docent::import

@@ -2,7 +2,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Lays longitude and latitude flat about an origin, keeping angles: a transverse Mercator map of
 /// the WGS84 ellipsoid to third order. Within 2 km of the origin a point is right to 1 mm; lengths
@@ -24,4 +24,4 @@ class LocalProjection {
   Vec2 origin_;  ///< Radians.
 };
 
-}  // namespace docent
+}  // namespace docent::import

@@ -9,7 +9,7 @@
 #include "content/import/motion/motion_text.h"
 #include "content/read_source.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 using DVec3 = glm::dvec3;
@@ -190,7 +190,7 @@ RecordedMotion parse_amc(std::string_view text, const std::string& file,
 
 RecordedMotion read_amc(const std::filesystem::path& path, const AcclaimSkeleton& skeleton,
                         const AcclaimOptions& options) {
-  return parse_amc(read_source(path), path.string(), skeleton, options);
+  return parse_amc(content::read_source(path), path.string(), skeleton, options);
 }
 
-}  // namespace docent
+}  // namespace docent::import

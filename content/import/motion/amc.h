@@ -9,7 +9,7 @@
 
 #include "content/import/motion/motion_file.h"
 
-namespace docent {
+namespace docent::import {
 
 /// A freedom of a bone: the meaning of one number of an AMC line.
 enum class BoneFreedom : std::uint8_t { Tx, Ty, Tz, Rx, Ry, Rz, Length };
@@ -49,4 +49,4 @@ RecordedMotion read_amc(const std::filesystem::path& path, const AcclaimSkeleton
 RecordedMotion parse_amc(std::string_view text, const std::string& file,
                          const AcclaimSkeleton& skeleton, const AcclaimOptions& options = {});
 
-}  // namespace docent
+}  // namespace docent::import

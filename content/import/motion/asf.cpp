@@ -7,7 +7,7 @@
 #include "content/import/motion/motion_text.h"
 #include "content/read_source.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 using DVec3 = glm::dvec3;
@@ -223,7 +223,7 @@ AcclaimSkeleton parse_asf(std::string_view text, const std::string& file) {
 }
 
 AcclaimSkeleton read_asf(const std::filesystem::path& path) {
-  return parse_asf(read_source(path), path.string());
+  return parse_asf(content::read_source(path), path.string());
 }
 
-}  // namespace docent
+}  // namespace docent::import

@@ -10,7 +10,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 enum class Side { Middle, Left, Right };
@@ -412,11 +412,11 @@ double judge_metres_per_unit(const Skeleton& skeleton, const std::string& file) 
     if (ratio < best_ratio) best = unit, best_ratio = ratio;
   }
   if (best == 0)
-    throw ContentError(file, 0, 0, "unknown-unit",
-                       leg > 0
-                           ? fmt::format("a leg of {:.3g} units fits no usual unit of length", leg)
-                           : "the skeleton has no legs to judge its unit of length by",
-                       "state it in a clips.toml beside the clips: metres_per_unit = 0.01");
+    throw content::ContentError(
+        file, 0, 0, "unknown-unit",
+        leg > 0 ? fmt::format("a leg of {:.3g} units fits no usual unit of length", leg)
+                : "the skeleton has no legs to judge its unit of length by",
+        "state it in a clips.toml beside the clips: metres_per_unit = 0.01");
   return best;
 }
 
@@ -427,4 +427,4 @@ void scale_to_metres(RecordedMotion& motion, double metres_per_unit) {
   for (Vec3& root : motion.clip.root) root *= factor;
 }
 
-}  // namespace docent
+}  // namespace docent::import

@@ -5,7 +5,7 @@
 
 #include "content/import/motion/motion_file.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Fills `skeleton.part`: from the joints' names where they say it (CMU, Mixamo, Bandai Namco,
 /// Biped and ASF names, upper or lower case, side before or behind), else from the body's shape in
@@ -27,4 +27,4 @@ double judge_metres_per_unit(const Skeleton& skeleton, const std::string& file);
 /// Scales skeleton and motion to metres.
 void scale_to_metres(RecordedMotion& motion, double metres_per_unit);
 
-}  // namespace docent
+}  // namespace docent::import

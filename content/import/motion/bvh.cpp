@@ -12,7 +12,7 @@
 #include "content/import/motion/motion_text.h"
 #include "content/read_source.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 using DVec3 = glm::dvec3;
@@ -362,7 +362,7 @@ RecordedMotion parse_bvh(std::string_view bytes, const std::string& file,
 }
 
 RecordedMotion read_bvh(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
-  return parse_bvh(read_source(path), path.string(), metres_per_unit);
+  return parse_bvh(content::read_source(path), path.string(), metres_per_unit);
 }
 
-}  // namespace docent
+}  // namespace docent::import

@@ -7,7 +7,7 @@
 
 #include "content/import/motion/motion_file.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Reads a Biovision hierarchy file: any order of channels, any joint names, positions on any joint
 /// (they take the place of its OFFSET), blanks and line ends of every kind, comments.
@@ -22,4 +22,4 @@ RecordedMotion read_bvh(const std::filesystem::path& path,
 RecordedMotion parse_bvh(std::string_view text, const std::string& file,
                          std::optional<double> metres_per_unit = {});
 
-}  // namespace docent
+}  // namespace docent::import

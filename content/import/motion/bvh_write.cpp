@@ -11,7 +11,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 using Text = fmt::memory_buffer;
@@ -132,10 +132,10 @@ void write_bvh(const Skeleton& skeleton, const MotionFrames& motion,
   if (out && !failure) return;
   std::error_code ignored;
   std::filesystem::remove(unfinished, ignored);
-  throw ContentError(Errc::Environment, path.string(), "cannot-write",
-                     "the motion cannot be written here",
-                     "check that the folder exists, that you may write to it and that the disk is "
-                     "not full");
+  throw content::ContentError(
+      Errc::Environment, path.string(), "cannot-write", "the motion cannot be written here",
+      "check that the folder exists, that you may write to it and that the disk is "
+      "not full");
 }
 
-}  // namespace docent
+}  // namespace docent::import

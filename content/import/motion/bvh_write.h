@@ -6,7 +6,7 @@
 
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Motion of a skeleton as clips and walks hold it: `rotation` has one entry per joint and frame,
 /// frame by frame, relative to the joint's parent; `root` the world place of joint 0, metres.
@@ -25,4 +25,4 @@ std::string to_bvh(const Skeleton& skeleton, const MotionFrames& motion);
 void write_bvh(const Skeleton& skeleton, const MotionFrames& motion,
                const std::filesystem::path& path);
 
-}  // namespace docent
+}  // namespace docent::import

@@ -10,7 +10,7 @@
 #include "content/import/motion/motion_text.h"
 #include "content/read_source.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, ClipRole>, 6> roles{{
@@ -38,14 +38,14 @@ class ClipsToml {
   }
 
  private:
-  ContentError error(const toml::source_region& at, std::string code, const std::string& message,
-                     std::string hint = {}) const {
+  content::ContentError error(const toml::source_region& at, std::string code,
+                              const std::string& message, std::string hint = {}) const {
     return {file_, at.begin.line, at.begin.column, std::move(code), message, std::move(hint)};
   }
 
   toml::table parse() const {
     try {
-      return toml::parse(read_source(file_), file_);
+      return toml::parse(content::read_source(file_), file_);
     } catch (const toml::parse_error& failure) {
       throw error(failure.source(), "not-toml", std::string(failure.description()));
     }
@@ -109,7 +109,7 @@ class ClipsToml {
 
 StatedClips read_clips_toml(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "clips.toml";
-  return is_there(file) ? ClipsToml(file.string()).read() : StatedClips{};
+  return file::is_there(file) ? ClipsToml(file.string()).read() : StatedClips{};
 }
 
 StatedClip stated_for(const StatedClips& stated, const std::filesystem::path& file) {
@@ -125,4 +125,4 @@ StatedClip stated_for(const StatedClips& stated, const std::filesystem::path& fi
   return result;
 }
 
-}  // namespace docent
+}  // namespace docent::import

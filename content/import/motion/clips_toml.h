@@ -7,7 +7,7 @@
 
 #include "runtime/model/motion/motion_clip.h"
 
-namespace docent {
+namespace docent::import {
 
 /// What a clips.toml states about a file, where it differs from what its motion shows.
 struct StatedClip {
@@ -37,4 +37,4 @@ StatedClips read_clips_toml(const std::filesystem::path& folder);
 /// What is stated about one file, its own entry before that for all.
 StatedClip stated_for(const StatedClips& stated, const std::filesystem::path& file);
 
-}  // namespace docent
+}  // namespace docent::import

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace docent {
+namespace docent::import {
 
 double frame_rate_of(double seconds_per_frame) {
   const double rate = 1.0 / seconds_per_frame;
@@ -34,4 +34,4 @@ void place_joints(const Skeleton& skeleton, const MotionClip& clip, std::size_t 
   }
 }
 
-}  // namespace docent
+}  // namespace docent::import

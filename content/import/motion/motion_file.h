@@ -9,7 +9,7 @@
 #include "runtime/model/motion/motion_clip.h"
 #include "runtime/model/motion/skeleton.h"
 
-namespace docent {
+namespace docent::import {
 
 /// How long one unit of a motion file is.
 struct MotionScale {
@@ -41,4 +41,4 @@ void make_rotations_continuous(MotionClip& clip);
 void place_joints(const Skeleton& skeleton, const MotionClip& clip, std::size_t frame,
                   std::vector<Vec3>& places);
 
-}  // namespace docent
+}  // namespace docent::import

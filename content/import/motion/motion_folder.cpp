@@ -11,7 +11,7 @@
 #include "content/import/motion/clips_toml.h"
 #include "content/import/motion/motion_text.h"
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 bool has_extension(const std::filesystem::path& file, std::string_view extension) {
@@ -27,9 +27,9 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder)
     if (entry->is_regular_file(gone)) files.push_back(entry->path());
   }
   if (failure)
-    throw ContentError(Errc::NotFound, folder.string(), "unreadable-folder",
-                       "this folder of clips cannot be read",
-                       "check that it is there and that its permissions let you read it");
+    throw content::ContentError(Errc::NotFound, folder.string(), "unreadable-folder",
+                                "this folder of clips cannot be read",
+                                "check that it is there and that its permissions let you read it");
   std::ranges::sort(files);
   return files;
 }
@@ -60,7 +60,7 @@ class FolderReader {
   void attempt(const Work& work) {
     try {
       work();
-    } catch (const ContentError& error) {
+    } catch (const content::ContentError& error) {
       errors_.push_back(error);
     }
   }
@@ -97,9 +97,9 @@ class FolderReader {
       });
     }
     if (skeletons.size() != 1)
-      throw ContentError(amc.string(), 0, 0, "no-skeleton",
-                         "no ASF file of this folder belongs to this motion",
-                         "put the skeleton beside it; 16_12.amc belongs to 16.asf");
+      throw content::ContentError(amc.string(), 0, 0, "no-skeleton",
+                                  "no ASF file of this folder belongs to this motion",
+                                  "put the skeleton beside it; 16_12.amc belongs to 16.asf");
     const auto known = acclaim_.find(skeletons[0]);
     if (known != acclaim_.end()) return known->second;
     return acclaim_.emplace(skeletons[0], read_asf(skeletons[0])).first->second;
@@ -119,8 +119,8 @@ class FolderReader {
   void throw_errors() {
     if (errors_.empty()) return;
     for (std::size_t i = 0; i + 1 < errors_.size(); ++i)
-      problems_.push_back(to_diagnostic(errors_[i]));
-    throw ContentError(errors_.back());
+      problems_.push_back(content::to_diagnostic(errors_[i]));
+    throw content::ContentError(errors_.back());
   }
 
   std::filesystem::path folder_;
@@ -129,7 +129,7 @@ class FolderReader {
   StatedClips stated_;
   std::map<std::filesystem::path, AcclaimSkeleton> acclaim_;
   std::vector<FolderMotion> motions_;
-  std::vector<ContentError> errors_;
+  std::vector<content::ContentError> errors_;
 };
 
 }  // namespace
@@ -139,4 +139,4 @@ std::vector<FolderMotion> read_motion_folder(const std::filesystem::path& folder
   return FolderReader(folder, problems).read();
 }
 
-}  // namespace docent
+}  // namespace docent::import

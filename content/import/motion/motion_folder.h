@@ -7,7 +7,7 @@
 
 #include "content/import/motion/motion_file.h"
 
-namespace docent {
+namespace docent::import {
 
 /// A recording of a folder, with what clips.toml states about it.
 struct FolderMotion {
@@ -26,4 +26,4 @@ struct FolderMotion {
 std::vector<FolderMotion> read_motion_folder(const std::filesystem::path& folder,
                                              std::vector<Diagnostic>& problems);
 
-}  // namespace docent
+}  // namespace docent::import

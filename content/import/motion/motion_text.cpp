@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace docent {
+namespace docent::import {
 namespace {
 
 bool is_blank(char c) {
@@ -127,8 +127,8 @@ std::size_t MotionText::place() {
   return at_;
 }
 
-ContentError MotionText::error_at(std::size_t place, std::string code, const std::string& message,
-                                  std::string hint) const {
+content::ContentError MotionText::error_at(std::size_t place, std::string code,
+                                           const std::string& message, std::string hint) const {
   const std::string_view before = text_.substr(0, std::min(place, text_.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t line_start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
@@ -144,4 +144,4 @@ bool same_word(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 
-}  // namespace docent
+}  // namespace docent::import

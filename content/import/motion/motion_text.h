@@ -5,7 +5,7 @@
 
 #include "content/content_error.h"
 
-namespace docent {
+namespace docent::import {
 
 /// Reads the words and numbers of a motion file (BVH, ASF, AMC) in order.
 ///
@@ -41,10 +41,11 @@ class MotionText {
   std::string_view text_from(std::size_t place) const { return text_.substr(place); }
 
   /// An error at a place of the text.
-  ContentError error_at(std::size_t place, std::string code, const std::string& message,
-                        std::string hint = {}) const;
+  content::ContentError error_at(std::size_t place, std::string code, const std::string& message,
+                                 std::string hint = {}) const;
   /// An error at the last word taken.
-  ContentError error(std::string code, const std::string& message, std::string hint = {}) const {
+  content::ContentError error(std::string code, const std::string& message,
+                              std::string hint = {}) const {
     return error_at(last_, std::move(code), message, std::move(hint));
   }
   const std::string& file() const { return file_; }
@@ -62,4 +63,4 @@ class MotionText {
 /// Are two words the same but for upper and lower case (ASCII)?
 bool same_word(std::string_view a, std::string_view b);
 
-}  // namespace docent
+}  // namespace docent::import

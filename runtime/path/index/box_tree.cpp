@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace docent {
+namespace docent::path {
 
 BoxTree::BoxTree(std::span<const Box> boxes) : box_(boxes.begin(), boxes.end()) {
   if (box_.empty()) return;
@@ -36,4 +36,4 @@ void BoxTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t count
   build(children + 1, first + count / 2, count - count / 2);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -8,7 +8,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::path {
 
 /// An upright rectangle.
 struct Box {
@@ -91,4 +91,4 @@ void BoxTree::meet_nearest_first(Vec2 point, Distance squared_distance_of, GoOn 
   }
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-namespace docent {
+namespace docent::path {
 
 IntervalTree::IntervalTree(std::span<const Interval> intervals)
     : interval_(intervals.begin(), intervals.end()) {
@@ -44,4 +44,4 @@ std::uint32_t IntervalTree::build(std::vector<std::uint32_t> rest) {
   return number;
 }
 
-}  // namespace docent
+}  // namespace docent::path

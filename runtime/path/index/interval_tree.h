@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace docent {
+namespace docent::path {
 
 /// A half-open range of numbers.
 struct Interval {
@@ -51,4 +51,4 @@ class IntervalTree {
   std::vector<Node> node_;
 };
 
-}  // namespace docent
+}  // namespace docent::path

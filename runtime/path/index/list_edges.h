@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace docent {
+namespace docent::path {
 
 /// Lists, for each of `count` things, the edges that end there: those of thing i are
 /// list[first[i] .. first[i + 1]), ascending. `ends(edge)` gives a range of things; what is not one
@@ -24,4 +24,4 @@ void list_edges(std::size_t count, std::size_t edges, Ends ends, std::vector<std
       if (end < count) list[fill[end]++] = e;
 }
 
-}  // namespace docent
+}  // namespace docent::path

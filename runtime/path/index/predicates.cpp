@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// A number as a sum of doubles that do not overlap, smallest first (Shewchuk's expansion). Room
@@ -66,4 +66,4 @@ double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept {
        nearest_on_segment(a, p, q).distance_squared, nearest_on_segment(b, p, q).distance_squared});
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -4,7 +4,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The sign of the turn a -> b -> c: +1 left, -1 right, 0 exactly straight. Exact for all doubles
 /// whose products neither overflow nor underflow (Shewchuk 1997, "Adaptive precision
@@ -35,4 +35,4 @@ NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept;
 /// Distance between the segments p q and a b, squared; 0 where they cross.
 double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept;
 
-}  // namespace docent
+}  // namespace docent::path

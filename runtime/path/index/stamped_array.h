@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace docent {
+namespace docent::path {
 
 /// What a search notes about the things it meets. All notes are forgotten at once, at a cost that
 /// does not depend on their number, so a search over a large floor pays only for what it visits.
@@ -37,4 +37,4 @@ class StampedArray {
   std::vector<Note> note_;
 };
 
-}  // namespace docent
+}  // namespace docent::path

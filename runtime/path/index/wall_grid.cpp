@@ -6,7 +6,7 @@
 
 #include "runtime/path/index/predicates.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -291,4 +291,4 @@ double WallGrid::segment_clearance(Vec2 p, Vec2 q, double at_most) const noexcep
   return std::sqrt(squared);
 }
 
-}  // namespace docent
+}  // namespace docent::path

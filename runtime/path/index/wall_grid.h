@@ -8,7 +8,7 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::path {
 
 /// How far two figures may be from exact before they count as different: a disc that is nearer to a
 /// wall than its radius by no more than this still touches it and is free. So a disc fits through
@@ -93,4 +93,4 @@ class WallGrid {
   std::vector<std::uint32_t> cell_wall_;
 };
 
-}  // namespace docent
+}  // namespace docent::path

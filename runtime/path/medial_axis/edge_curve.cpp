@@ -7,7 +7,7 @@
 
 #include "runtime/path/flatten.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// The real roots of x^3 + p x + q (Cardano, Vieta).
@@ -160,4 +160,4 @@ void EdgeCurve::append_points(double a, double b, std::vector<Vec2>& points) con
   append_point(point_at(b), points);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/voronoi_diagram.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The curve of a Voronoi edge, with the distance to its two sites along it.
 ///
@@ -60,4 +60,4 @@ class EdgeCurve {
   Vec2 low_{}, high_{};
 };
 
-}  // namespace docent
+}  // namespace docent::path

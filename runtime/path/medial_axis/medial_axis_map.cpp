@@ -6,7 +6,7 @@
 
 #include "runtime/path/index/list_edges.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -175,4 +175,4 @@ std::optional<MedialAxisMap::Place> MedialAxisMap::place_above(std::uint32_t sit
   return best;
 }
 
-}  // namespace docent
+}  // namespace docent::path

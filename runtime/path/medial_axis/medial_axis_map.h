@@ -8,12 +8,12 @@
 
 #include "runtime/model/geometry/floor.h"
 #include "runtime/path/index/box_tree.h"
-#include "runtime/path/medial_axis/edge_curve.h"
 #include "runtime/path/index/interval_tree.h"
-#include "runtime/path/shortest/reflex_corner.h"
+#include "runtime/path/medial_axis/edge_curve.h"
 #include "runtime/path/medial_axis/road_graph.h"
+#include "runtime/path/shortest/reflex_corner.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The Voronoi diagram and the roadmap of a floor made ready for queries. Borrows the floor.
 /// Immutable after construction.
@@ -116,4 +116,4 @@ std::optional<RoadGraph::Place> MedialAxisMap::nearest_road(Vec2 point, Accepts 
   return found;
 }
 
-}  // namespace docent
+}  // namespace docent::path

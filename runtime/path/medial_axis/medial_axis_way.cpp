@@ -10,7 +10,7 @@
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -251,4 +251,4 @@ Way medial_axis_way(const FloorMap& map, const RouteQuery& query) {
   return way_between(map, query, width);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -2,7 +2,7 @@
 
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The way along the medial axis for a query of kind Skeleton, entered and left at the nearest
 /// places that a clear straight line reaches. Both ends have room (the caller has checked).
@@ -12,4 +12,4 @@ namespace docent {
 /// the axis keeps the radius is connected within each part of the eroded floor.
 Way medial_axis_way(const FloorMap& map, const RouteQuery& query);
 
-}  // namespace docent
+}  // namespace docent::path

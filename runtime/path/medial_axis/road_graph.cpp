@@ -10,7 +10,7 @@
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/list_edges.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -272,4 +272,4 @@ void RoadGraph::append_between(const Place& from, const Place& to,
   append_point(point_at(to), points);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -11,7 +11,7 @@
 #include "runtime/path/medial_axis/edge_curve.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The roadmap as a search sees it: every chain of its edges between two junctions is one road.
 ///
@@ -138,4 +138,4 @@ class RoadGraph {
   std::vector<Distances> distance_;  ///< Per junction, to each landmark; 0 where there is no way.
 };
 
-}  // namespace docent
+}  // namespace docent::path

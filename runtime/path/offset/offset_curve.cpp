@@ -9,7 +9,7 @@
 #include "runtime/path/floor_map.h"
 #include "runtime/path/index/stamped_array.h"
 
-namespace docent {
+namespace docent::path {
 
 bool LevelCurve::is_wall(std::uint32_t site) const noexcept {
   return map_->diagram().site[site].kind == Site::Kind::Wall;
@@ -255,4 +255,4 @@ OffsetCurve offset_curve(const FloorMap& map, double distance) {
   return offset_curve(map.medial_axis(), distance);
 }
 
-}  // namespace docent
+}  // namespace docent::path

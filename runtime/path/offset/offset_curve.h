@@ -6,7 +6,7 @@
 
 #include "runtime/path/medial_axis/medial_axis_map.h"
 
-namespace docent {
+namespace docent::path {
 
 class FloorMap;
 
@@ -104,4 +104,4 @@ struct OffsetCurve {
 OffsetCurve offset_curve(const MedialAxisMap& map, double distance);
 OffsetCurve offset_curve(const FloorMap& map, double distance);
 
-}  // namespace docent
+}  // namespace docent::path

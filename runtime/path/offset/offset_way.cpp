@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "runtime/path/flatten.h"
-#include "runtime/path/offset/offset_curve.h"
 #include "runtime/path/index/stamped_array.h"
+#include "runtime/path/offset/offset_curve.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -467,4 +467,4 @@ Way offset_way(const FloorMap& map, const RouteQuery& query) {
   return way_along(search.links(), network, axis, curve);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -2,7 +2,7 @@
 
 #include "runtime/path/floor_map.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The way at a distance from the wall for a query of kind Offset. Both ends have room (the caller
 /// has checked).
@@ -20,4 +20,4 @@ Way offset_way(const FloorMap& map, const RouteQuery& query);
 
 inline constexpr double crossing_weight = 3;
 
-}  // namespace docent
+}  // namespace docent::path

@@ -5,7 +5,7 @@
 #include <queue>
 #include <utility>
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 using Arc = Hierarchy::Arc;
@@ -162,4 +162,4 @@ std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> lin
   return Contraction(nodes, links, names).run(most_work, stop);
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace docent {
+namespace docent::path {
 
 /// A directed graph with lengths, made ready for searches that only go to more important nodes:
 /// a contraction hierarchy (Geisberger, Sanders, Schultes, Delling 2008). Every shortest way of the
@@ -41,4 +41,4 @@ std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> lin
                                   std::uint32_t names, std::uint64_t most_work,
                                   const std::stop_token& stop);
 
-}  // namespace docent
+}  // namespace docent::path

@@ -5,7 +5,7 @@
 
 #include "runtime/path/index/predicates.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// Directions, as angles in (-pi, pi], in which the circle of `radius` about `centre` may come to
@@ -75,4 +75,4 @@ std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
   return free;
 }
 
-}  // namespace docent
+}  // namespace docent::path

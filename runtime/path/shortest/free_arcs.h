@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "runtime/path/shortest/reflex_corner.h"
 #include "runtime/path/index/wall_grid.h"
+#include "runtime/path/shortest/reflex_corner.h"
 
-namespace docent {
+namespace docent::path {
 
 /// A part of a corner's circle, in the corner's own angles.
 struct ArcInterval {
@@ -18,4 +18,4 @@ struct ArcInterval {
 std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
                                    const ReflexCorner& corner, std::uint32_t before, double radius);
 
-}  // namespace docent
+}  // namespace docent::path

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -62,4 +62,4 @@ Landmarks::Landmarks(const FloorPlan& plan, const SightMap& sight)
             static_cast<std::int16_t>(std::lround(all[i][c] / metres_per_step_));
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -9,7 +9,7 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/sight_map.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The distances of every corner to a few corners that lie far from each other: between two corners
 /// no way is shorter than their distances to any landmark differ. (Goldberg and Harrelson 2005.)
@@ -87,4 +87,4 @@ class LandmarkBound {
   Landmarks::Distances low_, high_;
 };
 
-}  // namespace docent
+}  // namespace docent::path

@@ -8,7 +8,7 @@
 
 #include "runtime/path/shortest/contraction.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -291,4 +291,4 @@ HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
   return Maker(plan, graph, std::move(*hierarchy)).make();
 }
 
-}  // namespace docent
+}  // namespace docent::path

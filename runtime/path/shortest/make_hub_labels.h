@@ -6,7 +6,7 @@
 #include "runtime/model/geometry/hub_labels.h"
 #include "runtime/model/geometry/tangent_graph.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The labels of a plan's tangent graph. Takes some seconds for floors of ten thousand corners: the
 /// content compiler does it for the museum's radius classes, a worker for any other radius. There
@@ -15,4 +15,4 @@ namespace docent {
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
                           const std::stop_token& stop = {});
 
-}  // namespace docent
+}  // namespace docent::path

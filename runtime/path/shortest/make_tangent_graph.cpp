@@ -5,10 +5,10 @@
 #include <numbers>
 #include <span>
 
-#include "runtime/path/shortest/free_arcs.h"
 #include "runtime/path/index/predicates.h"
+#include "runtime/path/shortest/free_arcs.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// Finds the tangents between the arcs of one floor.
@@ -169,4 +169,4 @@ std::vector<ReflexCorner> corners_of_arcs(const FloorPlan& plan, const TangentGr
   return corners;
 }
 
-}  // namespace docent
+}  // namespace docent::path

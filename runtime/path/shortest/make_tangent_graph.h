@@ -5,10 +5,10 @@
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/sight_map.h"
 #include "runtime/model/geometry/tangent_graph.h"
-#include "runtime/path/shortest/reflex_corner.h"
 #include "runtime/path/index/wall_grid.h"
+#include "runtime/path/shortest/reflex_corner.h"
 
-namespace docent {
+namespace docent::path {
 
 /// Radii below this count as 0. Metres.
 inline constexpr double smallest_radius = 1e-7;
@@ -22,4 +22,4 @@ TangentGraph make_tangent_graph(const FloorPlan& plan, const SightMap& sight, do
 /// The corners that the arcs of a graph belong to, one per arc.
 std::vector<ReflexCorner> corners_of_arcs(const FloorPlan& plan, const TangentGraph& graph);
 
-}  // namespace docent
+}  // namespace docent::path

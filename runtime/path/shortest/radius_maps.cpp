@@ -7,7 +7,7 @@
 #include "runtime/path/shortest/make_hub_labels.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 /// Without arcs there is nothing to have labels for.
@@ -68,4 +68,4 @@ void RadiusMaps::make_wanted(const std::stop_token& stop) const {
   }
 }
 
-}  // namespace docent
+}  // namespace docent::path

@@ -11,7 +11,7 @@
 #include "runtime/model/geometry/floor.h"
 #include "runtime/path/shortest/shortest_way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The shortest-way maps of a floor: those of the radius classes that the database holds, and those
 /// of other radii, which a thread of its own makes when they are first asked for. Thread-safe.
@@ -50,4 +50,4 @@ class RadiusMaps {
   mutable std::jthread thread_;  ///< Last: it uses all of the above. Begins with the first asking.
 };
 
-}  // namespace docent
+}  // namespace docent::path

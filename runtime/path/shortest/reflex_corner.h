@@ -8,7 +8,7 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 
-namespace docent {
+namespace docent::path {
 
 /// Angles on a corner's circle that differ by less count as the same: a way that touches three
 /// corners in a straight line leaves the middle one where it arrives, whatever the rounding.
@@ -72,4 +72,4 @@ inline std::optional<TangentLine> tangent_line(Vec2 from, double from_left, Vec2
   return TangentLine{direction, left_of(direction)};
 }
 
-}  // namespace docent
+}  // namespace docent::path

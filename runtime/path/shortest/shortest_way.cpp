@@ -8,11 +8,11 @@
 #include <span>
 
 #include "runtime/path/flatten.h"
-#include "runtime/path/shortest/make_tangent_graph.h"
 #include "runtime/path/index/stamped_array.h"
+#include "runtime/path/shortest/make_tangent_graph.h"
 #include "runtime/path/shortest/tangent_search.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -455,4 +455,4 @@ Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {
   return Query(map, from, to).run();
 }
 
-}  // namespace docent
+}  // namespace docent::path

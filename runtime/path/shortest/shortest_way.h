@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
+#include "runtime/path/index/wall_grid.h"
 #include "runtime/path/shortest/reflex_corner.h"
 #include "runtime/path/shortest/tangent_search.h"
-#include "runtime/path/index/wall_grid.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// The straight way between a query's end point and a side of the tangent graph that it touches.
 struct EndTangent {
@@ -104,4 +104,4 @@ class ShortestWayMap {
 /// 0 on a straight way and is the radius on one with bends.
 Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to);
 
-}  // namespace docent
+}  // namespace docent::path

@@ -8,7 +8,7 @@
 #include "runtime/path/flatten.h"
 #include "runtime/path/shortest/free_arcs.h"
 
-namespace docent {
+namespace docent::path {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -359,4 +359,4 @@ Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 
   return Search(map, radius, from, to).run();
 }
 
-}  // namespace docent
+}  // namespace docent::path

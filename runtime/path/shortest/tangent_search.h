@@ -4,12 +4,12 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/sight_map.h"
+#include "runtime/path/index/wall_grid.h"
 #include "runtime/path/shortest/landmarks.h"
 #include "runtime/path/shortest/reflex_corner.h"
-#include "runtime/path/index/wall_grid.h"
 #include "runtime/path/way.h"
 
-namespace docent {
+namespace docent::path {
 
 /// What a search for the shortest way of any radius needs: which corners see each other, and the
 /// walls. Immutable, so any thread may ask. Borrows plan, sight and walls (a grid of radius 0).
@@ -45,4 +45,4 @@ class TangentSearchMap {
 /// turn comes.
 Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to);
 
-}  // namespace docent
+}  // namespace docent::path

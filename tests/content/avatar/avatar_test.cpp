@@ -14,11 +14,11 @@
 #include "content/import/motion/bvh.h"
 #include "tests/support/reference_data.h"
 
-namespace docent {
+namespace docent::avatar {
 namespace {
 
 const SkinnedMesh& avatar() {
-  static const SkinnedMesh mesh = make_avatar(gait_skeleton());
+  static const SkinnedMesh mesh = make_avatar(gait::gait_skeleton());
   return mesh;
 }
 
@@ -80,7 +80,7 @@ void expect_sound(const SkinnedMesh& mesh, const Skeleton& skeleton) {
 }
 
 TEST(Avatar, IsASoundMeshOfEveryMaterial) {
-  expect_sound(avatar(), gait_skeleton());
+  expect_sound(avatar(), gait::gait_skeleton());
 }
 
 TEST(Avatar, IsAPersonOfTheSkeletonsStature) {
@@ -135,7 +135,7 @@ TEST(Avatar, IsDarkerUnderItsCoatThanOnItsShoulders) {
 }
 
 TEST(Avatar, FollowsFromTheSkeletonAlone) {
-  const SkinnedMesh again = make_avatar(gait_skeleton());
+  const SkinnedMesh again = make_avatar(gait::gait_skeleton());
 
   EXPECT_EQ(again.indices, avatar().indices);
   ASSERT_EQ(again.vertices.size(), avatar().vertices.size());
@@ -146,10 +146,10 @@ TEST(Avatar, FollowsFromTheSkeletonAlone) {
 }
 
 TEST(Avatar, WalksOnItsSolesWithoutTearing) {
-  for (const GaitRecipe& recipe : default_clips()) {
-    const MotionClip clip = make_gait_clip(recipe);
+  for (const gait::GaitRecipe& recipe : gait::default_clips()) {
+    const MotionClip clip = gait::make_gait_clip(recipe);
     for (std::size_t frame = 0; frame < clip.root.size(); frame += 40) {
-      const std::vector<Vec3> places = posed(avatar(), gait_skeleton(), clip, frame);
+      const std::vector<Vec3> places = posed(avatar(), gait::gait_skeleton(), clip, frame);
       EXPECT_GT(lowest(places), -0.015F) << recipe.name << " frame " << frame;
       EXPECT_LT(lowest(places), 0.006F) << recipe.name << " frame " << frame;
       EXPECT_LT(torn_share(avatar(), places), 0.01) << recipe.name << " frame " << frame;
@@ -159,8 +159,8 @@ TEST(Avatar, WalksOnItsSolesWithoutTearing) {
 
 TEST(Avatar, FitsTheRecordedSkeletonToo) {
   NEEDS_REFERENCE_DATA("mocap/cmu-walk/16_15-walk-forward.bvh");
-  const RecordedMotion recorded =
-      read_bvh(test::reference_data() / "mocap/cmu-walk/16_15-walk-forward.bvh");
+  const import::RecordedMotion recorded =
+      import::read_bvh(test::reference_data() / "mocap/cmu-walk/16_15-walk-forward.bvh");
   const SkinnedMesh mesh = make_avatar(recorded.skeleton);
 
   expect_sound(mesh, recorded.skeleton);
@@ -172,4 +172,4 @@ TEST(Avatar, FitsTheRecordedSkeletonToo) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::avatar

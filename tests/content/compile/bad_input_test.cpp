@@ -10,7 +10,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent {
+namespace docent::compile {
 namespace {
 
 using test::MuseumFolder;
@@ -377,4 +377,4 @@ TEST(BadInput, ADatabaseThatIsMissingOrDamaged) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::compile

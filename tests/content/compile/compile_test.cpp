@@ -9,7 +9,7 @@
 #include "runtime/path/route.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent {
+namespace docent::compile {
 namespace {
 
 using test::MuseumFolder;
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 Museum compiled(const MuseumFolder& folder) {
   const test::ProgramRun run = folder.compile();
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  Result<Museum> museum = load_museum(folder.database());
+  Result<Museum> museum = sqlite::load_museum(folder.database());
   EXPECT_TRUE(museum.has_value());
   return museum.value_or(Museum{});
 }
@@ -56,16 +56,17 @@ TEST(Compile, KeepsWhereStrollingVisitorsComeFromAndHowLongTheyLook) {
 }
 
 /// A visitor stands in front of the exhibit, facing it, with room for the body, and can get there.
-void expect_good_view(const Museum& museum, const Exhibit& exhibit, const FloorMap& map) {
+void expect_good_view(const Museum& museum, const Exhibit& exhibit, const path::FloorMap& map) {
   const Vec2 view = exhibit.view.position;
   const Vec2 to_object = exhibit.placement.position - view;
   const Vec2 facing{std::cos(exhibit.view.heading), std::sin(exhibit.view.heading)};
-  EXPECT_TRUE(is_inside(map, view)) << exhibit.id;
-  EXPECT_GE(clearance_at(map, view), museum.body_radius) << exhibit.id;
+  EXPECT_TRUE(path::is_inside(map, view)) << exhibit.id;
+  EXPECT_GE(path::clearance_at(map, view), museum.body_radius) << exhibit.id;
   EXPECT_NEAR(dot(facing, to_object), glm::length(to_object), 1e-9) << exhibit.id;
   EXPECT_GE(glm::length(to_object), 0.79) << exhibit.id;
-  const RouteQuery query{.from = museum.kiosk.position, .to = view, .radius = museum.body_radius};
-  EXPECT_EQ(route(map, query).status, RouteStatus::Ok) << exhibit.id;
+  const path::RouteQuery query{
+      .from = museum.kiosk.position, .to = view, .radius = museum.body_radius};
+  EXPECT_EQ(path::route(map, query).status, path::RouteStatus::Ok) << exhibit.id;
 }
 
 TEST(Compile, FindsAViewingPointForEveryExhibitOfTheSampleMuseum) {
@@ -75,9 +76,9 @@ TEST(Compile, FindsAViewingPointForEveryExhibitOfTheSampleMuseum) {
       run_program("docent-content", "compile '" + (test::source_dir() / "config/museum").string() +
                                         "' -o '" + database + "' --no-motion --quiet");
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const Result<Museum> museum = load_museum(database);
+  const Result<Museum> museum = sqlite::load_museum(database);
   ASSERT_TRUE(museum.has_value());
-  const auto map = make_floor_map(museum->floors.at(0));
+  const auto map = path::make_floor_map(museum->floors.at(0));
 
   EXPECT_GE(museum->exhibits.size(), 24U);
   for (const Exhibit& exhibit : museum->exhibits) expect_good_view(*museum, exhibit, *map);
@@ -100,7 +101,7 @@ TEST(Compile, MakesAMuseumWithoutExhibitsOfAPlanAlone) {
                             museum.database().string() + "' --no-motion --radius 0.4 --quiet");
 
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const Result<Museum> plan = load_museum(museum.database());
+  const Result<Museum> plan = sqlite::load_museum(museum.database());
   ASSERT_TRUE(plan.has_value()) << plan.error().what;
   EXPECT_EQ(plan->floors.at(0).plan.name, "ground");
   ASSERT_EQ(plan->floors[0].tangent_graphs.size(), 3U);
@@ -144,4 +145,4 @@ TEST(Info, CountsWhatADatabaseHolds) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::compile

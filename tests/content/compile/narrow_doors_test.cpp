@@ -12,7 +12,7 @@
 #include "content/compile/compile_floor.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::compile {
 namespace {
 
 using testing::DoubleNear;
@@ -40,7 +40,8 @@ CompiledFloor floor_of(const std::vector<Area>& areas) {
   Progress progress(Progress::Output::Nothing);
   plan_floor_stages(progress);
   const std::vector<double> radii{0, radius};
-  return compile_floor("floor", std::span(&file, 1), Coordinates::Metres, radii, report, progress);
+  return compile_floor("floor", std::span(&file, 1), import::Coordinates::Metres, radii, report,
+                       progress);
 }
 
 Room room(const std::string& title, const Area& area) {
@@ -60,7 +61,7 @@ std::vector<NarrowDoor> doors_of(const std::vector<Area>& areas,
                                  const std::vector<Vec2>& wanted = {},
                                  const std::vector<Door>& named = {}) {
   const CompiledFloor compiled = floor_of(areas);
-  const auto map = make_floor_map(compiled.floor);
+  const auto map = path::make_floor_map(compiled.floor);
   return narrow_doors({.map = *map,
                        .rooms = with_rooms,
                        .doors = named,
@@ -165,4 +166,4 @@ TEST(NarrowDoors, DoNotIncludeWallsWithoutADoor) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::compile

@@ -11,7 +11,7 @@
 #include "content/compile/compile_floor.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::compile {
 namespace {
 
 /// A room of 10 by 8 metres with a case of 1 by 1 in it, and a case let into its south wall.
@@ -26,12 +26,13 @@ CompiledFloor room() {
   Progress progress(Progress::Output::Nothing);
   plan_floor_stages(progress);
   const std::vector<double> radii{0, 0.25};
-  return compile_floor("room", std::span(&file, 1), Coordinates::Metres, radii, report, progress);
+  return compile_floor("room", std::span(&file, 1), import::Coordinates::Metres, radii, report,
+                       progress);
 }
 
 struct Room {
   CompiledFloor floor = room();
-  std::shared_ptr<const FloorMap> map = make_floor_map(floor.floor);
+  std::shared_ptr<const path::FloorMap> map = path::make_floor_map(floor.floor);
   PlacingFloor placing{.map = *map,
                        .name = "room",
                        .drawn = floor.drawn.polygons,
@@ -79,8 +80,8 @@ TEST(PlaceExhibit, AlwaysGivesAViewThatIsSeenReachedAndRoomy) {
     const Room& room = the_room();
     const Vec2 view = exhibit.view.position;
     const double distance = glm::distance(view, position);
-    RC_ASSERT(clearance_at(*room.map, view) >= 0.3 - 1e-9);
-    RC_ASSERT(is_inside(*room.map, view));
+    RC_ASSERT(path::clearance_at(*room.map, view) >= 0.3 - 1e-9);
+    RC_ASSERT(path::is_inside(*room.map, view));
     RC_ASSERT(distance > 0.79);
     RC_ASSERT(distance < 3.0);
     // In front means within 60 degrees of where the object looks.
@@ -92,22 +93,23 @@ TEST(PlaceExhibit, AlwaysGivesAViewThatIsSeenReachedAndRoomy) {
 TEST(NearestFreePoint, IsTheNearestOfAllPointsOfAFineGrid) {
   EXPECT_TRUE(rc::check("no point of the grid is nearer", [] {
     const Vec2 p{*rc::gen::inRange(-200, 1200) / 100.0, *rc::gen::inRange(-200, 1000) / 100.0};
-    const FloorMap& map = *the_room().map;
+    const path::FloorMap& map = *the_room().map;
 
     const auto free = nearest_free_point(map, p, 0.3);
 
     RC_ASSERT(free.has_value());
-    RC_ASSERT(is_inside(map, *free));
-    RC_ASSERT(clearance_at(map, *free) >= 0.3);
+    RC_ASSERT(path::is_inside(map, *free));
+    RC_ASSERT(path::clearance_at(map, *free) >= 0.3);
     double best = 1e9;
     for (int x = 0; x <= 200; ++x)
       for (int y = 0; y <= 160; ++y)
-        if (const Vec2 q{x * 0.05, y * 0.05};
-            glm::distance(p, q) < best && is_inside(map, q) && clearance_at(map, q) >= 0.3)
+        if (const Vec2 q{x * 0.05, y * 0.05}; glm::distance(p, q) < best &&
+                                              path::is_inside(map, q) &&
+                                              path::clearance_at(map, q) >= 0.3)
           best = glm::distance(p, q);
     RC_ASSERT(glm::distance(p, *free) <= best + 0.05);
   }));
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::compile

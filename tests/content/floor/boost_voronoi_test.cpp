@@ -103,7 +103,8 @@ std::size_t count_missing(const Points& points, const Points& others) {
 }
 
 void expect_same_vertices(const FloorPlan& plan) {
-  const Points ours = vertices_off_walls(voronoi_diagram(plan)), theirs = oracle_vertices(plan);
+  const Points ours = vertices_off_walls(floor::voronoi_diagram(plan)),
+               theirs = oracle_vertices(plan);
   EXPECT_EQ(count_missing(ours, theirs), 0U) << "of " << ours.size();
   EXPECT_EQ(count_missing(theirs, ours), 0U) << "of " << theirs.size();
 }
@@ -135,7 +136,8 @@ RC_GTEST_PROP(BoostVoronoi, AgreesOnSquareCasesThatLineUp, ()) {
   std::vector<Points> cases;
   for (const auto& [x, y] : places) cases.push_back(rectangle({x, y}, {x + 0.5, y + 0.5}));
   const FloorPlan plan = mended(drawn(rectangle({0, 0}, {12, 8}), cases));
-  const Points ours = vertices_off_walls(voronoi_diagram(plan)), theirs = oracle_vertices(plan);
+  const Points ours = vertices_off_walls(floor::voronoi_diagram(plan)),
+               theirs = oracle_vertices(plan);
   RC_ASSERT(count_missing(ours, theirs) == 0U);
   RC_ASSERT(count_missing(theirs, ours) == 0U);
 }

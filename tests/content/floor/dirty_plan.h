@@ -46,8 +46,8 @@ struct DirtyPlan {
 
 /// As a GeoJSON file says it; for `Where::InDegrees` in longitude and latitude.
 std::string geojson(const DirtyPlan& plan);
-inline Coordinates coordinates_of(const DirtyPlan& plan) {
-  return plan.where == Where::InDegrees ? Coordinates::Wgs84 : Coordinates::Metres;
+inline import::Coordinates coordinates_of(const DirtyPlan& plan) {
+  return plan.where == Where::InDegrees ? import::Coordinates::Wgs84 : import::Coordinates::Metres;
 }
 
 /// For rapidcheck's reports.

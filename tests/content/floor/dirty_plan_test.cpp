@@ -53,8 +53,8 @@ Complaint check_floor(const RawInterior& raw, const FloorPlan& plan,
     return fmt::format("{} square metres instead of {}", area, expected);
   if (Complaint complaint = check_points(raw, plan, specks > 0); !complaint.empty())
     return complaint;
-  const VoronoiDiagram diagram = voronoi_diagram(plan);
-  medial_axis(plan, diagram);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(plan);
+  floor::medial_axis(plan, diagram);
   // Doubles are 1e-9 apart at 5,000 km, and a steep parabola makes more of that.
   return check(plan, diagram, 4e-9, 1e-6);
 }
@@ -62,14 +62,14 @@ Complaint check_floor(const RawInterior& raw, const FloorPlan& plan,
 /// What is wrong with the floor that a plan becomes, or with refusing it.
 Complaint check_compiled(const DirtyPlan& dirty) {
   const std::string text = geojson(dirty);
-  const GeoJsonText source{"dirty.geojson", text};
-  const ImportedPlan read = parse_floor_plan({&source, 1}, coordinates_of(dirty));
+  const import::GeoJsonText source{"dirty.geojson", text};
+  const import::ImportedPlan read = import::parse_floor_plan({&source, 1}, coordinates_of(dirty));
   const RawInterior raw(read);
   std::vector<Diagnostic> mendings;
   FloorPlan plan;
   try {
-    plan = mend(read, mendings);
-  } catch (const ContentError& error) {
+    plan = floor::mend(read, mendings);
+  } catch (const content::ContentError& error) {
     if (error.code != "no-floor") return fmt::format("refused: {}", error.what());
     const double left = raw.area();
     if (left > speck * 10 + farthest_moved * raw.length())

@@ -19,7 +19,7 @@ namespace docent::test {
 namespace {
 
 Roadmap roadmap_of(const FloorPlan& plan) {
-  return medial_axis(plan, voronoi_diagram(plan));
+  return floor::medial_axis(plan, floor::voronoi_diagram(plan));
 }
 
 double length_of(const Roadmap& roadmap) {
@@ -106,9 +106,9 @@ TEST(MedialAxis, KeepsADeadEndThatAVisitorCouldWalkInto) {
 
 TEST(MedialAxis, MeasuresParabolasAlongTheArc) {
   const FloorPlan room = mended(drawn({{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}));
-  const VoronoiDiagram diagram = voronoi_diagram(room);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(room);
   int arcs = 0;
-  for (const RoadmapEdge& edge : medial_axis(room, diagram).edges) {
+  for (const RoadmapEdge& edge : floor::medial_axis(room, diagram).edges) {
     const VoronoiEdge& curve = diagram.edge[edge.voronoi_edge];
     if (!curve.parabola) continue;
     const Parabola parabola = parabola_of(room, diagram, curve);
@@ -184,7 +184,7 @@ RC_GTEST_PROP(MedialAxis, HasTheShapeOfAnyHall, ()) {
   FloorPlan plan;
   try {
     plan = mended(hall_with(*any_obstacles()));
-  } catch (const ContentError&) {
+  } catch (const content::ContentError&) {
     RC_DISCARD("the obstacles cover the hall");
   }
   RC_PRE(!is_pinched(plan));

@@ -25,9 +25,9 @@ struct Mended {
   std::vector<Diagnostic> mendings;
 };
 
-Mended mend_all(const ImportedPlan& plan) {
+Mended mend_all(const import::ImportedPlan& plan) {
   Mended result;
-  result.plan = mend(plan, result.mendings);
+  result.plan = floor::mend(plan, result.mendings);
   return result;
 }
 
@@ -49,8 +49,8 @@ void expect_invariants(const FloorPlan& plan) {
 
 TEST(Mend, LeavesACleanPlanAsItWasDrawnToTheLastBit) {
   const Points outer = {{0.1, 0.2}, {1e6 / 3, 0.30000000000000004}, {1e6 / 7, 12.7}, {0.1, 9.1}};
-  ImportedPlan plan = drawn(outer, {{{5.05, 4.1}, {5.15, 6.3}, {8.2, 4.7}}});
-  for (ImportedRing* ring : {&plan.polygons[0].outer, &plan.polygons[0].holes[0]})
+  import::ImportedPlan plan = drawn(outer, {{{5.05, 4.1}, {5.15, 6.3}, {8.2, 4.7}}});
+  for (import::ImportedRing* ring : {&plan.polygons[0].outer, &plan.polygons[0].holes[0]})
     for (Vec2& vertex : ring->vertex) vertex.x /= 1e4;  // No coordinate is a round number.
   const auto [mended_plan, mendings] = mend_all(plan);
   EXPECT_THAT(mendings, IsEmpty());
@@ -148,8 +148,8 @@ TEST(Mend, LetsNobodyThroughWhereTwoCasesTouchInACorner) {
 }
 
 TEST(Mend, UnitesRoomsOfSeveralFilesAtTheirSharedBorder) {
-  ImportedPlan plan = drawn(rectangle({0, 0}, {5, 4}));
-  const ImportedPlan other = drawn(rectangle({5, 1}, {9, 3}));
+  import::ImportedPlan plan = drawn(rectangle({0, 0}, {5, 4}));
+  const import::ImportedPlan other = drawn(rectangle({5, 1}, {9, 3}));
   plan.files.push_back("other.geojson");
   plan.polygons.push_back(other.polygons[0]);
   const auto [united, mendings] = mend_all(plan);
@@ -170,16 +170,16 @@ TEST(Mend, SaysWhichHolesHaveNoEffect) {
 
 TEST(Mend, RefusesAPlanWithoutFloor) {
   std::vector<Diagnostic> mendings;
-  EXPECT_THROW(mend(drawn(hall, {hall}), mendings), ContentError);
-  EXPECT_THROW(mend(drawn({{0, 0}, {10, 0}}), mendings), ContentError);
+  EXPECT_THROW(floor::mend(drawn(hall, {hall}), mendings), content::ContentError);
+  EXPECT_THROW(floor::mend(drawn({{0, 0}, {10, 0}}), mendings), content::ContentError);
 }
 
 TEST(Mend, RefusesDegreesThatPoseAsMetres) {
   std::vector<Diagnostic> mendings;
   try {
-    mend(drawn(rectangle({-122.38, 37.61}, {-122.37977, 37.6101})), mendings);
+    floor::mend(drawn(rectangle({-122.38, 37.61}, {-122.37977, 37.6101})), mendings);
     FAIL() << "compiled a plan of 0.0002 m";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(error.code, "not-in-metres");
     EXPECT_THAT(error.hint, HasSubstr("wgs84"));
   }
@@ -187,7 +187,7 @@ TEST(Mend, RefusesDegreesThatPoseAsMetres) {
 
 TEST(Mend, LeavesNoTraceOfASpeckThatTouchesAWall) {
   // A wedge of 15 square centimetres, whose tip lies on the hall's wall.
-  ImportedPlan plan = drawn(hall);
+  import::ImportedPlan plan = drawn(hall);
   plan.polygons.push_back(drawn({{20, 5}, {23, 5}, {23, 5.001}}).polygons[0]);
   const auto [mended_plan, mendings] = mend_all(plan);
   EXPECT_THAT(codes_of(mendings), ElementsAre("speck-of-floor"));
@@ -195,7 +195,7 @@ TEST(Mend, LeavesNoTraceOfASpeckThatTouchesAWall) {
 }
 
 TEST(Mend, KeepsACaseThatASpeckOfFloorTouchesFromWithin) {
-  ImportedPlan plan = drawn(hall, {{{5, 5}, {6, 6}, {7, 5}, {6, 4}}});
+  import::ImportedPlan plan = drawn(hall, {{{5, 5}, {6, 6}, {7, 5}, {6, 4}}});
   plan.polygons.push_back(drawn({{5, 5}, {5.06, 4.97}, {5.06, 5.03}}).polygons[0]);
   const auto [mended_plan, mendings] = mend_all(plan);
   EXPECT_THAT(codes_of(mendings), Contains("speck-of-floor"));
@@ -215,11 +215,11 @@ TEST(Mend, SettlesWhenRoundedCrossingsCrossAgain) {
   const auto [plan, mendings] = mend_all(drawn(hall, needles));
   expect_invariants(plan);
   // Mending what is mended changes nothing.
-  ImportedPlan again;
+  import::ImportedPlan again;
   again.files = {"again.geojson"};
   again.polygons.resize(1);
   for (const Ring& ring : plan.ring) {
-    ImportedRing copy;
+    import::ImportedRing copy;
     copy.vertex.assign(plan.vertex.begin() + ring.first,
                        plan.vertex.begin() + ring.first + ring.count);
     copy.place.resize(copy.vertex.size());
@@ -241,7 +241,7 @@ TEST(Mend, DoesWhatIsExpectedOfEveryMalformedPlan) {
     const Polymap map = read_polymap(file);
     std::vector<Diagnostic> mendings;
     try {
-      const FloorPlan plan = mend(map.plan, mendings);
+      const FloorPlan plan = floor::mend(map.plan, mendings);
       EXPECT_FALSE(map.must_fail);
       expect_invariants(plan);
       if (map.free_area >= 0) {
@@ -253,7 +253,7 @@ TEST(Mend, DoesWhatIsExpectedOfEveryMalformedPlan) {
       if (map.holes >= 0) {
         EXPECT_EQ(count_holes(plan), map.holes);
       }
-    } catch (const ContentError& error) {
+    } catch (const content::ContentError& error) {
       EXPECT_FALSE(map.accept) << error.what();
     }
     ++checked;

@@ -13,8 +13,8 @@
 namespace docent::test {
 namespace {
 
-ImportedRing drawn_ring(const Points& points, std::uint32_t line) {
-  ImportedRing ring;
+import::ImportedRing drawn_ring(const Points& points, std::uint32_t line) {
+  import::ImportedRing ring;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     ring.vertex.push_back(points[i]);
     ring.place.push_back({.file = 0, .line = line, .column = i + 1});
@@ -60,8 +60,8 @@ int count_loops(const FloorPlan& plan, bool counter_clockwise) {
 
 }  // namespace
 
-ImportedPlan drawn(const Points& outer, const std::vector<Points>& holes) {
-  ImportedPolygon polygon{.outer = drawn_ring(outer, 1), .holes = {}};
+import::ImportedPlan drawn(const Points& outer, const std::vector<Points>& holes) {
+  import::ImportedPolygon polygon{.outer = drawn_ring(outer, 1), .holes = {}};
   for (std::uint32_t h = 0; h < holes.size(); ++h)
     polygon.holes.push_back(drawn_ring(holes[h], h + 2));
   return {.files = {"plan.geojson"}, .polygons = {polygon}, .left_out = {}};
@@ -80,9 +80,9 @@ Points regular_polygon(Vec2 centre, double radius, int corners, double turned_de
   return points;
 }
 
-FloorPlan mended(const ImportedPlan& plan) {
+FloorPlan mended(const import::ImportedPlan& plan) {
   std::vector<Diagnostic> mendings;
-  return mend(plan, mendings);
+  return floor::mend(plan, mendings);
 }
 
 std::vector<std::string> codes_of(const std::vector<Diagnostic>& diagnostics) {

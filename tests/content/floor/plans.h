@@ -15,18 +15,18 @@ namespace docent::test {
 using Points = std::vector<Vec2>;
 
 /// A drawn plan of one area with its holes; vertex i of ring r stands in line r + 1, column i + 1.
-ImportedPlan drawn(const Points& outer, const std::vector<Points>& holes = {});
+import::ImportedPlan drawn(const Points& outer, const std::vector<Points>& holes = {});
 Points rectangle(Vec2 low, Vec2 high);
 Points regular_polygon(Vec2 centre, double radius, int corners, double turned_degrees = 0);
 
 /// Mends a plan whose mendings do not matter.
-FloorPlan mended(const ImportedPlan& plan);
+FloorPlan mended(const import::ImportedPlan& plan);
 std::vector<std::string> codes_of(const std::vector<Diagnostic>& diagnostics);
 
 /// What a plan of the reference data expects, and the plan.
 struct Polymap {
   std::string name;
-  ImportedPlan plan;
+  import::ImportedPlan plan;
   bool accept = true;      ///< `expect.accept` is true, or there is no expectation.
   bool must_fail = false;  ///< `expect.accept` is false.
   double free_area = -1;   ///< Square metres; negative where nothing is said.

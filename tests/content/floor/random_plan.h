@@ -29,7 +29,7 @@ inline rc::Gen<std::vector<Obstacle>> any_obstacles() {
 }
 
 /// A hall of 12 by 8 m with obstacles that may overlap, touch and stick out through its walls.
-inline ImportedPlan hall_with(const std::vector<Obstacle>& obstacles) {
+inline import::ImportedPlan hall_with(const std::vector<Obstacle>& obstacles) {
   std::vector<Points> holes;
   for (const Obstacle& obstacle : obstacles) holes.push_back(corners_of(obstacle));
   return drawn(rectangle({0, 0}, {12, 8}), holes);

@@ -16,21 +16,21 @@ double distance(Vec2 p, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-RawInterior::RawInterior(const ImportedPlan& plan) {
+RawInterior::RawInterior(const import::ImportedPlan& plan) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   low_ = {infinity, infinity}, high_ = -low_;
-  for (const ImportedPolygon& polygon : plan.polygons) {
+  for (const import::ImportedPolygon& polygon : plan.polygons) {
     std::vector<std::size_t>& own = rings_of_.emplace_back();
     own.push_back(rings_);
     add(polygon.outer);
-    for (const ImportedRing& hole : polygon.holes) {
+    for (const import::ImportedRing& hole : polygon.holes) {
       own.push_back(rings_);
       add(hole);
     }
   }
 }
 
-void RawInterior::add(const ImportedRing& ring) {
+void RawInterior::add(const import::ImportedRing& ring) {
   for (std::size_t i = 0; i < ring.vertex.size(); ++i) {
     sides_.push_back({ring.vertex[i], ring.vertex[(i + 1) % ring.vertex.size()], rings_});
     low_ = glm::min(low_, ring.vertex[i]);

@@ -12,7 +12,7 @@ namespace docent::test {
 /// along horizontal lines, by brute force.
 class RawInterior {
  public:
-  explicit RawInterior(const ImportedPlan& plan);
+  explicit RawInterior(const import::ImportedPlan& plan);
 
   [[nodiscard]] bool holds(Vec2 point) const;
   /// Square metres. Cuts the plane into strips between the heights at which sides begin, end and
@@ -38,7 +38,7 @@ class RawInterior {
     int turn = 0;  ///< 1 where the ring goes up.
   };
 
-  void add(const ImportedRing& ring);
+  void add(const import::ImportedRing& ring);
   [[nodiscard]] std::vector<Crossing> crossings(double y) const;
   [[nodiscard]] std::vector<double> heights() const;
   [[nodiscard]] bool is_floor(const std::vector<int>& winding) const;

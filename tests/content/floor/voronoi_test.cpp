@@ -16,12 +16,12 @@ namespace docent::test {
 namespace {
 
 Complaint check_diagram_of(const FloorPlan& plan) {
-  return check(plan, voronoi_diagram(plan));
+  return check(plan, floor::voronoi_diagram(plan));
 }
 
 TEST(Voronoi, GivesASquareRoomOneRegionPerWallMeetingInTheMiddle) {
   const FloorPlan room = mended(drawn(rectangle({0, 0}, {4, 4})));
-  const VoronoiDiagram diagram = voronoi_diagram(room);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(room);
   EXPECT_EQ(check(room, diagram), "");
   EXPECT_EQ(diagram.site.size(), 4U);
   ASSERT_EQ(diagram.vertex.size(), 5U);  // The four corners and one vertex of four sites.
@@ -33,7 +33,7 @@ TEST(Voronoi, GivesASquareRoomOneRegionPerWallMeetingInTheMiddle) {
 TEST(Voronoi, GivesAReflexCornerARegionBoundedByAParabola) {
   // An L: the corner (2, 2) faces the walls on the far sides.
   const FloorPlan room = mended(drawn({{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}}));
-  const VoronoiDiagram diagram = voronoi_diagram(room);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(room);
   EXPECT_EQ(check(room, diagram), "");
   ASSERT_EQ(diagram.site.size(), 7U);
   EXPECT_EQ(diagram.site[6].kind, Site::Kind::Corner);
@@ -43,7 +43,7 @@ TEST(Voronoi, GivesAReflexCornerARegionBoundedByAParabola) {
 
 TEST(Voronoi, MergesTheVerticesOfARoundRoomIntoOne) {
   const FloorPlan room = mended(drawn(regular_polygon({3, 7}, 10, 64)));
-  const VoronoiDiagram diagram = voronoi_diagram(room);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(room);
   EXPECT_EQ(check(room, diagram), "");
   EXPECT_EQ(diagram.vertex.size(), 65U);
   EXPECT_EQ(diagram.edge.size(), 64U);
@@ -56,7 +56,7 @@ TEST(Voronoi, StaysExactFarFromTheOrigin) {
                    {rectangle(origin + Vec2{5, 4}, origin + Vec2{8, 6}),
                     {origin + Vec2{12, 6}, origin + Vec2{13.125, 8}, origin + Vec2{14, 6.5}}}));
   // Doubles are 1e-9 apart there, so that is as near to equal as distances can be.
-  EXPECT_EQ(check(room, voronoi_diagram(room), 3e-9, 1e-8), "");
+  EXPECT_EQ(check(room, floor::voronoi_diagram(room), 3e-9, 1e-8), "");
 }
 
 TEST(Voronoi, HoldsWhereTwoCasesTouchInACorner) {
@@ -68,7 +68,7 @@ TEST(Voronoi, HoldsWhereTwoCasesTouchInACorner) {
 
 TEST(Voronoi, HoldsWhereACornerTouchesAWallFromBehind) {
   // Two halls on either side of y = 4; the tip of the lower one touches the upper one's wall.
-  ImportedPlan plan = drawn(rectangle({0, 4}, {10, 8}));
+  import::ImportedPlan plan = drawn(rectangle({0, 4}, {10, 8}));
   plan.polygons.push_back(drawn({{2, 0}, {8, 0}, {5, 4}}).polygons[0]);
   const FloorPlan halls = mended(plan);
   EXPECT_EQ(halls.vertex.size(), 8U);
@@ -103,7 +103,7 @@ TEST(Voronoi, HoldsWhereWallsLieOnOneLineAndCasesBetweenThem) {
 
 TEST(Voronoi, IsTheSameEveryTime) {
   const FloorPlan room = mended(hall_with({{300, 300, 80, 5, 15}, {800, 500, 120, 8, 30}}));
-  const VoronoiDiagram first = voronoi_diagram(room), second = voronoi_diagram(room);
+  const VoronoiDiagram first = floor::voronoi_diagram(room), second = floor::voronoi_diagram(room);
   EXPECT_EQ(first.vertex, second.vertex);
   EXPECT_EQ(first.region_edge, second.region_edge);
 }
@@ -111,7 +111,7 @@ TEST(Voronoi, IsTheSameEveryTime) {
 TEST(Voronoi, RefusesWallsThatCross) {
   FloorPlan bow_tie = mended(drawn(rectangle({0, 0}, {4, 4})));
   std::swap(bow_tie.vertex[0], bow_tie.vertex[1]);
-  EXPECT_THROW(voronoi_diagram(bow_tie), ContentError);
+  EXPECT_THROW(floor::voronoi_diagram(bow_tie), content::ContentError);
 }
 
 RC_GTEST_PROP(Voronoi, IsEquidistantEmptyAndTilesTheFloorOfAnyHall, ()) {
@@ -119,7 +119,7 @@ RC_GTEST_PROP(Voronoi, IsEquidistantEmptyAndTilesTheFloorOfAnyHall, ()) {
   FloorPlan plan;
   try {
     plan = mended(hall_with(obstacles));
-  } catch (const ContentError&) {
+  } catch (const content::ContentError&) {
     RC_DISCARD("the obstacles cover the hall");
   }
   const Complaint complaint = check_diagram_of(plan);
@@ -136,7 +136,7 @@ TEST(Voronoi, IsEquidistantEmptyAndTilesTheFloorOfEveryReferencePlan) {
       FloorPlan plan;
       try {
         plan = mended(map.plan);
-      } catch (const ContentError&) {
+      } catch (const content::ContentError&) {
         continue;  // Mend's own test says which of them that may be.
       }
       if (plan.vertex.size() > 3000) continue;  // Brute force takes its time.
@@ -154,7 +154,7 @@ TEST(Voronoi, HasAFewEdgesAWallAlsoForTenThousandWalls) {
   const FloorPlan plan = mended(drawn(rectangle({0, 0}, {104, 104}), cases));
   ASSERT_EQ(plan.vertex.size(), 10004U);
 
-  const VoronoiDiagram diagram = voronoi_diagram(plan);
+  const VoronoiDiagram diagram = floor::voronoi_diagram(plan);
 
   // A planar graph over walls and reflex corners: Euler allows three edges a site.
   EXPECT_EQ(diagram.site.size(), 10004U + 10000U);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 RC_GTEST_PROP(BalancedMass, FallsAwayFromThePressureAsAPendulumDoes, ()) {
@@ -74,4 +74,4 @@ TEST(Smooth, KeepsStraightLinesStraightAwayFromTheEnds) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::gait

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 GaitPlan some_walk() {
@@ -76,4 +76,4 @@ TEST(Footsteps, EndSideBySide) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::gait

@@ -10,7 +10,7 @@
 
 #include "gait_track.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -293,4 +293,4 @@ TEST(Gait, FollowsFromItsRecipe) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::gait

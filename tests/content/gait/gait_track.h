@@ -6,7 +6,7 @@
 #include "content/gait/gait.h"
 #include "content/gait/gait_skeleton.h"
 
-namespace docent {
+namespace docent::gait {
 
 /// World places and rotations of the walker's joints in every frame, by plain forward kinematics.
 class GaitTrack {
@@ -77,4 +77,4 @@ class GaitTrack {
   std::vector<glm::dquat> turn_;
 };
 
-}  // namespace docent
+}  // namespace docent::gait

@@ -8,7 +8,7 @@
 #include "content/motion/compile_motion.h"
 #include "tests/support/reference_data.h"
 
-namespace docent {
+namespace docent::gait {
 namespace {
 
 std::filesystem::path folder() {
@@ -18,7 +18,7 @@ std::filesystem::path folder() {
 TEST(ShippedClips, AreWhatTheGeneratorMakes) {
   for (const GaitRecipe& recipe : default_clips()) {
     const MotionClip made = make_gait_clip(recipe);
-    const RecordedMotion shipped = read_bvh(folder() / (recipe.name + ".bvh"), 1.0);
+    const import::RecordedMotion shipped = import::read_bvh(folder() / (recipe.name + ".bvh"), 1.0);
 
     ASSERT_EQ(shipped.clip.root.size(), made.root.size()) << recipe.name << ": run ninja clips";
     ASSERT_EQ(shipped.clip.joint_count, made.joint_count);
@@ -35,7 +35,7 @@ TEST(ShippedClips, AreWhatTheGeneratorMakes) {
 
 TEST(ShippedClips, NameEveryPartOfTheBody) {
   const Skeleton made = gait_skeleton();
-  const RecordedMotion shipped = read_bvh(folder() / "walk.bvh", 1.0);
+  const import::RecordedMotion shipped = import::read_bvh(folder() / "walk.bvh", 1.0);
 
   EXPECT_EQ(shipped.skeleton.part, made.part);
   EXPECT_TRUE(shipped.notes.empty());
@@ -43,7 +43,7 @@ TEST(ShippedClips, NameEveryPartOfTheBody) {
 
 TEST(ShippedClips, MakeAWellConnectedMotionGraph) {
   std::vector<Diagnostic> problems;
-  const MotionGraph graph = compile_motion(folder(), {}, problems);
+  const MotionGraph graph = motion::offline::compile_motion(folder(), {}, problems);
 
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(graph.clips.size(), 7U);
@@ -55,4 +55,4 @@ TEST(ShippedClips, MakeAWellConnectedMotionGraph) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::gait

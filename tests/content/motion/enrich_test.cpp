@@ -38,13 +38,14 @@ const MotionClip& shipped(const std::string& name) {
 }
 
 MotionClip mirrored(const MotionClip& clip) {
-  return docent::mirrored(find_counterparts(skeleton(), "clips"), clip);
+  return docent::motion::offline::mirrored(motion::offline::find_counterparts(skeleton(), "clips"),
+                                           clip);
 }
 
 std::vector<double> headings(const MotionClip& clip) {
   std::vector<double> headings;
-  const Track track = make_track(skeleton(), clip);
-  for (const Placement& body : extract_root_motion(skeleton(), clip, track))
+  const motion::offline::Track track = motion::offline::make_track(skeleton(), clip);
+  for (const Placement& body : motion::offline::extract_root_motion(skeleton(), clip, track))
     headings.push_back(body.heading);
   return headings;
 }
@@ -56,7 +57,7 @@ double turned(const MotionClip& clip) {
 
 /// Metres a second by which planted toe joints slide over the floor, on average.
 double slide(const MotionClip& clip) {
-  const Track track = make_track(skeleton(), clip);
+  const motion::offline::Track track = motion::offline::make_track(skeleton(), clip);
   double metres = 0, frames = 0;
   for (const auto& [part, foot] : {std::pair{BodyPart::LeftToe, &FootPlants::left},
                                    std::pair{BodyPart::RightToe, &FootPlants::right}}) {
@@ -72,20 +73,24 @@ double slide(const MotionClip& clip) {
 
 struct Registered {
   const MotionClip &a, &b;
-  Registration registration;
+  motion::offline::Registration registration;
 };
 
 Registered registered(const std::string& name_a, const std::string& name_b) {
   const MotionClip &a = shipped(name_a), &b = shipped(name_b);
-  const PoseCloud cloud_a = make_pose_cloud(skeleton(), make_track(skeleton(), a));
-  const PoseCloud cloud_b = make_pose_cloud(skeleton(), make_track(skeleton(), b));
+  const motion::offline::PoseCloud cloud_a =
+      motion::offline::make_pose_cloud(skeleton(), motion::offline::make_track(skeleton(), a));
+  const motion::offline::PoseCloud cloud_b =
+      motion::offline::make_pose_cloud(skeleton(), motion::offline::make_track(skeleton(), b));
   const std::vector<double> heading_a = headings(a), heading_b = headings(b);
-  return {a, b, register_clips({a, cloud_a, heading_a}, {b, cloud_b, heading_b})};
+  return {a, b, motion::offline::register_clips({a, cloud_a, heading_a}, {b, cloud_b, heading_b})};
 }
 
 MotionClip blended(const Registered& pair, double share) {
-  MotionClip clip = blend_clips(skeleton(), pair.a, pair.b, pair.registration, share);
-  find_foot_plants(skeleton(), make_track(skeleton(), clip), clip);
+  MotionClip clip =
+      motion::offline::blend_clips(skeleton(), pair.a, pair.b, pair.registration, share);
+  motion::offline::find_foot_plants(skeleton(), motion::offline::make_track(skeleton(), clip),
+                                    clip);
   return clip;
 }
 
@@ -120,11 +125,12 @@ TEST(AMirroredClip, IsPlantedOnTheOtherFoot) {
 }
 
 TEST(AMirroredClip, HasEveryJointWhereAMirrorShowsTheOther) {
-  const std::vector<std::size_t> counterpart = find_counterparts(skeleton(), "clips");
+  const std::vector<std::size_t> counterpart =
+      motion::offline::find_counterparts(skeleton(), "clips");
   const MotionClip& clip = shipped("walk");
-  const Track seen = make_track(skeleton(), clip);
+  const motion::offline::Track seen = motion::offline::make_track(skeleton(), clip);
 
-  const Track track = make_track(skeleton(), mirrored(clip));
+  const motion::offline::Track track = motion::offline::make_track(skeleton(), mirrored(clip));
 
   for (std::size_t f = 0; f < clip.root.size(); f += 20)
     for (std::size_t j = 0; j < counterpart.size(); ++j) {
@@ -137,9 +143,11 @@ TEST(Counterparts, AreTheJointsOfTheOtherSideInRecordedSkeletons) {
   for (const char* folder : {"mocap/cmu-walk", "mocap/cmu-walk/asfamc"}) {
     NEEDS_REFERENCE_DATA(folder);
     std::vector<Diagnostic> problems;
-    const Skeleton recorded = compile_motion(reference_data() / folder, {}, problems).skeleton;
+    const Skeleton recorded =
+        motion::offline::compile_motion(reference_data() / folder, {}, problems).skeleton;
 
-    const std::vector<std::size_t> counterpart = find_counterparts(recorded, folder);
+    const std::vector<std::size_t> counterpart =
+        motion::offline::find_counterparts(recorded, folder);
 
     using enum BodyPart;
     for (const auto& [left, right] :
@@ -154,9 +162,9 @@ TEST(Counterparts, AreNotFoundWhereOneLegIsLonger) {
   limping.joint[index_of(limping[BodyPart::LeftAnkle])].offset.y -= 0.1f;
 
   try {
-    find_counterparts(limping, "clips");
+    motion::offline::find_counterparts(limping, "clips");
     FAIL() << "no error";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(error.code, "no-mirror");
     EXPECT_EQ(error.file, "clips");
     EXPECT_THAT(error.what(), HasSubstr("left_ankle"));
@@ -167,11 +175,11 @@ TEST(Counterparts, AreNotFoundWhereNamesDoNotSaySides) {
   Skeleton odd = skeleton();
   odd.joint[index_of(odd[BodyPart::RightElbow])].name = "hook";
 
-  EXPECT_THROW(find_counterparts(odd, "clips"), ContentError);
+  EXPECT_THROW(motion::offline::find_counterparts(odd, "clips"), content::ContentError);
 }
 
 TEST(RegisteredClips, OnlyGoForwardsAndNotTwiceAsFastAsEachOther) {
-  const Registration way = registered("turn-left-45", "turn-left-90").registration;
+  const motion::offline::Registration way = registered("turn-left-45", "turn-left-90").registration;
 
   ASSERT_GT(way.a.size(), 120U);
   for (std::size_t k = 1; k < way.a.size(); ++k) {
@@ -224,8 +232,8 @@ TEST(AnEnrichedGraph, HasTheTurnsBetweenThoseThatAreShipped) {
   std::vector<Diagnostic> warnings;
   const ShippedClips& shipped = shipped_clips();
 
-  const MotionGraph graph = make_motion_graph(shipped.skeleton, shipped.clips, "clips",
-                                              {.enrichment = {.turns = true}}, warnings);
+  const MotionGraph graph = motion::offline::make_motion_graph(
+      shipped.skeleton, shipped.clips, "clips", {.enrichment = {.turns = true}}, warnings);
 
   std::vector<std::string> made;
   for (std::size_t c = shipped.clips.size(); c < graph.clips.size(); ++c)
@@ -241,8 +249,8 @@ TEST(AnEnrichedGraph, StartsAndStopsWithEitherFoot) {
   std::vector<Diagnostic> warnings;
   const ShippedClips& shipped = shipped_clips();
 
-  const MotionGraph graph = make_motion_graph(shipped.skeleton, shipped.clips, "clips",
-                                              {.enrichment = {.mirrored = true}}, warnings);
+  const MotionGraph graph = motion::offline::make_motion_graph(
+      shipped.skeleton, shipped.clips, "clips", {.enrichment = {.mirrored = true}}, warnings);
 
   EXPECT_EQ(std::ranges::count(graph.clips, ClipRole::Start, &MotionClip::role), 2);
   EXPECT_EQ(std::ranges::count(graph.clips, ClipRole::Stop, &MotionClip::role), 2);
@@ -253,8 +261,8 @@ TEST(AnEnrichedGraph, IsNotMirroredWhereTheBodyIsNot) {
   limping.skeleton.joint[index_of(limping.skeleton[BodyPart::LeftAnkle])].offset.y -= 0.1f;
   std::vector<Diagnostic> warnings;
 
-  const MotionGraph graph = make_motion_graph(limping.skeleton, limping.clips, "clips",
-                                              {.enrichment = {.mirrored = true}}, warnings);
+  const MotionGraph graph = motion::offline::make_motion_graph(
+      limping.skeleton, limping.clips, "clips", {.enrichment = {.mirrored = true}}, warnings);
 
   EXPECT_LE(graph.clips.size(), limping.clips.size());
   EXPECT_THAT(warnings, Contains(AllOf(Field(&Diagnostic::code, "no-mirror"),

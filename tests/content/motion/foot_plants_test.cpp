@@ -12,7 +12,7 @@ namespace {
 
 MotionClip planted(MotionClip clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  find_foot_plants(skeleton, make_track(skeleton, clip), clip);
+  motion::offline::find_foot_plants(skeleton, motion::offline::make_track(skeleton, clip), clip);
   return clip;
 }
 
@@ -30,7 +30,7 @@ TEST(FootPlants, OfAWalkLastMoreThanHalfOfAStride) {
 TEST(FootPlants, HoldTheToeStill) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip clip = planted(shipped_clips().named("walk"));
-  const Track track = make_track(skeleton, clip);
+  const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
   const std::size_t toe = index_of(skeleton[BodyPart::LeftToe]);
 
   for (std::size_t f = 1; f < clip.plants.size(); ++f)
@@ -57,14 +57,16 @@ TEST(FootPlants, OfAStandAreBothFeet) {
 
 double planted_height_of(const MotionClip& clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  return planted_height(skeleton, make_track(skeleton, clip), clip);
+  return motion::offline::planted_height(skeleton, motion::offline::make_track(skeleton, clip),
+                                         clip);
 }
 
 void level(std::vector<MotionClip>& clips) {
   std::vector<double> heights;
   for (const MotionClip& clip : clips) heights.push_back(planted_height_of(clip));
-  const double rest = rest_height(shipped_clips().skeleton, heights);
-  for (std::size_t c = 0; c < clips.size(); ++c) level_ground(rest - heights[c], clips[c]);
+  const double rest = motion::offline::rest_height(shipped_clips().skeleton, heights);
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    motion::offline::level_ground(rest - heights[c], clips[c]);
 }
 
 TEST(Ground, IsTheSameForClipsWhoseFloorWasNot) {

@@ -22,22 +22,22 @@
 namespace docent::test {
 namespace {
 
-bool stands_or_stops(const SourceClip& source) {
+bool stands_or_stops(const motion::offline::SourceClip& source) {
   return source.clip.name == "stand-to-walk" || source.clip.name == "walk-to-stand";
 }
 
 TEST(Recordings, WithoutStartsAndStopsAreWalkedAllTheSame) {
-  std::vector<SourceClip> clips = shipped_clips().clips;
+  std::vector<motion::offline::SourceClip> clips = shipped_clips().clips;
   std::erase_if(clips, stands_or_stops);
   std::vector<Diagnostic> warnings;
   const MotionGraph graph =
-      make_motion_graph(shipped_clips().skeleton, clips, "clips", {}, warnings);
+      motion::offline::make_motion_graph(shipped_clips().skeleton, clips, "clips", {}, warnings);
 
   EXPECT_EQ(std::ranges::count(warnings, "made-clip", &Diagnostic::code), 4);
   const std::vector<Vec2> path{{0, 0}, {4, 0}, {6, 2}, {6, 6}};
-  WalkRequest request;
+  motion::WalkRequest request;
   request.path = path;
-  const Result<Walk> walk = make_walk(graph, request);
+  const Result<motion::Walk> walk = motion::make_walk(graph, request);
   ASSERT_TRUE(walk.has_value()) << walk.error().what;
   EXPECT_GT(walk->transitions, 1U);
   EXPECT_LT(glm::distance(walk->body.front().position, path.front()), 0.02);
@@ -52,13 +52,13 @@ TEST(Recordings, OfAnotherRigAtThirtyFramesASecondAreWalkedMoreFinely) {
   const TemporaryFolder folder;
   std::filesystem::copy_file(clip, folder.path() / clip.filename());
   std::vector<Diagnostic> problems;
-  const MotionGraph graph = compile_motion(folder.path(), {}, problems);
+  const MotionGraph graph = motion::offline::compile_motion(folder.path(), {}, problems);
 
   EXPECT_EQ(graph.clips.front().frame_rate, 60);
   const std::vector<Vec2> path{{0, 0}, {8, 0}};
-  WalkRequest request;
+  motion::WalkRequest request;
   request.path = path;
-  const Result<Walk> walk = make_walk(graph, request);
+  const Result<motion::Walk> walk = motion::make_walk(graph, request);
   ASSERT_TRUE(walk.has_value()) << walk.error().what;
   EXPECT_GT(walk->expanded, 0U);
   EXPECT_LT(glm::distance(walk->body.back().position, path.back()), 0.02);
@@ -95,9 +95,9 @@ TEST(Recordings, MayStandForLongAndLookLikeEachOtherThere) {
     for (std::uint32_t& t : motion_class.transition) t += t >= index ? 1 : 0;
 
   const std::vector<Vec2> path{{0, 0}, {8, 0}};
-  WalkRequest request;
+  motion::WalkRequest request;
   request.path = path;
-  const Result<Walk> walk = make_walk(graph, request);
+  const Result<motion::Walk> walk = motion::make_walk(graph, request);
   ASSERT_TRUE(walk.has_value()) << walk.error().what;
   EXPECT_GT(walk->expanded, 0U) << "it went by small steps";
 }
@@ -107,8 +107,8 @@ TEST(MadeStands, StandAtOneEndWithBothFeetPlantedAndWalkAtTheOther) {
   MotionClip walk = shipped_clips().named("walk");
   walk.role = ClipRole::Walk;
   walk.motion_class = "walk";
-  find_foot_plants(skeleton, make_track(skeleton, walk), walk);
-  const std::vector<MotionClip> made = made_stands(skeleton, {walk});
+  motion::offline::find_foot_plants(skeleton, motion::offline::make_track(skeleton, walk), walk);
+  const std::vector<MotionClip> made = motion::offline::made_stands(skeleton, {walk});
 
   ASSERT_EQ(made.size(), 4U);
   const auto speed = [](const MotionClip& clip, std::size_t from, std::size_t to) {
@@ -127,7 +127,7 @@ TEST(MadeStands, StandAtOneEndWithBothFeetPlantedAndWalkAtTheOther) {
 
 TEST(MadeStands, AreNoneWhereThereAreRecordedOnes) {
   std::vector<MotionClip> clips = shipped_graph().clips;
-  EXPECT_TRUE(made_stands(shipped_clips().skeleton, clips).empty());
+  EXPECT_TRUE(motion::offline::made_stands(shipped_clips().skeleton, clips).empty());
 }
 
 /// A rig whose bones all point along their own x axis while it has no rotation.
@@ -158,20 +158,21 @@ Skeleton rig_along_x(const Skeleton& skeleton, std::vector<MotionClip>& clips) {
 
 TEST(RestPose, IsFoundForARigThatDoesNotStandInItsOwnAndMovesNoJoint) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  ASSERT_TRUE(stands_at_rest(skeleton));
+  ASSERT_TRUE(motion::offline::stands_at_rest(skeleton));
   std::vector<MotionClip> clips{shipped_clips().named("walk"),
                                 shipped_clips().named("turn-left-90")};
   const std::vector<MotionClip> as_recorded = clips;
   Skeleton rig = rig_along_x(skeleton, clips);
-  ASSERT_FALSE(stands_at_rest(rig));
+  ASSERT_FALSE(motion::offline::stands_at_rest(rig));
 
   std::vector<MotionClip*> rewritten;
   for (MotionClip& clip : clips) rewritten.push_back(&clip);
-  rest_upright(rig, rewritten);
+  motion::offline::rest_upright(rig, rewritten);
 
-  EXPECT_TRUE(stands_at_rest(rig));
+  EXPECT_TRUE(motion::offline::stands_at_rest(rig));
   for (std::size_t c = 0; c < clips.size(); ++c) {
-    const Track before = make_track(skeleton, as_recorded[c]), after = make_track(rig, clips[c]);
+    const motion::offline::Track before = motion::offline::make_track(skeleton, as_recorded[c]),
+                                 after = motion::offline::make_track(rig, clips[c]);
     float most = 0;
     for (std::size_t i = 0; i < before.place.size(); ++i)
       most = std::max(most, glm::distance(before.place[i], after.place[i]));

@@ -28,10 +28,10 @@ double length_of(const std::vector<Vec2>& path) {
   return length;
 }
 
-std::vector<Vec2> roots_of(const MotionGraph& graph, const PaperPath& path,
+std::vector<Vec2> roots_of(const MotionGraph& graph, const motion::offline::PaperPath& path,
                            const Placement& clip_to_floor) {
   std::vector<Vec2> roots;
-  for (const Vec3 root : make_paper_track(graph, path, clip_to_floor).root)
+  for (const Vec3 root : motion::offline::make_paper_track(graph, path, clip_to_floor).root)
     roots.push_back(to_floor(root));
   return roots;
 }
@@ -61,8 +61,12 @@ double difference(const std::vector<Vec2>& roots, const std::vector<Vec2>& path)
 /// The least D of any walk as long as the path: every sequence of transitions is tried.
 class EveryWalk {
  public:
-  EveryWalk(const MotionGraph& graph, const PaperRequest& request, const std::vector<Vec2>& path)
-      : graph_(graph), sections_(measure_sections(graph)), request_(request), path_(path) {
+  EveryWalk(const MotionGraph& graph, const motion::offline::PaperRequest& request,
+            const std::vector<Vec2>& path)
+      : graph_(graph),
+        sections_(motion::offline::measure_sections(graph)),
+        request_(request),
+        path_(path) {
     tried_.start = request.start;
     tried_.frames = std::numeric_limits<std::uint32_t>::max();
     go_on(request.start);
@@ -83,7 +87,7 @@ class EveryWalk {
     for (std::uint32_t t = 0; t < graph_.transitions.size(); ++t) {
       const Transition& way = graph_.transitions[t];
       if (way.from.clip != at.clip) continue;
-      const auto radius = section_radius(graph_, sections_, t, at.frame);
+      const auto radius = motion::offline::section_radius(graph_, sections_, t, at.frame);
       if (!radius) continue;
       tried_.passages.push_back({t, *radius});
       go_on({way.to.clip, way.to.frame + *radius});
@@ -92,10 +96,10 @@ class EveryWalk {
   }
 
   const MotionGraph& graph_;
-  TransitionSections sections_;
-  const PaperRequest& request_;
+  motion::offline::TransitionSections sections_;
+  const motion::offline::PaperRequest& request_;
   const std::vector<Vec2>& path_;
-  PaperPath tried_;
+  motion::offline::PaperPath tried_;
   double least_ = std::numeric_limits<double>::infinity();
   int tries_ = 0;
 };
@@ -104,13 +108,14 @@ RC_GTEST_PROP(PaperSearch, FindsTheBestOfAllWalksWithinItsLookahead, ()) {
   const MotionGraph graph = *random_graph();
   const std::vector<Vec2> path =
       arc(0.01 * *rc::gen::inRange(30, 90) + 0.005, 0.1 * *rc::gen::inRange(-20, 21));
-  const PaperRequest request{.path = path, .start = {0, 0}, .clip_to_floor = {}, .lookahead = 10};
+  const motion::offline::PaperRequest request{
+      .path = path, .start = {0, 0}, .clip_to_floor = {}, .lookahead = 10};
 
   const EveryWalk every(graph, request, path);
   RC_PRE(!every.are_too_many());
   const double least = every.least();
 
-  const PaperPath found = find_paper_path(graph, request);
+  const motion::offline::PaperPath found = motion::offline::find_paper_path(graph, request);
 
   RC_ASSERT(found.reaches_end == std::isfinite(least));
   if (!found.reaches_end) return;
@@ -123,27 +128,29 @@ RC_GTEST_PROP(PaperSearch, FindsTheBestOfAllWalksWithinItsLookahead, ()) {
 RC_GTEST_PROP(PaperSearch, FindsTheSameSoonerWhenItGivesUpOnTheWay, ()) {
   const MotionGraph graph = *random_graph();
   const std::vector<Vec2> path = arc(1.5, 0.1 * *rc::gen::inRange(-20, 21));
-  PaperRequest request{.path = path,
-                       .start = {0, 0},
-                       .clip_to_floor = {{1, 2}, 0.5},
-                       .lookahead = 0.1 * *rc::gen::inRange(1, 6),
-                       .use_rate = 0.1 * *rc::gen::inRange(1, 11)};
+  motion::offline::PaperRequest request{.path = path,
+                                        .start = {0, 0},
+                                        .clip_to_floor = {{1, 2}, 0.5},
+                                        .lookahead = 0.1 * *rc::gen::inRange(1, 6),
+                                        .use_rate = 0.1 * *rc::gen::inRange(1, 11)};
 
-  const PaperPath printed = find_paper_path(graph, request);
-  request.bound = PaperRequest::Bound::OnTheWay;
-  const PaperPath bounded = find_paper_path(graph, request);
+  const motion::offline::PaperPath printed = motion::offline::find_paper_path(graph, request);
+  request.bound = motion::offline::PaperRequest::Bound::OnTheWay;
+  const motion::offline::PaperPath bounded = motion::offline::find_paper_path(graph, request);
 
   RC_ASSERT(bounded.expanded <= printed.expanded);
   RC_ASSERT(bounded.frames == printed.frames);
-  RC_ASSERT(std::ranges::equal(bounded.passages, printed.passages, [](Passage a, Passage b) {
-    return a.transition == b.transition && a.radius == b.radius;
-  }));
+  RC_ASSERT(std::ranges::equal(bounded.passages, printed.passages,
+                               [](motion::offline::Passage a, motion::offline::Passage b) {
+                                 return a.transition == b.transition && a.radius == b.radius;
+                               }));
 }
 
 /// The shipped clips along 10 m that bend, as a walker would be asked to.
 struct WalkOfShippedClips {
   std::vector<Vec2> path = arc(10, 0.15);
-  PaperRequest request{.path = path, .start = {}, .clip_to_floor = {}, .lookahead = 0.8};
+  motion::offline::PaperRequest request{
+      .path = path, .start = {}, .clip_to_floor = {}, .lookahead = 0.8};
   WalkOfShippedClips() {
     const auto& clips = shipped_graph().clips;
     const auto start = std::ranges::find(clips, ClipRole::Start, &MotionClip::role);
@@ -151,7 +158,7 @@ struct WalkOfShippedClips {
     const Vec2 first = to_floor(start->root.front());
     const Vec2 way = to_floor(start->root.back()) - first;
     request.clip_to_floor.heading = -std::atan2(way.y, way.x);
-    request.clip_to_floor.position = -carried(request.clip_to_floor, first);
+    request.clip_to_floor.position = -motion::offline::carried(request.clip_to_floor, first);
   }
 };
 
@@ -162,16 +169,18 @@ RC_GTEST_PROP(PaperSearch, ReachesTheEndOfEveryPathBecauseItKeepsAnExit, ()) {
   walk.request.lookahead = 0.1 * *rc::gen::inRange(1, 9);
   walk.request.use_rate = 0.1 * *rc::gen::inRange(1, 11);
 
-  RC_ASSERT(find_paper_path(shipped_graph(), walk.request).reaches_end);
+  RC_ASSERT(motion::offline::find_paper_path(shipped_graph(), walk.request).reaches_end);
 }
 
 TEST(PaperSearch, PlaysFramesForwardsOnly) {
   const WalkOfShippedClips walk;
 
-  const PaperPath path = find_paper_path(shipped_graph(), walk.request);
+  const motion::offline::PaperPath path =
+      motion::offline::find_paper_path(shipped_graph(), walk.request);
 
   ASSERT_TRUE(path.reaches_end);
-  const PaperTrack track = make_paper_track(shipped_graph(), path, walk.request.clip_to_floor);
+  const motion::offline::PaperTrack track =
+      motion::offline::make_paper_track(shipped_graph(), path, walk.request.clip_to_floor);
   std::size_t changes = 0;
   for (std::size_t f = 1; f < track.source.size(); ++f) {
     const ClipFrame before = track.source[f - 1], now = track.source[f];
@@ -185,7 +194,8 @@ TEST(PaperSearch, PlaysFramesForwardsOnly) {
 TEST(PaperSearch, MakesATrackWithoutLeapsAsLongAsThePath) {
   const WalkOfShippedClips walk;
 
-  const PaperPath path = find_paper_path(shipped_graph(), walk.request);
+  const motion::offline::PaperPath path =
+      motion::offline::find_paper_path(shipped_graph(), walk.request);
 
   const std::vector<Vec2> roots = roots_of(shipped_graph(), path, walk.request.clip_to_floor);
   double longest = 0;
@@ -200,18 +210,22 @@ TEST(PaperSearch, KeepsWhatItHasWhenTheTimeIsUp) {
   WalkOfShippedClips walk;
   walk.request.time_limit = 0;
 
-  const PaperPath path = find_paper_path(shipped_graph(), walk.request);
+  const motion::offline::PaperPath path =
+      motion::offline::find_paper_path(shipped_graph(), walk.request);
 
   EXPECT_FALSE(path.reaches_end);
   EXPECT_EQ(path.length, 0);
-  EXPECT_EQ(make_paper_track(shipped_graph(), path, walk.request.clip_to_floor).root.size(), 1U);
+  EXPECT_EQ(motion::offline::make_paper_track(shipped_graph(), path, walk.request.clip_to_floor)
+                .root.size(),
+            1U);
 }
 
 TEST(PaperSearch, LookingFartherAheadKeepsCloserToThePath) {
   WalkOfShippedClips walk;
   const auto farthest_off = [&](double lookahead) {
     walk.request.lookahead = lookahead;
-    const PaperPath path = find_paper_path(shipped_graph(), walk.request);
+    const motion::offline::PaperPath path =
+        motion::offline::find_paper_path(shipped_graph(), walk.request);
     return difference(roots_of(shipped_graph(), path, walk.request.clip_to_floor), walk.path);
   };
 

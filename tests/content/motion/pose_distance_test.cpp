@@ -13,22 +13,22 @@ namespace docent::test {
 namespace {
 
 /// A cloud of a few points that wander at random.
-PoseCloud random_cloud(std::size_t frames) {
+motion::offline::PoseCloud random_cloud(std::size_t frames) {
   Skeleton skeleton;
   skeleton.part.fill(JointIndex::None);
   for (const BodyPart part :
        {BodyPart::Hips, BodyPart::LeftKnee, BodyPart::RightKnee, BodyPart::Head})
     skeleton.part[static_cast<std::size_t>(part)] = JointIndex{static_cast<int>(
         std::ranges::count_if(skeleton.part, [](JointIndex j) { return j != JointIndex::None; }))};
-  Track track{.joints = 4, .place = {}};
+  motion::offline::Track track{.joints = 4, .place = {}};
   const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-200, 200)) / 100.0f; };
   for (std::size_t i = 0; i < 4 * frames; ++i)
     track.place.push_back({coordinate(), coordinate(), coordinate()});
-  return make_pose_cloud(skeleton, track);
+  return motion::offline::make_pose_cloud(skeleton, track);
 }
 
 /// The cloud turned and moved on the floor.
-PoseCloud moved(PoseCloud cloud, double turn, Vec2 by) {
+motion::offline::PoseCloud moved(motion::offline::PoseCloud cloud, double turn, Vec2 by) {
   const double c = std::cos(turn), s = std::sin(turn);
   for (std::size_t i = 0; i < cloud.x.size(); ++i) {
     const double x = cloud.x[i], y = cloud.y[i];
@@ -46,8 +46,9 @@ PoseCloud moved(PoseCloud cloud, double turn, Vec2 by) {
 }
 
 /// The distance by its definition, for one alignment: no sums, no closed form.
-double distance_under(const PoseCloud& a, std::size_t frame_a, const PoseCloud& b,
-                      std::size_t frame_b, int half, const Placement& alignment) {
+double distance_under(const motion::offline::PoseCloud& a, std::size_t frame_a,
+                      const motion::offline::PoseCloud& b, std::size_t frame_b, int half,
+                      const Placement& alignment) {
   double sum = 0, weights = 0;
   for (int k = -half; k <= half; ++k) {
     const int fa = static_cast<int>(frame_a) + k, fb = static_cast<int>(frame_b) + k;
@@ -71,11 +72,11 @@ constexpr std::size_t frames = 12;
 
 TEST(PoseDistance, IsReachedByItsAlignmentAndBeatenByNoOther) {
   EXPECT_TRUE(rc::check([] {
-    const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
+    const motion::offline::PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const auto fa = *rc::gen::inRange<std::size_t>(0, frames);
     const auto fb = *rc::gen::inRange<std::size_t>(0, frames);
 
-    const PoseMatch match = compare_poses(a, fa, b, fb, 3);
+    const motion::offline::PoseMatch match = motion::offline::compare_poses(a, fa, b, fb, 3);
 
     RC_ASSERT(std::abs(distance_under(a, fa, b, fb, 3, match.alignment) - match.distance) < 1e-5);
     // All angles in steps of five degrees; for each, small moves off the best translation.
@@ -98,28 +99,31 @@ TEST(PoseDistance, IsReachedByItsAlignmentAndBeatenByNoOther) {
 
 TEST(PoseDistance, DoesNotChangeWhenEitherClipIsMovedOnTheFloor) {
   EXPECT_TRUE(rc::check([] {
-    const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
+    const motion::offline::PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const double turn = *rc::gen::inRange(-314, 314) / 100.0;
     const Vec2 by{*rc::gen::inRange(-9, 9) * 1.0, *rc::gen::inRange(-9, 9) * 1.0};
     const auto fa = *rc::gen::inRange<std::size_t>(0, frames);
 
-    const double here = compare_poses(a, fa, b, 5, 3).distance;
+    const double here = motion::offline::compare_poses(a, fa, b, 5, 3).distance;
 
-    RC_ASSERT(std::abs(compare_poses(moved(a, turn, by), fa, b, 5, 3).distance - here) < 1e-5);
-    RC_ASSERT(std::abs(compare_poses(a, fa, moved(b, turn, by), 5, 3).distance - here) < 1e-5);
+    RC_ASSERT(std::abs(motion::offline::compare_poses(moved(a, turn, by), fa, b, 5, 3).distance -
+                       here) < 1e-5);
+    RC_ASSERT(std::abs(motion::offline::compare_poses(a, fa, moved(b, turn, by), 5, 3).distance -
+                       here) < 1e-5);
   }));
 }
 
 TEST(PoseDistance, FindsTheMoveThatTwoCopiesAreApart) {
   const ShippedClips& shipped = shipped_clips();
-  const PoseCloud walk =
-      make_pose_cloud(shipped.skeleton, make_track(shipped.skeleton, shipped.named("walk")));
+  const motion::offline::PoseCloud walk = motion::offline::make_pose_cloud(
+      shipped.skeleton, motion::offline::make_track(shipped.skeleton, shipped.named("walk")));
   EXPECT_TRUE(rc::check([&] {
     const double turn = *rc::gen::inRange(-300, 300) / 100.0;
     const Vec2 by{*rc::gen::inRange(-9, 9) * 1.0, *rc::gen::inRange(-9, 9) * 1.0};
     const auto frame = *rc::gen::inRange<std::size_t>(0, walk.frames);
 
-    const PoseMatch match = compare_poses(moved(walk, turn, by), frame, walk, frame, 18);
+    const motion::offline::PoseMatch match =
+        motion::offline::compare_poses(moved(walk, turn, by), frame, walk, frame, 18);
 
     RC_ASSERT(match.distance < 2e-3);
     RC_ASSERT(std::abs(std::remainder(match.alignment.heading - turn, 2 * std::numbers::pi)) <
@@ -130,13 +134,13 @@ TEST(PoseDistance, FindsTheMoveThatTwoCopiesAreApart) {
 
 TEST(PoseDistance, IsTheSameBothWaysRound) {
   EXPECT_TRUE(rc::check([] {
-    const PoseCloud a = random_cloud(frames), b = random_cloud(frames);
+    const motion::offline::PoseCloud a = random_cloud(frames), b = random_cloud(frames);
     const auto fa = *rc::gen::inRange<std::size_t>(0, frames);
     const auto fb = *rc::gen::inRange<std::size_t>(0, frames);
 
-    const double there = compare_poses(a, fa, b, fb, 3).distance;
+    const double there = motion::offline::compare_poses(a, fa, b, fb, 3).distance;
 
-    RC_ASSERT(std::abs(compare_poses(b, fb, a, fa, 3).distance - there) < 1e-9);
+    RC_ASSERT(std::abs(motion::offline::compare_poses(b, fb, a, fa, 3).distance - there) < 1e-9);
   }));
 }
 
@@ -146,23 +150,24 @@ TEST(PoseDistance, OfAllPairsAtOnceIsThatOfEachPair) {
     const auto rows = *rc::gen::inRange<std::size_t>(1, 150);
     const auto columns = *rc::gen::inRange<std::size_t>(1, 90);
     const auto half = *rc::gen::inRange<std::size_t>(1, 6);
-    const PoseCloud a = random_cloud(rows), b = random_cloud(columns);
+    const motion::offline::PoseCloud a = random_cloud(rows), b = random_cloud(columns);
 
-    const DistanceMatrix matrix = measure_distances(a, b, half);
+    const motion::offline::DistanceMatrix matrix = motion::offline::measure_distances(a, b, half);
 
     for (std::size_t i = 0; i < rows; ++i)
       for (std::size_t j = 0; j < columns; ++j)
         RC_ASSERT(std::abs(static_cast<double>(matrix.at(i, j)) -
-                           compare_poses(a, i, b, j, half).distance) < 2e-3);
+                           motion::offline::compare_poses(a, i, b, j, half).distance) < 2e-3);
   }));
 }
 
 TEST(PoseDistance, SeesTheNextStrideAsTheSamePose) {
   const ShippedClips& shipped = shipped_clips();
-  const PoseCloud cloud =
-      make_pose_cloud(shipped.skeleton, make_track(shipped.skeleton, shipped.named("walk")));
+  const motion::offline::PoseCloud cloud = motion::offline::make_pose_cloud(
+      shipped.skeleton, motion::offline::make_track(shipped.skeleton, shipped.named("walk")));
 
-  const DistanceMatrix matrix = measure_distances(cloud, cloud, 18);
+  const motion::offline::DistanceMatrix matrix =
+      motion::offline::measure_distances(cloud, cloud, 18);
 
   std::size_t alike = 100 + 60;
   for (std::size_t f = alike; f < 100 + 180; ++f)

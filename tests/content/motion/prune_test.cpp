@@ -46,7 +46,7 @@ MotionGraph small_graph() {
 TEST(Pruning, KeepsTheLoopAndWhatLeadsInFromAStartAndOutToAStop) {
   MotionGraph graph = small_graph();
 
-  const Pruning pruning = prune(graph);
+  const motion::offline::Pruning pruning = motion::offline::prune(graph);
 
   EXPECT_TRUE(has(graph, {start, 40}, {walk, 20}));
   EXPECT_TRUE(has(graph, {walk, 100}, {walk, 20}));
@@ -61,7 +61,7 @@ TEST(Pruning, DropsATransitionThatArrivesTooLateForTheNext) {
   // Arrives at 92 + 5, but the loop's blend begins at 100 - 5.
   graph.transitions.push_back(passage({walk, 40}, {walk, 92}));
 
-  prune(graph);
+  motion::offline::prune(graph);
 
   EXPECT_FALSE(has(graph, {walk, 40}, {walk, 92}));
 }
@@ -71,7 +71,7 @@ TEST(Pruning, LeavesNothingOfAGraphWithoutALoopOrAStart) {
   graph.clips[start].role = ClipRole::Walk;
   graph.transitions = {passage({walk, 60}, {stray, 50})};
 
-  prune(graph);
+  motion::offline::prune(graph);
 
   EXPECT_TRUE(graph.transitions.empty());
 }
@@ -82,9 +82,9 @@ TEST(OwnGraph, OfAClassHoldsWhatGoesOnWithoutTheOthers) {
   graph.transitions.push_back(passage({stray, 80}, {stray, 20}));  // a jog of its own
   graph.transitions.push_back(passage({walk, 160}, {walk, 20}));   // joins the dead end to the loop
 
-  EXPECT_EQ(own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2, 3, 7}));
-  EXPECT_EQ(own_graph(graph, "jog"), std::vector<std::uint32_t>{6});
-  EXPECT_TRUE(own_graph(graph, "run").empty());
+  EXPECT_EQ(motion::offline::own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2, 3, 7}));
+  EXPECT_EQ(motion::offline::own_graph(graph, "jog"), std::vector<std::uint32_t>{6});
+  EXPECT_TRUE(motion::offline::own_graph(graph, "run").empty());
 }
 
 TEST(OwnGraph, LeavesOutWhatCanOnlyBeLeftByAnotherClass) {
@@ -92,13 +92,13 @@ TEST(OwnGraph, LeavesOutWhatCanOnlyBeLeftByAnotherClass) {
   graph.clips[stray].motion_class = "jog";
   graph.transitions.push_back(passage({walk, 160}, {stray, 10}));  // the only way on after 150
 
-  EXPECT_EQ(own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(motion::offline::own_graph(graph, ""), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 TEST(Pruning, OfAnEmptyGraphIsNothing) {
   MotionGraph graph;
 
-  EXPECT_EQ(prune(graph).transitions_dropped, 0U);
+  EXPECT_EQ(motion::offline::prune(graph).transitions_dropped, 0U);
 }
 
 }  // namespace

@@ -24,21 +24,21 @@ double seconds_of(const MotionClip& clip) {
 void expect_small_and_close(const Skeleton& skeleton, MotionClip clip) {
   clip.plants.resize(clip.root.size());
   MotionClip quantised = clip;
-  quantise(skeleton, quantised);
+  motion::offline::quantise(skeleton, quantised);
   const std::vector<std::byte> bytes = schema::encode(quantised);
   MotionClip read;
 
   ASSERT_TRUE(schema::decode(bytes, read)) << clip.name;
 
   EXPECT_LE(static_cast<double>(bytes.size()), most_bytes_a_second * seconds_of(clip)) << clip.name;
-  EXPECT_LE(largest_difference(skeleton, clip, read), 0.001) << clip.name;
+  EXPECT_LE(motion::offline::largest_difference(skeleton, clip, read), 0.001) << clip.name;
   EXPECT_EQ(read.root, quantised.root) << clip.name;
   EXPECT_EQ(read.rotation, quantised.rotation) << clip.name;
 }
 
 void expect_small_and_close(const std::filesystem::path& folder) {
   std::vector<Diagnostic> problems;
-  for (const FolderMotion& file : read_motion_folder(folder, problems))
+  for (const import::FolderMotion& file : import::read_motion_folder(folder, problems))
     expect_small_and_close(file.motion.skeleton, file.motion.clip);
 }
 
@@ -123,9 +123,9 @@ TEST(QuantisedMotion, KeepsTheEndOfEveryJointOfAnyBodyInAnyMotion) {
     const MotionClip clip = made_whole(some_motion(skeleton));
     MotionClip quantised = clip;
 
-    quantise(skeleton, quantised);
+    motion::offline::quantise(skeleton, quantised);
 
-    RC_ASSERT(largest_difference(skeleton, clip, quantised) <= 0.001);
+    RC_ASSERT(motion::offline::largest_difference(skeleton, clip, quantised) <= 0.001);
   }));
 }
 
@@ -134,7 +134,7 @@ TEST(QuantisedMotion, IsReadAsItWasWritten) {
     const Skeleton skeleton = some_skeleton();
     MotionClip quantised = some_motion(skeleton);
 
-    quantise(skeleton, quantised);
+    motion::offline::quantise(skeleton, quantised);
 
     const std::vector<std::byte> bytes = schema::encode(quantised);
     MotionClip read;
@@ -161,7 +161,7 @@ TEST(QuantisedMotion, IsCoarserForASmallerBody) {
   const auto bits = [&](float length) {
     skeleton.joint[1].offset.y = length;
     MotionClip quantised = clip;
-    quantise(skeleton, quantised);
+    motion::offline::quantise(skeleton, quantised);
     return std::to_integer<int>(schema::encode(quantised)[0]);
   };
 

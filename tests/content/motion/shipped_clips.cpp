@@ -8,7 +8,7 @@
 namespace docent::test {
 
 const MotionClip& ShippedClips::named(const std::string& name) const {
-  for (const SourceClip& source : clips)
+  for (const motion::offline::SourceClip& source : clips)
     if (source.clip.name == name) return source.clip;
   throw std::runtime_error("no clip is called " + name);
 }
@@ -17,7 +17,8 @@ const ShippedClips& shipped_clips() {
   static const ShippedClips shipped = [] {
     ShippedClips result;
     std::vector<Diagnostic> problems;
-    for (const FolderMotion& m : read_motion_folder(source_dir() / "content/clips", problems)) {
+    for (const import::FolderMotion& m :
+         import::read_motion_folder(source_dir() / "content/clips", problems)) {
       result.skeleton = m.motion.skeleton;
       result.clips.push_back({.clip = m.motion.clip, .file = m.file});
     }
@@ -29,8 +30,8 @@ const ShippedClips& shipped_clips() {
 const MotionGraph& shipped_graph() {
   static const MotionGraph graph = [] {
     std::vector<Diagnostic> warnings;
-    return make_motion_graph(shipped_clips().skeleton, shipped_clips().clips, "clips", {},
-                             warnings);
+    return motion::offline::make_motion_graph(shipped_clips().skeleton, shipped_clips().clips,
+                                              "clips", {}, warnings);
   }();
   return graph;
 }

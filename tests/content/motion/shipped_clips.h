@@ -9,7 +9,7 @@ namespace docent::test {
 /// The clips that docent ships, as they are read.
 struct ShippedClips {
   Skeleton skeleton;
-  std::vector<SourceClip> clips;
+  std::vector<motion::offline::SourceClip> clips;
 
   /// One of them, by its name.
   [[nodiscard]] const MotionClip& named(const std::string& name) const;

@@ -15,9 +15,10 @@ namespace {
 
 ClipRole role_of(MotionClip clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  const Track track = make_track(skeleton, clip);
-  find_foot_plants(skeleton, track, clip);
-  return classify(measure_clip(skeleton, clip, track), size_of(skeleton));
+  const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  motion::offline::find_foot_plants(skeleton, track, clip);
+  return motion::offline::classify(motion::offline::measure_clip(skeleton, clip, track),
+                                   motion::offline::size_of(skeleton));
 }
 
 MotionClip played_backwards(MotionClip clip) {
@@ -59,7 +60,8 @@ TEST(RootMotion, TurnsByWhatAClipTurns) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip& clip = shipped_clips().named("turn-right-90");
 
-  const auto body = extract_root_motion(skeleton, clip, make_track(skeleton, clip));
+  const auto body = motion::offline::extract_root_motion(
+      skeleton, clip, motion::offline::make_track(skeleton, clip));
 
   EXPECT_NEAR((body.back().heading - body.front().heading) * 180 / std::numbers::pi, -90, 8);
 }
@@ -67,13 +69,15 @@ TEST(RootMotion, TurnsByWhatAClipTurns) {
 TEST(RootMotion, TakesTheSwayOutAndKeepsTheWay) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   MotionClip clip = shipped_clips().named("walk");
-  const auto straight = extract_root_motion(skeleton, clip, make_track(skeleton, clip));
+  const auto straight = motion::offline::extract_root_motion(
+      skeleton, clip, motion::offline::make_track(skeleton, clip));
   constexpr double stride = 1.1, sway = 0.03;  // seconds; metres to each side
   for (std::size_t f = 0; f < clip.root.size(); ++f)
     clip.root[f].x += static_cast<float>(
         sway * std::sin(2 * std::numbers::pi * static_cast<double>(f) / 120 / stride));
 
-  const auto body = extract_root_motion(skeleton, clip, make_track(skeleton, clip));
+  const auto body = motion::offline::extract_root_motion(
+      skeleton, clip, motion::offline::make_track(skeleton, clip));
 
   for (std::size_t f = 66; f + 66 < body.size(); ++f)
     EXPECT_LT(glm::distance(body[f].position, straight[f].position), 0.3 * sway) << f;
@@ -87,20 +91,22 @@ TEST(CaptureFaults, AreFoundWhereAHandLeaps) {
     clip.rotation[f * clip.joint_count + shoulder] =
         glm::angleAxis(1.5f, Vec3{0, 0, 1}) * clip.rotation[f * clip.joint_count + shoulder];
 
-  const auto faults = find_capture_faults(skeleton, clip, make_track(skeleton, clip));
+  const auto faults = motion::offline::find_capture_faults(
+      skeleton, clip, motion::offline::make_track(skeleton, clip));
 
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_NEAR(faults[0].first, 200, 1);
   EXPECT_NEAR(faults[0].last, 202, 1);
   EXPECT_GT(faults[0].metres, 0.3);
-  EXPECT_NE(describe(faults[0], skeleton).find("leaps by"), std::string::npos);
+  EXPECT_NE(motion::offline::describe(faults[0], skeleton).find("leaps by"), std::string::npos);
 }
 
 TEST(CaptureFaults, AreNotSeenInSoundMotion) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  for (const SourceClip& source : shipped_clips().clips)
-    EXPECT_TRUE(
-        find_capture_faults(skeleton, source.clip, make_track(skeleton, source.clip)).empty())
+  for (const motion::offline::SourceClip& source : shipped_clips().clips)
+    EXPECT_TRUE(motion::offline::find_capture_faults(
+                    skeleton, source.clip, motion::offline::make_track(skeleton, source.clip))
+                    .empty())
         << source.file;
 }
 
@@ -113,7 +119,8 @@ void throw_arm(MotionClip& clip, std::size_t first, std::size_t last, std::size_
 }
 
 /// The largest distance between the joints of two motions, in some frames; metres.
-double farthest_apart(const Track& a, const Track& b, std::size_t first, std::size_t last) {
+double farthest_apart(const motion::offline::Track& a, const motion::offline::Track& b,
+                      std::size_t first, std::size_t last) {
   double most = 0;
   for (std::size_t f = first; f <= last; ++f)
     for (std::size_t j = 0; j < a.joints; ++j)
@@ -124,24 +131,24 @@ double farthest_apart(const Track& a, const Track& b, std::size_t first, std::si
 TEST(Mending, PutsAnArmBackThatLeapsForAFrame) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip sound = shipped_clips().named("walk");
-  const Track truth = make_track(skeleton, sound);
+  const motion::offline::Track truth = motion::offline::make_track(skeleton, sound);
   const std::size_t end = sound.root.size() - 1;
   using Frames = std::pair<std::size_t, std::size_t>;
   for (const auto& [first, last] : {Frames{200, 200}, {200, 204}, {0, 0}, {end, end}}) {
     MotionClip clip = sound;
     throw_arm(clip, first, last);
-    Track track = make_track(skeleton, clip);
+    motion::offline::Track track = motion::offline::make_track(skeleton, clip);
     ASSERT_GT(farthest_apart(track, truth, first, last), 0.3);
 
-    const auto mended = mend_capture_faults(skeleton, clip, track);
+    const auto mended = motion::offline::mend_capture_faults(skeleton, clip, track);
 
     ASSERT_EQ(mended.size(), 1U) << first;
     EXPECT_GT(mended[0].metres, 0.3);
     EXPECT_LE(mended[0].first, first + 1);
     EXPECT_GE(mended[0].last + 1, last);
-    EXPECT_TRUE(find_capture_faults(skeleton, clip, track).empty());
+    EXPECT_TRUE(motion::offline::find_capture_faults(skeleton, clip, track).empty());
     EXPECT_LT(farthest_apart(track, truth, first, last), 0.02) << first;
-    EXPECT_LT(farthest_apart(track, make_track(skeleton, clip), 0, end), 1e-6);
+    EXPECT_LT(farthest_apart(track, motion::offline::make_track(skeleton, clip), 0, end), 1e-6);
   }
 }
 
@@ -150,9 +157,9 @@ TEST(Mending, LeavesAllOtherFramesAndJointsAlone) {
   const MotionClip sound = shipped_clips().named("walk");
   MotionClip clip = sound;
   throw_arm(clip, 200, 201);
-  Track track = make_track(skeleton, clip);
+  motion::offline::Track track = motion::offline::make_track(skeleton, clip);
 
-  mend_capture_faults(skeleton, clip, track);
+  motion::offline::mend_capture_faults(skeleton, clip, track);
 
   std::size_t changed = 0;
   for (std::size_t i = 0; i < clip.rotation.size(); ++i)
@@ -171,21 +178,21 @@ TEST(Mending, GivesUpOnAnArmThatIsShakenForLong) {
   MotionClip clip = shipped_clips().named("walk");
   throw_arm(clip, 200, 260, 4);
   const MotionClip shaken = clip;
-  Track track = make_track(skeleton, clip);
+  motion::offline::Track track = motion::offline::make_track(skeleton, clip);
 
-  EXPECT_TRUE(mend_capture_faults(skeleton, clip, track).empty());
+  EXPECT_TRUE(motion::offline::mend_capture_faults(skeleton, clip, track).empty());
 
   EXPECT_EQ(clip.rotation, shaken.rotation);
-  EXPECT_EQ(find_capture_faults(skeleton, clip, track).size(), 1U);
+  EXPECT_EQ(motion::offline::find_capture_faults(skeleton, clip, track).size(), 1U);
 }
 
 TEST(Mending, DoesNothingToSoundMotion) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  for (const SourceClip& source : shipped_clips().clips) {
+  for (const motion::offline::SourceClip& source : shipped_clips().clips) {
     MotionClip clip = source.clip;
-    Track track = make_track(skeleton, clip);
+    motion::offline::Track track = motion::offline::make_track(skeleton, clip);
 
-    EXPECT_TRUE(mend_capture_faults(skeleton, clip, track).empty()) << source.file;
+    EXPECT_TRUE(motion::offline::mend_capture_faults(skeleton, clip, track).empty()) << source.file;
     EXPECT_EQ(clip.rotation, source.clip.rotation);
   }
 }
@@ -193,12 +200,13 @@ TEST(Mending, DoesNothingToSoundMotion) {
 TEST(Resampling, KeepsTheMotionAndItsLength) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip& clip = shipped_clips().named("walk");
-  const MotionClip sparse = resample(clip, 60);
+  const MotionClip sparse = motion::offline::resample(clip, 60);
 
-  const MotionClip dense = resample(sparse, 120);
+  const MotionClip dense = motion::offline::resample(sparse, 120);
 
   EXPECT_NEAR(frame_count(sparse), frame_count(clip) / 2.0, 1);
-  const Track expected = make_track(skeleton, clip), track = make_track(skeleton, dense);
+  const motion::offline::Track expected = motion::offline::make_track(skeleton, clip),
+                               track = motion::offline::make_track(skeleton, dense);
   double worst = 0;
   for (std::size_t f = 8; f + 8 < dense.root.size(); ++f)
     for (std::size_t j = 0; j < track.joints; ++j)

@@ -18,19 +18,20 @@ bool stops(const MotionGraph& graph, std::uint32_t clip) {
   return graph.clips[clip].role == ClipRole::Stop;
 }
 
-std::vector<Passage> passages_from(const MotionGraph& graph, const TransitionSections& sections,
-                                   ClipFrame at) {
-  std::vector<Passage> passages;
+std::vector<motion::offline::Passage> passages_from(
+    const MotionGraph& graph, const motion::offline::TransitionSections& sections, ClipFrame at) {
+  std::vector<motion::offline::Passage> passages;
   for (std::uint32_t t = 0; t < graph.transitions.size(); ++t)
     if (graph.transitions[t].from.clip == at.clip)
-      if (const auto radius = section_radius(graph, sections, t, at.frame))
+      if (const auto radius = motion::offline::section_radius(graph, sections, t, at.frame))
         passages.push_back({t, *radius});
   return passages;
 }
 
 /// Which transitions can be passed by walks that never end but in a stop, found the slow and
 /// obvious way: strike out what leads nowhere until nothing changes.
-std::vector<bool> passable(const MotionGraph& graph, const TransitionSections& sections) {
+std::vector<bool> passable(const MotionGraph& graph,
+                           const motion::offline::TransitionSections& sections) {
   std::vector<bool> alive(graph.transitions.size());
   for (std::size_t t = 0; t < alive.size(); ++t) alive[t] = graph.transitions[t].radius > 0;
   for (bool changed = true; changed;) {
@@ -52,16 +53,16 @@ std::vector<bool> passable(const MotionGraph& graph, const TransitionSections& s
 
 RC_GTEST_PROP(TransitionSection, NeverRunsBackwardsAndNeverLosesItsExits, ()) {
   const MotionGraph graph = *random_graph();
-  const TransitionSections sections = measure_sections(graph);
+  const motion::offline::TransitionSections sections = motion::offline::measure_sections(graph);
   ClipFrame at{*rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(graph.clips.size())),
                0};
   RC_PRE(sections.last_exit[at.clip].has_value());
 
   for (int step = 0; step < 40; ++step) {
-    const std::vector<Passage> passages = passages_from(graph, sections, at);
+    const std::vector<motion::offline::Passage> passages = passages_from(graph, sections, at);
     if (stops(graph, at.clip) && passages.empty()) return;
     RC_ASSERT(!passages.empty());
-    const Passage passage = *rc::gen::elementOf(passages);
+    const motion::offline::Passage passage = *rc::gen::elementOf(passages);
     const Transition& way = graph.transitions[passage.transition];
     RC_ASSERT(way.from.frame >= at.frame + passage.radius);
     RC_ASSERT(way.to.frame >= passage.radius);
@@ -72,14 +73,14 @@ RC_GTEST_PROP(TransitionSection, NeverRunsBackwardsAndNeverLosesItsExits, ()) {
 
 RC_GTEST_PROP(TransitionSection, IsShortenedOnlyWhereItMustAndNeverBelowHalf, ()) {
   const MotionGraph graph = *random_graph();
-  const TransitionSections sections = measure_sections(graph);
+  const motion::offline::TransitionSections sections = motion::offline::measure_sections(graph);
   std::uint32_t half = 0;
   for (const Transition& t : graph.transitions) half = std::max(half, (t.radius + 1) / 2);
 
   for (std::uint32_t t = 0; t < graph.transitions.size(); ++t) {
     const Transition& way = graph.transitions[t];
     const auto at = *rc::gen::inRange<std::uint32_t>(0, way.from.frame + 1);
-    const auto radius = section_radius(graph, sections, t, at);
+    const auto radius = motion::offline::section_radius(graph, sections, t, at);
     if (!radius) continue;
     RC_ASSERT(*radius >= std::min(half, way.radius));
     RC_ASSERT(*radius <= way.radius);
@@ -94,7 +95,7 @@ RC_GTEST_PROP(TransitionSection, IsShortenedOnlyWhereItMustAndNeverBelowHalf, ()
 
 RC_GTEST_PROP(TransitionSection, IsBarredExactlyWhereNoWalkGoesOn, ()) {
   const MotionGraph graph = *random_graph();
-  const TransitionSections sections = measure_sections(graph);
+  const motion::offline::TransitionSections sections = motion::offline::measure_sections(graph);
 
   const std::vector<bool> expected = passable(graph, sections);
 
@@ -104,7 +105,7 @@ RC_GTEST_PROP(TransitionSection, IsBarredExactlyWhereNoWalkGoesOn, ()) {
 
 /// The compiler has done this work: its transitions can be passed with the radius that they say.
 void expect_full_radii(const MotionGraph& graph) {
-  const TransitionSections sections = measure_sections(graph);
+  const motion::offline::TransitionSections sections = motion::offline::measure_sections(graph);
   for (std::size_t t = 0; t < graph.transitions.size(); ++t)
     EXPECT_EQ(sections.longest[t], graph.transitions[t].radius) << "transition " << t;
 }
@@ -116,7 +117,8 @@ TEST(TransitionSection, OfACompiledGraphKeepsItsRadius) {
 TEST(TransitionSection, OfTheRecordedClipsKeepsItsRadius) {
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   std::vector<Diagnostic> problems;
-  expect_full_radii(compile_motion(reference_data() / "mocap/cmu-walk", {}, problems));
+  expect_full_radii(
+      motion::offline::compile_motion(reference_data() / "mocap/cmu-walk", {}, problems));
 }
 
 }  // namespace

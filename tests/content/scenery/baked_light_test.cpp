@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 constexpr double wall_height = 1.5;
@@ -99,4 +99,4 @@ TEST(BakedLight, OfAnOpenFieldIsWholeEverywhere) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scenery

@@ -4,7 +4,7 @@
 
 #include "tests/support/halls.h"
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 using ::testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(Insetting, MovesEverySideInwardsByTheDistance) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scenery

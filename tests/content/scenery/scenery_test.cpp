@@ -9,7 +9,7 @@
 #include "content/scenery/furniture.h"
 #include "tests/support/halls.h"
 
-namespace docent {
+namespace docent::scenery {
 namespace {
 
 using test::HallMaker;
@@ -197,4 +197,4 @@ TEST(Scenery, StandsAtTheHeightOfItsFloor) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scenery

@@ -21,7 +21,7 @@
 #include "tests/support/halls.h"
 #include "tests/support/reference_data.h"
 
-namespace docent {
+namespace docent::gles {
 namespace {
 
 using ::testing::HasSubstr;
@@ -45,8 +45,8 @@ void expect_near(Rgb actual, Rgb expected, int tolerance, std::string_view where
 
 constexpr Rgb paper{0xF5, 0xF1, 0xE8};
 
-CameraView looking(Vec3 eye, Vec3 target, PixelSize size) {
-  CameraView camera;
+scene::CameraView looking(Vec3 eye, Vec3 target, PixelSize size) {
+  scene::CameraView camera;
   camera.eye = eye;
   camera.target = target;
   camera.view = glm::lookAt(eye, target, Vec3(0, 1, 0));
@@ -57,7 +57,7 @@ CameraView looking(Vec3 eye, Vec3 target, PixelSize size) {
 }
 
 /// Where a world point appears, pixels from the top left.
-std::array<std::uint32_t, 2> pixel_of(const CameraView& camera, Vec3 world, PixelSize size) {
+std::array<std::uint32_t, 2> pixel_of(const scene::CameraView& camera, Vec3 world, PixelSize size) {
   const Vec4 clip = camera.projection * camera.view * Vec4(world, 1);
   return {
       static_cast<std::uint32_t>((clip.x / clip.w * 0.5F + 0.5F) * static_cast<float>(size.width)),
@@ -95,8 +95,8 @@ FloorPlan small_hall() {
   return test::HallMaker().room({0, 0}, {12, 9}).block({3, 5}, {4.6, 6}).column({8.5, 6}, 0.3).plan;
 }
 
-DrawList view_of_hall(PixelSize size) {
-  DrawList list;
+scene::DrawList view_of_hall(PixelSize size) {
+  scene::DrawList list;
   list.camera = looking(to_world({6, -9}, 13), to_world({6, 4.2}, 0), size);
   list.focus = {6, 4};
   list.focus_radius = 100;
@@ -104,14 +104,14 @@ DrawList view_of_hall(PixelSize size) {
 }
 
 /// The interface alone, on paper.
-DrawList paper_only() {
-  DrawList list;
+scene::DrawList paper_only() {
+  scene::DrawList list;
   list.floor = 7;  // where no building is
   return list;
 }
 
-void add_guide(DrawList& list, Vec2 at, std::uint32_t look = 0) {
-  AvatarDraw avatar;
+void add_guide(scene::DrawList& list, Vec2 at, std::uint32_t look = 0) {
+  scene::AvatarDraw avatar;
   avatar.look = look;
   avatar.first_matrix = static_cast<std::uint32_t>(list.palette.size());
   avatar.centre = to_world(at, 0.9);
@@ -120,8 +120,9 @@ void add_guide(DrawList& list, Vec2 at, std::uint32_t look = 0) {
   list.palette.push_back(glm::translate(Mat4(1), to_world(at)));
 }
 
-void add_way(DrawList& list, RouteKind kind, std::initializer_list<Vec2> points, float length) {
-  RibbonDraw ribbon;
+void add_way(scene::DrawList& list, path::RouteKind kind, std::initializer_list<Vec2> points,
+             float length) {
+  scene::RibbonDraw ribbon;
   ribbon.kind = kind;
   ribbon.first = static_cast<std::uint32_t>(list.ribbon_point.size());
   ribbon.count = static_cast<std::uint32_t>(points.size());
@@ -138,7 +139,7 @@ class Rendering : public ::testing::Test {
   void open(PixelSize size, const RendererOptions& options = {}) {
     renderer_.reset();
     display_.reset();
-    auto display = open_headless(size);
+    auto display = headless::open_headless(size);
     if (!display) GTEST_SKIP() << display.error().what;
     display_ = std::move(*display);
     auto renderer = make_renderer(options);
@@ -149,25 +150,25 @@ class Rendering : public ::testing::Test {
     vase.place = ExhibitPlace::InCase;
     const float square = 1;
     Pixels red{1, 1, {std::byte{200}, std::byte{30}, std::byte{30}, std::byte{255}}};
-    const TextureId image = renderer_->upload_scenery_image(red);
-    renderer_->upload_scenery(0, make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {}),
+    const scene::TextureId image = renderer_->upload_scenery_image(red);
+    renderer_->upload_scenery(0, scenery::make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {}),
                               {&image, 1});
     renderer_->upload_avatar(box_body());
   }
 
-  Pixels drawn(const DrawList& list) {
+  Pixels drawn(const scene::DrawList& list) {
     renderer_->draw(list, display_->target());
     Pixels picture;
     display_->read_back(picture);
     return picture;
   }
 
-  std::unique_ptr<HeadlessDisplay> display_;
+  std::unique_ptr<headless::HeadlessDisplay> display_;
   std::optional<Renderer> renderer_;  // after the display: it goes first
 };
 
 TEST_F(Rendering, ShowsPaperWhereThereIsNothing) {
-  const DrawList list = paper_only();
+  const scene::DrawList list = paper_only();
 
   const Pixels picture = drawn(list);
 
@@ -183,7 +184,7 @@ TEST_F(Rendering, KeepsTheTableAsPaperFarFromTheBuilding) {
 }
 
 TEST_F(Rendering, DrawsTheFloorDarkerInTheColumnsShadow) {
-  const DrawList list = view_of_hall(small);
+  const scene::DrawList list = view_of_hall(small);
   const auto [lit_x, lit_y] = pixel_of(list.camera, to_world({6, 3}), small);
   const auto [shade_x, shade_y] = pixel_of(list.camera, to_world({9.3, 5.55}), small);
 
@@ -193,8 +194,8 @@ TEST_F(Rendering, DrawsTheFloorDarkerInTheColumnsShadow) {
 }
 
 TEST_F(Rendering, DrawsTheWayInItsColourAndTheGuideBeforeIt) {
-  DrawList list = view_of_hall(small);
-  add_way(list, RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, path::RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
   add_guide(list, {6, 2});
   const auto [way_x, way_y] = pixel_of(list.camera, to_world({9, 2}), small);
   const auto [body_x, body_y] = pixel_of(list.camera, to_world({6, 1.75}, 0.9), small);
@@ -208,10 +209,10 @@ TEST_F(Rendering, DrawsTheWayInItsColourAndTheGuideBeforeIt) {
 }
 
 TEST_F(Rendering, TellsTheThreeKindsOfWaysApart) {
-  DrawList list = view_of_hall(small);
-  add_way(list, RouteKind::Shortest, {{2, 1.5}, {10, 1.5}}, 8);
-  add_way(list, RouteKind::Skeleton, {{2, 2.5}, {10, 2.5}}, 8);
-  add_way(list, RouteKind::Offset, {{2, 3.5}, {10, 3.5}}, 8);
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, path::RouteKind::Shortest, {{2, 1.5}, {10, 1.5}}, 8);
+  add_way(list, path::RouteKind::Skeleton, {{2, 2.5}, {10, 2.5}}, 8);
+  add_way(list, path::RouteKind::Offset, {{2, 3.5}, {10, 3.5}}, 8);
   const Pixels picture = drawn(list);
 
   std::array<int, 3> covered{};
@@ -232,7 +233,7 @@ TEST_F(Rendering, TellsTheThreeKindsOfWaysApart) {
 }
 
 TEST_F(Rendering, ThrowsTheGuidesShadowAwayFromTheSun) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   const Pixels without = drawn(list);
   add_guide(list, {6, 2});
   const Pixels with = drawn(list);
@@ -246,15 +247,16 @@ TEST_F(Rendering, ThrowsTheGuidesShadowAwayFromTheSun) {
 }
 
 std::uint32_t look_named(std::string_view name) {
-  return static_cast<std::uint32_t>(std::ranges::find(looks, name, &Look::name) - looks.begin());
+  return static_cast<std::uint32_t>(std::ranges::find(scene::looks, name, &scene::Look::name) -
+                                    scene::looks.begin());
 }
 
 TEST_F(Rendering, DrawsSeveralGuidesEachInItsOwnLookWithItsOwnTrail) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   add_guide(list, {3, 2}, look_named("navy"));
   add_guide(list, {6, 2}, look_named("saffron"));
   add_guide(list, {9, 2}, look_named("rose"));
-  add_way(list, RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
+  add_way(list, path::RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
   list.ribbons.back().look = static_cast<std::int32_t>(look_named("sky"));
   const auto seen = [&](const Pixels& picture, Vec2 at, double height) {
     const auto [x, y] = pixel_of(list.camera, to_world(at, height), small);
@@ -276,9 +278,9 @@ TEST_F(Rendering, DrawsSeveralGuidesEachInItsOwnLookWithItsOwnTrail) {
 TEST_F(Rendering, MakesATallerLookTallerAndLeavesItsFeetWhereTheyArePlanted) {
   const PixelSize size{640, 360};
   open(size);
-  const CameraView camera = looking(to_world({6, -4}, 2.2), to_world({6, 2}, 0.8), size);
+  const scene::CameraView camera = looking(to_world({6, -4}, 2.2), to_world({6, 2}, 0.8), size);
   const auto rows = [&](std::uint32_t look) {
-    DrawList list = paper_only();
+    scene::DrawList list = paper_only();
     list.camera = camera;
     add_guide(list, {6, 2}, look);
     const Pixels picture = drawn(list);
@@ -299,7 +301,7 @@ TEST_F(Rendering, MakesATallerLookTallerAndLeavesItsFeetWhereTheyArePlanted) {
 }
 
 TEST_F(Rendering, DrawsEightGuidesAndFortyVisitorsWhereverTheyStand) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   const auto place = [](int i) { return Vec2{1.0 + i % 12 * 0.9, 0.8 + i / 12 * 1.1}; };
   for (int i = 0; i < 48; ++i) add_guide(list, place(i), look_named("navy"));
 
@@ -313,10 +315,10 @@ TEST_F(Rendering, DrawsEightGuidesAndFortyVisitorsWhereverTheyStand) {
 }
 
 TEST_F(Rendering, ShowsWhatLooksOutFromBehindAPanelAsIfThereWereNone) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   for (int i = 0; i < 10; ++i) add_guide(list, {1.0 + i * 1.1, 0.8 + 0.7 * i});
   const Pixels open_view = drawn(list);
-  Quad panel;
+  scene::Quad panel;
   panel.colour = {0, 0, 0, 1};
 
   for (const float width : {0.2F, 0.37F, 0.5F, 0.63F, 1.0F}) {
@@ -336,7 +338,7 @@ TEST_F(Rendering, ShowsWhatLooksOutFromBehindAPanelAsIfThereWereNone) {
 }
 
 TEST_F(Rendering, FadesFarGalleriesTowardsPaper) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   const auto [x, y] = pixel_of(list.camera, to_world({11, 2}), small);
   const Rgb near = pixel(drawn(list), x, y);
   list.focus = {-40, 2};
@@ -348,7 +350,7 @@ TEST_F(Rendering, FadesFarGalleriesTowardsPaper) {
 }
 
 TEST_F(Rendering, LightsTheGoalsGallery) {
-  DrawList list = view_of_hall(small);
+  scene::DrawList list = view_of_hall(small);
   const auto [x, y] = pixel_of(list.camera, to_world({6, 3}), small);
   const Rgb before = pixel(drawn(list), x, y);
   list.goal = {6, 3};
@@ -359,9 +361,9 @@ TEST_F(Rendering, LightsTheGoalsGallery) {
 
 TEST_F(Rendering, SetsTextTexelForPixelAndBlendsItInLinearLight) {
   const std::array<std::uint8_t, 6> coverage{0, 128, 255, 255, 128, 0};
-  DrawList list = paper_only();
-  Quad text;
-  text.fill = QuadFill::Text;
+  scene::DrawList list = paper_only();
+  scene::Quad text;
+  text.fill = scene::QuadFill::Text;
   text.texture = renderer_->upload_text(3, 2, coverage);
   text.rect = {100.3F / 320, 49.7F / 180, 0.5F, 0.5F};  // only its place counts
   text.colour = {0, 0, 0, 1};
@@ -371,7 +373,7 @@ TEST_F(Rendering, SetsTextTexelForPixelAndBlendsItInLinearLight) {
 
   // Half of paper's light: the sRGB of 0.5 * linear.
   const auto halved = [](int channel) {
-    const float light = linear_light(static_cast<float>(channel) / 255) * 127 / 255;
+    const float light = scene::linear_light(static_cast<float>(channel) / 255) * 127 / 255;
     return static_cast<int>(std::lround(255 * (1.055 * std::pow(light, 1 / 2.4) - 0.055)));
   };
   const Rgb half{halved(paper.r), halved(paper.g), halved(paper.b)};
@@ -385,14 +387,14 @@ TEST_F(Rendering, SetsTextTexelForPixelAndBlendsItInLinearLight) {
 }
 
 TEST_F(Rendering, DrawsQuadsInTheirOrderWithRoundCorners) {
-  DrawList list = paper_only();
-  Quad low;
+  scene::DrawList list = paper_only();
+  scene::Quad low;
   low.rect = {0.25F, 0.25F, 0.5F, 0.5F};
-  low.colour = srgb(0x1D7874);
+  low.colour = scene::srgb(0x1D7874);
   low.corner = 20.0F / 180;
-  Quad high = low;
+  scene::Quad high = low;
   high.rect = {0.45F, 0.45F, 0.1F, 0.1F};
-  high.colour = srgb(0xD2452D);
+  high.colour = scene::srgb(0xD2452D);
   high.corner = 0;
   list.quads = {low, high};
 
@@ -406,9 +408,9 @@ TEST_F(Rendering, DrawsQuadsInTheirOrderWithRoundCorners) {
 }
 
 TEST_F(Rendering, DrawsARingWithAHole) {
-  DrawList list = paper_only();
-  Quad ring;
-  ring.fill = QuadFill::Ring;
+  scene::DrawList list = paper_only();
+  scene::Quad ring;
+  ring.fill = scene::QuadFill::Ring;
   ring.rect = {110.0F / 320, 40.0F / 180, 100.0F / 320, 100.0F / 180};
   ring.softness = 6.0F / 180;
   ring.colour = {0, 0, 0, 1};
@@ -422,15 +424,15 @@ TEST_F(Rendering, DrawsARingWithAHole) {
 }
 
 TEST_F(Rendering, LeavesOutWhatWasNeverUploaded) {
-  DrawList list = view_of_hall(small);
-  Quad text;
-  text.fill = QuadFill::Text;
+  scene::DrawList list = view_of_hall(small);
+  scene::Quad text;
+  text.fill = scene::QuadFill::Text;
   text.rect = {0, 0, 1, 1};
-  text.texture = TextureId{999};
+  text.texture = scene::TextureId{999};
   list.quads.push_back(text);
   list.avatars.emplace_back();  // its matrices are missing
   list.avatars.back().first_matrix = 12;
-  RibbonDraw ribbon;
+  scene::RibbonDraw ribbon;
   ribbon.first = 5;
   ribbon.count = 1000;
   list.ribbons.push_back(ribbon);
@@ -442,18 +444,18 @@ TEST_F(Rendering, LeavesOutWhatWasNeverUploaded) {
 
 TEST_F(Rendering, HandsAReleasedTexturesRoomOutAgain) {
   const std::array<std::uint8_t, 1> coverage{255};
-  const TextureId first = renderer_->upload_text(1, 1, coverage);
+  const scene::TextureId first = renderer_->upload_text(1, 1, coverage);
   renderer_->release(first);
   renderer_->release(first);
 
   EXPECT_EQ(renderer_->upload_text(1, 1, coverage), first);
   EXPECT_NE(renderer_->upload_text(1, 1, coverage), first);
-  EXPECT_EQ(renderer_->upload_text(0, 1, coverage), TextureId::None);
+  EXPECT_EQ(renderer_->upload_text(0, 1, coverage), scene::TextureId::None);
 }
 
 TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {
-  DrawList list = view_of_hall(small);
-  add_way(list, RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, path::RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
   add_guide(list, {6, 2});
   open(small, {.buffer_bytes = std::size_t{64} << 20});
   const Pixels whole = drawn(list);
@@ -468,10 +470,10 @@ TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {
 }
 
 TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
-  DrawList list = paper_only();
-  Quad corner;  // the visitor's upper left
+  scene::DrawList list = paper_only();
+  scene::Quad corner;  // the visitor's upper left
   corner.rect = {0, 0, 0.2F, 0.2F};
-  corner.colour = srgb(0xD2452D);
+  corner.colour = scene::srgb(0xD2452D);
   list.quads.push_back(corner);
   // A panel of 320 x 180 whose upper edge hangs to the right: the visitor sees 180 x 320.
   GLuint buffer = 0, panel = 0;
@@ -500,12 +502,12 @@ TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
 }
 
 TEST_F(Rendering, AllocatesNothingInAFrame) {
-  DrawList list = view_of_hall(small);
-  add_way(list, RouteKind::Skeleton, {{2, 2}, {10, 2}}, 8);
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, path::RouteKind::Skeleton, {{2, 2}, {10, 2}}, 8);
   for (int i = 0; i < 48; ++i)
     add_guide(list, {1.0 + i % 12 * 0.9, 0.8 + i / 12 * 1.1}, static_cast<std::uint32_t>(i));
   list.markers.emplace_back();
-  Quad panel;
+  scene::Quad panel;
   panel.rect = {0, 0, 0.3F, 1};
   list.quads.push_back(panel);
   renderer_->warm_up(display_->target());
@@ -527,20 +529,20 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
 /// differently: a few pixels on edges may differ, the picture may not.
 TEST_F(Rendering, ShowsTheSmallHallAsItWasSeenAndApproved) {
   const std::string file = test::source_dir() / "tests/platform/gles/golden/small-hall.png";
-  DrawList list = view_of_hall(small);
-  add_way(list, RouteKind::Shortest, {{2, 2}, {7, 2}, {7, 6.5}}, 9.5);
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, path::RouteKind::Shortest, {{2, 2}, {7, 2}, {7, 6.5}}, 9.5);
   add_guide(list, {4.5, 2});
-  MarkerDraw goal;
+  scene::MarkerDraw goal;
   goal.position = to_world({7, 6.5});
   list.markers.push_back(goal);
   const Pixels picture = drawn(list);
   if (std::getenv("DOCENT_UPDATE_GOLDEN") != nullptr) {
-    ASSERT_TRUE(write_png(file, picture).has_value());
+    ASSERT_TRUE(image::write_png(file, picture).has_value());
   }
 
   std::ifstream in(file, std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
-  const auto golden = decode_image(std::as_bytes(std::span(bytes)));
+  const auto golden = image::decode_image(std::as_bytes(std::span(bytes)));
   ASSERT_TRUE(golden.has_value()) << golden.error().what;
   ASSERT_EQ(golden->rgba.size(), picture.rgba.size());
   double sum = 0;
@@ -556,7 +558,7 @@ TEST_F(Rendering, ShowsTheSmallHallAsItWasSeenAndApproved) {
 }
 
 TEST(HeadlessDisplay, ThatIsTooLargeTellsWhatIsPossible) {
-  const auto display = open_headless({1U << 20, 100});
+  const auto display = headless::open_headless({1U << 20, 100});
 
   ASSERT_FALSE(display.has_value());
   EXPECT_EQ(display.error().code, Errc::Environment);
@@ -564,8 +566,8 @@ TEST(HeadlessDisplay, ThatIsTooLargeTellsWhatIsPossible) {
 }
 
 TEST(HeadlessDisplay, WithoutPixelsIsRefused) {
-  EXPECT_FALSE(open_headless({0, 100}).has_value());
+  EXPECT_FALSE(headless::open_headless({0, 100}).has_value());
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::gles

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 using namespace std::chrono_literals;
@@ -52,4 +52,4 @@ TEST(DeviceLog, ForgetsWhatWasUnplugged) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::hid

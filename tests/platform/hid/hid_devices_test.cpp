@@ -7,7 +7,7 @@
 #include "platform/hid/hid_report.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(ListedDevices, SayWhyOneCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::hid

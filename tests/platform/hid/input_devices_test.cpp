@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace docent {
+namespace docent::hid {
 namespace {
 
 using testing::HasSubstr;
@@ -25,9 +25,9 @@ TEST(InputDevices, AreWaitedForWhereThereAreNone) {
   auto devices = InputDevices::open({});
   ASSERT_TRUE(devices.has_value());
 
-  std::array<InputEvent, 4> events;
+  std::array<input::InputEvent, 4> events;
   EXPECT_EQ(devices->arrived(events), 0U);
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::hid

@@ -13,7 +13,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::image {
 namespace {
 
 using ::testing::HasSubstr;
@@ -269,4 +269,4 @@ TEST(WritingAPng, WhereThereIsNoFolderTellsSoAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::image

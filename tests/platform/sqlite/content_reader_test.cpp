@@ -15,7 +15,7 @@
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent {
+namespace docent::sqlite {
 namespace {
 
 using test::small_museum;
@@ -25,7 +25,7 @@ using testing::HasSubstr;
 /// What the kiosk says about a database file of these bytes.
 Error refusal(const std::vector<std::byte>& bytes) {
   const TemporaryFolder folder;
-  replace_file(folder.path() / "museum.db", bytes);
+  write::replace_file(folder.path() / "museum.db", bytes);
   const auto museum = load_museum(folder.path() / "museum.db");
   return museum ? Error{.code = Errc::WrongUsage, .what = "was accepted"} : museum.error();
 }
@@ -33,13 +33,13 @@ Error refusal(const std::vector<std::byte>& bytes) {
 TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
   const TemporaryFolder folder;
   const Museum museum = small_museum();
-  write_museum(museum, folder.path() / "museum.db");
+  write::write_museum(museum, folder.path() / "museum.db");
 
   const auto read = load_museum(folder.path() / "museum.db");
 
   ASSERT_TRUE(read.has_value()) << read.error().what;
   // The writer covers every field (rows.h), so equal files are equal museums.
-  EXPECT_EQ(encode_museum(*read), encode_museum(museum));
+  EXPECT_EQ(write::encode_museum(*read), write::encode_museum(museum));
   EXPECT_EQ(read->exhibits[0].text.at("zh"), "玉璧。");
   EXPECT_EQ(read->ambient.entrances, museum.ambient.entrances);
   EXPECT_EQ(read->ambient.look_most, 9.5);
@@ -52,7 +52,7 @@ TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
 
 /// The refusal of a database in which one byte was changed.
 Error refusal_with_flipped_byte(std::size_t place, std::byte flip) {
-  static const std::vector<std::byte> whole = encode_museum(small_museum());
+  static const std::vector<std::byte> whole = write::encode_museum(small_museum());
   std::vector<std::byte> bytes = whole;
   bytes[place % bytes.size()] ^= flip;
   return refusal(bytes);
@@ -79,7 +79,7 @@ TEST(ContentReader, SaysThatAFlippedByteIsDamage) {
 }
 
 TEST(ContentReader, NoticesAFileCutShortAnywhere) {
-  const std::vector<std::byte> whole = encode_museum(small_museum());
+  const std::vector<std::byte> whole = write::encode_museum(small_museum());
   for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{99}, std::size_t{100},
                                  whole.size() / 2, whole.size() - 1}) {
     const Error error = refusal({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
@@ -90,14 +90,14 @@ TEST(ContentReader, NoticesAFileCutShortAnywhere) {
 }
 
 TEST(ContentReader, NoticesBytesAfterTheEnd) {
-  std::vector<std::byte> bytes = encode_museum(small_museum());
+  std::vector<std::byte> bytes = write::encode_museum(small_museum());
   bytes.resize(bytes.size() + 8192);
 
   EXPECT_EQ(refusal(bytes).code, Errc::Damaged);
 }
 
 TEST(ContentReader, NamesTheVersionThatItCannotRead) {
-  std::vector<std::byte> bytes = encode_museum(small_museum());
+  std::vector<std::byte> bytes = write::encode_museum(small_museum());
   bytes[63] = std::byte{9};  // the last byte of user_version
 
   const Error error = refusal(bytes);
@@ -110,7 +110,7 @@ TEST(ContentReader, NamesTheVersionThatItCannotRead) {
 TEST(ContentReader, RefusesFilesThatAreNoDatabasesOfOurs) {
   const std::string text(5000, 'x');
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
-  std::vector<std::byte> foreign = encode_museum(small_museum());
+  std::vector<std::byte> foreign = write::encode_museum(small_museum());
   foreign[68] = std::byte{0};  // application_id
 
   EXPECT_THAT(refusal({bytes, bytes + text.size()}).what, HasSubstr("is not a docent database"));
@@ -206,7 +206,7 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
     Museum museum = small_museum();
     spoiler.spoil(museum);
 
-    const Error error = refusal(encode_museum(museum));
+    const Error error = refusal(write::encode_museum(museum));
 
     EXPECT_EQ(error.code, Errc::Damaged) << spoiler.what;
     EXPECT_THAT(error.what, HasSubstr(spoiler.what));
@@ -216,7 +216,7 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
 /// Reads a museum out of a database in which `sql` has changed something.
 Result<Museum> read_after(const char* sql) {
   const TemporaryFolder folder;
-  write_museum(small_museum(), folder.path() / "museum.db");
+  write::write_museum(small_museum(), folder.path() / "museum.db");
   sqlite3* raw = nullptr;
   sqlite3_open((folder.path() / "museum.db").c_str(), &raw);
   const Database database{.bytes = {}, .handle = DatabaseHandle(raw)};
@@ -252,7 +252,7 @@ TEST(ContentReader, SaysThatClassesAreDamagedWhichCannotBeDecoded) {
 }
 
 TEST(ContentWriter, GivesTheSameBytesForTheSameMuseum) {
-  EXPECT_EQ(encode_museum(small_museum()), encode_museum(small_museum()));
+  EXPECT_EQ(write::encode_museum(small_museum()), write::encode_museum(small_museum()));
 }
 
 TEST(ContentWriter, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
@@ -261,9 +261,9 @@ TEST(ContentWriter, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
   std::filesystem::create_directories(occupied / "not-empty");
 
   try {
-    write_museum(small_museum(), occupied);
+    write::write_museum(small_museum(), occupied);
     FAIL() << "wrote a file over a folder";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(exit_code(error.kind), 3);
     EXPECT_THAT(error.what(), HasSubstr("cannot be written"));
   }
@@ -274,13 +274,13 @@ TEST(ContentWriter, LeavesTheOldFileWhereTheNewOneCannotBeWritten) {
 
 TEST(ContentWriter, SaysThatTheFolderIsMissing) {
   try {
-    write_museum(small_museum(), "no/such/folder/museum.db");
+    write::write_museum(small_museum(), "no/such/folder/museum.db");
     FAIL();
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(exit_code(error.kind), 3);
     EXPECT_THAT(error.what(), HasSubstr("the folder 'no/such/folder' does not exist"));
   }
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::sqlite

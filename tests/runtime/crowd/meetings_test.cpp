@@ -29,17 +29,18 @@ using testing::Matcher;
 
 /// A floor that stays where it is, with its map.
 struct Mapped {
-  explicit Mapped(const FloorPlan& plan) : floor(floor_of(plan)), map(make_floor_map(floor)) {}
-  explicit Mapped(const ImportedPlan& plan) : Mapped(mended(plan)) {}
+  explicit Mapped(const FloorPlan& plan)
+      : floor(floor_of(plan)), map(path::make_floor_map(floor)) {}
+  explicit Mapped(const import::ImportedPlan& plan) : Mapped(mended(plan)) {}
   Mapped(const Mapped&) = delete;
   Mapped& operator=(const Mapped&) = delete;
   Floor floor;
-  std::shared_ptr<const FloorMap> map;
+  std::shared_ptr<const path::FloorMap> map;
 };
 
 /// A hall of 12 by 8 m, divided by panels 1 cm thick and 3 m long, in pairs with a slit of 0.2 m
 /// between them: regions thinner than anybody.
-ImportedPlan hall_of_thin_panels() {
+import::ImportedPlan hall_of_thin_panels() {
   std::vector<Points> panels;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 2; ++row) {
@@ -51,14 +52,14 @@ ImportedPlan hall_of_thin_panels() {
   return drawn(rectangle({0, 0}, {12, 8}), panels);
 }
 
-Matcher<const Meeting&> Pair(std::uint32_t a, std::uint32_t b, double time) {
-  return AllOf(Field(&Meeting::a, a), Field(&Meeting::b, b),
-               Field(&Meeting::time, testing::DoubleNear(time, 1e-9)));
+Matcher<const crowd::Meeting&> Pair(std::uint32_t a, std::uint32_t b, double time) {
+  return AllOf(Field(&crowd::Meeting::a, a), Field(&crowd::Meeting::b, b),
+               Field(&crowd::Meeting::time, testing::DoubleNear(time, 1e-9)));
 }
 
-std::vector<Meeting> meetings_of(const Mapped& mapped, const std::vector<Body>& bodies,
-                                 double horizon) {
-  Meetings meetings(*mapped.map, bodies.size());
+std::vector<crowd::Meeting> meetings_of(const Mapped& mapped,
+                                        const std::vector<crowd::Body>& bodies, double horizon) {
+  crowd::Meetings meetings(*mapped.map, bodies.size());
   meetings.update(bodies);
   const auto found = meetings.find(horizon);
   return {found.begin(), found.end()};
@@ -68,10 +69,10 @@ std::vector<Meeting> meetings_of(const Mapped& mapped, const std::vector<Body>& 
 
 TEST(Meetings, AreOfThoseWhoTouchNowOrWithinTheHorizon) {
   const Mapped hall(drawn(rectangle({0, 0}, {40, 8})));
-  const std::vector<Body> bodies{{{2, 4}, {1, 0}, 0.25},  {{6.5, 4}, {-1, 0}, 0.25},
-                                 {{20, 4}, {0, 0}, 0.25}, {{20.5, 4}, {0, 0}, 0.25},
-                                 {{30, 4}, {0, 1}, 0.25}, {{30, 4}, {0, 1}, 0.25},
-                                 {{35, 4}, {0, 0}, 0.25}, {{35.501, 4}, {0, 0}, 0.25}};
+  const std::vector<crowd::Body> bodies{{{2, 4}, {1, 0}, 0.25},  {{6.5, 4}, {-1, 0}, 0.25},
+                                        {{20, 4}, {0, 0}, 0.25}, {{20.5, 4}, {0, 0}, 0.25},
+                                        {{30, 4}, {0, 1}, 0.25}, {{30, 4}, {0, 1}, 0.25},
+                                        {{35, 4}, {0, 0}, 0.25}, {{35.501, 4}, {0, 0}, 0.25}};
 
   EXPECT_THAT(meetings_of(hall, bodies, 2),
               ElementsAre(Pair(0, 1, 2), Pair(2, 3, 0), Pair(4, 5, 0)));
@@ -80,9 +81,9 @@ TEST(Meetings, AreOfThoseWhoTouchNowOrWithinTheHorizon) {
 
 TEST(Meetings, AreNotOfThoseWhomAWallKeepsApart) {
   const Mapped rooms(two_rooms(1));  // The wall is at x = 4 to 4.2, the door at y = 1.5 to 2.5.
-  const Body left{{3.8, 3.5}, {0, 0}, 0.25}, right{{4.4, 3.5}, {0, 0}, 0.4};
-  const Body to_the_right{{2, 3.5}, {1, 0}, 0.25}, to_the_left{{6, 3.5}, {-1, 0}, 0.25};
-  const Body through_the_door{{2, 2}, {1, 0}, 0.25}, against_it{{6, 2}, {-1, 0}, 0.25};
+  const crowd::Body left{{3.8, 3.5}, {0, 0}, 0.25}, right{{4.4, 3.5}, {0, 0}, 0.4};
+  const crowd::Body to_the_right{{2, 3.5}, {1, 0}, 0.25}, to_the_left{{6, 3.5}, {-1, 0}, 0.25};
+  const crowd::Body through_the_door{{2, 2}, {1, 0}, 0.25}, against_it{{6, 2}, {-1, 0}, 0.25};
 
   EXPECT_THAT(meetings_of(rooms, {left, right}, 5), IsEmpty()) << "they overlap behind the wall";
   EXPECT_THAT(meetings_of(rooms, {to_the_right, right}, 5), IsEmpty());
@@ -93,7 +94,7 @@ TEST(Meetings, AreNotOfThoseWhomAWallKeepsApart) {
 TEST(Meetings, CountFromWhereTheWallBetweenEnds) {
   const Mapped hall(drawn(rectangle({0, 0}, {12, 8}), {rectangle({2, 4}, {6, 4.01})}));
   // Side by side along the panel, and past its end at t = 2.
-  const std::vector<Body> bodies{{{4, 3.8}, {1, 0}, 0.25}, {{4, 4.2}, {1, 0}, 0.25}};
+  const std::vector<crowd::Body> bodies{{{4, 3.8}, {1, 0}, 0.25}, {{4, 4.2}, {1, 0}, 0.25}};
 
   EXPECT_THAT(meetings_of(hall, bodies, 3), ElementsAre(Pair(0, 1, 2)));
   EXPECT_THAT(meetings_of(hall, bodies, 1.9), IsEmpty());
@@ -102,7 +103,7 @@ TEST(Meetings, CountFromWhereTheWallBetweenEnds) {
 TEST(Meetings, ReachOverRegionsThinnerThanTheBodies) {
   const Mapped hall(hall_of_thin_panels());
   // Below the panels, with the regions of their ends and of the slit between the two.
-  const std::vector<Body> bodies{{{1.4, 0.3}, {0, 0}, 0.25}, {{1.85, 0.3}, {0, 0}, 0.25}};
+  const std::vector<crowd::Body> bodies{{{1.4, 0.3}, {0, 0}, 0.25}, {{1.85, 0.3}, {0, 0}, 0.25}};
 
   EXPECT_THAT(meetings_of(hall, bodies, 0), ElementsAre(Pair(0, 1, 0)));
 }
@@ -111,13 +112,13 @@ TEST(Meetings, AreDefinedForBodiesThatShouldNotBe) {
   const Mapped rooms(two_rooms(1));
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Body in_the_wall{{4.1, 3.5}, {0, 0}, 0.25}, beside_it{{3.8, 3.5}, {0, 0}, 0.25};
-  const std::vector<Body> bodies{in_the_wall,
-                                 beside_it,
-                                 {{nan, 1}, {0, 0}, 0.25},
-                                 {{1, 1}, {infinity, 0}, 0.25},
-                                 {{1, 1}, {0, 0}, -1},
-                                 {{-1e12, 0}, {0, 0}, 1}};
+  const crowd::Body in_the_wall{{4.1, 3.5}, {0, 0}, 0.25}, beside_it{{3.8, 3.5}, {0, 0}, 0.25};
+  const std::vector<crowd::Body> bodies{in_the_wall,
+                                        beside_it,
+                                        {{nan, 1}, {0, 0}, 0.25},
+                                        {{1, 1}, {infinity, 0}, 0.25},
+                                        {{1, 1}, {0, 0}, -1},
+                                        {{-1e12, 0}, {0, 0}, 1}};
 
   EXPECT_THAT(meetings_of(rooms, bodies, 1), ElementsAre(Pair(0, 1, 0)));
   EXPECT_THAT(meetings_of(rooms, bodies, nan), ElementsAre(Pair(0, 1, 0)));
@@ -133,15 +134,16 @@ TEST(Meetings, AreDefinedForBodiesThatShouldNotBe) {
 /// flying.
 class Situations {
  public:
-  Situations(const Mapped& mapped, const Bays& bays, std::uint64_t seed)
+  Situations(const Mapped& mapped, const crowd::Bays& bays, std::uint64_t seed)
       : mapped_(mapped), bays_(bays), random_(seed) {
     for (const Vec2 v : plan().vertex) low_ = glm::min(low_, v), high_ = glm::max(high_, v);
   }
 
-  std::vector<Body> any(std::size_t count) {
-    std::vector<Body> bodies;
+  std::vector<crowd::Body> any(std::size_t count) {
+    std::vector<crowd::Body> bodies;
     for (std::size_t i = 0; i < count; ++i) {
-      Body body{.position = any_place(bodies), .velocity = any_velocity(), .radius = any_radius()};
+      crowd::Body body{
+          .position = any_place(bodies), .velocity = any_velocity(), .radius = any_radius()};
       if (pick(4) == 0 && !bodies.empty())  // Right at somebody.
         body.velocity = between(0, 2) * (bodies[pick(bodies.size())].position - body.position);
       bodies.push_back(body);
@@ -149,8 +151,8 @@ class Situations {
     return bodies;
   }
   /// The next step: on they go, and some turn, stop, jump or grow.
-  void step(std::vector<Body>& bodies) {
-    for (Body& body : bodies) {
+  void step(std::vector<crowd::Body>& bodies) {
+    for (crowd::Body& body : bodies) {
       body.position += body.velocity / 60.0;
       switch (pick(40)) {
         case 0:
@@ -189,7 +191,7 @@ class Situations {
       if (const Vec2 point = anywhere(); mapped_.map->is_inside(point)) return point;
     return anywhere();
   }
-  Vec2 any_place(const std::vector<Body>& others) {
+  Vec2 any_place(const std::vector<crowd::Body>& others) {
     const VoronoiDiagram& diagram = mapped_.floor.diagram;
     const auto wall = static_cast<std::uint32_t>(pick(plan().vertex.size()));
     const Vec2 a = wall_start(plan(), wall), b = wall_end(plan(), wall);
@@ -248,44 +250,44 @@ class Situations {
   }
 
   const Mapped& mapped_;
-  const Bays& bays_;
+  const crowd::Bays& bays_;
   std::mt19937_64 random_;
   Vec2 low_{0, 0}, high_{0, 0};
 };
 
-std::vector<Meeting> by_brute_force(const Bays& bays, const std::vector<Body>& bodies,
-                                    double horizon) {
-  std::vector<Meeting> found;
+std::vector<crowd::Meeting> by_brute_force(const crowd::Bays& bays,
+                                           const std::vector<crowd::Body>& bodies, double horizon) {
+  std::vector<crowd::Meeting> found;
   for (std::uint32_t a = 0; a < bodies.size(); ++a)
     for (std::uint32_t b = a + 1; b < bodies.size(); ++b)
-      if (const auto time = time_of_meeting(bays, bodies[a], bodies[b], horizon))
+      if (const auto time = crowd::time_of_impact(bays, bodies[a], bodies[b], horizon))
         found.push_back({a, b, *time});
   return found;
 }
 
-std::string text(std::span<const Meeting> meetings) {
+std::string text(std::span<const crowd::Meeting> meetings) {
   std::string result;
-  for (const Meeting& m : meetings)
+  for (const crowd::Meeting& m : meetings)
     result +=
         std::to_string(m.a) + "-" + std::to_string(m.b) + " at " + std::to_string(m.time) + ", ";
   return result;
 }
 
 /// To the last bit.
-bool are_same(std::span<const Meeting> left, std::span<const Meeting> right) {
-  return std::ranges::equal(left, right, [](const Meeting& a, const Meeting& b) {
+bool are_same(std::span<const crowd::Meeting> left, std::span<const crowd::Meeting> right) {
+  return std::ranges::equal(left, right, [](const crowd::Meeting& a, const crowd::Meeting& b) {
     return a.a == b.a && a.b == b.b && a.time == b.time;
   });
 }
 
 /// Is every body in the region that is nearest to it?
-void check_regions(const Mapped& mapped, const Meetings& meetings,
-                   const std::vector<Body>& bodies) {
+void check_regions(const Mapped& mapped, const crowd::Meetings& meetings,
+                   const std::vector<crowd::Body>& bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Vec2 at = bodies[i].position;
     const std::uint32_t region = meetings.region_of(i);
-    EXPECT_EQ(region != Regions::none, mapped.map->is_inside(at));
-    if (region == Regions::none) continue;
+    EXPECT_EQ(region != crowd::Regions::none, mapped.map->is_inside(at));
+    if (region == crowd::Regions::none) continue;
     const Site site = mapped.floor.diagram.site[region];
     EXPECT_NEAR(distance_to_site(mapped.floor.plan, site, at), mapped.map->clearance_at(at), 1e-9);
   }
@@ -295,9 +297,9 @@ void check_regions(const Mapped& mapped, const Meetings& meetings,
 /// all; now and then another one begins from nothing. How many pairs met.
 std::size_t check_situations(const Mapped& mapped, std::uint64_t seed, int situations,
                              std::size_t count = 10) {
-  Meetings kept(*mapped.map, count);
+  crowd::Meetings kept(*mapped.map, count);
   Situations maker(mapped, kept.bays(), seed);
-  std::vector<Body> bodies;
+  std::vector<crowd::Body> bodies;
   std::size_t met = 0;
   for (int i = 0; i < situations && !testing::Test::HasFailure(); ++i) {
     if (i % 10 == 0)
@@ -313,7 +315,7 @@ std::size_t check_situations(const Mapped& mapped, std::uint64_t seed, int situa
     met += found.size();
     if (i % 7 == 0) check_regions(mapped, kept, bodies);
     if (i % 97 == 0) {
-      Meetings fresh(*mapped.map, count);
+      crowd::Meetings fresh(*mapped.map, count);
       fresh.update(bodies);
       EXPECT_TRUE(are_same(fresh.find(horizon), expected)) << "from nothing, situation " << i;
     }
@@ -354,25 +356,26 @@ TEST(Meetings, AreWhatBruteForceFindsOnTheReferenceMaps) {
 }
 
 /// The definition again, at one moment, with nothing but `can_see`.
-bool meet_at(const FloorMap& map, const Body& a, const Body& b, double time, double slack) {
+bool meet_at(const path::FloorMap& map, const crowd::Body& a, const crowd::Body& b, double time,
+             double slack) {
   const Vec2 a_then = a.position + time * a.velocity, b_then = b.position + time * b.velocity;
   return glm::distance(a_then, b_then) <= a.radius + b.radius + slack &&
-         can_see(map, a.position, a_then) && can_see(map, b.position, b_then) &&
-         can_see(map, a_then, b_then);
+         path::can_see(map, a.position, a_then) && path::can_see(map, b.position, b_then) &&
+         path::can_see(map, a_then, b_then);
 }
 
 TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
   const Mapped mapped(hall_of_thin_panels());
-  const Bays bays(*mapped.map, 2);
+  const crowd::Bays bays(*mapped.map, 2);
   Situations maker(mapped, bays, 11);
   constexpr double horizon = 2;
   constexpr int moments = 300;
   int met = 0, late = 0;
   for (int i = 0; i < 6'000; ++i) {
     const auto bodies = maker.any(2);
-    const Body &a = bodies[0], &b = bodies[1];
+    const crowd::Body &a = bodies[0], &b = bodies[1];
     if (!mapped.map->is_inside(a.position) || !mapped.map->is_inside(b.position)) continue;
-    const auto time = time_of_meeting(bays, a, b, horizon);
+    const auto time = crowd::time_of_impact(bays, a, b, horizon);
 
     for (int k = 0; k <= moments; ++k) {
       const double at = horizon * k / moments;
@@ -383,7 +386,7 @@ TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
     }
     if (!time) continue;
     ++met;
-    if (*time > contact_of_circles(a, b, horizon)->first + 1e-9) ++late;
+    if (*time > crowd::contact_of_circles(a, b, horizon)->first + 1e-9) ++late;
     const bool is_seen = std::ranges::any_of(std::array{0.0, 1e-12, 1e-9, 1e-7}, [&](double later) {
       return meet_at(*mapped.map, a, b, *time + later, 1e-6);
     });
@@ -395,10 +398,10 @@ TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
 
 TEST(Meetings, AllocateNothingOnceMade) {
   const Mapped mapped(hall_of_thin_panels());
-  Meetings meetings(*mapped.map, 20);
+  crowd::Meetings meetings(*mapped.map, 20);
   Situations maker(mapped, meetings.bays(), 12);
-  std::vector<Body> bodies = maker.any(20);
-  std::vector<std::vector<Body>> steps;
+  std::vector<crowd::Body> bodies = maker.any(20);
+  std::vector<std::vector<crowd::Body>> steps;
   for (int i = 0; i < 600; ++i) {
     maker.step(bodies);
     steps.push_back(bodies);

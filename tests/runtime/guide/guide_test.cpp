@@ -10,11 +10,11 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 const Museum& museum() {
-  static const Museum it = load_museum(test::sample_database()).value();
+  static const Museum it = sqlite::load_museum(test::sample_database()).value();
   return it;
 }
 
@@ -26,24 +26,24 @@ class Session {
   }
 
   void run(double seconds) { test::run(planner_, guide_, seconds); }
-  void tap(std::string_view name, Role role = Role::ListItem) {
+  void tap(std::string_view name, interface::Role role = interface::Role::ListItem) {
     const auto& controls = guide_.view()->controls;
-    const auto found = std::ranges::find_if(controls, [&](const Control& c) {
-      return c.name == name && (c.role != Role::Spot) == (role != Role::Spot);
+    const auto found = std::ranges::find_if(controls, [&](const interface::Control& c) {
+      return c.name == name && (c.role != interface::Role::Spot) == (role != interface::Role::Spot);
     });
     ASSERT_NE(found, controls.end()) << name;
     const float x = found->rect.x + found->rect.width / 2;
     const float y = found->rect.y + found->rect.height / 2;
-    touch(InputEvent::Kind::Down, 1, x, y);
+    touch(input::InputEvent::Kind::Down, 1, x, y);
     run(0.05);
-    touch(InputEvent::Kind::Up, 1, x, y);
+    touch(input::InputEvent::Kind::Up, 1, x, y);
     run(0.05);
   }
-  void touch(InputEvent::Kind kind, std::uint32_t id, float x, float y) {
+  void touch(input::InputEvent::Kind kind, std::uint32_t id, float x, float y) {
     guide_.touch({.kind = kind, .contact = {id, x, y}});
   }
-  void key(Key key) {
-    guide_.touch({.kind = InputEvent::Kind::KeyDown, .contact = {}, .key = key});
+  void key(input::Key key) {
+    guide_.touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = key});
   }
   Guide& guide() { return guide_; }
 
@@ -51,7 +51,7 @@ class Session {
   static GuideSettings settings() {
     return {.shape = {.width = 1920, .height = 1080}, .idle_reset = Seconds{20}};
   }
-  Planner planner_;
+  plan::Planner planner_;
   Guide guide_;
 };
 
@@ -60,14 +60,14 @@ std::string first_exhibit() {
 }
 
 std::size_t rings(Session& session) {
-  return static_cast<std::size_t>(
-      std::ranges::count(session.guide().draw_list().quads, QuadFill::Ring, &Quad::fill));
+  return static_cast<std::size_t>(std::ranges::count(session.guide().draw_list().quads,
+                                                     scene::QuadFill::Ring, &scene::Quad::fill));
 }
 
 TEST(Guide, WelcomesFirst) {
   Session session;
 
-  EXPECT_EQ(session.guide().state(), InterfaceState{});
+  EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
   ASSERT_NE(session.guide().view(), nullptr);
   EXPECT_FALSE(session.guide().draw_list().quads.empty());
   EXPECT_EQ(session.guide().draw_list().avatars.size(), 1U);
@@ -75,19 +75,19 @@ TEST(Guide, WelcomesFirst) {
 
 TEST(Guide, BeginsWhereverTheWelcomeIsTouched) {
   Session session;
-  session.touch(InputEvent::Kind::Down, 1, 0.9F, 0.1F);
-  session.touch(InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+  session.touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+  session.touch(input::InputEvent::Kind::Up, 1, 0.9F, 0.1F);
   session.run(0.1);
 
-  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
 }
 
 TEST(Guide, AnswersATouchByARingInTheNextFrame) {
   Session session;
   EXPECT_EQ(rings(session), 0U);
 
-  session.touch(InputEvent::Kind::Down, 1, 0.5F, 0.5F);
-  session.touch(InputEvent::Kind::Down, 2, 0.7F, 0.5F);
+  session.touch(input::InputEvent::Kind::Down, 1, 0.5F, 0.5F);
+  session.touch(input::InputEvent::Kind::Down, 2, 0.7F, 0.5F);
   session.run(1.0 / 60);
 
   EXPECT_EQ(rings(session), 2U);
@@ -99,7 +99,7 @@ TEST(Guide, SetsOutInTheFrameAfterAnExhibitIsChosen) {
   session.tap(first_exhibit());
   session.run(1);
 
-  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
   EXPECT_EQ(session.guide().draw_list().ribbons.size(), 1U);
   EXPECT_NE(session.guide().state_of(0), AvatarState::Idle);
 }
@@ -108,7 +108,7 @@ TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
   Session session;
   session.tap("begin");
   session.run(2);
-  session.tap("exhibit:" + museum().exhibits.back().id, Role::Spot);
+  session.tap("exhibit:" + museum().exhibits.back().id, interface::Role::Spot);
 
   EXPECT_EQ(session.guide().state().exhibit,
             static_cast<std::int32_t>(museum().exhibits.size()) - 1);
@@ -120,10 +120,10 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
   session.tap(first_exhibit());
   session.run(16);
 
-  EXPECT_EQ(session.guide().state().screen, Screen::Arrived);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
   EXPECT_TRUE(session.guide().state().arrived);
   const Vec2 off =
-      session.guide().company()[0].avatar.body.position - museum().exhibits[0].view.position;
+      session.guide().crowd()[0].avatar.body.position - museum().exhibits[0].view.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 
@@ -131,15 +131,15 @@ TEST(Guide, LooksIntoABendBeforeItWalksIt) {
   Session session;
   session.tap("begin");
   session.run(2);
-  session.tap("exhibit:" + museum().exhibits[8].id, Role::Spot);
+  session.tap("exhibit:" + museum().exhibits[8].id, interface::Role::Spot);
   int led = 0, bends = 0;
   double gaze = 0;
   for (int i = 0; i < 60 * 20; ++i) {
-    const Avatar& avatar = session.guide().company()[0].avatar;
+    const Avatar& avatar = session.guide().crowd()[0].avatar;
     const double heading = avatar.body.heading;
     const double looked = avatar.gaze;
     session.run(1.0 / 60);
-    const double turned = std::remainder(session.guide().company()[0].avatar.body.heading - heading,
+    const double turned = std::remainder(session.guide().crowd()[0].avatar.body.heading - heading,
                                          2 * std::numbers::pi);
     EXPECT_LE(std::abs(looked), 0.8);
     EXPECT_LE(std::abs(looked - gaze), 0.08) << "the head jerks";
@@ -159,8 +159,8 @@ TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
   session.tap(first_exhibit());
   session.run(80);
 
-  EXPECT_EQ(session.guide().state(), InterfaceState{});
-  const Vec2 off = session.guide().company()[0].avatar.body.position - museum().kiosk.position;
+  EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
+  const Vec2 off = session.guide().crowd()[0].avatar.body.position - museum().kiosk.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 
@@ -172,7 +172,7 @@ TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
   session.tap("exhibit:" + museum().exhibits[18].id);
   session.run(22);  // longer than the idle time, shorter than the way
 
-  EXPECT_EQ(session.guide().state().screen, Screen::Walking);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
 }
 
 TEST(Guide, StopsWhereItIs) {
@@ -183,15 +183,15 @@ TEST(Guide, StopsWhereItIs) {
   session.tap("stop");
   session.run(6);
 
-  const Vec2 at = session.guide().company()[0].avatar.body.position;
+  const Vec2 at = session.guide().crowd()[0].avatar.body.position;
   session.run(2);
-  EXPECT_EQ(session.guide().company()[0].avatar.body.position, at);
-  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+  EXPECT_EQ(session.guide().crowd()[0].avatar.body.position, at);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
 }
 
 /// Room for a trail of so many points.
-DrawList list_with_room(std::size_t ribbons, std::size_t points) {
-  DrawList list;
+scene::DrawList list_with_room(std::size_t ribbons, std::size_t points) {
+  scene::DrawList list;
   list.ribbons.reserve(ribbons);
   list.ribbon_point.reserve(points);
   return list;
@@ -202,14 +202,14 @@ TEST(ATrail, HasTheColourOfItsGuideAndIsAsLongAsTheWay) {
   session.tap("begin");
   session.tap(first_exhibit());
   session.run(4);
-  const Avatar& guide = session.guide().company()[0].avatar;
-  DrawList list = list_with_room(2, 4096);
+  const Avatar& guide = session.guide().crowd()[0].avatar;
+  scene::DrawList list = list_with_room(2, 4096);
   list.ribbon_point.resize(7);  // another's
 
   draw_trail(guide, 0, list);
 
   ASSERT_EQ(list.ribbons.size(), 1U);
-  const RibbonDraw& trail = list.ribbons.front();
+  const scene::RibbonDraw& trail = list.ribbons.front();
   EXPECT_EQ(trail.look, static_cast<std::int32_t>(guide.look));
   EXPECT_EQ(trail.first, 7U);
   EXPECT_EQ(trail.first + trail.count, list.ribbon_point.size());
@@ -223,9 +223,9 @@ TEST(ATrail, IsLeftOutWhereTheDrawListHasNoMoreRoom) {
   session.tap("begin");
   session.tap(first_exhibit());
   session.run(4);
-  const Avatar& guide = session.guide().company()[0].avatar;
-  DrawList no_ribbon = list_with_room(0, 4096);
-  DrawList no_points = list_with_room(1, 1);
+  const Avatar& guide = session.guide().crowd()[0].avatar;
+  scene::DrawList no_ribbon = list_with_room(0, 4096);
+  scene::DrawList no_points = list_with_room(1, 1);
 
   draw_trail(guide, 0, no_ribbon);
   draw_trail(guide, 0, no_points);
@@ -245,27 +245,27 @@ TEST(Guide, AloneHasAWayInTheColourThatThePanelGivesItsKind) {
 
 TEST(Guide, CanBeUsedByKeysAlone) {
   Session session;
-  session.key(Key::Enter);
+  session.key(input::Key::Enter);
   session.run(0.5);
-  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
-  session.key(Key::Down);
-  session.key(Key::Down);
-  session.key(Key::Enter);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
+  session.key(input::Key::Down);
+  session.key(input::Key::Down);
+  session.key(input::Key::Enter);
   session.run(0.5);
   EXPECT_EQ(session.guide().state().exhibit, 1);
 
-  session.key(Key::Back);
+  session.key(input::Key::Back);
   session.run(0.5);
-  EXPECT_EQ(session.guide().state().screen, Screen::Choosing);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
 }
 
 TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
   Session session;
   session.tap("begin");
-  session.touch(InputEvent::Kind::Down, 1, 0.3F, 0.4F);
-  session.touch(InputEvent::Kind::Move, 1, 0.1F, 0.4F);
+  session.touch(input::InputEvent::Kind::Down, 1, 0.3F, 0.4F);
+  session.touch(input::InputEvent::Kind::Move, 1, 0.1F, 0.4F);
   session.run(0.1);
-  session.touch(InputEvent::Kind::Up, 1, 0.1F, 0.4F);
+  session.touch(input::InputEvent::Kind::Up, 1, 0.1F, 0.4F);
   session.run(0.1);
 
   EXPECT_EQ(session.guide().state().page, 1U);
@@ -283,7 +283,7 @@ TEST(Guide, DoesTheSameTwice) {
   visit(one);
   visit(two);
 
-  const DrawList &a = one.guide().draw_list(), &b = two.guide().draw_list();
+  const scene::DrawList &a = one.guide().draw_list(), &b = two.guide().draw_list();
   ASSERT_EQ(a.palette.size(), b.palette.size());
   EXPECT_EQ(std::memcmp(a.palette.data(), b.palette.data(), a.palette.size() * sizeof(Mat4)), 0);
   EXPECT_EQ(a.camera.view, b.camera.view);
@@ -291,4 +291,4 @@ TEST(Guide, DoesTheSameTwice) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::guide

@@ -8,18 +8,18 @@
 #include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/guide/waiting_places.h"
-#include "runtime/scene/look.h"
 #include "runtime/interface/seats.h"
+#include "runtime/scene/look.h"
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 constexpr std::uint32_t seats = 8;
 
 const Museum& museum() {
-  static const Museum it = load_museum(test::sample_database()).value();
+  static const Museum it = sqlite::load_museum(test::sample_database()).value();
   return it;
 }
 
@@ -41,10 +41,10 @@ class Glassful {
 
   void run(double seconds) { test::run(planner_, guide_, seconds); }
   void down(std::uint32_t id, float x, float y) {
-    guide_.touch({.kind = InputEvent::Kind::Down, .contact = {id, x, y}});
+    guide_.touch({.kind = input::InputEvent::Kind::Down, .contact = {id, x, y}});
   }
   void up(std::uint32_t id, float x, float y) {
-    guide_.touch({.kind = InputEvent::Kind::Up, .contact = {id, x, y}});
+    guide_.touch({.kind = input::InputEvent::Kind::Up, .contact = {id, x, y}});
   }
   void tap(float x, float y) {
     down(1, x, y);
@@ -53,13 +53,14 @@ class Glassful {
     run(0.05);
   }
   /// A control of a seat's card, or of the model where `seat` is 0; where it is.
-  Rect place_of(std::uint32_t seat, std::string_view name) {
-    for (const Control& control : guide_.view(seat == 0 ? 0 : guide_.part_of(seat))->controls)
+  scene::Rect place_of(std::uint32_t seat, std::string_view name) {
+    for (const interface::Control& control :
+         guide_.view(seat == 0 ? 0 : guide_.part_of(seat))->controls)
       if (control.name == name && control.enabled) return control.rect;
     return {};
   }
   void tap(std::uint32_t seat, std::string_view name) {
-    const Rect at = place_of(seat, name);
+    const scene::Rect at = place_of(seat, name);
     ASSERT_GT(at.width, 0) << name << " at seat " << seat;
     tap(at.x + at.width / 2, at.y + at.height / 2);
   }
@@ -72,30 +73,32 @@ class Glassful {
     return (static_cast<float>(seat) - 0.5F) / static_cast<float>(seats);
   }
 
-  const InterfaceState& at(std::uint32_t seat) { return guide_.state(guide_.part_of(seat)); }
-  const InterfaceState& model() { return guide_.state(0); }
+  const interface::InterfaceState& at(std::uint32_t seat) {
+    return guide_.state(guide_.part_of(seat));
+  }
+  const interface::InterfaceState& model() { return guide_.state(0); }
   Guide& guide() { return guide_; }
 
  private:
-  Planner planner_;
+  plan::Planner planner_;
   Guide guide_;
 };
 
-double distance(const Companion& one, const Placement& place) {
+double distance(const Agent& one, const Placement& place) {
   return glm::distance(one.avatar.body.position, place.position);
 }
 
 TEST(ASharedGlass, HasAllGuidesWaitingApartFromEachOther) {
   Glassful glass;
 
-  EXPECT_EQ(glass.model().glass, Glass::Quiet);
-  ASSERT_EQ(glass.guide().company().size(), guide_look_count);
-  for (std::uint32_t i = 0; i < guide_look_count; ++i) {
-    const Companion& one = glass.guide().company()[i];
+  EXPECT_EQ(glass.model().glass, interface::Glass::Quiet);
+  ASSERT_EQ(glass.guide().crowd().size(), scene::guide_look_count);
+  for (std::uint32_t i = 0; i < scene::guide_look_count; ++i) {
+    const Agent& one = glass.guide().crowd()[i];
     EXPECT_TRUE(one.is_here);
     EXPECT_EQ(one.avatar.look, i);
     for (std::uint32_t j = 0; j < i; ++j)
-      EXPECT_GT(distance(one, glass.guide().company()[j].avatar.body), 0.85);
+      EXPECT_GT(distance(one, glass.guide().crowd()[j].avatar.body), 0.85);
   }
   glass.run(5);
   EXPECT_EQ(glass.guide().counters().collisions, 0U);
@@ -109,10 +112,10 @@ TEST(ASharedGlass, OpensACardForEachOfTwoWhoTouchAtTheSameTime) {
   glass.up(1, Glassful::middle_of(3), 0.9F);
   glass.run(0.1);
 
-  EXPECT_EQ(glass.at(3).screen, Screen::Picking);
-  EXPECT_EQ(glass.at(6).screen, Screen::Picking);
-  EXPECT_EQ(glass.at(4).screen, Screen::Welcome);
-  EXPECT_EQ(glass.model().glass, Glass::Busy);
+  EXPECT_EQ(glass.at(3).screen, interface::Screen::Picking);
+  EXPECT_EQ(glass.at(6).screen, interface::Screen::Picking);
+  EXPECT_EQ(glass.at(4).screen, interface::Screen::Welcome);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Busy);
 }
 
 TEST(ASharedGlass, OffersAGuideToOneVisitorOnly) {
@@ -120,7 +123,7 @@ TEST(ASharedGlass, OffersAGuideToOneVisitorOnly) {
   glass.sit_down(2, "rose");
   glass.tap(Glassful::middle_of(5), 0.9F);
 
-  EXPECT_EQ(glass.at(2).screen, Screen::Choosing);
+  EXPECT_EQ(glass.at(2).screen, interface::Screen::Choosing);
   EXPECT_EQ(glass.place_of(5, "look:rose").width, 0);
   EXPECT_GT(glass.place_of(5, "look:sky").width, 0);
 }
@@ -129,7 +132,7 @@ TEST(ASharedGlass, GivesAGuideToTheFirstOfTwoWhoPickItInOneFrame) {
   Glassful glass;
   glass.tap(Glassful::middle_of(1), 0.9F);
   glass.tap(Glassful::middle_of(2), 0.9F);
-  const Rect one = glass.place_of(1, "look:navy"), two = glass.place_of(2, "look:navy");
+  const scene::Rect one = glass.place_of(1, "look:navy"), two = glass.place_of(2, "look:navy");
   glass.down(1, one.x + one.width / 2, one.y + one.height / 2);
   glass.down(2, two.x + two.width / 2, two.y + two.height / 2);
   glass.up(1, one.x + one.width / 2, one.y + one.height / 2);
@@ -138,28 +141,31 @@ TEST(ASharedGlass, GivesAGuideToTheFirstOfTwoWhoPickItInOneFrame) {
 
   EXPECT_EQ(glass.at(1).look, 3);
   EXPECT_EQ(glass.at(2).look, -1);
-  EXPECT_EQ(glass.at(2).screen, Screen::Picking);
+  EXPECT_EQ(glass.at(2).screen, interface::Screen::Picking);
 }
 
 TEST(ASharedGlass, LeadsEightVisitorsAtOnceEachByTheirOwnGuide) {
   Glassful glass;
-  for (std::uint32_t seat = 1; seat <= seats; ++seat) glass.sit_down(seat, looks[seat - 1].name);
+  for (std::uint32_t seat = 1; seat <= seats; ++seat)
+    glass.sit_down(seat, scene::looks[seat - 1].name);
   for (std::uint32_t seat = 1; seat <= seats; ++seat) {
     for (std::uint32_t page = 0; page < (seat - 1) / 2; ++page) glass.tap(seat, "page:next");
-    const auto first = glass.at(seat).page * exhibits_per_page(settings().shape, glass.at(seat));
+    const auto first =
+        glass.at(seat).page * interface::exhibits_per_page(settings().shape, glass.at(seat));
     glass.tap(seat, "exhibit:" + museum().exhibits[first + seat % 2].id);
   }
   glass.run(4);
 
   std::set<std::int32_t> colours;
-  for (const RibbonDraw& ribbon : glass.guide().draw_list().ribbons) colours.insert(ribbon.look);
+  for (const scene::RibbonDraw& ribbon : glass.guide().draw_list().ribbons)
+    colours.insert(ribbon.look);
   EXPECT_EQ(colours.size(), seats);
   glass.run(70);
   for (std::uint32_t seat = 1; seat <= seats; ++seat) {
-    const InterfaceState& state = glass.at(seat);
+    const interface::InterfaceState& state = glass.at(seat);
     ASSERT_GE(state.exhibit, 0);
     EXPECT_TRUE(state.arrived) << "seat " << seat;
-    EXPECT_LT(distance(glass.guide().company()[seat - 1],
+    EXPECT_LT(distance(glass.guide().crowd()[seat - 1],
                        museum().exhibits[static_cast<std::size_t>(state.exhibit)].view),
               0.3);
   }
@@ -168,9 +174,9 @@ TEST(ASharedGlass, LeadsEightVisitorsAtOnceEachByTheirOwnGuide) {
 }
 
 /// The spot on the model that is furthest to one side.
-const Control& outermost_spot(Glassful& glass, bool left) {
+const interface::Control& outermost_spot(Glassful& glass, bool left) {
   const auto& controls = glass.guide().view(0)->controls;
-  const auto at = [](const Control& c) { return c.rect.width > 0 ? c.rect.x : 0.5F; };
+  const auto at = [](const interface::Control& c) { return c.rect.width > 0 ? c.rect.x : 0.5F; };
   return left ? *std::ranges::min_element(controls, {}, at)
               : *std::ranges::max_element(controls, {}, at);
 }
@@ -180,7 +186,7 @@ TEST(ASharedGlass, TakesATouchOnTheModelAsThatOfTheNearestVisitor) {
   glass.sit_down(2, "rose");
   glass.sit_down(7, "sky");
   glass.run(2);
-  const Control left = outermost_spot(glass, true), right = outermost_spot(glass, false);
+  const interface::Control left = outermost_spot(glass, true), right = outermost_spot(glass, false);
   glass.down(1, right.rect.x + right.rect.width / 2, right.rect.y + right.rect.height / 2);
   glass.down(2, left.rect.x + left.rect.width / 2, left.rect.y + left.rect.height / 2);
   glass.up(1, right.rect.x + right.rect.width / 2, right.rect.y + right.rect.height / 2);
@@ -195,20 +201,20 @@ TEST(ASharedGlass, LetsWhoeverTouchesAnExhibitAwayFromAllOthersPickAGuideWhoSets
   Glassful glass;
   glass.sit_down(1, "teal");
   glass.run(2);
-  const Control spot = outermost_spot(glass, false);
+  const interface::Control spot = outermost_spot(glass, false);
   glass.tap(spot.rect.x + spot.rect.width / 2, spot.rect.y + spot.rect.height / 2);
 
-  EXPECT_EQ(glass.at(1).screen, Screen::Choosing);
-  const InterfaceState& other = glass.guide().state(glass.guide().part_of(0));
+  EXPECT_EQ(glass.at(1).screen, interface::Screen::Choosing);
+  const interface::InterfaceState& other = glass.guide().state(glass.guide().part_of(0));
   EXPECT_GT(other.seat, 3);
-  EXPECT_EQ(other.screen, Screen::Picking);
+  EXPECT_EQ(other.screen, interface::Screen::Picking);
   EXPECT_EQ(other.exhibit, static_cast<std::int32_t>(spot.action.argument));
   const auto seat = static_cast<std::uint32_t>(other.seat + 1);
   glass.tap(seat, "look:sky");
   glass.run(2);
-  EXPECT_EQ(glass.at(seat).screen, Screen::Walking);
+  EXPECT_EQ(glass.at(seat).screen, interface::Screen::Walking);
   EXPECT_EQ(glass.at(seat).exhibit, static_cast<std::int32_t>(spot.action.argument));
-  EXPECT_TRUE(glass.guide().company()[4].goal.has_value());
+  EXPECT_TRUE(glass.guide().crowd()[4].goal.has_value());
 }
 
 TEST(ASharedGlass, IsReachedUpwardsByWhoStandsBeforeIt) {
@@ -216,15 +222,16 @@ TEST(ASharedGlass, IsReachedUpwardsByWhoStandsBeforeIt) {
   glass.sit_down(4, "rose");
   glass.tap(Glassful::middle_of(4), 0.02F);
 
-  EXPECT_EQ(glass.model().glass, Glass::Busy);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Busy);
   for (std::uint32_t seat = 1; seat <= seats; ++seat)
-    EXPECT_EQ(glass.at(seat).screen, seat == 4 ? Screen::Choosing : Screen::Welcome);
+    EXPECT_EQ(glass.at(seat).screen,
+              seat == 4 ? interface::Screen::Choosing : interface::Screen::Welcome);
 }
 
 TEST(ASharedGlass, HoldsAPressWhileOthersComeAndGo) {
   Glassful glass;
   glass.tap(Glassful::middle_of(3), 0.9F);
-  const Rect sky = glass.place_of(3, "look:sky");
+  const scene::Rect sky = glass.place_of(3, "look:sky");
   glass.down(9, sky.x + sky.width / 2, sky.y + sky.height / 2);
   glass.sit_down(1, "teal");
   glass.up(9, sky.x + sky.width / 2, sky.y + sky.height / 2);
@@ -236,29 +243,29 @@ TEST(ASharedGlass, HoldsAPressWhileOthersComeAndGo) {
 TEST(ASharedGlass, DoesNotTakeASecondTapOnLeaveForANewVisitor) {
   Glassful glass;
   glass.sit_down(2, "rose");
-  const Rect leave = glass.place_of(2, "home");
+  const scene::Rect leave = glass.place_of(2, "home");
   for (int tap = 0; tap < 2; ++tap)
     glass.tap(leave.x + leave.width / 2, leave.y + leave.height / 2);
   glass.run(0.5);
-  EXPECT_EQ(glass.at(2).screen, Screen::Welcome);
+  EXPECT_EQ(glass.at(2).screen, interface::Screen::Welcome);
 
   glass.tap(Glassful::middle_of(2), 0.9F);
-  EXPECT_EQ(glass.at(2).screen, Screen::Picking);
+  EXPECT_EQ(glass.at(2).screen, interface::Screen::Picking);
 }
 
 TEST(ASharedGlass, CallsAGuideBackWhoHasNotYetSetOut) {
   Glassful glass;
   glass.sit_down(3, "saffron");
-  const Placement home = glass.guide().company()[2].avatar.body;
-  const Rect row = glass.place_of(3, "exhibit:" + museum().exhibits[0].id);
-  const Rect leave = glass.place_of(3, "home");
+  const Placement home = glass.guide().crowd()[2].avatar.body;
+  const scene::Rect row = glass.place_of(3, "exhibit:" + museum().exhibits[0].id);
+  const scene::Rect leave = glass.place_of(3, "home");
   glass.down(1, row.x + row.width / 2, row.y + row.height / 2);
   glass.down(2, leave.x + leave.width / 2, leave.y + leave.height / 2);
   glass.up(1, row.x + row.width / 2, row.y + row.height / 2);
   glass.up(2, leave.x + leave.width / 2, leave.y + leave.height / 2);
   glass.run(15);
 
-  EXPECT_LT(distance(glass.guide().company()[2], home), 0.1);
+  EXPECT_LT(distance(glass.guide().crowd()[2], home), 0.1);
 }
 
 TEST(ASharedGlass, IsFreedFromWhatLiesOnItAndTrembles) {
@@ -267,7 +274,7 @@ TEST(ASharedGlass, IsFreedFromWhatLiesOnItAndTrembles) {
   glass.down(1, Glassful::middle_of(5), 0.6F);
   for (int i = 0; i < 150; ++i) {
     glass.guide().touch(
-        {.kind = InputEvent::Kind::Move,
+        {.kind = input::InputEvent::Kind::Move,
          .contact = {1, Glassful::middle_of(5) + 0.0005F * static_cast<float>(i % 2), 0.6F}});
     glass.run(1);
   }
@@ -280,44 +287,45 @@ TEST(ASharedGlass, LetsTheCardFollowAVisitorWhoGoesOnAlongIt) {
   for (const float x : {0.15F, 0.25F, 0.35F, 0.4F, 0.4F}) glass.tap(x, 0.5F);
   glass.run(1);
 
-  const InterfaceState& state = glass.guide().state(glass.guide().part_of(0));
+  const interface::InterfaceState& state = glass.guide().state(glass.guide().part_of(0));
   EXPECT_EQ(state.look, 7);
   EXPECT_GE(state.seat, 2);
-  EXPECT_EQ(glass.at(1).screen, Screen::Welcome);
+  EXPECT_EQ(glass.at(1).screen, interface::Screen::Welcome);
   EXPECT_EQ(glass.guide().part_of(static_cast<std::uint32_t>(state.seat) + 1),
             glass.guide().part_of(0));
 }
 
 TEST(ASharedGlass, TellsANinthVisitorKindlyAndForAWhileOnly) {
   Glassful glass;
-  for (std::uint32_t seat = 1; seat <= seats; ++seat) glass.sit_down(seat, looks[seat - 1].name);
-  EXPECT_EQ(glass.model().glass, Glass::Full);
+  for (std::uint32_t seat = 1; seat <= seats; ++seat)
+    glass.sit_down(seat, scene::looks[seat - 1].name);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Full);
 
   glass.tap(0.02F, 0.02F);
-  EXPECT_EQ(glass.model().glass, Glass::Told);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Told);
   glass.run(9);
-  EXPECT_EQ(glass.model().glass, Glass::Full);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Full);
 
   glass.tap(4, "home");
-  EXPECT_EQ(glass.model().glass, Glass::Busy);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Busy);
   EXPECT_GT(glass.place_of(4, "begin").width, 0);
 }
 
 TEST(ASharedGlass, SendsAGuideHomeWhenItsVisitorLeavesAndLendsItToTheNext) {
   Glassful glass;
   glass.sit_down(3, "saffron");
-  const Placement home = glass.guide().company()[2].avatar.body;
+  const Placement home = glass.guide().crowd()[2].avatar.body;
   glass.tap(3, "exhibit:" + museum().exhibits[0].id);
   glass.run(8);
-  EXPECT_GT(distance(glass.guide().company()[2], home), 0.5);
+  EXPECT_GT(distance(glass.guide().crowd()[2], home), 0.5);
   glass.tap(3, "stop");
   glass.tap(3, "home");
   glass.run(0.2);
 
-  EXPECT_EQ(glass.at(3).screen, Screen::Welcome);
-  EXPECT_EQ(glass.model().glass, Glass::Quiet);
+  EXPECT_EQ(glass.at(3).screen, interface::Screen::Welcome);
+  EXPECT_EQ(glass.model().glass, interface::Glass::Quiet);
   glass.run(20);
-  EXPECT_LT(distance(glass.guide().company()[2], home), 0.1);
+  EXPECT_LT(distance(glass.guide().crowd()[2], home), 0.1);
   glass.sit_down(8, "saffron");
   EXPECT_EQ(glass.at(8).look, 2);
 }
@@ -327,8 +335,8 @@ TEST(ASharedGlass, FreesASeatWhoseVisitorHasGone) {
   glass.tap(Glassful::middle_of(4), 0.9F);
   glass.sit_down(6, "sky");
   glass.run(21);  // undecided for so long
-  EXPECT_EQ(glass.at(4).screen, Screen::Welcome);
-  EXPECT_EQ(glass.at(6).screen, Screen::Choosing);
+  EXPECT_EQ(glass.at(4).screen, interface::Screen::Welcome);
+  EXPECT_EQ(glass.at(6).screen, interface::Screen::Choosing);
   glass.run(102);
   EXPECT_TRUE(glass.guide().is_vacant());
 }
@@ -360,35 +368,35 @@ TEST(ASharedGlass, StaysSoundWhateverHandsDoOnIt) {
     std::set<int> seen, picked;
     int there = 0, picking = 0;
     for (std::uint32_t seat = 1; seat <= seats; ++seat) {
-      const InterfaceState& state = glass.at(seat);
+      const interface::InterfaceState& state = glass.at(seat);
       seen.insert(state.seat);
-      if (state.screen != Screen::Welcome) ++there;
-      if (state.screen == Screen::Picking) ++picking;
+      if (state.screen != interface::Screen::Welcome) ++there;
+      if (state.screen == interface::Screen::Picking) ++picking;
       if (state.look >= 0) picked.insert(state.look);
     }
     RC_ASSERT(seen.size() == seats);
     RC_ASSERT(static_cast<int>(picked.size()) == there - picking);
-    RC_ASSERT((glass.model().glass == Glass::Quiet) == (there == 0));
+    RC_ASSERT((glass.model().glass == interface::Glass::Quiet) == (there == 0));
   }));
 }
 
 TEST(WaitingPlaces, HaveAWallBehindThemAndTheKioskInSight) {
-  const auto map = make_floor_map(museum().floors[museum().kiosk_floor]);
+  const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
   const auto places = waiting_places(*map, museum().kiosk, 8, museum().body_radius, {});
 
   ASSERT_EQ(places.size(), 8U);
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Placement& place = places[i];
-    EXPECT_GT(clearance_at(*map, place.position), museum().body_radius);
-    EXPECT_TRUE(can_see(*map, place.position, museum().kiosk.position));
+    EXPECT_GT(path::clearance_at(*map, place.position), museum().body_radius);
+    EXPECT_TRUE(path::can_see(*map, place.position, museum().kiosk.position));
     const Vec2 ahead = 0.3 * Vec2{std::cos(place.heading), std::sin(place.heading)};
-    EXPECT_GT(clearance_at(*map, place.position + ahead),
-              clearance_at(*map, place.position - ahead));
+    EXPECT_GT(path::clearance_at(*map, place.position + ahead),
+              path::clearance_at(*map, place.position - ahead));
   }
 }
 
 TEST(WaitingPlaces, KeepClearOfWhereOthersWantToStand) {
-  const auto map = make_floor_map(museum().floors[museum().kiosk_floor]);
+  const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
   const auto places = waiting_places(*map, museum().kiosk, 8, museum().body_radius, {});
   const Vec2 wanted = places[3].position;
   for (const Placement& place :
@@ -398,16 +406,17 @@ TEST(WaitingPlaces, KeepClearOfWhereOthersWantToStand) {
 
 TEST(Seats, AreAtLeastAHandWideAndLeaveTheModelMostOfTheGlass) {
   EXPECT_TRUE(rc::check("any glass", [] {
-    ScreenShape shape;
+    interface::ScreenShape shape;
     shape.width = *rc::gen::inRange(720U, 7681U);
     shape.height = *rc::gen::inRange(720U, 4321U);
     shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(10, 121));
-    const std::uint32_t n = seats_on(shape, *rc::gen::inRange(0U, 20U));
-    RC_ASSERT(n >= 1 && n <= most_seats);
-    RC_ASSERT(strip_of(shape).y >= 0.55F);
+    const std::uint32_t n = interface::seats_on(shape, *rc::gen::inRange(0U, 20U));
+    RC_ASSERT(n >= 1 && n <= interface::most_seats);
+    RC_ASSERT(interface::strip_of(shape).y >= 0.55F);
     for (std::uint32_t i = 0; n > 1 && i < n; ++i) {
-      const Rect card = card_of(shape, n, i), column = column_of(shape, n, i);
-      const float mm = measures_of(shape).mm;
+      const scene::Rect card = interface::card_of(shape, n, i),
+                        column = interface::column_of(shape, n, i);
+      const float mm = interface::measures_of(shape).mm;
       RC_ASSERT(column.width * static_cast<float>(shape.width) >= 100 * mm - 1);
       RC_ASSERT(card.x >= column.x - 1e-3F);
       RC_ASSERT(card.x + card.width <= column.x + column.width + 1e-3F);
@@ -416,4 +425,4 @@ TEST(Seats, AreAtLeastAHandWideAndLeaveTheModelMostOfTheGlass) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::guide

@@ -9,8 +9,9 @@
 namespace docent::test {
 
 /// Letters as boxes: views without fonts.
-inline TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
-  TextBitmap bitmap;
+inline interface::TextBitmap boxes(const interface::TextStyle& style, std::string_view text,
+                                   std::uint32_t width) {
+  interface::TextBitmap bitmap;
   bitmap.lines = 1;
   bitmap.width = std::min<std::uint32_t>(static_cast<std::uint32_t>(8 * text.size() + 1),
                                          width == 0 ? 4000 : width);
@@ -20,13 +21,14 @@ inline TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint
 }
 
 /// Sixty frames a second of simulated time: the worker's answers are there in the next step.
-inline void run(Planner& planner, Guide& guide, double seconds) {
-  constexpr Seconds frame{1.0F / 60};
+inline void run(plan::Planner& planner, guide::Guide& guide, double seconds) {
+  constexpr guide::Seconds frame{1.0F / 60};
   for (long i = 0; i < std::lround(seconds * 60); ++i) {
     planner.wait();
     guide.step(frame);
     while (const auto pieces = guide.take_pieces())
-      for (const PieceUpload& upload : pieces->uploads) guide.bind(upload.texture, upload.texture);
+      for (const interface::PieceUpload& upload : pieces->uploads)
+        guide.bind(upload.texture, upload.texture);
     guide.draw_list();
   }
 }

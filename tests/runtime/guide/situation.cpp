@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "platform/sqlite/content_reader.h"
-#include "runtime/guide/company.h"
+#include "runtime/guide/crowd.h"
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/path/floors.h"
 #include "tests/support/sample_database.h"
@@ -19,7 +19,7 @@ constexpr double frame_seconds = 1.0 / 60;
 
 /// A museum that is nothing but a floor and the shipped motion.
 Museum museum_of(const FloorPlan& plan) {
-  static const Museum sample = load_museum(sample_database()).value();
+  static const Museum sample = sqlite::load_museum(sample_database()).value();
   Museum museum;
   museum.motion = sample.motion;
   museum.avatar = sample.avatar;
@@ -33,14 +33,14 @@ class Stage {
  public:
   Stage(const Museum& museum, const Situation& situation)
       : planner_(museum, {}, situation.parts.size()),
-        company_(museum, planner_),
+        crowd_(museum, planner_),
         situation_(situation),
         next_(situation.parts.size(), 0) {
     scene_.radius = museum.body_radius;
     scene_.track.resize(situation.parts.size());
     scene_.arrival.assign(situation.parts.size(), std::numeric_limits<double>::infinity());
     for (const Part& part : situation.parts)
-      company_.add(0, part.from, part.stays ? 1e9 : part.rank, part.pace);
+      crowd_.add(0, part.from, part.stays ? 1e9 : part.rank, part.pace);
   }
 
   Scene run() {
@@ -48,7 +48,7 @@ class Stage {
     step();
     for (std::uint32_t i = 0; i < situation_.parts.size(); ++i)
       if (!situation_.parts[i].stays)
-        company_.send(i, situation_.parts[i].to, situation_.parts[i].kind);
+        crowd_.send(i, situation_.parts[i].to, situation_.parts[i].kind);
     const auto frames = static_cast<std::size_t>(situation_.seconds / frame_seconds);
     for (std::size_t f = 0; f < frames && !scene_.all_arrived(); ++f) {
       step();
@@ -61,40 +61,41 @@ class Stage {
   void step() {
     planner_.wait();
     const auto began = std::chrono::steady_clock::now();
-    company_.step(frame_seconds);
+    crowd_.step(frame_seconds);
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - began;
     scene_.step_ms = std::max(scene_.step_ms, taken.count());
   }
 
   void watch(double seconds) {
-    const FloorMap& map = *planner_.maps().front();
-    for (std::uint32_t i = 0; i < company_.size(); ++i) {
-      const Placement body = company_[i].avatar.body;
+    const path::FloorMap& map = *planner_.maps().front();
+    for (std::uint32_t i = 0; i < crowd_.size(); ++i) {
+      const Placement body = crowd_[i].avatar.body;
       auto& track = scene_.track[i];
       if (!track.empty())
         scene_.quickest_change =
             std::max(scene_.quickest_change, glm::distance(track.back().position, body.position));
       track.push_back(body);
-      scene_.least_clearance = std::min(scene_.least_clearance, clearance_at(map, body.position));
+      scene_.least_clearance =
+          std::min(scene_.least_clearance, path::clearance_at(map, body.position));
       for (std::uint32_t j = 0; j < i; ++j)
         scene_.deepest_overlap = std::max(
             scene_.deepest_overlap,
-            2 * scene_.radius - glm::distance(company_[j].avatar.body.position, body.position));
+            2 * scene_.radius - glm::distance(crowd_[j].avatar.body.position, body.position));
       const Part& part = situation_.parts[i];
       if (part.stays) {
         scene_.arrival[i] = 0;
-      } else if (company_[i].has_arrived && company_[i].goal) {
+      } else if (crowd_[i].has_arrived && crowd_[i].goal) {
         if (next_[i] < part.then.size())
-          company_.send(i, part.then[next_[i]++], part.kind);
+          crowd_.send(i, part.then[next_[i]++], part.kind);
         else
           scene_.arrival[i] = std::min(scene_.arrival[i], seconds);
       }
     }
   }
 
-  Planner planner_;
-  Company company_;
+  plan::Planner planner_;
+  guide::Crowd crowd_;
   const Situation& situation_;
   std::vector<std::size_t> next_;
   Scene scene_;

@@ -13,7 +13,7 @@ namespace docent::test {
 /// Somebody with a way of their own.
 struct Part {
   Placement from, to;
-  RouteKind kind = RouteKind::Shortest;
+  path::RouteKind kind = path::RouteKind::Shortest;
   double pace = 1;
   double rank = 0;
   bool stays = false;             ///< Stands where it is, for ever, whatever others want.
@@ -40,7 +40,7 @@ struct Scene {
   bool all_arrived() const;
 };
 
-/// Lets the planner and the company play it, 60 frames a second.
+/// Lets the planner and the crowd play it, 60 frames a second.
 Scene play(const Situation& situation);
 
 /// Seconds that each would take alone.

@@ -12,19 +12,19 @@
 #include "tests/runtime/motion/walk_measures.h"
 #include "tests/support/sample_database.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 const Museum& museum() {
-  static const Museum it = load_museum(test::sample_database()).value();
+  static const Museum it = sqlite::load_museum(test::sample_database()).value();
   return it;
 }
-const WalkGraph& walking() {
-  static const WalkGraph graph = make_walk_graph(museum().motion).value();
+const motion::WalkGraph& walking() {
+  static const motion::WalkGraph graph = motion::make_walk_graph(museum().motion).value();
   return graph;
 }
-const FloorMap& map() {
-  static const auto map = make_floor_map(museum().floors[museum().kiosk_floor]);
+const path::FloorMap& map() {
+  static const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
   return *map;
 }
 
@@ -42,14 +42,14 @@ struct Journey {
 };
 
 /// Walks a way from stretch to stretch as the guide does.
-Journey journey(RouteKind kind, const Placement& goal) {
+Journey journey(path::RouteKind kind, const Placement& goal) {
   Journey out;
-  WalkOrder order{
+  plan::WalkOrder order{
       .floor = museum().kiosk_floor, .kind = kind, .goal = goal, .start = museum().kiosk};
-  std::unique_ptr<Plan> plan = make_plan(museum(), &walking(), map(), order), before;
+  std::unique_ptr<plan::Plan> plan = plan::make_plan(museum(), &walking(), map(), order), before;
   for (;;) {
-    EXPECT_EQ(plan->status, RouteStatus::Ok);
-    const Walk& walk = plan->walk;
+    EXPECT_EQ(plan->status, path::RouteStatus::Ok);
+    const motion::Walk& walk = plan->walk;
     const std::size_t end = plan->is_whole ? walk.body.size() : plan->go_on_frame;
     const auto count = static_cast<std::ptrdiff_t>(end);
     out.body.insert(out.body.end(), walk.body.begin(), walk.body.begin() + count);
@@ -66,11 +66,11 @@ Journey journey(RouteKind kind, const Placement& goal) {
     order.before = before.get();
     order.before_frame = before->go_on_frame;
     order.goes_on = true;
-    plan = make_plan(museum(), &walking(), map(), order);
+    plan = plan::make_plan(museum(), &walking(), map(), order);
   }
 }
 
-class Journeys : public testing::TestWithParam<RouteKind> {
+class Journeys : public testing::TestWithParam<path::RouteKind> {
  protected:
   std::vector<Journey> all() const {
     std::vector<Journey> journeys;
@@ -131,31 +131,32 @@ TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
   std::vector<Placement> views;
   for (const Exhibit& exhibit : museum().exhibits)
     if (exhibit.floor == museum().kiosk_floor) views.push_back(exhibit.view);
-  WalkOrder order{.floor = museum().kiosk_floor, .goal = views.front(), .start = museum().kiosk};
-  std::unique_ptr<Plan> plan = make_plan(museum(), &walking(), map(), order), before;
+  plan::WalkOrder order{
+      .floor = museum().kiosk_floor, .goal = views.front(), .start = museum().kiosk};
+  std::unique_ptr<plan::Plan> plan = plan::make_plan(museum(), &walking(), map(), order), before;
   for (int call = 0; call < 120; ++call) {
     before = std::move(plan);
     order.before = before.get();
     order.before_frame = static_cast<std::uint32_t>(random() % before->walk.root.size());
-    order.kind = static_cast<RouteKind>(random() % 3);
+    order.kind = static_cast<path::RouteKind>(random() % 3);
     order.goal = views[random() % views.size()];
 
-    plan = make_plan(museum(), &walking(), map(), order);
+    plan = plan::make_plan(museum(), &walking(), map(), order);
 
-    const Walk& walk = plan->walk;
-    ASSERT_EQ(plan->status, RouteStatus::Ok);
+    const motion::Walk& walk = plan->walk;
+    ASSERT_EQ(plan->status, path::RouteStatus::Ok);
     EXPECT_LT(test::haste(test::quickest(walk, 0, walk.root.size()), recorded()), 1.15) << call;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Journeys,
-                         testing::Values(RouteKind::Shortest, RouteKind::Skeleton,
-                                         RouteKind::Offset),
+                         testing::Values(path::RouteKind::Shortest, path::RouteKind::Skeleton,
+                                         path::RouteKind::Offset),
                          [](const auto& each) {
-                           return std::string(each.param == RouteKind::Shortest   ? "Shortest"
-                                              : each.param == RouteKind::Skeleton ? "Skeleton"
-                                                                                  : "Offset");
+                           return std::string(each.param == path::RouteKind::Shortest   ? "Shortest"
+                                              : each.param == path::RouteKind::Skeleton ? "Skeleton"
+                                                                                        : "Offset");
                          });
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::guide

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "platform/sqlite/content_reader.h"
-#include "runtime/guide/company.h"
+#include "runtime/guide/crowd.h"
 #include "runtime/guide/strollers.h"
 #include "runtime/path/route.h"
 #include "tests/support/sample_database.h"
 
-namespace docent {
+namespace docent::guide {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
@@ -21,7 +21,7 @@ constexpr double watched_seconds = 600;
 #endif
 
 Museum busy_museum(std::uint32_t count) {
-  Museum museum = load_museum(test::sample_database()).value();
+  Museum museum = sqlite::load_museum(test::sample_database()).value();
   museum.ambient.count = count;
   return museum;
 }
@@ -33,44 +33,44 @@ struct Stroll {
 };
 
 Stroll stroll(const Museum& museum, double seconds) {
-  Planner planner(museum, {}, museum.ambient.count);
-  Company company(museum, planner);
+  plan::Planner planner(museum, {}, museum.ambient.count);
+  Crowd crowd(museum, planner);
   Strollers strollers(museum);
-  strollers.enter(company);
+  strollers.enter(crowd);
   Stroll out;
-  out.track.resize(company.size());
-  std::vector<std::optional<Vec2>> goal(company.size());
+  out.track.resize(crowd.size());
+  std::vector<std::optional<Vec2>> goal(crowd.size());
   const auto frames = static_cast<int>(seconds * 60);
   for (int f = 0; f < frames; ++f) {
     planner.wait();
     const auto began = std::chrono::steady_clock::now();
-    company.step(1.0 / 60);
-    strollers.step(company);
+    crowd.step(1.0 / 60);
+    strollers.step(crowd);
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - began;
     out.mean_ms += taken.count() / frames;
     out.worst_ms = std::max(out.worst_ms, taken.count());
-    for (std::uint32_t i = 0; i < company.size(); ++i) {
-      if (!company[i].is_here) continue;
-      const Placement body = company[i].avatar.body;
+    for (std::uint32_t i = 0; i < crowd.size(); ++i) {
+      if (!crowd[i].is_here) continue;
+      const Placement body = crowd[i].avatar.body;
       if (!out.track[i].empty())
         out.quickest =
             std::max(out.quickest, 60 * glm::distance(out.track[i].back().position, body.position));
       out.track[i].push_back(body);
-      out.longest_held = std::max(out.longest_held, company[i].held_seconds);
-      out.least_clearance = std::min(
-          out.least_clearance,
-          clearance_at(*planner.maps()[museum.kiosk_floor], body.position) - museum.body_radius);
-      if (company[i].goal && company[i].goal->position != goal[i]) {
-        goal[i] = company[i].goal->position;
+      out.longest_held = std::max(out.longest_held, crowd[i].held_seconds);
+      out.least_clearance =
+          std::min(out.least_clearance,
+                   path::clearance_at(*planner.maps()[museum.kiosk_floor], body.position) -
+                       museum.body_radius);
+      if (crowd[i].goal && crowd[i].goal->position != goal[i]) {
+        goal[i] = crowd[i].goal->position;
         ++out.ways;
       }
       for (std::uint32_t j = 0; j < i; ++j)
-        if (company[j].is_here)
-          out.deepest_overlap =
-              std::max(out.deepest_overlap,
-                       2 * museum.body_radius -
-                           glm::distance(company[j].avatar.body.position, body.position));
+        if (crowd[j].is_here)
+          out.deepest_overlap = std::max(
+              out.deepest_overlap,
+              2 * museum.body_radius - glm::distance(crowd[j].avatar.body.position, body.position));
     }
   }
   return out;
@@ -105,13 +105,13 @@ TEST(Strollers, DoTheSameTwice) {
 
 TEST(Strollers, AreNotThereInAQuietMuseum) {
   const Museum museum = busy_museum(0);
-  Planner planner(museum, {});
-  Company company(museum, planner);
+  plan::Planner planner(museum, {});
+  Crowd crowd(museum, planner);
 
-  Strollers(museum).enter(company);
+  Strollers(museum).enter(crowd);
 
-  EXPECT_EQ(company.size(), 0U);
+  EXPECT_EQ(crowd.size(), 0U);
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::guide

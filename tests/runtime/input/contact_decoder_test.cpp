@@ -16,27 +16,27 @@ MATCHER_P3(FingerAt, id, x, y, "") {
          std::abs(arg.y - y) < 1e-4;
 }
 
-ContactDecoder decoder_for(const std::vector<std::byte>& descriptor_bytes) {
-  const auto descriptor = parse_report_descriptor(descriptor_bytes);
-  const auto layout = find_touch_screen(*descriptor);
+input::ContactDecoder decoder_for(const std::vector<std::byte>& descriptor_bytes) {
+  const auto descriptor = input::parse_report_descriptor(descriptor_bytes);
+  const auto layout = input::find_touch_screen(*descriptor);
   return {*descriptor, *layout};
 }
 
 /// Two fingers a report and a count.
-ContactDecoder hybrid_screen() {
+input::ContactDecoder hybrid_screen() {
   return decoder_for(
       join({begin_touch_screen(1), finger(), finger(), contact_count(), end_collection()}));
 }
 
 TEST(Contacts, OneFingerAtTheCentreOfTheGlass) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
 
   EXPECT_TRUE(screen.take(bytes({1, 1, 7, 0x00, 0x40, 0x00, 0x40, 0, 0, 0, 0, 0, 0, 1})));
   EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(7, 0.5F, 0.5F)));
 }
 
 TEST(Contacts, AFrameOfThreeFingersSpansTwoReports) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
 
   EXPECT_FALSE(screen.take(bytes({1, 1, 0, 0, 0, 0, 0, 1, 1, 0xff, 0x7f, 0, 0, 3})));
   EXPECT_THAT(screen.contacts(), IsEmpty()) << "a frame counts when it is whole";
@@ -46,7 +46,7 @@ TEST(Contacts, AFrameOfThreeFingersSpansTwoReports) {
 }
 
 TEST(Contacts, AFingerGoesWhenItsTipIsUp) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
   screen.take(bytes({1, 1, 4, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0, 2}));
 
   screen.take(bytes({1, 0, 4, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0, 2}));
@@ -54,7 +54,7 @@ TEST(Contacts, AFingerGoesWhenItsTipIsUp) {
 }
 
 TEST(Contacts, AFingerThatIsLeftOutOnceIsNotGone) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
   screen.take(bytes({1, 1, 4, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0, 2}));
   const auto only_four = bytes({1, 1, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
 
@@ -65,7 +65,7 @@ TEST(Contacts, AFingerThatIsLeftOutOnceIsNotGone) {
 }
 
 TEST(Contacts, AWindows8ScreenLeavesOutOnlyFingersThatHaveGone) {
-  ContactDecoder screen = decoder_for(join(
+  input::ContactDecoder screen = decoder_for(join(
       {begin_touch_screen(1), finger(), finger(), contact_count(), scan_time(), end_collection()}));
   screen.take(bytes({1, 1, 4, 0, 0, 0, 0, 1, 5, 0, 0, 0, 0, 2, 0, 0}));
 
@@ -74,7 +74,7 @@ TEST(Contacts, AWindows8ScreenLeavesOutOnlyFingersThatHaveGone) {
 }
 
 TEST(Contacts, ASerialScreenMayRepeatTheCountInEveryReportOfAFrame) {
-  ContactDecoder screen =
+  input::ContactDecoder screen =
       decoder_for(join({begin_touch_screen(1), finger(), contact_count(), end_collection()}));
 
   EXPECT_FALSE(screen.take(bytes({1, 1, 0, 0, 0, 0, 0, 2})));
@@ -83,7 +83,7 @@ TEST(Contacts, ASerialScreenMayRepeatTheCountInEveryReportOfAFrame) {
 }
 
 TEST(Contacts, ShortAndForeignReportsChangeNothing) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
   screen.take(bytes({1, 1, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
 
   EXPECT_FALSE(screen.take(bytes({})));
@@ -93,7 +93,7 @@ TEST(Contacts, ShortAndForeignReportsChangeNothing) {
 }
 
 TEST(Contacts, APromiseOfMoreContactsThanThereAreDoesNotBlockTheNextFrame) {
-  ContactDecoder screen = hybrid_screen();
+  input::ContactDecoder screen = hybrid_screen();
 
   EXPECT_FALSE(screen.take(bytes({1, 1, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0x7f})));
   EXPECT_TRUE(screen.take(bytes({1, 1, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1})));
@@ -101,7 +101,7 @@ TEST(Contacts, APromiseOfMoreContactsThanThereAreDoesNotBlockTheNextFrame) {
 }
 
 TEST(Contacts, AMouseWithAbsoluteAxesIsOneFinger) {
-  ContactDecoder screen = decoder_for(
+  input::ContactDecoder screen = decoder_for(
       bytes({0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x08, 0x15,
              0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x05, 0x01, 0x26, 0xff,
              0x0f, 0x75, 0x10, 0x95, 0x02, 0x09, 0x30, 0x09, 0x31, 0x81, 0x02, 0xc0}));
@@ -113,25 +113,25 @@ TEST(Contacts, AMouseWithAbsoluteAxesIsOneFinger) {
 }
 
 TEST(Contacts, ARelativeMouseIsNoTouchScreen) {
-  const auto descriptor = parse_report_descriptor(
+  const auto descriptor = input::parse_report_descriptor(
       bytes({0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x05, 0x09, 0x09, 0x01, 0x15, 0x00,
              0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0x05, 0x01, 0x15, 0x81,
              0x25, 0x7f, 0x95, 0x02, 0x09, 0x30, 0x09, 0x31, 0x81, 0x06, 0xc0}));
 
-  EXPECT_FALSE(find_touch_screen(*descriptor));
+  EXPECT_FALSE(input::find_touch_screen(*descriptor));
 }
 
 TEST(ContactEvents, TellDownMoveAndUpApart) {
-  const std::vector<Contact> before{{1, 0.1F, 0.1F}, {2, 0.2F, 0.2F}};
-  const std::vector<Contact> after{{2, 0.3F, 0.2F}, {3, 0.5F, 0.5F}};
-  std::array<InputEvent, 8> events;
+  const std::vector<input::Contact> before{{1, 0.1F, 0.1F}, {2, 0.2F, 0.2F}};
+  const std::vector<input::Contact> after{{2, 0.3F, 0.2F}, {3, 0.5F, 0.5F}};
+  std::array<input::InputEvent, 8> events;
 
-  const std::size_t count = contact_events(before, after, events);
+  const std::size_t count = input::contact_events(before, after, events);
   ASSERT_EQ(count, 3U);
-  EXPECT_EQ(events[0].kind, InputEvent::Kind::Up);
+  EXPECT_EQ(events[0].kind, input::InputEvent::Kind::Up);
   EXPECT_EQ(events[0].contact.id, 1U);
-  EXPECT_EQ(events[1].kind, InputEvent::Kind::Move);
-  EXPECT_EQ(events[2].kind, InputEvent::Kind::Down);
+  EXPECT_EQ(events[1].kind, input::InputEvent::Kind::Move);
+  EXPECT_EQ(events[2].kind, input::InputEvent::Kind::Down);
   EXPECT_EQ(events[2].contact.id, 3U);
 }
 

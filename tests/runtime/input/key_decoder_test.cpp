@@ -11,49 +11,50 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-std::vector<KeyEdge> edges(KeyDecoder& decoder, const std::vector<std::byte>& report) {
-  std::array<KeyEdge, 32> out;
+std::vector<input::KeyEdge> edges(input::KeyDecoder& decoder,
+                                  const std::vector<std::byte>& report) {
+  std::array<input::KeyEdge, 32> out;
   const std::size_t count = decoder.take(report, out);
   return {out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-KeyDecoder decoder_for(const std::vector<std::byte>& descriptor_bytes) {
-  const auto descriptor = parse_report_descriptor(descriptor_bytes);
-  return {*descriptor, find_keys(*descriptor)};
+input::KeyDecoder decoder_for(const std::vector<std::byte>& descriptor_bytes) {
+  const auto descriptor = input::parse_report_descriptor(descriptor_bytes);
+  return {*descriptor, input::find_keys(*descriptor)};
 }
 
 TEST(Keys, GoDownAndUpOnce) {
-  KeyDecoder keypad = decoder_for(boot_keyboard());
+  input::KeyDecoder keypad = decoder_for(boot_keyboard());
   constexpr int up_arrow = 0x52;
 
   EXPECT_THAT(edges(keypad, bytes({0, 0, up_arrow, 0, 0, 0, 0, 0})),
-              ElementsAre(KeyEdge{{Key::Up}, true}));
+              ElementsAre(input::KeyEdge{{input::Key::Up}, true}));
   EXPECT_THAT(edges(keypad, bytes({0, 0, up_arrow, 0, 0, 0, 0, 0})), IsEmpty());
   EXPECT_THAT(edges(keypad, bytes({0, 0, 0, 0, 0, 0, 0, 0})),
-              ElementsAre(KeyEdge{{Key::Up}, false}));
+              ElementsAre(input::KeyEdge{{input::Key::Up}, false}));
 }
 
 TEST(Keys, SecondKeyMayOverlapTheFirst) {
-  KeyDecoder keypad = decoder_for(boot_keyboard());
+  input::KeyDecoder keypad = decoder_for(boot_keyboard());
   edges(keypad, bytes({0, 0, 0x70, 0, 0, 0, 0, 0}));
 
   EXPECT_THAT(edges(keypad, bytes({0, 0, 0x70, 0x6f, 0, 0, 0, 0})),
-              ElementsAre(KeyEdge{{Key::Function, 20}, true}));
+              ElementsAre(input::KeyEdge{{input::Key::Function, 20}, true}));
   EXPECT_THAT(edges(keypad, bytes({0, 0, 0x6f, 0, 0, 0, 0, 0})),
-              ElementsAre(KeyEdge{{Key::Function, 21}, false}));
+              ElementsAre(input::KeyEdge{{input::Key::Function, 21}, false}));
 }
 
 TEST(Keys, RollOverKeepsWhatWasDown) {
-  KeyDecoder keypad = decoder_for(boot_keyboard());
+  input::KeyDecoder keypad = decoder_for(boot_keyboard());
   edges(keypad, bytes({0, 0, 0x28, 0, 0, 0, 0, 0}));
 
   EXPECT_THAT(edges(keypad, bytes({0, 0, 1, 1, 1, 1, 1, 1})), IsEmpty());
   EXPECT_THAT(edges(keypad, bytes({0, 0, 0, 0, 0, 0, 0, 0})),
-              ElementsAre(KeyEdge{{Key::Enter}, false}));
+              ElementsAre(input::KeyEdge{{input::Key::Enter}, false}));
 }
 
 TEST(Keys, ShortReportsSayNothing) {
-  KeyDecoder keypad = decoder_for(boot_keyboard());
+  input::KeyDecoder keypad = decoder_for(boot_keyboard());
   edges(keypad, bytes({0, 0, 0x28, 0, 0, 0, 0, 0}));
 
   EXPECT_THAT(edges(keypad, bytes({})), IsEmpty());
@@ -61,14 +62,14 @@ TEST(Keys, ShortReportsSayNothing) {
 
 TEST(Keys, NamesComeBackFromTheirText) {
   for (int i = 1; i < 256; ++i) {
-    const KeyName key = key_of(usage(0x07, static_cast<std::uint16_t>(i)));
-    if (key.key != Key::None) {
-      EXPECT_EQ(key_from_string(to_string(key)), key) << i;
+    const input::KeyName key = input::key_of(input::usage(0x07, static_cast<std::uint16_t>(i)));
+    if (key.key != input::Key::None) {
+      EXPECT_EQ(input::key_from_string(input::to_string(key)), key) << i;
     }
   }
-  EXPECT_EQ(key_from_string("F0").key, Key::None);
-  EXPECT_EQ(key_from_string("F25").key, Key::None);
-  EXPECT_EQ(key_from_string("ESCAPE").key, Key::None);
+  EXPECT_EQ(input::key_from_string("F0").key, input::Key::None);
+  EXPECT_EQ(input::key_from_string("F25").key, input::Key::None);
+  EXPECT_EQ(input::key_from_string("ESCAPE").key, input::Key::None);
 }
 
 }  // namespace

@@ -13,33 +13,33 @@ namespace {
 using testing::HasSubstr;
 
 TEST(ReportDescriptor, GivesEachFieldItsPlaceInTheReport) {
-  const auto descriptor = parse_report_descriptor(
+  const auto descriptor = input::parse_report_descriptor(
       join({begin_touch_screen(3), finger(), finger(), contact_count(), end_collection()}));
 
   ASSERT_TRUE(descriptor) << descriptor.error().what;
   ASSERT_EQ(descriptor->inputs.size(), 9U);
   EXPECT_TRUE(descriptor->numbered);
-  EXPECT_EQ(descriptor->inputs[0].usage, usages::tip_switch);
+  EXPECT_EQ(descriptor->inputs[0].usage, input::usages::tip_switch);
   EXPECT_EQ(descriptor->inputs[1].bit_offset, 8U);
-  EXPECT_EQ(descriptor->inputs[2].usage, usages::x);
+  EXPECT_EQ(descriptor->inputs[2].usage, input::usages::x);
   EXPECT_EQ(descriptor->inputs[2].bit_offset, 16U);
   EXPECT_EQ(descriptor->inputs[2].logical_max, 32767);
   EXPECT_EQ(descriptor->inputs[6].bit_offset, 64U);
-  EXPECT_EQ(descriptor->inputs[8].usage, usages::contact_count);
+  EXPECT_EQ(descriptor->inputs[8].usage, input::usages::contact_count);
   EXPECT_EQ(descriptor->inputs[8].bit_offset, 96U);
 }
 
 TEST(ReportDescriptor, ReadsFieldsThatStartInTheMiddleOfAByte) {
-  ReportField field{.bit_offset = 4, .bit_size = 12, .logical_min = 0, .logical_max = 4095};
+  input::ReportField field{.bit_offset = 4, .bit_size = 12, .logical_min = 0, .logical_max = 4095};
 
-  EXPECT_EQ(field_value(field, bytes({0xc5, 0xab})), 0xabc);
+  EXPECT_EQ(input::field_value(field, bytes({0xc5, 0xab})), 0xabc);
   field.logical_min = -2048;
-  EXPECT_EQ(field_value(field, bytes({0xf0, 0xff})), -1);
-  EXPECT_EQ(field_value(field, bytes({0xf0})), 0) << "a short report holds nothing";
+  EXPECT_EQ(input::field_value(field, bytes({0xf0, 0xff})), -1);
+  EXPECT_EQ(input::field_value(field, bytes({0xf0})), 0) << "a short report holds nothing";
 }
 
 TEST(ReportDescriptor, PushAndPopBringTheGlobalItemsBack) {
-  const auto descriptor = parse_report_descriptor(
+  const auto descriptor = input::parse_report_descriptor(
       join({bytes({0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x75, 0x08, 0x95, 0x01, 0xa4, 0x75,
                    0x10, 0x09, 0x30, 0x81, 0x02, 0xb4, 0x09, 0x31, 0x81, 0x02, 0xc0})}));
 
@@ -52,7 +52,7 @@ TEST(ReportDescriptor, PushAndPopBringTheGlobalItemsBack) {
 
 TEST(ReportDescriptor, SaysWhereItIsBroken) {
   const auto what = [](const std::vector<std::byte>& b) {
-    const auto descriptor = parse_report_descriptor(b);
+    const auto descriptor = input::parse_report_descriptor(b);
     return descriptor ? std::string("accepted") : descriptor.error().what;
   };
 
@@ -71,13 +71,13 @@ RC_GTEST_PROP(ReportDescriptor, SurvivesAnyBytes, ()) {
   std::vector<std::byte> b;
   for (const std::uint8_t value : raw) b.push_back(static_cast<std::byte>(value));
 
-  const auto descriptor = parse_report_descriptor(b);
+  const auto descriptor = input::parse_report_descriptor(b);
   if (!descriptor) return;
-  for (const ReportField& field : descriptor->inputs) {
+  for (const input::ReportField& field : descriptor->inputs) {
     RC_ASSERT(field.bit_size >= 1 && field.bit_size <= 32);
     RC_ASSERT(field.collection < static_cast<std::int32_t>(descriptor->collections.size()));
   }
-  classify(*descriptor);
+  input::classify(*descriptor);
 }
 
 RC_GTEST_PROP(ReportDescriptor, ReadsBackWhatWasWrittenIntoAnyBits, ()) {
@@ -92,11 +92,11 @@ RC_GTEST_PROP(ReportDescriptor, ReadsBackWhatWasWrittenIntoAnyBits, ()) {
         ((value >> i) & 1U) != 0 ? payload[bit / 8] | mask : payload[bit / 8] & ~mask;
   }
 
-  const ReportField field{.bit_offset = offset,
-                          .bit_size = static_cast<std::uint8_t>(size),
-                          .logical_min = 0,
-                          .logical_max = 1};
-  RC_ASSERT(field_value(field, payload) == static_cast<std::int64_t>(value));
+  const input::ReportField field{.bit_offset = offset,
+                                 .bit_size = static_cast<std::uint8_t>(size),
+                                 .logical_min = 0,
+                                 .logical_max = 1};
+  RC_ASSERT(input::field_value(field, payload) == static_cast<std::int64_t>(value));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "tests/support/sample_museum.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 using testing::ElementsAre;
@@ -129,4 +129,4 @@ TEST(ControlGraph, NamesAreUniqueButForSpots) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::interface

@@ -10,7 +10,7 @@
 #include "runtime/interface/seats.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 /// Letters as boxes of six tenths of their size: layout without fonts, quick enough for properties.
@@ -60,9 +60,9 @@ ViewRequest any_request() {
   request.state.language = *rc::gen::inRange(0U, 3U);
   request.state.exhibit = *rc::gen::inRange(0, static_cast<int>(museum().exhibits.size()));
   request.state.page = *rc::gen::inRange(0U, 2U);
-  request.state.kind =
-      *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
-  if (*rc::gen::arbitrary<bool>()) request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+  request.state.kind = *rc::gen::element(path::RouteKind::Shortest, path::RouteKind::Skeleton,
+                                         path::RouteKind::Offset);
+  if (*rc::gen::arbitrary<bool>()) request.trip = Trip{path::RouteStatus::Ok, 42.4, 55};
   return request;
 }
 
@@ -83,7 +83,7 @@ ViewRequest any_card() {
   return request;
 }
 
-bool overlap(const Rect& a, const Rect& b) {
+bool overlap(const scene::Rect& a, const scene::Rect& b) {
   constexpr float slack = 1e-5F;
   return a.x + slack < b.x + b.width && b.x + slack < a.x + a.width &&
          a.y + slack < b.y + b.height && b.y + slack < a.y + a.height;
@@ -95,7 +95,7 @@ TEST(Layout, PutsEveryControlOnTheScreenAndApartFromAllOthers) {
     for (std::size_t i = 0; i < view->controls.size(); ++i) {
       const Control& control = view->controls[i];
       if (control.role == Role::Spot) continue;
-      const Rect& r = control.rect;
+      const scene::Rect& r = control.rect;
       RC_ASSERT(r.width > 0 && r.height > 0);
       RC_ASSERT(r.x >= 0 && r.y >= 0 && r.x + r.width <= 1.00001F && r.y + r.height <= 1.00001F);
       for (std::size_t j = 0; j < i; ++j)
@@ -150,7 +150,7 @@ TEST(Layout, SetsTextOnWholePixels) {
   EXPECT_TRUE(rc::check("texel for pixel", [] {
     const auto view = laid_out(any_request());
     for (const Element& element : view->elements) {
-      if (element.quad.fill != QuadFill::Text) continue;
+      if (element.quad.fill != scene::QuadFill::Text) continue;
       const float x = element.quad.rect.x * view->pixel_width;
       const float y = element.quad.rect.y * view->pixel_height;
       RC_ASSERT(std::abs(x - std::round(x)) < 0.02F);
@@ -163,13 +163,13 @@ TEST(Card, KeepsItsControlsApartAndFingertipsWide) {
   EXPECT_TRUE(rc::check("inside, apart, 15 mm", [] {
     const ViewRequest request = any_card();
     const auto view = laid_out(request);
-    const Rect card =
+    const scene::Rect card =
         card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
     const float mm =
         std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
     for (std::size_t i = 0; i < view->controls.size(); ++i) {
       const Control& control = view->controls[i];
-      const Rect& r = control.rect;
+      const scene::Rect& r = control.rect;
       if (!control.enabled && r.width <= 0) continue;
       RC_ASSERT(r.x >= card.x - 1e-4F && r.x + r.width <= card.x + card.width + 1e-4F);
       RC_ASSERT(r.y >= card.y - 1e-4F && r.y + r.height <= card.y + card.height + 1e-4F);
@@ -184,11 +184,11 @@ TEST(Card, KeepsItsTextsInside) {
   EXPECT_TRUE(rc::check("no text leaves its card", [] {
     const ViewRequest request = any_card();
     const auto view = laid_out(request);
-    const Rect card =
+    const scene::Rect card =
         card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
     for (const Element& element : view->elements) {
-      if (element.quad.fill != QuadFill::Text) continue;
-      const Rect& r = element.quad.rect;
+      if (element.quad.fill != scene::QuadFill::Text) continue;
+      const scene::Rect& r = element.quad.rect;
       RC_ASSERT(r.x >= card.x - 1e-3F && r.x + r.width <= card.x + card.width + 1e-3F);
       RC_ASSERT(r.y >= card.y - 1e-3F && r.y + r.height <= card.y + card.height + 1e-3F);
     }
@@ -203,9 +203,9 @@ TEST(Card, SetsNoTextOverAnother) {
     RC_PRE(request.state.seats > 1);
     request.state.seat = static_cast<std::int8_t>(request.state.seat % request.state.seats);
     const auto view = laid_out(request);
-    std::vector<Rect> texts;
+    std::vector<scene::Rect> texts;
     for (const Element& element : view->elements)
-      if (element.quad.fill == QuadFill::Text) texts.push_back(element.quad.rect);
+      if (element.quad.fill == scene::QuadFill::Text) texts.push_back(element.quad.rect);
     if (!view->remaining.empty()) texts.push_back(view->remaining.back().quad.rect);
     RC_LOG() << "screen " << static_cast<int>(request.state.screen) << ", language "
              << request.state.language << ", letters " << request.shape.text_scale << ", "
@@ -214,7 +214,7 @@ TEST(Card, SetsNoTextOverAnother) {
              << " seats\n";
     for (std::size_t i = 0; i < texts.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
-        Rect text = texts[i];
+        scene::Rect text = texts[i];
         text.y += 2.1F / view->pixel_height;  // they stand on whole pixels
         text.height -= 4.2F / view->pixel_height;
         RC_ASSERT(!overlap(text, texts[j]));
@@ -229,7 +229,7 @@ TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
     const auto english = laid_out(request);
     request.state.language = 2;
     const auto arabic = laid_out(request);
-    const Rect card =
+    const scene::Rect card =
         card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
     for (std::size_t i = 0; i < english->controls.size(); ++i) {
       const Control &e = english->controls[i], &a = arabic->controls[i];
@@ -243,7 +243,7 @@ TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
   ViewRequest request;
   request.state.screen = Screen::Walking;
   request.state.exhibit = 2;
-  request.trip = Trip{RouteStatus::Ok, 42.4, 55};
+  request.trip = Trip{path::RouteStatus::Ok, 42.4, 55};
 
   const auto view = laid_out(request);
 
@@ -274,10 +274,10 @@ TEST(PieceCache, SetsATextOnce) {
 TEST(PieceCache, MakesAPictureOnceForEachSizeInWhichItIsDrawn) {
   PieceCache cache({boxes, plain}, 100, 1 << 20);
 
-  const TextureId card = cache.picture(7, 40, 30);
-  const TextureId again = cache.picture(7, 40, 30);
-  const TextureId large = cache.picture(7, 80, 60);
-  const TextureId other = cache.picture(8, 40, 30);
+  const scene::TextureId card = cache.picture(7, 40, 30);
+  const scene::TextureId again = cache.picture(7, 40, 30);
+  const scene::TextureId large = cache.picture(7, 80, 60);
+  const scene::TextureId other = cache.picture(8, 40, 30);
 
   EXPECT_EQ(card, again);
   EXPECT_EQ((std::set{card, large, other}.size()), 3U);
@@ -291,15 +291,15 @@ TEST(PieceCache, LeavesOutAPictureThatCannotBeMade) {
   PieceCache cache({boxes, [](std::uint32_t, std::uint32_t, std::uint32_t) { return Pixels{}; }},
                    100, 1 << 20);
 
-  EXPECT_EQ(cache.picture(0, 40, 30), TextureId::None);
+  EXPECT_EQ(cache.picture(0, 40, 30), scene::TextureId::None);
   EXPECT_EQ(cache.end_view(), nullptr);
 }
 
 TEST(PieceCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
   PieceCache cache({boxes, plain}, 100, 1000);  // room for next to nothing
-  const TextureId text = cache.text({}, "once", 300).texture;
-  const TextureId picture = cache.picture(1, 40, 30);
-  std::vector<TextureId> retired;
+  const scene::TextureId text = cache.text({}, "once", 300).texture;
+  const scene::TextureId picture = cache.picture(1, 40, 30);
+  std::vector<scene::TextureId> retired;
   for (int view = 0; view < 8; ++view) {
     cache.text({}, "always", 300);
     cache.picture(2, 40, 30);
@@ -313,9 +313,9 @@ TEST(PieceCache, RetiresOnlyWhatTheLastViewsDidNotUse) {
 
 TEST(PieceCache, KeepsWhatAnotherPartOfTheGlassStillShows) {
   PieceCache cache({boxes, plain}, 100, 1000);
-  const TextureId shown = cache.picture(1, 40, 30);
+  const scene::TextureId shown = cache.picture(1, 40, 30);
   cache.end_view(3);
-  std::vector<TextureId> retired;
+  std::vector<scene::TextureId> retired;
   const auto end = [&](std::uint32_t part) {
     if (const auto changes = cache.end_view(part))
       retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
@@ -324,10 +324,10 @@ TEST(PieceCache, KeepsWhatAnotherPartOfTheGlassStillShows) {
     cache.picture(2 + view, 40, 30);
     end(1);
   }
-  EXPECT_FALSE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
+  EXPECT_FALSE(std::ranges::any_of(retired, [&](scene::TextureId t) { return t == shown; }));
 
   for (int view = 0; view < 8; ++view) end(3);  // it shows something else by now
-  EXPECT_TRUE(std::ranges::any_of(retired, [&](TextureId t) { return t == shown; }));
+  EXPECT_TRUE(std::ranges::any_of(retired, [&](scene::TextureId t) { return t == shown; }));
 }
 
 TEST(PieceCache, StaysWithinItsBudgetAndTheLastViewsHoweverManyExhibitsAreSeen) {
@@ -357,7 +357,7 @@ TEST(View, DrawsItsPicturesTexelForPixel) {
 
   std::size_t pictures = 0;
   for (const auto& [quad, control, is_panel, stays] : view->elements) {
-    if (quad.fill != QuadFill::Image) continue;
+    if (quad.fill != scene::QuadFill::Image) continue;
     ++pictures;
     const auto upload = std::ranges::find(changes->uploads, quad.texture, &PieceUpload::texture);
     ASSERT_NE(upload, changes->uploads.end());
@@ -370,4 +370,4 @@ TEST(View, DrawsItsPicturesTexelForPixel) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::interface

@@ -4,7 +4,7 @@
 
 #include "tests/support/sample_museum.h"
 
-namespace docent {
+namespace docent::interface {
 namespace {
 
 TEST(Phrases, SayDistancesInTheDigitsOfTheLanguage) {
@@ -50,4 +50,4 @@ TEST(Words, AreThereInEveryLanguage) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::interface

@@ -5,7 +5,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 using namespace std::chrono_literals;
@@ -42,7 +42,7 @@ TEST(Allocations, AreCountedOnTheThreadThatMakesThem) {
 }
 
 TEST(Contact, IsWhereTheVisitorSeesItWhicheverWayTheScreenHangs) {
-  const Contact top_left{1, 0, 0};
+  const input::Contact top_left{1, 0, 0};
 
   EXPECT_EQ(turned(top_left, Rotation::Quarter).x, 1);
   EXPECT_EQ(turned(top_left, Rotation::Quarter).y, 0);
@@ -53,4 +53,4 @@ TEST(Contact, IsWhereTheVisitorSeesItWhicheverWayTheScreenHangs) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck.h>
 
-namespace docent {
+namespace docent::kiosk {
 namespace {
 
 using testing::HasSubstr;
@@ -29,7 +29,7 @@ TEST(Visit, HoldsEveryKindOfCommand) {
   EXPECT_EQ(visit.commands[0].contact.y, 0.75F);
   EXPECT_EQ(visit.commands[1].name, "exhibit:tripod-ding");
   EXPECT_EQ(visit.commands[2].contact.id, 3U);
-  EXPECT_EQ(visit.commands[5].key.key, Key::Enter);
+  EXPECT_EQ(visit.commands[5].key.key, input::Key::Enter);
   EXPECT_EQ(visit.commands[6].key.character, 12);
   EXPECT_EQ(visit.commands[7].name, "picture.png");
 }
@@ -82,4 +82,4 @@ TEST(Visit, IsDefinedForAnyText) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::kiosk

@@ -19,7 +19,7 @@ constexpr double walking_speed = 1.0;  // metres a second
 constexpr float hip_height = 0.84f, ankle_height = 0.08f, toe_height = 0.02f;
 
 /// How the body of a clip moves: share of the walking speed, and turning rate, at a frame.
-struct Course {
+struct WalkedPath {
   const char* name;
   ClipRole role;
   std::uint32_t frames;
@@ -27,20 +27,20 @@ struct Course {
   double turn;  ///< Radians from first to last frame, spread evenly.
 };
 
-std::vector<Placement> body_of(const Course& course) {
-  std::vector<Placement> body(course.frames);
-  for (std::uint32_t f = 1; f < course.frames; ++f) {
-    const double heading = course.turn * f / (course.frames - 1);
+std::vector<Placement> body_of(const WalkedPath& walked) {
+  std::vector<Placement> body(walked.frames);
+  for (std::uint32_t f = 1; f < walked.frames; ++f) {
+    const double heading = walked.turn * f / (walked.frames - 1);
     const Vec2 forwards{std::cos(heading), std::sin(heading)};
-    const double step = walking_speed * course.speed(f - 0.5) / frame_rate;
+    const double step = walking_speed * walked.speed(f - 0.5) / frame_rate;
     body[f] = {body[f - 1].position + step * forwards, heading};
   }
   return body;
 }
 
 /// Where in its cycle a foot is: from 0, set down, over stance_share, lifted, to 1.
-double phase_of(Side side, double frame) {
-  const double turn = frame / cycle + (side == Side::Left ? 0.0 : 0.5);
+double phase_of(motion::Side side, double frame) {
+  const double turn = frame / cycle + (side == motion::Side::Left ? 0.0 : 0.5);
   return turn - std::floor(turn);
 }
 
@@ -50,45 +50,48 @@ Placement at(const std::vector<Placement>& body, double frame) {
 }
 
 /// Where a foot stands that was set down `since` frames before `frame`.
-Foot print(const std::vector<Placement>& body, Side side, double frame, double since) {
+motion::Foot print(const std::vector<Placement>& body, motion::Side side, double frame,
+                   double since) {
   const Placement middle = at(body, frame - since + 0.5 * stance_share * cycle);
-  const Vec2 place{0.05, side == Side::Left ? half_width : -half_width};
-  return {moved(middle, to_world(place, toe_height)),
-          world_rotation(middle.heading + std::numbers::pi / 2)};
+  const Vec2 place{0.05, side == motion::Side::Left ? half_width : -half_width};
+  return {motion::moved(middle, to_world(place, toe_height)),
+          motion::world_rotation(middle.heading + std::numbers::pi / 2)};
 }
 
-Foot foot_at(const std::vector<Placement>& body, Side side, double frame, bool& planted) {
+motion::Foot foot_at(const std::vector<Placement>& body, motion::Side side, double frame,
+                     bool& planted) {
   const double phase = phase_of(side, frame);
-  const Foot last = print(body, side, frame, phase * cycle);
+  const motion::Foot last = print(body, side, frame, phase * cycle);
   planted = phase < stance_share;
   if (planted) return last;
-  const Foot next = print(body, side, frame, (phase - 1) * cycle);
+  const motion::Foot next = print(body, side, frame, (phase - 1) * cycle);
   const double t = (phase - stance_share) / (1 - stance_share);
   const auto share = static_cast<float>(t * t * (3 - 2 * t));
-  Foot foot{glm::mix(last.toe, next.toe, share), glm::slerp(last.rotation, next.rotation, share)};
+  motion::Foot foot{glm::mix(last.toe, next.toe, share),
+                    glm::slerp(last.rotation, next.rotation, share)};
   planted = glm::distance(last.toe, next.toe) < 0.01f;
   if (!planted) foot.toe.y += 0.08f * static_cast<float>(std::sin(t * std::numbers::pi));
   return foot;
 }
 
-MotionClip make_clip(const Skeleton& skeleton, const Legs& legs, const Course& course) {
+MotionClip make_clip(const Skeleton& skeleton, const motion::Legs& legs, const WalkedPath& walked) {
   MotionClip clip;
-  clip.name = course.name;
-  clip.role = course.role;
+  clip.name = walked.name;
+  clip.role = walked.role;
   clip.motion_class = "walk";
   clip.joint_count = static_cast<std::uint32_t>(skeleton.joint.size());
-  const std::vector<Placement> body = body_of(course);
-  for (std::uint32_t f = 0; f < course.frames; ++f) {
-    const double sway = 0.02 * course.speed(f) * std::sin(2 * std::numbers::pi * f / cycle);
-    clip.root.push_back(moved(body[f], to_world({0, sway}, hip_height)));
+  const std::vector<Placement> body = body_of(walked);
+  for (std::uint32_t f = 0; f < walked.frames; ++f) {
+    const double sway = 0.02 * walked.speed(f) * std::sin(2 * std::numbers::pi * f / cycle);
+    clip.root.push_back(motion::moved(body[f], to_world({0, sway}, hip_height)));
     clip.rotation.resize(clip.rotation.size() + clip.joint_count, Quat(1, 0, 0, 0));
-    PoseView pose{clip.root.back(), std::span(clip.rotation).last(clip.joint_count)};
-    pose.rotation[0] = world_rotation(body[f].heading + std::numbers::pi / 2);
+    motion::PoseView pose{clip.root.back(), std::span(clip.rotation).last(clip.joint_count)};
+    pose.rotation[0] = motion::world_rotation(body[f].heading + std::numbers::pi / 2);
     FootPlants plants;
-    for (const Side side : both_sides) {
+    for (const motion::Side side : motion::both_sides) {
       bool planted = false;
-      place_foot(skeleton, legs[side], foot_at(body, side, f, planted), pose);
-      (side == Side::Left ? plants.left : plants.right) = planted;
+      motion::place_foot(skeleton, legs[side], foot_at(body, side, f, planted), pose);
+      (side == motion::Side::Left ? plants.left : plants.right) = planted;
     }
     clip.plants.push_back(plants);
   }
@@ -96,20 +99,20 @@ MotionClip make_clip(const Skeleton& skeleton, const Legs& legs, const Course& c
 }
 
 /// Joins two clips wherever they are in one phase and both at full speed.
-void add_transitions(const std::vector<Course>& courses, std::uint32_t from, std::uint32_t to,
+void add_transitions(const std::vector<WalkedPath>& courses, std::uint32_t from, std::uint32_t to,
                      MotionGraph& graph) {
   constexpr std::uint32_t radius = 12, spacing = 11;
   const std::vector<Placement> a = body_of(courses[from]), b = body_of(courses[to]);
-  const auto walks = [&](std::uint32_t course, std::uint32_t frame) {
-    return frame >= radius && frame + radius < courses[course].frames &&
-           courses[course].speed(frame - radius) > 0.999 &&
-           courses[course].speed(frame + radius) > 0.999;
+  const auto walks = [&](std::uint32_t walked, std::uint32_t frame) {
+    return frame >= radius && frame + radius < courses[walked].frames &&
+           courses[walked].speed(frame - radius) > 0.999 &&
+           courses[walked].speed(frame + radius) > 0.999;
   };
   for (std::uint32_t f = spacing; f < courses[from].frames; f += spacing)
     for (std::uint32_t g = f % cycle; g < courses[to].frames; g += cycle)
       if (walks(from, f) && walks(to, g) && !(from == to && f == g))
         graph.transitions.push_back(
-            {{from, f}, {to, g}, radius, 0.01f, compose(a[f], inverse(b[g]))});
+            {{from, f}, {to, g}, radius, 0.01f, motion::compose(a[f], motion::inverse(b[g]))});
 }
 
 }  // namespace
@@ -147,14 +150,14 @@ Skeleton stick_figure() {
 MotionGraph hand_made_graph() {
   MotionGraph graph;
   graph.skeleton = stick_figure();
-  const Legs legs = *find_legs(graph.skeleton);
+  const motion::Legs legs = *motion::find_legs(graph.skeleton);
   const auto ramp = [](double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
   };
   const auto steady = [](double) { return 1.0; };
   const double quarter = std::numbers::pi / 2;
-  const std::vector<Course> courses{
+  const std::vector<WalkedPath> courses{
       {"stand-to-walk", ClipRole::Start, 3 * cycle, [=](double f) { return ramp(f / 110 - 0.1); },
        0},
       {"walk", ClipRole::Walk, 4 * cycle, steady, 0},
@@ -163,8 +166,8 @@ MotionGraph hand_made_graph() {
       {"turn-left", ClipRole::TurnLeft, 3 * cycle, steady, quarter},
       {"turn-right", ClipRole::TurnRight, 3 * cycle, steady, -quarter},
   };
-  for (const Course& course : courses)
-    graph.clips.push_back(make_clip(graph.skeleton, legs, course));
+  for (const WalkedPath& walked : courses)
+    graph.clips.push_back(make_clip(graph.skeleton, legs, walked));
   for (std::uint32_t from = 0; from < courses.size(); ++from)
     for (std::uint32_t to = 0; to < courses.size(); ++to)
       if (courses[from].role != ClipRole::Stop && courses[to].role != ClipRole::Start)

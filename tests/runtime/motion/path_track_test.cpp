@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 std::vector<Vec2> circle(double radius) {
@@ -90,4 +90,4 @@ TEST(FirstPart, EndsWhereItShould) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::motion

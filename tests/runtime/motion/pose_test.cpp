@@ -10,7 +10,7 @@
 #include "tests/runtime/motion/allocation_count.h"
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 Walk two_frames() {
@@ -168,4 +168,4 @@ TEST(FrameFunctions, DoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::motion

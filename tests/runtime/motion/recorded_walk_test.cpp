@@ -8,13 +8,13 @@
 #include "tests/runtime/motion/walk_measures.h"
 #include "tests/support/reference_data.h"
 
-namespace docent {
+namespace docent::motion {
 namespace {
 
 const MotionGraph& recorded_graph() {
   static const MotionGraph graph = [] {
     std::vector<Diagnostic> problems;
-    return compile_motion(test::reference_data() / "mocap/cmu-walk", {}, problems);
+    return motion::offline::compile_motion(test::reference_data() / "mocap/cmu-walk", {}, problems);
   }();
   return graph;
 }
@@ -69,4 +69,4 @@ TEST(RecordedWalk, TurnsSharpCornersWithinReach) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::motion

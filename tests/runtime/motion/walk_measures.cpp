@@ -23,14 +23,14 @@ Vec2 offset_from(const std::vector<Vec2>& path, Vec2 point) {
   return best;
 }
 
-std::vector<Vec3> places_of(const Skeleton& skeleton, const Walk& walk, BodyPart part) {
+std::vector<Vec3> places_of(const Skeleton& skeleton, const motion::Walk& walk, BodyPart part) {
   std::vector<Vec3> out;
   std::vector<Quat> rotation(walk.joint_count);
   std::vector<Mat4> world(walk.joint_count);
   for (std::size_t f = 0; f < walk.root.size(); ++f) {
-    PoseView pose{{}, rotation};
-    sample(walk, static_cast<double>(f) / walk.frame_rate, pose);
-    to_world_space(skeleton, pose, world);
+    motion::PoseView pose{{}, rotation};
+    motion::sample(walk, static_cast<double>(f) / walk.frame_rate, pose);
+    motion::to_world_space(skeleton, pose, world);
     out.emplace_back(world[index_of(skeleton[part])][3]);
   }
   return out;
@@ -41,7 +41,7 @@ struct FootOfWalk {
   std::vector<bool> planted;
 };
 
-std::array<FootOfWalk, 2> feet_of(const Skeleton& skeleton, const Walk& walk) {
+std::array<FootOfWalk, 2> feet_of(const Skeleton& skeleton, const motion::Walk& walk) {
   std::array<FootOfWalk, 2> feet{{{places_of(skeleton, walk, BodyPart::LeftToe), {}},
                                   {places_of(skeleton, walk, BodyPart::RightToe), {}}}};
   for (const FootPlants& plants : walk.plants) {
@@ -80,7 +80,7 @@ Quickest quickest_of(const Motion& walk, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-double largest_deviation(const Walk& walk, const std::vector<Vec2>& path) {
+double largest_deviation(const motion::Walk& walk, const std::vector<Vec2>& path) {
   const auto half = static_cast<std::size_t>(walk.frame_rate / 2);
   const std::size_t frames = walk.root.size();
   std::vector<Vec2> sums(1, Vec2{});
@@ -95,7 +95,7 @@ double largest_deviation(const Walk& walk, const std::vector<Vec2>& path) {
   return largest;
 }
 
-double largest_drift(const Skeleton& skeleton, const Walk& walk) {
+double largest_drift(const Skeleton& skeleton, const motion::Walk& walk) {
   double largest = 0;
   for (const FootOfWalk& foot : feet_of(skeleton, walk)) {
     Vec2 stands{};
@@ -108,7 +108,7 @@ double largest_drift(const Skeleton& skeleton, const Walk& walk) {
   return largest;
 }
 
-double deepest_toe(const Skeleton& skeleton, const Walk& walk) {
+double deepest_toe(const Skeleton& skeleton, const motion::Walk& walk) {
   double deepest = 0;
   for (const FootOfWalk& foot : feet_of(skeleton, walk)) {
     float floor = std::numeric_limits<float>::infinity(), lowest = floor;
@@ -121,7 +121,7 @@ double deepest_toe(const Skeleton& skeleton, const Walk& walk) {
   return deepest;
 }
 
-Quickest quickest(const Walk& walk, std::size_t from, std::size_t to) {
+Quickest quickest(const motion::Walk& walk, std::size_t from, std::size_t to) {
   return quickest_of(walk, from, to);
 }
 
@@ -147,8 +147,8 @@ double haste(const Quickest& walk, const Quickest& recorded) {
   return most;
 }
 
-Walk spliced(const Walk& before, std::size_t frames, const Walk& after) {
-  Walk out = before;
+motion::Walk spliced(const motion::Walk& before, std::size_t frames, const motion::Walk& after) {
+  motion::Walk out = before;
   const auto join = [](auto& a, std::size_t keep, const auto& b) {
     a.resize(keep);
     a.insert(a.end(), b.begin(), b.end());

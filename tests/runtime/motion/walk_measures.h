@@ -11,14 +11,14 @@ namespace docent::test {
 
 /// The largest offset of the root from the path's nearest point, averaged as a vector over a second
 /// so that the gait's sway cancels out; metres.
-double largest_deviation(const Walk& walk, const std::vector<Vec2>& path);
+double largest_deviation(const motion::Walk& walk, const std::vector<Vec2>& path);
 
 /// How far a toe joint wanders from where it was set down while its foot is planted, at most;
 /// metres.
-double largest_drift(const Skeleton& skeleton, const Walk& walk);
+double largest_drift(const Skeleton& skeleton, const motion::Walk& walk);
 
 /// How deep a toe joint gets under the lowest it has while planted; metres.
-double deepest_toe(const Skeleton& skeleton, const Walk& walk);
+double deepest_toe(const Skeleton& skeleton, const motion::Walk& walk);
 
 /// The quickest movements from one frame to the next, in frames [from, to).
 struct Quickest {
@@ -28,7 +28,7 @@ struct Quickest {
   std::vector<double> of_joint;  ///< The same of each joint.
   double joint_change = 0;       ///< Radians a second squared.
 };
-Quickest quickest(const Walk& walk, std::size_t from, std::size_t to);
+Quickest quickest(const motion::Walk& walk, std::size_t from, std::size_t to);
 /// In all clips of a graph.
 Quickest quickest(const MotionGraph& graph);
 
@@ -37,6 +37,6 @@ Quickest quickest(const MotionGraph& graph);
 double haste(const Quickest& walk, const Quickest& recorded);
 
 /// The first `frames` frames of a walk, then another that goes on from the next.
-Walk spliced(const Walk& before, std::size_t frames, const Walk& after);
+motion::Walk spliced(const motion::Walk& before, std::size_t frames, const motion::Walk& after);
 
 }  // namespace docent::test

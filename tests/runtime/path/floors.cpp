@@ -22,21 +22,21 @@ bool has_shared_points(const FloorPlan& plan) {
 Floor floor_of(const FloorPlan& plan, std::initializer_list<double> radii) {
   Floor floor;
   floor.plan = plan;
-  floor.diagram = voronoi_diagram(plan);
-  floor.sight = make_sight_map(plan);
-  floor.roadmap = medial_axis(plan, floor.diagram);
+  floor.diagram = floor::voronoi_diagram(plan);
+  floor.sight = floor::make_sight_map(plan);
+  floor.roadmap = floor::medial_axis(plan, floor.diagram);
   for (const double radius : radii) {
-    floor.tangent_graphs.push_back(make_tangent_graph(plan, floor.sight, radius));
-    floor.hub_labels.push_back(make_hub_labels(plan, floor.tangent_graphs.back()));
+    floor.tangent_graphs.push_back(path::make_tangent_graph(plan, floor.sight, radius));
+    floor.hub_labels.push_back(path::make_hub_labels(plan, floor.tangent_graphs.back()));
   }
   return floor;
 }
 
-ImportedPlan hall_with_a_box() {
+import::ImportedPlan hall_with_a_box() {
   return drawn(rectangle({0, 0}, {12, 8}), {rectangle({5, 3}, {7, 5})});
 }
 
-ImportedPlan two_rooms(double door_width) {
+import::ImportedPlan two_rooms(double door_width) {
   const double low = 2 - door_width / 2, high = 2 + door_width / 2;
   return drawn({{0, 0},
                 {4, 0},
@@ -59,7 +59,7 @@ std::optional<FloorPlan> random_hall() {
     FloorPlan plan = mended(hall_with(obstacles));
     if (has_shared_points(plan)) return {};
     return plan;
-  } catch (const ContentError&) {
+  } catch (const content::ContentError&) {
     return {};  // The obstacles filled the hall.
   }
 }

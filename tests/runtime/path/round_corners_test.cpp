@@ -24,14 +24,15 @@ double sharpest_turn(const std::vector<Vec2>& points) {
 
 TEST(RoundCorners, JoinsAndLeavesTheAxisSmoothly) {
   const Floor floor = floor_of(drawn(rectangle({0, 0}, {20, 4})));
-  const auto map = make_floor_map(floor);
-  RouteQuery query{.kind = RouteKind::Skeleton, .from = {4, 0.5}, .to = {15, 3.25}, .radius = 0.25};
+  const auto map = path::make_floor_map(floor);
+  path::RouteQuery query{
+      .kind = path::RouteKind::Skeleton, .from = {4, 0.5}, .to = {15, 3.25}, .radius = 0.25};
 
-  const Way sharp = route(*map, query);
+  const path::Way sharp = path::route(*map, query);
   query.smooth = true;
-  const Way smooth = route(*map, query);
+  const path::Way smooth = path::route(*map, query);
 
-  ASSERT_EQ(smooth.status, RouteStatus::Ok);
+  ASSERT_EQ(smooth.status, path::RouteStatus::Ok);
   EXPECT_NEAR(sharpest_turn(sharp.points), std::numbers::pi / 2, 1e-6);
   EXPECT_LT(sharpest_turn(smooth.points), std::numbers::pi / 9);
   // Each quarter turn about 1 m (the second line is 1.25 m long) saves 2 - pi / 2.
@@ -44,21 +45,22 @@ RC_GTEST_PROP(RoundCorners, KeepsTheEndsTheRadiusAndTheWalls, ()) {
   RC_PRE(plan.has_value());
   const double radius = *rc::gen::inRange(0, 40) / 100.0;
   const Floor floor = floor_of(*plan);
-  const auto map = make_floor_map(floor);
-  RouteQuery query{.kind = *rc::gen::element(RouteKind::Skeleton, RouteKind::Offset),
-                   .from = random_point(),
-                   .to = random_point(),
-                   .radius = radius,
-                   .offset = *rc::gen::inRange(10, 150) / 100.0};
+  const auto map = path::make_floor_map(floor);
+  path::RouteQuery query{
+      .kind = *rc::gen::element(path::RouteKind::Skeleton, path::RouteKind::Offset),
+      .from = random_point(),
+      .to = random_point(),
+      .radius = radius,
+      .offset = *rc::gen::inRange(10, 150) / 100.0};
   for (const Vec2 p : {query.from, query.to})
     RC_PRE(is_inside(*plan, p) && distance_to_nearest_wall(*plan, p) > radius);
 
-  const Way sharp = route(*map, query);
+  const path::Way sharp = path::route(*map, query);
   query.smooth = true;
-  const Way smooth = route(*map, query);
+  const path::Way smooth = path::route(*map, query);
 
   RC_ASSERT(smooth.status == sharp.status);
-  RC_PRE(smooth.status == RouteStatus::Ok);
+  RC_PRE(smooth.status == path::RouteStatus::Ok);
   RC_ASSERT(smooth.points.front() == query.from && smooth.points.back() == query.to);
   RC_ASSERT(smooth.length <= sharp.length + 1e-6);
   RC_ASSERT(std::abs(polyline_length(smooth.points) - smooth.length) < 0.01 * smooth.length + 0.01);

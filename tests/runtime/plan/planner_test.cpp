@@ -6,19 +6,20 @@
 
 #include "tests/support/sample_museum.h"
 
-namespace docent {
+namespace docent::plan {
 namespace {
 
-ViewRequest welcome(std::uint64_t id) {
+interface::ViewRequest welcome(std::uint64_t id) {
   return {.id = id, .state = {}, .shape = {.width = 640, .height = 360}, .trip = {}};
 }
 
 TEST(APlanner, WhoseTypeSetterRunsOutOfMemoryOnceGoesOnWithTheNextView) {
   const Museum museum = test::sample_museum_without_walls();
   bool has_memory = false;
-  const SetText set_text = [&](const TextStyle&, std::string_view, std::uint32_t width) {
+  const interface::SetText set_text = [&](const interface::TextStyle&, std::string_view,
+                                          std::uint32_t width) {
     if (!has_memory) throw std::bad_alloc();
-    return TextBitmap{.width = width, .height = 8, .lines = 1, .coverage = {}};
+    return interface::TextBitmap{.width = width, .height = 8, .lines = 1, .coverage = {}};
   };
   Planner planner(museum, {set_text, {}});
 
@@ -31,10 +32,10 @@ TEST(APlanner, WhoseTypeSetterRunsOutOfMemoryOnceGoesOnWithTheNextView) {
   has_memory = true;
   planner.ask(welcome(2));
   planner.wait();
-  const std::unique_ptr<View> view = planner.take_view();
+  const std::unique_ptr<interface::View> view = planner.take_view();
   ASSERT_NE(view, nullptr);
   EXPECT_EQ(view->request, 2U);
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::plan

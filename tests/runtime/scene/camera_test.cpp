@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -109,4 +109,4 @@ TEST(Camera, TurnsByTheShorterWayAndNoFasterThanAllowed) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scene

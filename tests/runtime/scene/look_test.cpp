@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 using Rgb = glm::dvec3;  // linear light
@@ -138,4 +138,4 @@ TEST(ALook, HasANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scene

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace docent {
+namespace docent::scene {
 namespace {
 
 struct Strip {
@@ -120,4 +120,4 @@ TEST(Ribbon, NeverReachesFurtherFromTheWayThanItsMitreAllows) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::scene

@@ -10,7 +10,7 @@
 
 #include "runtime/schema/elements.h"
 
-namespace docent {
+namespace docent::schema {
 namespace {
 
 using schema::decode;
@@ -101,4 +101,4 @@ TEST(Blob, WantsExactlyAsManyElementsAsAnArrayHas) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::schema

@@ -11,7 +11,7 @@
 
 #include "runtime/model/motion/motion_grid.h"
 
-namespace docent {
+namespace docent::schema {
 namespace {
 
 using testing::ElementsAreArray;
@@ -257,4 +257,4 @@ TEST(MotionBlob, SurvivesAnyDamage) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::schema

@@ -36,7 +36,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 }
 
 TEST(MotionGraphDrawing, HasALineForEachClipAndADotForEachTransition) {
-  const std::string svg = draw_motion_graph(two_clips());
+  const std::string svg = draw::draw_motion_graph(two_clips());
 
   EXPECT_THAT(svg, HasSubstr("setting out"));
   EXPECT_THAT(svg, HasSubstr("turn left"));
@@ -46,16 +46,16 @@ TEST(MotionGraphDrawing, HasALineForEachClipAndADotForEachTransition) {
 
 TEST(MotionGraphDrawing, NamesTheClassesWhereThereAreSeveral) {
   MotionGraph graph = two_clips();
-  EXPECT_THAT(draw_motion_graph(graph), Not(HasSubstr("turn left,")));
+  EXPECT_THAT(draw::draw_motion_graph(graph), Not(HasSubstr("turn left,")));
   graph.clips[0].motion_class = "walk";
   graph.clips[1].motion_class = "jog";
   graph.classes = {{.name = "walk", .coefficient = {0, 2}}, {.name = "jog", .coefficient = {2, 0}}};
 
-  EXPECT_THAT(draw_motion_graph(graph), HasSubstr("turn left, jog"));
+  EXPECT_THAT(draw::draw_motion_graph(graph), HasSubstr("turn left, jog"));
 }
 
 TEST(MotionGraphDrawing, SaysWhatItsColoursMean) {
-  const std::string svg = draw_motion_graph(two_clips());
+  const std::string svg = draw::draw_motion_graph(two_clips());
 
   EXPECT_THAT(svg, HasSubstr("2.0 cm"));
   EXPECT_THAT(svg, HasSubstr("5.0 cm"));
@@ -64,7 +64,7 @@ TEST(MotionGraphDrawing, SaysWhatItsColoursMean) {
 }
 
 TEST(MotionGraphDrawing, WritesNamesAsWords) {
-  const std::string svg = draw_motion_graph(two_clips());
+  const std::string svg = draw::draw_motion_graph(two_clips());
 
   EXPECT_THAT(svg, HasSubstr("a &lt; b &amp; c"));
   EXPECT_THAT(svg, Not(HasSubstr("a < b")));
@@ -74,7 +74,7 @@ TEST(MotionGraphDrawing, OfOneClipWithoutTransitionsIsStillAPicture) {
   MotionGraph graph = two_clips();
   graph.transitions.clear();
 
-  EXPECT_EQ(count(draw_motion_graph(graph), "</svg>"), 1U);
+  EXPECT_EQ(count(draw::draw_motion_graph(graph), "</svg>"), 1U);
 }
 
 }  // namespace

@@ -26,16 +26,16 @@ using testing::Not;
 
 /// An L-shaped room with one exhibit: its corner gives the diagram two parabolas.
 Museum small_museum() {
-  ImportedRing outer;
+  import::ImportedRing outer;
   outer.vertex = {{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {0, 6}};
   outer.place.resize(outer.vertex.size());
   Museum museum;
   Floor& floor = museum.floors.emplace_back();
   std::vector<Diagnostic> mendings;
-  floor.plan = mend({{"l.geojson"}, {{outer, {}}}, {}}, mendings);
+  floor.plan = floor::mend({{"l.geojson"}, {{outer, {}}}, {}}, mendings);
   floor.plan.name = "upper & lower";
-  floor.diagram = voronoi_diagram(floor.plan);
-  floor.roadmap = medial_axis(floor.plan, floor.diagram);
+  floor.diagram = floor::voronoi_diagram(floor.plan);
+  floor.roadmap = floor::medial_axis(floor.plan, floor.diagram);
   Exhibit& exhibit = museum.exhibits.emplace_back();
   exhibit.id = "bronze-tripod";
   exhibit.placement.position = {0, 5};
@@ -51,39 +51,40 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 TEST(PlanDrawing, DrawsOnlyTheLayersAskedFor) {
   const Museum museum = small_museum();
-  const std::string exhibits = draw_plan(museum, 0, {.exhibits = true}, {});
+  const std::string exhibits = draw::draw_plan(museum, 0, {.exhibits = true}, {});
   EXPECT_THAT(exhibits, HasSubstr("bronze-tripod"));
-  EXPECT_THAT(draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("bronze-tripod")));
+  EXPECT_THAT(draw::draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("bronze-tripod")));
 }
 
 TEST(PlanDrawing, DrawsEachRegionOnceAndParabolasAsQuadraticCurves) {
   const Museum museum = small_museum();
-  const std::string svg = draw_plan(museum, 0, {.regions = true}, {});
+  const std::string svg = draw::draw_plan(museum, 0, {.regions = true}, {});
   EXPECT_EQ(count(svg, "stroke-width=\"0.5\""), museum.floors[0].diagram.site.size());
   // Each of the two parabolas borders two regions and is drawn once more as a border.
   EXPECT_EQ(count(svg, "Q"), 6U);
 }
 
 TEST(PlanDrawing, EscapesNames) {
-  EXPECT_THAT(draw_plan(small_museum(), 0, {}, {}), HasSubstr("upper &amp; lower"));
+  EXPECT_THAT(draw::draw_plan(small_museum(), 0, {}, {}), HasSubstr("upper &amp; lower"));
 }
 
 TEST(PlanDrawing, TellsTheThreeKindsOfWaysApart) {
   const Museum museum = small_museum();
-  const auto way = [&](LineKind kind) {
-    return draw_plan(museum, 0, {}, {{kind, {{1, 1}, {5, 1}}, false, 0}});
+  const auto way = [&](draw::LineKind kind) {
+    return draw::draw_plan(museum, 0, {}, {{kind, {{1, 1}, {5, 1}}, false, 0}});
   };
-  EXPECT_THAT(way(LineKind::Shortest), HasSubstr(std::string(ink::vermilion)));
-  EXPECT_THAT(way(LineKind::Skeleton), HasSubstr(std::string(ink::teal)));
-  EXPECT_THAT(way(LineKind::Offset), HasSubstr(std::string(ink::ochre)));
+  EXPECT_THAT(way(draw::LineKind::Shortest), HasSubstr(std::string(draw::ink::vermilion)));
+  EXPECT_THAT(way(draw::LineKind::Skeleton), HasSubstr(std::string(draw::ink::teal)));
+  EXPECT_THAT(way(draw::LineKind::Offset), HasSubstr(std::string(draw::ink::ochre)));
 }
 
 TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
   const Museum museum = small_museum();
-  EXPECT_THAT(draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("Voronoi regions")));
-  const std::string svg = draw_plan(museum, 0, {.regions = true, .skeleton = true},
-                                    {{LineKind::Level, {{1, 1}, {5, 1}, {1, 5}}, true, 0.5},
-                                     {LineKind::Shortest, {{1, 1}, {5, 1}}, false, 0}});
+  EXPECT_THAT(draw::draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("Voronoi regions")));
+  const std::string svg =
+      draw::draw_plan(museum, 0, {.regions = true, .skeleton = true},
+                      {{draw::LineKind::Level, {{1, 1}, {5, 1}, {1, 5}}, true, 0.5},
+                       {draw::LineKind::Shortest, {{1, 1}, {5, 1}}, false, 0}});
   for (const char* words :
        {"Voronoi regions", "medial axis", "clearance, every 0.5 m", "shortest path"})
     EXPECT_THAT(svg, HasSubstr(words));
@@ -93,22 +94,24 @@ TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
 TEST(PlanDrawing, ShadesEachLevelOnceWithItsHolesLeftOut) {
   const Museum museum = small_museum();
   const auto ring = [](double size, double clearance) {
-    return DrawnLine{LineKind::Level, {{1, 1}, {1 + size, 1}, {1, 1 + size}}, true, clearance};
+    return draw::DrawnLine{
+        draw::LineKind::Level, {{1, 1}, {1 + size, 1}, {1, 1 + size}}, true, clearance};
   };
-  const std::string svg = draw_plan(museum, 0, {}, {ring(4, 0.5), ring(1, 0.5), ring(3, 1)});
+  const std::string svg = draw::draw_plan(museum, 0, {}, {ring(4, 0.5), ring(1, 0.5), ring(3, 1)});
   EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 2U + 3U);  // Three more in the legend.
 }
 
 TEST(PlanDrawing, IsTheSameEveryTime) {
-  const PlanLayers all{
+  const draw::PlanLayers all{
       .walls = true, .regions = true, .sites = true, .skeleton = true, .exhibits = true};
-  EXPECT_EQ(draw_plan(small_museum(), 0, all, {}), draw_plan(small_museum(), 0, all, {}));
+  EXPECT_EQ(draw::draw_plan(small_museum(), 0, all, {}),
+            draw::draw_plan(small_museum(), 0, all, {}));
 }
 
 TEST(PlanLabels, HideNeitherMarksNorEachOther) {
-  std::vector<Label> labels = {
+  std::vector<draw::Label> labels = {
       {"first", {100, 100}, {}}, {"second", {150, 100}, {}}, {"third", {100, 110}, {}}};
-  place_labels(labels, 16, {400, 300});
+  draw::place_labels(labels, 16, {400, 300});
   for (std::size_t i = 0; i < labels.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Vec2 apart = glm::abs(labels[i].baseline - labels[j].baseline);
@@ -117,16 +120,16 @@ TEST(PlanLabels, HideNeitherMarksNorEachOther) {
 }
 
 TEST(PlanLabels, StayOnThePage) {
-  std::vector<Label> labels = {{"at-the-right-edge", {395, 150}, {}}};
-  place_labels(labels, 16, {400, 300});
+  std::vector<draw::Label> labels = {{"at-the-right-edge", {395, 150}, {}}};
+  draw::place_labels(labels, 16, {400, 300});
   EXPECT_LT(labels[0].baseline.x, 300);
 }
 
 TEST(PictureFile, PaintsWhatTheDrawingSays) {
   const TemporaryFolder folder;
-  Svg svg(20, 10);
+  draw::Svg svg(20, 10);
   svg.rectangle({0, 0}, {20, 10}, "fill=\"#D2452D\"");
-  write_picture(folder.path() / "red.png", svg.document());
+  draw::write_picture(folder.path() / "red.png", svg.document());
   std::ifstream stream(folder.path() / "red.png", std::ios::binary);
   const std::string png{std::istreambuf_iterator<char>(stream), {}};
   ASSERT_GT(png.size(), 24U);
@@ -137,14 +140,15 @@ TEST(PictureFile, PaintsWhatTheDrawingSays) {
 
 TEST(PictureFile, RefusesAnUnknownFormatAndLeavesNothingBehind) {
   const TemporaryFolder folder;
-  EXPECT_THROW(write_picture(folder.path() / "plan.bmp", "<svg/>"), ContentError);
-  EXPECT_THROW(write_picture(folder.path() / "no-such" / "plan.svg", "<svg/>"), ContentError);
+  EXPECT_THROW(draw::write_picture(folder.path() / "plan.bmp", "<svg/>"), content::ContentError);
+  EXPECT_THROW(draw::write_picture(folder.path() / "no-such" / "plan.svg", "<svg/>"),
+               content::ContentError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Mixed, BlendsColoursChannelByChannel) {
-  EXPECT_EQ(mixed("#000000", "#FF8000", 0.5), "#804000");
-  EXPECT_EQ(mixed("#102030", "#FFFFFF", 0), "#102030");
+  EXPECT_EQ(draw::mixed("#000000", "#FF8000", 0.5), "#804000");
+  EXPECT_EQ(draw::mixed("#102030", "#FFFFFF", 0), "#102030");
 }
 
 }  // namespace

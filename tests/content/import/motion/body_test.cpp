@@ -24,7 +24,7 @@ std::vector<SampleJoint> renamed(const Names& names) {
 }
 
 Skeleton skeleton_of(const std::vector<SampleJoint>& body) {
-  return parse_bvh(bvh_text(body, {standing_frame(body)}), "body.bvh", 1.0).skeleton;
+  return import::parse_bvh(bvh_text(body, {standing_frame(body)}), "body.bvh", 1.0).skeleton;
 }
 
 void expect_same_parts(const Skeleton& skeleton, const Skeleton& expected) {
@@ -90,7 +90,7 @@ TEST(BodyParts, AreFoundByShapeWhereNamesSayNothing) {
   turned.zyx[0] = {0, 130, 0};  // whichever way it faces
   const auto body = renamed(numbers);
 
-  const Skeleton skeleton = parse_bvh(bvh_text(body, {turned}), "body.bvh", 1.0).skeleton;
+  const Skeleton skeleton = import::parse_bvh(bvh_text(body, {turned}), "body.bvh", 1.0).skeleton;
 
   Skeleton expected = skeleton_of(sample_body());
   using enum BodyPart;
@@ -112,7 +112,7 @@ TEST(BodyParts, LeaveOutWhatABodyDoesNotHave) {
 }
 
 TEST(LegLength, IsFromHipToAnkle) {
-  EXPECT_NEAR(leg_length(skeleton_of(sample_body())), 0.82, 1e-6);
+  EXPECT_NEAR(import::leg_length(skeleton_of(sample_body())), 0.82, 1e-6);
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ std::vector<SampleFrame> random_frames(const std::vector<SampleJoint>& body, int
 }
 
 /// Largest distance between the importer's joints and the oracle's, metres.
-double error_of(const RecordedMotion& motion, const std::vector<SampleJoint>& body,
+double error_of(const import::RecordedMotion& motion, const std::vector<SampleJoint>& body,
                 const std::vector<SampleFrame>& frames, const std::string& order) {
   double worst = motion.skeleton.joint.size() == body.size() ? 0 : 1e9;
   std::vector<Vec3> places;
   for (std::size_t f = 0; f < frames.size() && worst < 1e9; ++f) {
-    place_joints(motion.skeleton, motion.clip, f, places);
+    import::place_joints(motion.skeleton, motion.clip, f, places);
     const std::vector<glm::dvec3> expected = places_in(body, frames[f], order);
     for (std::size_t j = 0; j < body.size(); ++j)
       worst = std::max(worst, glm::distance(glm::dvec3(places[j]), expected[j]));
@@ -55,7 +55,8 @@ TEST(Bvh, PutsEveryJointWhereTheChannelsSayInAnyOrder) {
     for (int swaps = *rc::gen::inRange(0, 6); swaps > 0; --swaps)
       std::ranges::next_permutation(order);
 
-    const auto motion = parse_bvh(bvh_text(body, frames, {.rotation_order = order}), "a.bvh", 1.0);
+    const auto motion =
+        import::parse_bvh(bvh_text(body, frames, {.rotation_order = order}), "a.bvh", 1.0);
 
     RC_ASSERT(error_of(motion, body, frames, order) < 5e-6);
   }));
@@ -77,7 +78,7 @@ TEST(Bvh, ReadsTheSameBodyInEveryUnitAndStyle) {
            BvhStyle{.positions_everywhere = true},
            BvhStyle{.metres_per_unit = 0.01, .positions_everywhere = true, .dummy_root = true},
        }) {
-    const auto motion = parse_bvh(bvh_text(body, {frame, frame}, style), "a.bvh");
+    const auto motion = import::parse_bvh(bvh_text(body, {frame, frame}, style), "a.bvh");
 
     EXPECT_NEAR(motion.scale.metres_per_unit, style.metres_per_unit, 1e-9);
     EXPECT_LT(error_of(motion, body, {frame, frame}, "ZYX"), 1e-5);
@@ -88,9 +89,9 @@ TEST(Bvh, ReadsTheSameBodyInEveryUnitAndStyle) {
 }
 
 TEST(Bvh, KeepsRatesThatAreNoWholeNumbers) {
-  EXPECT_EQ(frame_rate_of(0.0333333), 30);
-  EXPECT_EQ(frame_rate_of(0.00833), 120);
-  EXPECT_NEAR(frame_rate_of(1001.0 / 30000), 29.97, 0.001);
+  EXPECT_EQ(import::frame_rate_of(0.0333333), 30);
+  EXPECT_EQ(import::frame_rate_of(0.00833), 120);
+  EXPECT_NEAR(import::frame_rate_of(1001.0 / 30000), 29.97, 0.001);
 }
 
 TEST(Bvh, LeavesOutATPoseBeforeTheRecordingAndSaysSo) {
@@ -99,7 +100,7 @@ TEST(Bvh, LeavesOutATPoseBeforeTheRecordingAndSaysSo) {
   SampleFrame moving = straight;
   for (auto& angles : moving.zyx) angles = {12.3456, -7.8912, 3.1415};
 
-  const auto motion = parse_bvh(bvh_text(body, {straight, moving, moving}), "a.bvh");
+  const auto motion = import::parse_bvh(bvh_text(body, {straight, moving, moving}), "a.bvh");
 
   EXPECT_EQ(frame_count(motion.clip), 2U);
   ASSERT_EQ(motion.notes.size(), 1U);
@@ -111,7 +112,7 @@ TEST(Bvh, KeepsAStraightFirstFrameThatTheRecordingGoesOnFrom) {
   std::vector<SampleFrame> frames(3, standing_frame(body));
   frames[1].zyx[1] = {0.1234, 0, 0};
 
-  EXPECT_EQ(frame_count(parse_bvh(bvh_text(body, frames), "a.bvh").clip), 3U);
+  EXPECT_EQ(frame_count(import::parse_bvh(bvh_text(body, frames), "a.bvh").clip), 3U);
 }
 
 TEST(Bvh, TakesTheMeanOfABoneThatStretchesAndSaysSo) {
@@ -125,7 +126,7 @@ TEST(Bvh, TakesTheMeanOfABoneThatStretchesAndSaysSo) {
   text.replace(text.find("Frames: 1"), 9, "Frames: 2");
   text += other.substr(other.find("Frame Time: 0.0083333\n") + 22);
 
-  const auto motion = parse_bvh(text, "a.bvh", 1.0);
+  const auto motion = import::parse_bvh(text, "a.bvh", 1.0);
 
   EXPECT_NEAR(motion.skeleton.joint[2].offset.y, -0.43, 1e-6);
   ASSERT_EQ(motion.notes.size(), 1U);
@@ -150,9 +151,9 @@ TEST_P(BadBvh, IsToldInASentenceWithItsLine) {
       1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
 
   try {
-    parse_bvh(text, "walk.bvh");
+    import::parse_bvh(text, "walk.bvh");
     FAIL() << "no error";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(error.code, GetParam().code);
     EXPECT_THAT(error.what(), HasSubstr(GetParam().sentence));
     EXPECT_EQ(error.file, "walk.bvh");
@@ -204,7 +205,8 @@ TEST(Bvh, CutAnywhereIsAnErrorAndNeverAShorterMotion) {
   EXPECT_TRUE(rc::check([&] {
     const auto length = *rc::gen::inRange<std::size_t>(0, text.size() - 1);
 
-    RC_ASSERT_THROWS_AS(parse_bvh(text.substr(0, length), "cut.bvh"), ContentError);
+    RC_ASSERT_THROWS_AS(import::parse_bvh(text.substr(0, length), "cut.bvh"),
+                        content::ContentError);
   }));
 }
 
@@ -214,25 +216,25 @@ TEST(Bvh, WithoutLegsAsksForItsUnit) {
   const std::string text = bvh_text(tail, {standing_frame(tail)});
 
   try {
-    parse_bvh(text, "tail.bvh");
+    import::parse_bvh(text, "tail.bvh");
     FAIL() << "no error";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(error.code, "unknown-unit");
     EXPECT_THAT(error.hint, HasSubstr("clips.toml"));
   }
-  EXPECT_NO_THROW(parse_bvh(text, "tail.bvh", 1.0));
+  EXPECT_NO_THROW(import::parse_bvh(text, "tail.bvh", 1.0));
 }
 
 TEST(BvhWriter, WritesWhatTheReaderReads) {
   EXPECT_TRUE(rc::check([] {
     const auto body = sample_body();
     const auto frames = random_frames(body, -180, 180);
-    const auto motion = parse_bvh(bvh_text(body, frames), "a.bvh", 1.0);
+    const auto motion = import::parse_bvh(bvh_text(body, frames), "a.bvh", 1.0);
 
-    const std::string text =
-        to_bvh(motion.skeleton, {motion.clip.frame_rate, motion.clip.root, motion.clip.rotation});
+    const std::string text = import::to_bvh(
+        motion.skeleton, {motion.clip.frame_rate, motion.clip.root, motion.clip.rotation});
 
-    RC_ASSERT(error_of(parse_bvh(text, "b.bvh", 1.0), body, frames, "ZYX") < 1e-5);
+    RC_ASSERT(error_of(import::parse_bvh(text, "b.bvh", 1.0), body, frames, "ZYX") < 1e-5);
   }));
 }
 
@@ -241,9 +243,10 @@ TEST(BvhWriter, TurnsOnThroughFullCirclesWithoutLeaps) {
   std::vector<SampleFrame> frames(100, standing_frame(body));
   for (std::size_t f = 0; f < frames.size(); ++f)
     frames[f].zyx[0] = {0, 8.0 * static_cast<double>(f), 0};  // past 90 degrees, and twice round
-  const auto motion = parse_bvh(bvh_text(body, frames), "a.bvh", 1.0);
+  const auto motion = import::parse_bvh(bvh_text(body, frames), "a.bvh", 1.0);
 
-  const std::string text = to_bvh(motion.skeleton, {120, motion.clip.root, motion.clip.rotation});
+  const std::string text =
+      import::to_bvh(motion.skeleton, {120, motion.clip.root, motion.clip.rotation});
 
   std::istringstream lines(text.substr(text.find("Frame Time")));
   std::string line;
@@ -260,13 +263,13 @@ TEST(BvhWriter, TurnsOnThroughFullCirclesWithoutLeaps) {
 
 TEST(BvhWriter, SaysWhereItCannotWrite) {
   const auto body = sample_body();
-  const auto motion = parse_bvh(bvh_text(body, {standing_frame(body)}), "a.bvh", 1.0);
+  const auto motion = import::parse_bvh(bvh_text(body, {standing_frame(body)}), "a.bvh", 1.0);
 
   try {
-    write_bvh(motion.skeleton, {120, motion.clip.root, motion.clip.rotation},
-              "/nonexistent/folder/walk.bvh");
+    import::write_bvh(motion.skeleton, {120, motion.clip.root, motion.clip.rotation},
+                      "/nonexistent/folder/walk.bvh");
     FAIL() << "no error";
-  } catch (const ContentError& error) {
+  } catch (const content::ContentError& error) {
     EXPECT_EQ(error.kind, Errc::Environment);
     EXPECT_EQ(error.file, "/nonexistent/folder/walk.bvh");
   }

@@ -13,8 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Row = std::vector<double>;
 
-std::vector<Link> random_links(std::uint32_t nodes) {
-  std::vector<Link> links;
+std::vector<path::Link> random_links(std::uint32_t nodes) {
+  std::vector<path::Link> links;
   for (int k = *rc::gen::inRange(0, 60); k > 0; --k)
     links.push_back({*rc::gen::inRange(0U, nodes), *rc::gen::inRange(0U, nodes),
                      *rc::gen::inRange(0, 50) / 4.0, static_cast<std::uint32_t>(links.size())});
@@ -22,10 +22,10 @@ std::vector<Link> random_links(std::uint32_t nodes) {
 }
 
 /// Floyd and Warshall.
-std::vector<Row> all_distances(std::uint32_t nodes, const std::vector<Link>& links) {
+std::vector<Row> all_distances(std::uint32_t nodes, const std::vector<path::Link>& links) {
   std::vector<Row> distance(nodes, Row(nodes, infinity));
   for (std::uint32_t i = 0; i < nodes; ++i) distance[i][i] = 0;
-  for (const Link& link : links)
+  for (const path::Link& link : links)
     distance[link.from][link.to] = std::min(distance[link.from][link.to], link.length);
   for (std::uint32_t k = 0; k < nodes; ++k)
     for (Row& row : distance)
@@ -34,27 +34,27 @@ std::vector<Row> all_distances(std::uint32_t nodes, const std::vector<Link>& lin
 }
 
 /// What a search upwards finds from a node, in the order of the ranks.
-Row climb(const Hierarchy& hierarchy, const std::vector<std::vector<Hierarchy::Arc>>& arcs,
-          std::uint32_t start) {
+Row climb(const path::Hierarchy& hierarchy,
+          const std::vector<std::vector<path::Hierarchy::Arc>>& arcs, std::uint32_t start) {
   Row distance(hierarchy.rank.size(), infinity);
   distance[start] = 0;
   std::vector<std::uint32_t> by_rank(hierarchy.rank.size());
   for (std::uint32_t i = 0; i < by_rank.size(); ++i) by_rank[hierarchy.rank[i]] = i;
   for (const std::uint32_t node : by_rank)
-    for (const Hierarchy::Arc& arc : arcs[node])
+    for (const path::Hierarchy::Arc& arc : arcs[node])
       distance[arc.node] = std::min(distance[arc.node], distance[node] + arc.length);
   return distance;
 }
 
 RC_GTEST_PROP(Contraction, KeepsEveryDistanceAsAWayUpAndAWayDown, ()) {
   const std::uint32_t nodes = *rc::gen::inRange(1U, 14U);
-  const std::vector<Link> links = random_links(nodes);
+  const std::vector<path::Link> links = random_links(nodes);
 
-  const auto contracted = contract(nodes, links, static_cast<std::uint32_t>(links.size()),
-                                   1'000'000, std::stop_token{});
+  const auto contracted = path::contract(nodes, links, static_cast<std::uint32_t>(links.size()),
+                                         1'000'000, std::stop_token{});
 
   RC_ASSERT(contracted.has_value());
-  const Hierarchy& hierarchy = *contracted;
+  const path::Hierarchy& hierarchy = *contracted;
 
   const std::vector<Row> expected = all_distances(nodes, links);
   for (std::uint32_t from = 0; from < nodes; ++from)
@@ -70,11 +70,11 @@ RC_GTEST_PROP(Contraction, KeepsEveryDistanceAsAWayUpAndAWayDown, ()) {
 TEST(Contraction, IsGivenUpWhenItIsAskedToStopAndWhenItWouldCostTooMuch) {
   std::stop_source source;
   source.request_stop();
-  const std::vector<Link> links{{0, 1, 1, 0}, {1, 2, 1, 1}, {2, 0, 1, 2}, {0, 2, 1, 3}};
+  const std::vector<path::Link> links{{0, 1, 1, 0}, {1, 2, 1, 1}, {2, 0, 1, 2}, {0, 2, 1, 3}};
 
-  EXPECT_FALSE(contract(3, links, 4, 1'000'000, source.get_token()).has_value());
-  EXPECT_FALSE(contract(3, links, 4, 0, std::stop_token{}).has_value());
-  EXPECT_TRUE(contract(3, links, 4, 1'000'000, std::stop_token{}).has_value());
+  EXPECT_FALSE(path::contract(3, links, 4, 1'000'000, source.get_token()).has_value());
+  EXPECT_FALSE(path::contract(3, links, 4, 0, std::stop_token{}).has_value());
+  EXPECT_TRUE(path::contract(3, links, 4, 1'000'000, std::stop_token{}).has_value());
 }
 
 }  // namespace

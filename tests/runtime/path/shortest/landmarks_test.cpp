@@ -18,12 +18,12 @@ RC_GTEST_PROP(Landmarks, NeverSayMoreThanTheShortestWay, ()) {
   const Floor floor = floor_of(*plan);
   const std::size_t corners = floor.sight.corner.size();
   RC_PRE(corners > 1U);
-  const Landmarks landmarks(floor.plan, floor.sight);
+  const path::Landmarks landmarks(floor.plan, floor.sight);
   const auto from = *rc::gen::inRange<std::uint32_t>(0, static_cast<std::uint32_t>(corners));
   const Vec2 goal = random_point();
   RC_PRE(is_inside(*plan, goal));
 
-  LandmarkBound bound(landmarks, 0);
+  path::LandmarkBound bound(landmarks, 0);
   double shortest = std::numeric_limits<double>::infinity();
   const auto position = [&](std::uint32_t c) { return plan->vertex[floor.sight.corner[c]]; };
   for (std::uint32_t last = 0; last < corners; ++last) {
@@ -45,9 +45,9 @@ TEST(Landmarks, KnowThatWhatIsNearThroughAWallIsFarOnFoot) {
     while (glm::distance(floor.plan.vertex[floor.sight.corner.at(c)], place) > 1e-3) ++c;
     return c;
   };
-  const Landmarks landmarks(floor.plan, floor.sight);
+  const path::Landmarks landmarks(floor.plan, floor.sight);
 
-  LandmarkBound bound(landmarks, 0);
+  path::LandmarkBound bound(landmarks, 0);
   bound.add(corner_at({18, 8}), 0);
 
   EXPECT_GT(bound.from(corner_at({18, 2})), 25);  // 6 m through the wall.

@@ -14,7 +14,7 @@ namespace docent::test {
 namespace {
 
 /// Waits until the background has made a radius, for at most ten seconds.
-std::shared_ptr<const ShortestWayMap> wait_for(const FloorMap& map, double radius) {
+std::shared_ptr<const path::ShortestWayMap> wait_for(const path::FloorMap& map, double radius) {
   for (int k = 0; k < 10'000; ++k) {
     if (auto found = map.shortest_ways().find(radius)) return found;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -24,7 +24,7 @@ std::shared_ptr<const ShortestWayMap> wait_for(const FloorMap& map, double radiu
 
 TEST(RadiusMaps, HaveTheClassesOfTheDatabaseAtOnce) {
   const Floor floor = floor_of(hall_with_a_box(), {0, 0.25});
-  const FloorMap map(floor);
+  const path::FloorMap map(floor);
 
   EXPECT_NE(map.shortest_ways().find(0), nullptr);
   EXPECT_NE(map.shortest_ways().find(0.25), nullptr);
@@ -32,23 +32,24 @@ TEST(RadiusMaps, HaveTheClassesOfTheDatabaseAtOnce) {
 
 TEST(RadiusMaps, MakeARadiusThatNobodyAskedForBeforeInTheBackground) {
   const Floor floor = floor_of(hall_with_a_box());
-  const FloorMap map(floor);
-  const RouteQuery query{.kind = RouteKind::Shortest, .from = {3, 4}, .to = {9, 4}, .radius = 0.4};
+  const path::FloorMap map(floor);
+  const path::RouteQuery query{
+      .kind = path::RouteKind::Shortest, .from = {3, 4}, .to = {9, 4}, .radius = 0.4};
 
   EXPECT_EQ(map.shortest_ways().find(0.4), nullptr);
-  const Way at_once = route(map, query);
+  const path::Way at_once = path::route(map, query);
   const auto made = wait_for(map, 0.4);
   ASSERT_NE(made, nullptr);
-  const Way later = route(map, query);
+  const path::Way later = path::route(map, query);
 
-  EXPECT_EQ(at_once.status, RouteStatus::Ok);
+  EXPECT_EQ(at_once.status, path::RouteStatus::Ok);
   EXPECT_NEAR(at_once.length, later.length, 1e-9);
 }
 
 TEST(RadiusMaps, MayGoWhileARadiusIsBeingMade) {
   const Floor floor = floor_of(hall_with_a_box());
   for (int k = 0; k < 20; ++k) {
-    const FloorMap map(floor);
+    const path::FloorMap map(floor);
     EXPECT_EQ(map.shortest_ways().find(0.1 + 0.01 * k), nullptr);
   }
 }
@@ -58,21 +59,21 @@ RC_GTEST_PROP(ShortestWay, IsTheSameByLabelsAndBySearch, ()) {
   RC_PRE(plan.has_value());
   const double radius = *rc::gen::inRange(0, 80) / 100.0;
   const Floor floor = floor_of(*plan, {radius});
-  const FloorMap map(floor);
+  const path::FloorMap map(floor);
   const auto labels = map.shortest_ways().find(radius);
   RC_ASSERT(static_cast<bool>(labels));
   for (int k = 0; k < 12; ++k) {
     const Vec2 from = random_point(), to = random_point();
     if (!map.has_room(from, radius) || !map.has_room(to, radius)) continue;
 
-    const Way by_labels = shortest_way(*labels, from, to);
-    const Way by_search = search_tangents(map.search(), radius, from, to);
+    const path::Way by_labels = path::shortest_way(*labels, from, to);
+    const path::Way by_search = path::search_tangents(map.search(), radius, from, to);
 
     RC_ASSERT(by_labels.status == by_search.status);
     RC_ASSERT(std::abs(by_labels.length - by_search.length) < 1e-6);
     RC_ASSERT(std::abs(polyline_length(by_labels.points) - by_labels.length) <
               0.01 + 0.02 * by_labels.length);
-    if (by_labels.status == RouteStatus::Ok)
+    if (by_labels.status == path::RouteStatus::Ok)
       RC_ASSERT(sampled_clearance(*plan, by_labels.points) >= radius - 1e-3 - 1e-6);
   }
 }

@@ -23,7 +23,7 @@ std::span<const std::uint32_t> seen_by(const SightMap& map, std::size_t corner) 
 /// Is a corner of the plan on the open segment? Whoever goes that way passes it.
 bool passes_a_corner(const FloorPlan& plan, Vec2 a, Vec2 b) {
   return std::ranges::any_of(plan.vertex, [&](Vec2 v) {
-    return v != a && v != b && orientation(a, b, v) == 0 && dot(v - a, b - a) > 0 &&
+    return v != a && v != b && path::orientation(a, b, v) == 0 && dot(v - a, b - a) > 0 &&
            dot(v - b, a - b) > 0;
   });
 }
@@ -31,9 +31,9 @@ bool passes_a_corner(const FloorPlan& plan, Vec2 a, Vec2 b) {
 RC_GTEST_PROP(SightMap, HoldsThePairsOfCornersThatSeeEachOther, ()) {
   const auto plan = random_hall();
   RC_PRE(plan.has_value());
-  const WallGrid walls(*plan, 0);
+  const path::WallGrid walls(*plan, 0);
 
-  const SightMap map = make_sight_map(*plan);
+  const SightMap map = floor::make_sight_map(*plan);
 
   for (std::uint32_t i = 0; i < map.corner.size(); ++i)
     for (std::uint32_t j = 0; j < map.corner.size(); ++j) {
@@ -48,8 +48,8 @@ RC_GTEST_PROP(SightMap, HoldsThePairsOfCornersThatSeeEachOther, ()) {
 RC_GTEST_PROP(SightMap, KnowsInEveryCellWhatItsPointsSee, ()) {
   const auto plan = random_hall();
   RC_PRE(plan.has_value());
-  const WallGrid walls(*plan, 0);
-  const SightMap map = make_sight_map(*plan);
+  const path::WallGrid walls(*plan, 0);
+  const SightMap map = floor::make_sight_map(*plan);
   for (int k = 0; k < 20; ++k) {
     const Vec2 point = random_point();
     if (!is_inside(*plan, point)) continue;
@@ -69,7 +69,7 @@ RC_GTEST_PROP(SightMap, KnowsInEveryCellWhatItsPointsSee, ()) {
 }
 
 TEST(SightMap, SeesTheFourCornersOfABoxFromRoundItsSides) {
-  const SightMap map = make_sight_map(mended(hall_with_a_box()));
+  const SightMap map = floor::make_sight_map(mended(hall_with_a_box()));
 
   ASSERT_EQ(map.corner.size(), 4U);
   for (std::uint32_t i = 0; i < 4; ++i) EXPECT_EQ(seen_by(map, i).size(), 2U) << "its neighbours";

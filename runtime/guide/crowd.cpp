@@ -1,0 +1,197 @@
+#include "runtime/guide/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace docent::guide {
+namespace {
+
+constexpr double longest_lead = 2;       // seconds: a plan is never asked for from later than that
+constexpr double go_on_ahead = 1;        // seconds before a stretch ends in which the next is made
+constexpr double standing_lead = 0.1;    // seconds: who stands sets out that much after asking
+constexpr double ask_again = 0.5;        // seconds, while others are in the way
+constexpr double ask_room_again = 2.5;   // seconds between two requests to make room
+constexpr double content_after = 6;      // seconds of being held up ...
+constexpr double close_by = 2;           // ... this near to its goal, metres, after which it stays
+constexpr double make_room_pause = 2.0;  // seconds for which who made room lets the other go first
+constexpr double urgency = 0.2;          // rank gained by a second of being held up
+constexpr double appear_again = 1.0;     // seconds, while somebody stands where one shall appear
+
+}  // namespace
+
+bool stands(const Avatar& avatar) noexcept {
+  return !avatar.next && avatar.seconds >= avatar.plan->seconds();
+}
+
+std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
+  const auto who = static_cast<std::uint32_t>(members_.size());
+  Agent one;
+  one.avatar = make_avatar(museum_, floor, plan::make_standing(museum_, place));
+  one.rank = rank;
+  one.pace = pace;
+  members_.push_back(std::move(one));
+  return who;
+}
+
+void Crowd::send(std::uint32_t who, const Placement& goal, path::RouteKind kind) noexcept {
+  Agent& one = members_[who];
+  one.goal = goal;
+  one.kind = kind;
+  one.has_arrived = one.is_on_its_way = false;
+  one.trip.reset();
+  one.ask_at = clock_;
+  one.awaits_answer = false;
+  one.avatar.next.reset();
+  ask_for_next(who);
+}
+
+void Crowd::stop(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
+  one.goal.reset();
+  one.has_arrived = true;
+  one.is_on_its_way = false;
+  one.trip.reset();
+  one.avatar.next.reset();
+  if (stands(one.avatar)) return;
+  ask(who, {}, one.avatar.seconds + one.lead);
+}
+
+void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept {
+  Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  const motion::Walk& walk = avatar.plan->walk;
+  order.id = one.last_order = ++last_order_;
+  order.avatar = who;
+  order.floor = avatar.floor;
+  order.start = avatar.body;
+  order.pace = one.pace;
+  order.before = avatar.plan.get();
+  if (!walk.root.empty()) {
+    const auto last = static_cast<double>(walk.root.size() - 1);
+    const double frame = std::min(std::ceil(takes_over * walk.frame_rate - 1e-6), last);
+    order.before_frame = static_cast<std::uint32_t>(frame);
+    takes_over =
+        frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
+  }
+  if (members_.size() > 1) {
+    order.before_seconds = takes_over;
+    order.seconds = clock_ + takes_over - avatar.seconds;
+    order.held_seconds = one.held_seconds;
+    order.rank = one.rank + urgency * one.held_seconds + 1e-6 * who;
+  }
+  one.awaits_answer = true;
+  planner_.ask(order);
+}
+
+void Crowd::ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept {
+  Agent& one = members_[who];
+  if (one.awaits_answer || !stands(one.avatar) || clock_ - one.asked_for_room < ask_room_again)
+    return;
+  one.asked_for_room = clock_;
+  one.is_on_its_way = false;
+  plan::WalkOrder order;
+  order.makes_room_for = for_whom;
+  ask(who, order, one.avatar.seconds + standing_lead);
+}
+
+// What the planner answers.
+
+void Crowd::take_answers() noexcept {
+  while (std::unique_ptr<plan::Plan> plan = planner_.take_plan()) {
+    Agent& one = members_[plan->order.avatar];
+    if (plan->order.id == one.last_order) take_answer(one, std::move(plan));
+  }
+}
+
+void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
+  const std::uint32_t who = plan->order.avatar;
+  one.awaits_answer = false;
+  for (const std::uint32_t other : plan->in_the_way)
+    if (other < members_.size()) ask_for_room(other, who);
+  if (plan->order.enters) {
+    one.is_here = !plan->holds;
+    one.ask_at = clock_ + appear_again;
+    return;
+  }
+  if (plan->order.goal && (!plan->order.goes_on || plan->is_new_way)) {
+    one.is_answered = true;
+    one.trip = interface::Trip{plan->status, plan->length, plan->seconds_to_goal};
+  }
+  if (plan->status != path::RouteStatus::Ok) {
+    one.goal.reset();
+    one.has_arrived = true;
+    return;
+  }
+  if (plan->holds) {
+    // Not all at once.
+    one.ask_at = clock_ + ask_again + 0.02 * (who % 8);
+    return;
+  }
+  const bool aside = plan->order.makes_room_for.has_value();
+  const bool leads_to_goal = plan->order.goal.has_value();
+  one.made_room_for = plan->order.makes_room_for;
+  if (aside) one.let_first_until = clock_ + plan->seconds() + make_room_pause;
+  if (!take_plan(one.avatar, std::move(plan))) {
+    one.lead = std::min(2 * one.lead, longest_lead);
+    return;  // and asks again
+  }
+  one.is_on_its_way = leads_to_goal;
+}
+
+// What time brings.
+
+void Crowd::step(double seconds) noexcept {
+  clock_ += seconds;
+  for (Agent& one : members_) one.is_answered = false;
+  take_answers();
+  for (std::uint32_t who = 0; who < members_.size(); ++who) {
+    Agent& one = members_[who];
+    advance(museum_, one.avatar, seconds);
+    const bool held = one.goal && !one.has_arrived && stands(one.avatar);
+    one.held_seconds = held ? one.held_seconds + seconds : 0;
+    ask_for_next(who);
+  }
+}
+
+/// Is the one for whom it has made room still there?
+bool Crowd::lets_go_first(const Agent& one) const noexcept {
+  if (!one.made_room_for || clock_ >= one.let_first_until) return false;
+  const Agent& other = members_[*one.made_room_for];
+  return other.goal && !other.has_arrived && stands(other.avatar);
+}
+
+/// Asks for what it needs next, if it is time.
+void Crowd::ask_for_next(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  if (members_.size() == 1) one.is_here = true;
+  if (one.awaits_answer || avatar.next || clock_ < one.ask_at || lets_go_first(one)) return;
+  if (!one.is_here) {
+    plan::WalkOrder order;
+    order.enters = true;
+    return ask(who, order, avatar.seconds);
+  }
+  if (!one.goal || one.has_arrived) return;
+  if (one.held_seconds > content_after &&
+      glm::distance(avatar.body.position, one.goal->position) < close_by)
+    one.goal->position = avatar.body.position;  // somebody holds the place itself
+  const double lead = stands(avatar) && members_.size() > 1 ? standing_lead : one.lead;
+  plan::WalkOrder order;
+  order.goal = one.goal;
+  order.kind = one.kind;
+  if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
+  if (avatar.plan->is_whole) {
+    one.has_arrived = stands(avatar);
+    return;
+  }
+  const double go_on = avatar.plan->go_on_frame / avatar.plan->walk.frame_rate;
+  // Who stops on its way looks about when it stands.
+  const bool stops = avatar.plan->go_on_frame + 1 >= motion::frame_count(avatar.plan->walk);
+  if (stops && !stands(avatar)) return;
+  if (go_on - avatar.seconds > go_on_ahead + lead) return;
+  order.goes_on = true;
+  ask(who, order, std::max(go_on, avatar.seconds + lead));
+}
+
+}  // namespace docent::guide

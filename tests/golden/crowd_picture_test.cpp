@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "platform/headless/headless_display.h"
+#include "runtime/kiosk/exhibition.h"
+#include "runtime/scene/camera.h"
+#include "runtime/scene/look.h"
+#include "tests/golden/pictures.h"
+#include "tests/support/sample_database.h"
+#include "tests/support/temporary_folder.h"
+
+namespace docent::test {
+namespace {
+
+/// A guide on its way: where it set out, where it leads, how far it has come.
+struct Errand {
+  Placement start;
+  std::string_view exhibit;
+  path::RouteKind kind = path::RouteKind::Shortest;
+  double metres = 0;
+};
+
+/// Where a guide with that look is after so many metres of its walk.
+guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const Errand& errand) {
+  const Museum& museum = exhibition.museum;
+  const auto exhibit = std::ranges::find(museum.exhibits, errand.exhibit, &Exhibit::id);
+  plan::WalkOrder order;
+  order.id = look + 1;
+  order.kind = errand.kind;
+  order.goal = exhibit->view;
+  order.start = errand.start;
+  exhibition.planner->ask(order);
+  exhibition.planner->wait();
+  guide::Avatar avatar = guide::make_avatar(museum, 0, plan::make_standing(museum, errand.start));
+  avatar.look = look;
+  avatar.plan = exhibition.planner->take_plan();
+  while (avatar.along < errand.metres && !guide::has_finished(avatar))
+    guide::advance(museum, avatar, 1.0 / 60);
+  return avatar;
+}
+
+/// Six guides with their trails, as in the paper's Figure 1.
+TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
+  constexpr PixelSize size{1280, 720};
+  auto loaded = kiosk::load_exhibition(sample_database(), {});
+  ASSERT_TRUE(loaded.has_value()) << loaded.error().what;
+  kiosk::Exhibition& exhibition = **loaded;
+  auto display = headless::open_headless(size);
+  ASSERT_TRUE(display.has_value()) << display.error().what;
+  auto renderer = gles::make_renderer();
+  ASSERT_TRUE(renderer.has_value()) << renderer.error().what;
+  const auto from = [](double x, double y, double degrees) {
+    return Placement{{x, y}, glm::radians(degrees)};
+  };
+  const std::array errands{
+      Errand{from(19.3, 4.5, 90), "coin-hoard", path::RouteKind::Shortest, 5.5},
+      Errand{from(9.5, 15.2, 0), "tomb-guardian", path::RouteKind::Shortest, 4.6},
+      Errand{from(21.6, 25.5, 270), "boundary-stone", path::RouteKind::Shortest, 6.4},
+      Errand{from(31, 16.5, 180), "tripod-ding", path::RouteKind::Offset, 6.2},
+      Errand{from(24.2, 12.2, 130), "owl-vessel", path::RouteKind::Skeleton, 2.2},
+      Errand{from(15.4, 18.0, 270), "amphora", path::RouteKind::Shortest, 4.1},
+  };
+
+  scene::DrawList list;
+  list.ribbons.reserve(errands.size());
+  list.ribbon_point.reserve(4096);
+  for (std::uint32_t look = 0; look < errands.size(); ++look) {
+    const guide::Avatar avatar = walker(exhibition, look, errands[look]);
+    guide::draw(exhibition.museum, avatar, list);
+    guide::draw_trail(avatar, 0.3F, list);
+  }
+  scene::CameraRig rig;
+  rig.target = to_world({20.2, 14.3});
+  rig.yaw = glm::radians(98.0);
+  rig.pitch = glm::radians(51.0);
+  rig.distance = 28;
+  list.camera = scene::view_of(rig, 16.0F / 9);
+  list.focus = {20.2, 14.3};
+  kiosk::upload(exhibition, *renderer);
+  renderer->draw(list, (*display)->target());
+  Pixels drawn;
+  (*display)->read_back(drawn);
+
+  const TemporaryFolder folder;
+  ASSERT_TRUE(image::write_png(folder.path() / "company.png", drawn).has_value());
+  expect_approved(folder.path() / "company.png", "company.png");
+}
+
+}  // namespace
+}  // namespace docent::test

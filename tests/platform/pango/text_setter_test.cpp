@@ -1,0 +1,99 @@
+#include "runtime/interface/text.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "platform/pango/text_setter.h"
+
+namespace docent::pango {
+namespace {
+
+interface::TextStyle style(std::string_view language, bool right_to_left = false) {
+  interface::TextStyle it;
+  it.size = 30;
+  it.language = language;
+  it.right_to_left = right_to_left;
+  it.max_lines = 4;
+  return it;
+}
+
+/// Coverage of a column range, to see where the ink is.
+std::uint64_t ink(const interface::TextBitmap& bitmap, std::uint32_t from, std::uint32_t to) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t y = 0; y < bitmap.height; ++y)
+    for (std::uint32_t x = from; x < to; ++x)
+      sum += bitmap.coverage[std::size_t{y} * bitmap.width + x];
+  return sum;
+}
+
+TEST(TextSetter, SetsAllThreeLanguages) {
+  const auto set_text = make_text_setter();
+  ASSERT_TRUE(set_text.has_value());
+
+  for (const auto& [language, text] :
+       {std::pair{"en", "Bronze tripod"}, {"zh", "青铜鼎"}, {"ar", "المرجل البرونزي"}}) {
+    const interface::TextBitmap bitmap =
+        (*set_text)(style(language, std::string_view(language) == "ar"), text, 0);
+    EXPECT_GT(ink(bitmap, 0, bitmap.width), 10000U) << language;
+    EXPECT_EQ(bitmap.lines, 1U);
+  }
+}
+
+TEST(TextSetter, BreaksLinesAtTheWidthAndSpacesThemAsAsked) {
+  const auto set_text = make_text_setter();
+  interface::TextStyle body = style("en");
+  body.line_height = 1.5F;
+
+  const interface::TextBitmap bitmap =
+      (*set_text)(body, "A cooking pot that became a crown of the land", 260);
+
+  EXPECT_LE(bitmap.width, 262U);
+  EXPECT_GE(bitmap.lines, 2U);
+  EXPECT_EQ(bitmap.height, bitmap.lines * 45);
+  EXPECT_FALSE(bitmap.cut);
+}
+
+TEST(TextSetter, EndsInAnEllipsisWhereTheLinesRunOut) {
+  const auto set_text = make_text_setter();
+  interface::TextStyle title = style("en");
+  title.max_lines = 1;
+
+  const interface::TextBitmap bitmap = (*set_text)(title, "A very long title that cannot fit", 150);
+
+  EXPECT_TRUE(bitmap.cut);
+  EXPECT_EQ(bitmap.lines, 1U);
+}
+
+TEST(TextSetter, PutsTheShortLineOfAnArabicParagraphAtTheRight) {
+  const auto set_text = make_text_setter();
+
+  const interface::TextBitmap bitmap =
+      (*set_text)(style("ar", true), "المراجل البرونزية العظيمة ملك", 250);
+
+  ASSERT_EQ(bitmap.lines, 2U);
+  interface::TextBitmap last = bitmap;
+  const std::uint32_t line = bitmap.height / bitmap.lines;
+  last.height = line;
+  last.coverage.assign(bitmap.coverage.end() - static_cast<std::ptrdiff_t>(line) * bitmap.width,
+                       bitmap.coverage.end());
+  EXPECT_EQ(ink(last, 0, bitmap.width / 8), 0U);
+  EXPECT_GT(ink(last, bitmap.width * 4 / 5, bitmap.width), 0U);
+}
+
+TEST(TextSetter, GivesTheSamePixelsTwice) {
+  const auto set_text = make_text_setter();
+
+  EXPECT_EQ((*set_text)(style("en"), "Chime Bells", 0).coverage,
+            (*set_text)(style("en"), "Chime Bells", 0).coverage);
+}
+
+TEST(TextSetter, SurvivesWhatIsNoText) {
+  const auto set_text = make_text_setter();
+
+  EXPECT_EQ((*set_text)(style("en"), "", 100).width, 0U);
+  EXPECT_NO_FATAL_FAILURE((*set_text)(style("en"), "\xff\xfe broken", 100));
+}
+
+}  // namespace
+}  // namespace docent::pango
