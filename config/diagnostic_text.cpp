@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -62,7 +63,11 @@ Shown part_about(const std::string& line, std::uint32_t column) {
   return {fmt::format("{}{}{}", left, part, right), column + moved};
 }
 
-std::string source_excerpt(const Diagnostic& d) {
+terminal::Ink ink_of(const Diagnostic& d) {
+  return d.severity == Severity::Error ? terminal::Ink::Error : terminal::Ink::Warning;
+}
+
+std::string source_excerpt(const Diagnostic& d, terminal::Colour colour) {
   if (d.line == 0) return {};
   const auto line = line_of(d.file, d.line);
   if (!line) return {};
@@ -71,21 +76,23 @@ std::string source_excerpt(const Diagnostic& d) {
   if (d.column == 0) return text;
   constexpr std::size_t longest_underline = 60;  // a paragraph is known by its beginning
   const std::string carets(std::clamp<std::size_t>(d.length, 1, longest_underline), '^');
-  text += fmt::format("       | {}{}{}{}\n", indentation(shown, column), carets,
-                      d.label.empty() ? "" : " ", d.label);
+  text += fmt::format("       | {}{}{}{}\n", indentation(shown, column),
+                      terminal::painted(carets, ink_of(d), colour), d.label.empty() ? "" : " ",
+                      d.label);
   return text;
 }
 
 }  // namespace
 
-std::string to_text(const Diagnostic& d) {
+std::string to_text(const Diagnostic& d, terminal::Colour colour) {
   std::string place = d.file;
   if (d.line > 0) place += fmt::format(":{}", d.line);
   if (d.line > 0 && d.column > 0) place += fmt::format(":{}", d.column);
   const std::string separator = place.empty() ? "" : ": ";
-  std::string text =
-      fmt::format("{}{}{}[{}]: {}\n", place, separator, name_of(d.severity), d.code, d.message);
-  text += source_excerpt(d);
+  const std::string kind = fmt::format("{}[{}]", name_of(d.severity), d.code);
+  std::string text = fmt::format("{}{}{}: {}\n", place, separator,
+                                 terminal::painted(kind, ink_of(d), colour), d.message);
+  text += source_excerpt(d, colour);
   if (!d.hint.empty()) text += fmt::format("   hint: {}\n", d.hint);
   return text;
 }
@@ -100,6 +107,19 @@ std::string to_json(const Diagnostic& d) {
                                          {"hint", d.hint}};
   // Replaces bytes that are not UTF-8, where dump() alone would throw.
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void tell(std::span<const Diagnostic> diagnostics, Form form) {
+  constexpr std::size_t most_on_terminal = 20;
+  const bool shortens = form == Form::Text && terminal::is_terminal(stderr);
+  const auto shown = diagnostics.first(shortens ? std::min(diagnostics.size(), most_on_terminal)
+                                                : diagnostics.size());
+  const terminal::Colour colour = terminal::colour_of(stderr);
+  for (const Diagnostic& d : shown)
+    fmt::print(stderr, "{}", form == Form::Json ? to_json(d) + "\n" : to_text(d, colour));
+  if (shown.size() < diagnostics.size())
+    fmt::print(stderr, "... and {} more; all of them with 2>FILE\n",
+               diagnostics.size() - shown.size());
 }
 
 }  // namespace docent::config

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 
+#include "platform/terminal/colour.h"
 #include "runtime/model/diagnostic.h"
 
 namespace docent::config {
@@ -14,9 +17,14 @@ namespace docent::config {
 ///        hint: the nearest free point is [12.40, 3.45]
 ///
 /// Ends with a line feed. Reads the source again; a line that is no longer there is left out.
-std::string to_text(const Diagnostic& diagnostic);
+std::string to_text(const Diagnostic& diagnostic, terminal::Colour colour = terminal::Colour::Off);
 
 /// The same as one JSON object on one line: file line column code severity message hint.
 std::string to_json(const Diagnostic& diagnostic);
+
+enum class Form : std::uint8_t { Text, Json };
+
+/// Writes diagnostics to standard error. A terminal sees the first 20 as text and then the count.
+void tell(std::span<const Diagnostic> diagnostics, Form form = Form::Text);
 
 }  // namespace docent::config

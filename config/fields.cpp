@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "config/suggest.h"
+#include "platform/terminal/suggest.h"
 
 namespace docent::config {
 
@@ -76,7 +76,7 @@ void SectionReader::report(SourceRange range, std::string code, std::string mess
 
 void SectionReader::unknown_key(const TomlEntry& entry, std::string_view section,
                                 const std::vector<std::string_view>& known) {
-  const std::string_view meant = closest(entry.key, known);
+  const std::string_view meant = terminal::closest(entry.key, known);
   report(entry.key_range, "unknown-key", fmt::format("{} has no '{}'", section, entry.key),
          "not known here",
          meant.empty() ? fmt::format("it may hold {}", fmt::join(known, ", "))

@@ -3,6 +3,7 @@
 
 cmake_minimum_required(VERSION 3.25)
 
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(rooms "")
 
 # room(FOLDER [USES other rooms] [LIBRARIES headers]): what the files of a folder may include, besides their own folder and the standard
@@ -31,13 +32,14 @@ room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtim
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/kiosk
   USES ${model} runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
-       platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/sqlite platform/x11
-  LIBRARIES fmt/ CLI/ malloc.h ${posix})
+       platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/sqlite platform/terminal platform/x11
+  LIBRARIES fmt/ malloc.h ${posix})
 
 # The edges: one system interface each.
 room(platform)
 room(platform/clock LIBRARIES ${posix})
 room(platform/file USES ${model} LIBRARIES fmt/ ${posix})
+room(platform/terminal USES ${model} LIBRARIES fmt/ CLI/ unistd.h)
 room(platform/egl USES ${model} LIBRARIES fmt/ EGL/)
 room(platform/gles USES ${model} runtime/scene platform platform/image LIBRARIES fmt/ EGL/ GLES2/ GLES3/)
 room(platform/headless USES ${model} platform platform/egl platform/image LIBRARIES fmt/ EGL/ GLES3/)
@@ -47,7 +49,7 @@ room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ gbm.h 
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/sqlite USES ${model} runtime/schema platform LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
-room(config USES ${model} platform/file LIBRARIES fmt/ nlohmann/ toml++/)
+room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)
 
 # The compiler. CGAL is a private matter of the rooms that build diagrams and triangulations.
 room(content USES ${model} platform/file)
@@ -60,13 +62,13 @@ room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES fmt/ sqlite3.h ${posix})
 room(content/compile
-  USES ${model} runtime/path runtime/motion config platform platform/file platform/image content content/import content/floor
+  USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
        content/motion content/avatar content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion config platform/file platform/sqlite content content/import content/motion
+  USES ${model} runtime/schema runtime/path runtime/motion config platform/file platform/sqlite platform/terminal content content/import content/motion
        content/draw content/write content/compile
-  LIBRARIES fmt/ CLI/ nlohmann/)
+  LIBRARIES fmt/ nlohmann/)
 
 # The deepest room that holds a path; empty where there is none.
 function(room_of path result)

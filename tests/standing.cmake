@@ -2,6 +2,7 @@
 # names it, `foo.cpp`, together with the test that tests it. Run as a test: cmake -DROOT=... -P tests/standing.cmake
 cmake_minimum_required(VERSION 3.25)
 
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 set(failures "")
 set(mirrored 0)
 set(told 0)

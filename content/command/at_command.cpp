@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/query_io.h"
+#include "content/command/stopwatch.h"
 #include "runtime/path/route.h"
 
 namespace docent::command {
@@ -16,6 +16,7 @@ struct AtOptions {
 };
 
 void run_at(const AtOptions& options) {
+  const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
   const NumberTable table = read_numbers(options.points, {"x", "y"});
@@ -26,22 +27,31 @@ void run_at(const AtOptions& options) {
                         path::clearance_at(*map, point), path::region_at(*map, point));
   }
   write_text(options.output, text);
+  stopwatch.say_wrote(options.output);
 }
 
 }  // namespace
 
-void add_at_command(CLI::App& app, int& exit_code) {
+terminal::Command at_command() {
+  using terminal::Times;
   auto options = std::make_shared<AtOptions>();
-  CLI::App* command =
-      app.add_subcommand("at", "Tells of points: inside or not, distance to the wall, region");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--points", options->points, "CSV file x,y")->required();
-  command->add_option("-o,--output", options->output, "CSV file for the answers")->required();
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->callback([options, &exit_code] {
-    run_at(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "at",
+      .manual = "tells of points: inside or not, distance to the wall, region",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"--points", terminal::file("P.csv", options->points), "Columns x,y: the points",
+               Times::Once},
+              {"-o,--output", terminal::file("A.csv", options->output),
+               "The points with inside, clearance and region", Times::Once},
+              {"--floor", terminal::text("NAME", options->floor), "Name of the floor",
+               Times::AtMostOnce, "the kiosk's"},
+          },
+      .run = [options] {
+        run_at(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -1,25 +1,25 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "platform/terminal/command_line.h"
 
-/// The commands of docent-content, one file each. A command adds itself and its options to `app`;
-/// when it is the one that was called, it runs and leaves its exit code in `exit_code`. What it
+/// The commands of docent-content, one file each: its options and what it does. What a command
 /// throws is reported by main.
 namespace docent::command {
 
-void add_compile_command(CLI::App& app, int& exit_code);
-void add_check_command(CLI::App& app, int& exit_code);
-void add_info_command(CLI::App& app, int& exit_code);
-void add_schema_command(CLI::App& app, int& exit_code);
-void add_route_command(CLI::App& app, int& exit_code);
-void add_at_command(CLI::App& app, int& exit_code);
-void add_see_command(CLI::App& app, int& exit_code);
-void add_near_command(CLI::App& app, int& exit_code);
-void add_offset_command(CLI::App& app, int& exit_code);
-void add_show_command(CLI::App& app, int& exit_code);
-void add_graph_command(CLI::App& app, int& exit_code);
-void add_walk_command(CLI::App& app, int& exit_code);
+terminal::Command compile_command();
+terminal::Command check_command();
+terminal::Command info_command();
+terminal::Command schema_command();
+terminal::Command route_command();
+terminal::Command at_command();
+terminal::Command see_command();
+terminal::Command near_command();
+terminal::Command offset_command();
+terminal::Command show_command();
+terminal::Command graph_command();
+terminal::Command walk_command();
+
+/// docent-content as a whole.
+terminal::Command program();
 
 }  // namespace docent::command

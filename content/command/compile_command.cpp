@@ -1,13 +1,16 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
+#include <expected>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "config/diagnostic_text.h"
 #include "content/command/commands.h"
 #include "content/command/part_sizes.h"
+#include "content/command/stopwatch.h"
 #include "content/compile/compile.h"
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
@@ -26,26 +29,38 @@ struct CompileRequest {
 };
 
 /// Options that `check` shares with `compile`.
-void add_source_options(CLI::App& command, CompileRequest& request) {
+std::vector<terminal::Option> source_options(CompileRequest& request) {
+  using terminal::Times;
+  constexpr terminal::Limits threads{terminal::Limits::Of::WholeNumbers, 1, 1024};
+  constexpr terminal::Limits radii{.least = 0, .most = 100};
+  using import::Coordinates;
   compile::CompileOptions& options = request.options;
-  command.add_option("SOURCE", options.sources, "A museum folder, or GeoJSON files of one floor")
-      ->required();
-  command.add_option("--clips", options.clips, "Walk with the BVH or ASF/AMC files of this folder")
-      ->allow_extra_args(false);
-  command.add_flag("--mirrored,!--no-mirrored", options.enrichment.mirrored,
-                   "Add clips seen in a mirror where they bring something new");
-  command.add_flag("--turns,!--no-turns", options.enrichment.turns,
-                   "Add turns by angles between those of the clips");
-  command.add_option("--coordinates", options.coordinates, "What GeoJSON numbers mean")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, import::Coordinates>{
-          {"metres", import::Coordinates::Metres}, {"wgs84", import::Coordinates::Wgs84}}));
-  command.add_option("--radius", options.radii, "A radius to precompute shortest ways for, metres")
-      ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 100.0));
-  command.add_flag("--no-motion", request.no_motion, "Leave out clips, motion graph and avatar");
-  command.add_option("--jobs", options.jobs, "Threads")->check(CLI::Range(1U, 1024U));
-  command.add_flag("--json", request.json, "Problems and stages as JSON");
-  command.add_flag("--quiet", request.quiet, "No progress");
+  return {
+      {"SOURCE", terminal::file("SOURCE", options.sources),
+       "A museum's folder, or GeoJSON files that together make one floor", Times::AtLeastOnce},
+      {"--clips", terminal::folder("DIR", options.clips),
+       "Walk with the BVH or ASF/AMC files of this folder", Times::AnyNumber,
+       "the museum's, else those that ship"},
+      {"--coordinates",
+       terminal::one_of<Coordinates>(
+           {{"metres", Coordinates::Metres}, {"wgs84", Coordinates::Wgs84}}, options.coordinates),
+       "What the numbers of GeoJSON mean", Times::AtMostOnce, "metres"},
+      {"--radius", terminal::number("R", radii, options.radii),
+       "Metres: a radius to precompute shortest ways for, besides 0 and the body's",
+       Times::AnyNumber},
+      {"--no-motion", terminal::flag(request.no_motion),
+       "Leave out clips, motion graph and avatar"},
+      {"--mirrored,!--no-mirrored", terminal::flag(options.enrichment.mirrored),
+       "Add clips seen in a mirror where they bring something new"},
+      {"--turns,!--no-turns", terminal::flag(options.enrichment.turns),
+       "Add turns by angles between those of the clips"},
+      {"--jobs", terminal::number("N", threads, options.jobs),
+       "Threads; the result is the same for any number", Times::AtMostOnce, "all processors"},
+      {"--json", terminal::flag(request.json),
+       "Problems as JSON, one a line, and no progress; compile also prints seconds and bytes of "
+       "each stage"},
+      {"--quiet", terminal::flag(request.quiet), "Say nothing but what is wrong"},
+  };
 }
 
 /// A museum's folder is a whole museum; floor plans beside it would belong to none.
@@ -58,16 +73,42 @@ void check_sources(const std::vector<std::string>& sources) {
         "name one museum's folder alone, or GeoJSON files that make one floor");
 }
 
-/// Compiles and reports; empty where the sources have errors.
-std::optional<Museum> compile_and_report(CompileRequest& request, compile::Progress& progress) {
+/// Sources and recordings that are not there: told at once, before anything is computed.
+std::vector<Diagnostic> missing_sources(const compile::CompileOptions& options) {
+  std::vector<Diagnostic> missing;
+  for (const auto* const names : {&options.sources, &options.clips})
+    for (const std::string& name : *names)
+      if (!file::is_there(name))
+        missing.push_back(
+            {.file = name, .code = "missing-source", .message = "there is no such file or folder"});
+  return missing;
+}
+
+config::Form form_of(const CompileRequest& request) {
+  return request.json ? config::Form::Json : config::Form::Text;
+}
+
+/// Only people are told of progress and success.
+bool is_for_people(const CompileRequest& request) {
+  return !request.json && !request.quiet;
+}
+
+/// Compiles and reports: the museum, or the exit code.
+std::expected<Museum, int> compile_and_report(CompileRequest& request, compile::Progress& progress,
+                                              compile::Report& report) {
   check_sources(request.options.sources);
+  if (const auto missing = missing_sources(request.options); !missing.empty()) {
+    config::tell(missing, form_of(request));
+    return std::unexpected(docent::exit_code(Errc::NotFound));
+  }
   request.options.with_motion = !request.no_motion;
   if (request.options.jobs == 0)
     request.options.jobs = std::max(1U, std::thread::hardware_concurrency());
-  compile::Report report;
   std::optional<Museum> museum = compile::compile(request.options, report, progress);
-  report.print(request.json ? compile::Report::Form::Json : compile::Report::Form::Text);
-  return museum;
+  progress.clear();
+  config::tell(report.in_order(), form_of(request));
+  if (!museum) return std::unexpected(docent::exit_code(Errc::InvalidInput));
+  return std::move(*museum);
 }
 
 /// What `--json` tells at the end: where the time went, and the bytes.
@@ -87,38 +128,57 @@ void print_stages(const compile::Progress& progress, const std::string& output) 
 }
 
 int run_compile(CompileRequest& request) {
-  compile::Progress progress(compile::progress_output(request.quiet));
-  const std::optional<Museum> museum = compile_and_report(request, progress);
-  if (!museum) return docent::exit_code(Errc::InvalidInput);
+  const Stopwatch stopwatch;
   {
+    compile::Progress progress(compile::progress_output(!is_for_people(request)));
+    compile::Report report;
+    const auto museum = compile_and_report(request, progress, report);
+    if (!museum) return museum.error();
     progress.plan("write", 1);
-    const auto stage = progress.start("write");
-    write::write_museum(*museum, request.output);
+    {
+      const auto stage = progress.start("write");
+      write::write_museum(*museum, request.output);
+    }
+    if (request.json) print_stages(progress, request.output);
   }
-  if (request.json) print_stages(progress, request.output);
+  if (is_for_people(request)) stopwatch.say_wrote(request.output);
   return 0;
 }
 
 int run_check(CompileRequest& request) {
-  compile::Progress progress(compile::progress_output(request.quiet));
-  return compile_and_report(request, progress) ? 0 : docent::exit_code(Errc::InvalidInput);
+  compile::Progress progress(compile::progress_output(!is_for_people(request)));
+  compile::Report report;
+  const auto museum = compile_and_report(request, progress, report);
+  if (!museum) return museum.error();
+  const std::size_t warnings = report.in_order().size();
+  if (is_for_people(request))
+    fmt::print(stderr, "{}: no errors, {} warning{}, in {:.1f} s\n",
+               fmt::join(request.options.sources, ", "), warnings, warnings == 1 ? "" : "s",
+               progress.seconds());
+  return 0;
 }
 
 }  // namespace
 
-void add_compile_command(CLI::App& app, int& exit_code) {
+terminal::Command compile_command() {
   const auto request = std::make_shared<CompileRequest>();
-  CLI::App* command = app.add_subcommand("compile", "Compile a museum into a database");
-  add_source_options(*command, *request);
-  command->add_option("-o,--output", request->output, "The database to write")->required();
-  command->callback([request, &exit_code] { exit_code = run_compile(*request); });
+  terminal::Command command{.name = "compile",
+                            .manual = "compiles a museum into a database",
+                            .options = source_options(*request),
+                            .run = [request] { return run_compile(*request); }};
+  command.options.insert(
+      command.options.begin() + 1,
+      {"-o,--output", terminal::file("OUT.db", request->output),
+       "The database to write; it appears whole or not at all", terminal::Times::Once});
+  return command;
 }
 
-void add_check_command(CLI::App& app, int& exit_code) {
+terminal::Command check_command() {
   const auto request = std::make_shared<CompileRequest>();
-  CLI::App* command = app.add_subcommand("check", "Report what compile would, and write nothing");
-  add_source_options(*command, *request);
-  command->callback([request, &exit_code] { exit_code = run_check(*request); });
+  return {.name = "check",
+          .manual = "reports what compile would, and writes nothing",
+          .options = source_options(*request),
+          .run = [request] { return run_check(*request); }};
 }
 
 }  // namespace docent::command

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
+#include "content/command/stopwatch.h"
 #include "content/content_error.h"
 #include "content/draw/graph/motion_graph_drawing.h"
 #include "content/draw/picture_file.h"
@@ -50,27 +50,38 @@ std::string to_json(const MotionGraph& graph) {
 }
 
 void run_graph(const GraphOptions& options) {
+  const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   if (museum.motion.clips.empty())
     throw content::ContentError(options.database, 0, 0, "no-motion",
                                 "this database holds no motion", "compile it without --no-motion");
   draw::write_picture(options.output, draw::draw_motion_graph(museum.motion));
-  if (options.json) fmt::print("{}\n", to_json(museum.motion));
+  if (options.json)
+    fmt::print("{}\n", to_json(museum.motion));
+  else
+    stopwatch.say_wrote(options.output);
 }
 
 }  // namespace
 
-void add_graph_command(CLI::App& app, int& exit_code) {
+terminal::Command graph_command() {
+  using terminal::Times;
   auto options = std::make_shared<GraphOptions>();
-  CLI::App* command = app.add_subcommand("graph", "Draws the motion graph of a database");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("-o,--output", options->output, "The picture: FILE.svg or FILE.png")
-      ->required();
-  command->add_flag("--json", options->json, "Print classes, clips and transitions as JSON");
-  command->callback([options, &exit_code] {
-    run_graph(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "graph",
+      .manual = "draws the motion graph of a database",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"-o,--output", terminal::file("FILE", options->output),
+               "The picture: FILE.svg or FILE.png", Times::Once},
+              {"--json", terminal::flag(options->json),
+               "Print classes, clips and transitions as JSON"},
+          },
+      .run = [options] {
+        run_graph(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -122,17 +121,19 @@ int run_info(const std::string& file, bool json) {
 
 }  // namespace
 
-void add_info_command(CLI::App& app, int& exit_code) {
-  struct Request {
+terminal::Command info_command() {
+  using terminal::Times;
+  struct InfoOptions {
     std::string database;
     bool json = false;
   };
-  const auto request = std::make_shared<Request>();
-  CLI::App* command = app.add_subcommand("info", "Say what a database holds");
-  command->add_option("DB", request->database, "A compiled museum")->required();
-  command->add_flag("--json", request->json, "As JSON");
-  command->callback(
-      [request, &exit_code] { exit_code = run_info(request->database, request->json); });
+  const auto options = std::make_shared<InfoOptions>();
+  return {.name = "info",
+          .manual = "says what a database holds",
+          .options = {{"DB", terminal::file("DB", options->database), "The museum's database",
+                       Times::Once},
+                      {"--json", terminal::flag(options->json), "Print it as JSON"}},
+          .run = [options] { return run_info(options->database, options->json); }};
 }
 
 }  // namespace docent::command

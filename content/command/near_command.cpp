@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -18,7 +18,8 @@ namespace docent::command {
 namespace {
 
 struct NearOptions {
-  std::string database, from, exhibit, floor;
+  std::string database, exhibit, floor;
+  std::optional<std::array<double, 2>> from;  ///< Metres.
   std::optional<double> within, radius;
   double speed = 1.3;
   bool json = false;
@@ -34,7 +35,7 @@ struct Surroundings {
 Surroundings surroundings(const Museum& museum, const NearOptions& options) {
   Surroundings around{.floor = floor_named(museum, options.floor)};
   if (options.exhibit.empty()) {
-    around.from = parse_point(options.from, "--from");
+    around.from = point_of(*options.from);
   } else {
     const Exhibit& exhibit = exhibit_named(museum, options.exhibit, "--exhibit");
     if (!options.floor.empty() && exhibit.floor != around.floor)
@@ -74,7 +75,7 @@ std::string to_lines(bool blocked, const Surroundings& around,
 }
 
 void run_near(const NearOptions& options) {
-  if (options.from.empty() == options.exhibit.empty())
+  if (options.from.has_value() != options.exhibit.empty())
     throw content::ContentError(Errc::WrongUsage, "near", "no-start", "say from where, once",
                                 "give --from X,Y or --exhibit ID");
   const Museum museum = load_or_throw(options.database);
@@ -96,26 +97,32 @@ void run_near(const NearOptions& options) {
 
 }  // namespace
 
-void add_near_command(CLI::App& app, int& exit_code) {
+terminal::Command near_command() {
+  using terminal::Times;
   auto options = std::make_shared<NearOptions>();
-  CLI::App* command =
-      app.add_subcommand("near", "Lists the exhibits in reach, nearest on foot first");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--from", options->from, "X,Y in metres");
-  command->add_option("--exhibit", options->exhibit, "Id: from its viewing point");
-  command
-      ->add_option("--within", options->within, "Seconds of walking; default as long as it takes")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--speed", options->speed, "Metres a second; default 1.3")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--radius", options->radius, "Metres, of the body; default the museum's")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->add_flag("--json", options->json, "Print the list as JSON");
-  command->callback([options, &exit_code] {
-    run_near(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "near",
+      .manual = "lists the exhibits in reach, nearest on foot first",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"--from", terminal::numbers("X,Y", options->from), "From this point, metres"},
+              {"--exhibit", terminal::text("ID", options->exhibit),
+               "From this exhibit's viewing point"},
+              {"--within", terminal::number("S", terminal::not_negative, options->within),
+               "Seconds of walking", Times::AtMostOnce, "as long as it takes"},
+              {"--speed", terminal::number("V", terminal::positive, options->speed),
+               "Metres a second", Times::AtMostOnce, "1.3"},
+              {"--radius", terminal::number("R", terminal::not_negative, options->radius),
+               "Metres, of the body", Times::AtMostOnce, "the museum's"},
+              {"--floor", terminal::text("NAME", options->floor), "Name of the floor",
+               Times::AtMostOnce, "the kiosk's"},
+              {"--json", terminal::flag(options->json), "Print the list as JSON"},
+          },
+      .run = [options] {
+        run_near(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "content/command/commands.h"
@@ -47,21 +46,26 @@ void run_offset(const OffsetOptions& options) {
 
 }  // namespace
 
-void add_offset_command(CLI::App& app, int& exit_code) {
+terminal::Command offset_command() {
+  using terminal::Times;
   auto options = std::make_shared<OffsetOptions>();
-  CLI::App* command =
-      app.add_subcommand("offset", "The curve at one distance from all walls of a floor");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--distance", options->distance, "Metres")
-      ->required()
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->add_flag("--json", options->json, "Print the curve as JSON");
-  command->add_option("--svg", options->svg, "Draw the curve into this file");
-  command->callback([options, &exit_code] {
-    run_offset(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "offset",
+      .manual = "gives the curve at one distance from all walls of a floor",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"--distance", terminal::number("D", terminal::not_negative, options->distance),
+               "Metres from the walls", Times::Once},
+              {"--floor", terminal::text("NAME", options->floor), "Name of the floor",
+               Times::AtMostOnce, "the kiosk's"},
+              {"--json", terminal::flag(options->json), "Print the curve as JSON"},
+              {"--svg", terminal::file("FILE", options->svg), "Draw the curve into this file"},
+          },
+      .run = [options] {
+        run_offset(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -12,19 +12,12 @@
 #include "content/content_error.h"
 #include "content/read_source.h"
 #include "content/write/replace_file.h"
+#include "platform/terminal/value.h"
 
 namespace docent::command {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
+using terminal::split;
 
 std::string_view trimmed(std::string_view text) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -78,17 +71,6 @@ const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::str
                                 fmt::format("there is no exhibit '{}'", id),
                                 "`docent-content info DB --json` lists them");
   return *found;
-}
-
-Vec2 parse_point(std::string_view text, std::string_view option) {
-  const auto parts = split(text, ',');
-  if (parts.size() == 2) {
-    const auto x = parse_number(parts[0]), y = parse_number(parts[1]);
-    if (x && y) return {*x, *y};
-  }
-  throw content::ContentError(Errc::WrongUsage, std::string(option), "not-a-point",
-                              fmt::format("'{}' is not a point", text),
-                              "write X,Y in metres: 12.5,3.25");
 }
 
 NumberTable read_numbers(const std::filesystem::path& file,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -18,8 +19,10 @@ std::uint32_t floor_named(const Museum& museum, std::string_view name);
 /// The exhibit of that id.
 const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option);
 
-/// Reads "X,Y" from the command line.
-Vec2 parse_point(std::string_view text, std::string_view option);
+/// X,Y of the command line.
+inline Vec2 point_of(const std::array<double, 2>& given) {
+  return {given[0], given[1]};
+}
 
 /// Rows of a CSV file whose columns are all numbers, with the words that they were written as, so
 /// that an answer can repeat them.

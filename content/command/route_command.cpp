@@ -1,18 +1,22 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/plan_sketch.h"
 #include "content/command/query_io.h"
+#include "content/command/stopwatch.h"
 #include "content/content_error.h"
 #include "runtime/path/route.h"
 
@@ -26,7 +30,8 @@ struct RouteOptions {
   double offset = 1;
   path::Hand hand = path::Hand::Shorter;
   bool widest = false, smooth = false;
-  std::string from, to, floor;
+  std::optional<std::array<double, 2>> from, to;
+  std::string floor;
   std::vector<std::string> exhibits;
   bool json = false;
   std::string svg, queries, output;
@@ -90,7 +95,7 @@ void answer_one(const Museum& museum, const RouteOptions& options) {
   std::uint32_t floor = floor_named(museum, options.floor);
   std::vector<Vec2> stops;
   if (options.exhibits.empty()) {
-    stops = {parse_point(options.from, "--from"), parse_point(options.to, "--to")};
+    stops = {point_of(*options.from), point_of(*options.to)};
   } else {
     if (options.exhibits.size() < 2)
       throw content::ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
@@ -145,6 +150,7 @@ class TimedRounds {
 };
 
 void answer_table(const Museum& museum, const RouteOptions& options) {
+  const Stopwatch stopwatch;
   if (options.output.empty())
     throw content::ContentError(Errc::WrongUsage, "--queries", "no-output",
                                 "the answers need a file", "add -o A.csv");
@@ -172,12 +178,13 @@ void answer_table(const Museum& museum, const RouteOptions& options) {
                     number(way.length), number(way.clearance_min), rounds.median_microseconds(i));
   }
   write_text(options.output, text);
+  if (!options.json) stopwatch.say_wrote(options.output);
 }
 
 void run_route(const RouteOptions& options) {
   const int ways_to_ask = (options.queries.empty() ? 0 : 1) + (options.exhibits.empty() ? 0 : 1) +
-                          (options.from.empty() && options.to.empty() ? 0 : 1);
-  if (ways_to_ask != 1 || options.from.empty() != options.to.empty())
+                          (options.from || options.to ? 1 : 0);
+  if (ways_to_ask != 1 || options.from.has_value() != options.to.has_value())
     throw content::ContentError(
         Errc::WrongUsage, "route", "no-ends", "say from where to where, once",
         "give --from X,Y --to X,Y, or --exhibits A,B, or --queries Q.csv -o A.csv");
@@ -188,44 +195,67 @@ void run_route(const RouteOptions& options) {
     answer_table(museum, options);
 }
 
+/// From where to where, and by which kind of way.
+std::vector<terminal::Option> question(RouteOptions* options) {
+  using terminal::Times;
+  return {
+      {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+      {"--kind",
+       terminal::one_of<path::RouteKind>({{"shortest", path::RouteKind::Shortest},
+                                          {"skeleton", path::RouteKind::Skeleton},
+                                          {"offset", path::RouteKind::Offset}},
+                                         options->kind),
+       "The shortest way, along the middle of the rooms, or along the walls", Times::Once},
+      {"--from", terminal::numbers("X,Y", options->from), "From this point, metres"},
+      {"--to", terminal::numbers("X,Y", options->to), "To this point, metres"},
+      {"--exhibits", terminal::list("A,B,...", options->exhibits),
+       "From one exhibit's viewing point to the next, in this order"},
+      {"--radius", terminal::number("R", terminal::not_negative, options->radius),
+       "Metres, of the body", Times::AtMostOnce, "the museum's"},
+      {"--offset", terminal::number("D", terminal::positive, options->offset),
+       "offset: metres to keep from the wall", Times::AtMostOnce, "1"},
+      {"--hand",
+       terminal::one_of<path::Hand>({{"left", path::Hand::Left}, {"right", path::Hand::Right}},
+                                    options->hand),
+       "offset: on which side the wall is", Times::AtMostOnce, "the shorter way"},
+      {"--widest", terminal::flag(options->widest),
+       "skeleton: the way whose narrowest place is the widest possible"},
+      {"--smooth", terminal::flag(options->smooth),
+       "skeleton, offset: with rounded corners, as the guide walks it"},
+  };
+}
+
+/// Where and how it is answered.
+std::vector<terminal::Option> answer(RouteOptions* options) {
+  using terminal::Times;
+  return {
+      {"--floor", terminal::text("NAME", options->floor), "Name of the floor", Times::AtMostOnce,
+       "the kiosk's"},
+      {"--json", terminal::flag(options->json), "Print the way as JSON"},
+      {"--svg", terminal::file("FILE", options->svg), "Draw the way into this file"},
+      {"--queries", terminal::file("Q.csv", options->queries),
+       "Columns x0,y0,x1,y1,r: many ways; the answers go to -o"},
+      {"-o,--output", terminal::file("A.csv", options->output),
+       "The queries with status, length, clearance_min and microseconds"},
+      {"--repeat",
+       terminal::number("N", {terminal::Limits::Of::WholeNumbers, 1, 100000}, options->repeat),
+       "Rounds of queries, whose median time is told", Times::AtMostOnce, "1"},
+  };
+}
+
 }  // namespace
 
-void add_route_command(CLI::App& app, int& exit_code) {
+terminal::Command route_command() {
   auto options = std::make_shared<RouteOptions>();
-  CLI::App* command = app.add_subcommand("route", "Finds the way between points or exhibits");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--kind", options->kind, "shortest, skeleton or offset")
-      ->required()
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, path::RouteKind>>{
-          {"shortest", path::RouteKind::Shortest},
-          {"skeleton", path::RouteKind::Skeleton},
-          {"offset", path::RouteKind::Offset}}));
-  command->add_option("--radius", options->radius, "Metres, of the body; default the museum's")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--offset", options->offset, "Metres to keep from the wall; default 1")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--hand", options->hand, "left or right: where the wall is; default shorter")
-      ->transform(CLI::CheckedTransformer(std::vector<std::pair<std::string, path::Hand>>{
-          {"left", path::Hand::Left}, {"right", path::Hand::Right}}));
-  command->add_flag("--widest", options->widest,
-                    "skeleton: the way whose narrowest place is the widest possible");
-  command->add_flag("--smooth", options->smooth,
-                    "skeleton, offset: with rounded corners, as the guide walks it");
-  command->add_option("--from", options->from, "X,Y in metres");
-  command->add_option("--to", options->to, "X,Y in metres");
-  command->add_option("--exhibits", options->exhibits, "Ids, to be passed in order")
-      ->delimiter(',');
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->add_flag("--json", options->json, "Print the way as JSON");
-  command->add_option("--svg", options->svg, "Draw the way into this file");
-  command->add_option("--queries", options->queries, "CSV file x0,y0,x1,y1,r");
-  command->add_option("-o,--output", options->output, "CSV file for the answers");
-  command->add_option("--repeat", options->repeat, "Rounds of which the median time is told")
-      ->check(CLI::Range(1, 100000));
-  command->callback([options, &exit_code] {
-    run_route(*options);
-    exit_code = 0;
-  });
+  std::vector<terminal::Option> table = question(options.get());
+  std::ranges::move(answer(options.get()), std::back_inserter(table));
+  return {.name = "route",
+          .manual = "finds the way between points or exhibits",
+          .options = std::move(table),
+          .run = [options] {
+            run_route(*options);
+            return 0;
+          }};
 }
 
 }  // namespace docent::command

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <memory>
 
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/query_io.h"
+#include "content/command/stopwatch.h"
 #include "runtime/path/route.h"
 
 namespace docent::command {
@@ -17,6 +17,7 @@ struct SeeOptions {
 };
 
 void run_see(const SeeOptions& options) {
+  const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
   const NumberTable table = read_numbers(options.pairs, {"x0", "y0", "x1", "y1"});
@@ -29,21 +30,31 @@ void run_see(const SeeOptions& options) {
     text += fmt::format("{},{},{:.3f}\n", table.written[i], visible ? 1 : 0, took.count());
   }
   write_text(options.output, text);
+  stopwatch.say_wrote(options.output);
 }
 
 }  // namespace
 
-void add_see_command(CLI::App& app, int& exit_code) {
+terminal::Command see_command() {
+  using terminal::Times;
   auto options = std::make_shared<SeeOptions>();
-  CLI::App* command = app.add_subcommand("see", "Tells whether points see each other");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--pairs", options->pairs, "CSV file x0,y0,x1,y1")->required();
-  command->add_option("-o,--output", options->output, "CSV file for the answers")->required();
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->callback([options, &exit_code] {
-    run_see(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "see",
+      .manual = "tells whether points see each other",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"--pairs", terminal::file("Q.csv", options->pairs),
+               "Columns x0,y0,x1,y1: pairs of points", Times::Once},
+              {"-o,--output", terminal::file("A.csv", options->output),
+               "The pairs with visible and microseconds", Times::Once},
+              {"--floor", terminal::text("NAME", options->floor), "Name of the floor",
+               Times::AtMostOnce, "the kiosk's"},
+          },
+      .run = [options] {
+        run_see(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/query_io.h"
+#include "content/command/stopwatch.h"
 #include "content/content_error.h"
 #include "content/draw/picture_file.h"
 #include "content/draw/plan/plan_drawing.h"
@@ -78,16 +78,14 @@ class LayerReader {
   }
 
   void add_offset(const std::string& layer) {
-    const std::string_view digits = std::string_view(layer).substr(layer.find('=') + 1);
-    double distance = 0;
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), distance);
-    if (error != std::errc{} || end != digits.data() + digits.size() || !(distance > 0))
+    const std::optional<double> distance =
+        terminal::finite_number(std::string_view(layer).substr(layer.find('=') + 1));
+    if (!distance || *distance <= 0)
       refuse_layer(layer, "an offset is a number of metres above zero");
-    add_curve(distance, draw::LineKind::Offset);
+    add_curve(*distance, draw::LineKind::Offset);
   }
 
-  [[nodiscard]] Vec2 viewing_point(const std::string& layer, const std::string& id) const {
+  [[nodiscard]] Vec2 viewing_point(const std::string& layer, std::string_view id) const {
     const auto found = std::ranges::find(museum_.exhibits, id, &Exhibit::id);
     if (found == museum_.exhibits.end())
       refuse_layer(layer, fmt::format("there is no exhibit '{}'", id));
@@ -97,8 +95,8 @@ class LayerReader {
   }
 
   void add_route(const std::string& layer) {
-    const std::vector<std::string> words =
-        CLI::detail::split(layer.substr(layer.find('=') + 1), ':');
+    const std::vector<std::string_view> words =
+        terminal::split(std::string_view(layer).substr(layer.find('=') + 1), ':');
     if (words.size() != 3) refuse_layer(layer, "a route is written EXHIBIT:EXHIBIT:KIND");
     path::RouteQuery query{.radius = museum_.body_radius};
     query.from = viewing_point(layer, words[0]);
@@ -127,31 +125,38 @@ class LayerReader {
 };
 
 void run_show(const ShowOptions& options) {
+  const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   const std::uint32_t floor = floor_named(museum, options.floor);
   LayerReader reader(museum, floor);
   for (const std::string& layer : options.layers) reader.read(layer);
   draw::write_picture(options.output, draw::draw_plan(museum, floor, reader.layers, reader.lines));
+  stopwatch.say_wrote(options.output);
 }
 
 }  // namespace
 
-void add_show_command(CLI::App& app, int& exit_code) {
+terminal::Command show_command() {
+  using terminal::Times;
   auto options = std::make_shared<ShowOptions>();
-  CLI::App* command = app.add_subcommand("show", "Draws what a database knows about a floor");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("-o,--output", options->output, "The picture: FILE.svg or FILE.png")
-      ->required();
-  command
-      ->add_option("--layers", options->layers,
-                   "walls, exhibits, sites, regions, skeleton, clearance, offset=D, "
-                   "route=A:B:KIND; default walls,regions,skeleton,exhibits")
-      ->delimiter(',');
-  command->add_option("--floor", options->floor, "Name of the floor; default the kiosk's");
-  command->callback([options, &exit_code] {
-    run_show(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "show",
+      .manual = "draws what a database knows about a floor",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"-o,--output", terminal::file("FILE", options->output),
+               "The picture: FILE.svg or FILE.png", Times::Once},
+              {"--layers", terminal::list("NAME,...", options->layers),
+               "walls, exhibits, sites, regions, skeleton, clearance, offset=D, route=A:B:KIND",
+               Times::AnyNumber, "walls,regions,skeleton,exhibits"},
+              {"--floor", terminal::text("NAME", options->floor), "Name of the floor",
+               Times::AtMostOnce, "the kiosk's"},
+          },
+      .run = [options] {
+        run_show(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/query_io.h"
+#include "content/command/stopwatch.h"
 #include "content/content_error.h"
 #include "content/import/motion/bvh_write.h"
 #include "content/motion/paper_walk.h"
@@ -26,12 +28,14 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
+enum class Search : std::uint8_t { Docent, Paper };
+
 struct WalkOptions {
   std::string database, path, output;
-  std::string search = "docent";
+  Search search = Search::Docent;
   std::optional<double> lookahead, use_rate, time_limit;
-  std::vector<double> start;  ///< X, Y, heading in degrees.
-  double fps = 0;             ///< 0: the clips' own.
+  std::optional<std::array<double, 3>> start;  ///< X, Y, heading in degrees.
+  double fps = 0;                              ///< 0: the clips' own.
   bool exact = false, raw = false, json = false;
 };
 
@@ -40,15 +44,15 @@ struct WalkOptions {
 }
 
 void check_options(const WalkOptions& options) {
-  const bool is_paper = options.search == "paper";
+  const bool is_paper = options.search == Search::Paper;
   if (is_paper && options.exact)
     misuse("--exact", "the paper's search gives the motion graph's own track and warps nothing",
            "leave --exact out");
   if (!is_paper && (options.lookahead || options.use_rate || options.time_limit))
     misuse("--lookahead", "--lookahead, --use-rate and --time-limit belong to --search paper",
            "leave them out");
-  if (!options.start.empty() && options.start.size() != 3)
-    misuse("--start", "a start has three numbers", "write --start X,Y,HEADING (metres, degrees)");
+  if (options.exact && options.raw)
+    misuse("--raw", "a walk is exact or raw, not both", "leave one of them out");
 }
 
 std::vector<Vec2> read_path(const std::string& file) {
@@ -91,8 +95,9 @@ struct Outcome {
 };
 
 std::optional<Placement> start_of(const WalkOptions& options) {
-  if (options.start.empty()) return std::nullopt;
-  return Placement{{options.start[0], options.start[1]}, options.start[2] * radians_per_degree};
+  if (!options.start) return std::nullopt;
+  const auto& [x, y, heading] = *options.start;
+  return Placement{{x, y}, heading * radians_per_degree};
 }
 
 motion::Walk walk_by_docent(const motion::WalkGraph& graph, const std::vector<Vec2>& path,
@@ -120,8 +125,7 @@ void report_early_end(const motion::offline::PaperWalk& found, double path_lengt
           found.length, path_length, found.walk.search_seconds),
       .hint =
           "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
-  fmt::print(stderr, "{}",
-             options.json ? config::to_json(warning) + "\n" : config::to_text(warning));
+  config::tell({&warning, 1}, options.json ? config::Form::Json : config::Form::Text);
 }
 
 motion::Walk walk_by_paper(const motion::WalkGraph& graph, const std::vector<Vec2>& path,
@@ -146,8 +150,8 @@ Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
 
   Outcome outcome;
   const auto began = std::chrono::steady_clock::now();
-  outcome.walk = options.search == "paper" ? walk_by_paper(*graph, path, options)
-                                           : walk_by_docent(*graph, path, options);
+  outcome.walk = options.search == Search::Paper ? walk_by_paper(*graph, path, options)
+                                                 : walk_by_docent(*graph, path, options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   outcome.total_seconds = took.count();
 
@@ -179,6 +183,7 @@ std::string to_sentence(const Outcome& outcome, std::uint32_t frames) {
 }
 
 void run_walk(const WalkOptions& options) {
+  const Stopwatch stopwatch;
   check_options(options);
   const std::vector<Vec2> path = read_path(options.path);
   const Museum museum = load_or_throw(options.database);
@@ -190,38 +195,48 @@ void run_walk(const WalkOptions& options) {
                     options.output);
   const std::uint32_t frames = motion::frame_count(walk);
   fmt::print("{}\n", options.json ? to_json(outcome, frames) : to_sentence(outcome, frames));
+  if (!options.json) stopwatch.say_wrote(options.output);
 }
 
 }  // namespace
 
-void add_walk_command(CLI::App& app, int& exit_code) {
+terminal::Command walk_command() {
+  using terminal::Times;
   auto options = std::make_shared<WalkOptions>();
-  CLI::App* command = app.add_subcommand("walk", "Walks along a path and writes the motion as BVH");
-  command->add_option("DB", options->database, "The museum's database")->required();
-  command->add_option("--path", options->path, "CSV file x,y: a polyline in metres")->required();
-  command->add_option("-o,--output", options->output, "BVH file for the walk")->required();
-  command->add_option("--search", options->search, "docent (default) or paper")
-      ->check(CLI::IsMember({"docent", "paper"}));
-  command->add_option("--lookahead", options->lookahead, "paper: metres looked ahead in a step")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--use-rate", options->use_rate, "paper: share of a step that is kept")
-      ->check(CLI::Range(0.0, 1.0));
-  command
-      ->add_option("--time-limit", options->time_limit,
-                   "paper: seconds of search, then the walk ends where it is (default 600)")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--start", options->start, "X,Y,HEADING in metres and degrees")
-      ->delimiter(',');
-  command->add_option("--fps", options->fps, "Frames a second; default the clips' own")
-      ->check(CLI::Range(1.0, 1000.0));
-  auto* exact = command->add_flag("--exact", options->exact,
-                                  "Warp the walk onto the path and pin the feet (default)");
-  command->add_flag("--raw", options->raw, "Leave the motion graph's own track")->excludes(exact);
-  command->add_flag("--json", options->json, "Print the figures as JSON");
-  command->callback([options, &exit_code] {
-    run_walk(*options);
-    exit_code = 0;
-  });
+  return {
+      .name = "walk",
+      .manual = "walks along a path and writes the motion as BVH",
+      .options =
+          {
+              {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
+              {"--path", terminal::file("P.csv", options->path),
+               "Columns x,y: a polyline in metres", Times::Once},
+              {"-o,--output", terminal::file("W.bvh", options->output), "The walk", Times::Once},
+              {"--search",
+               terminal::one_of<Search>({{"docent", Search::Docent}, {"paper", Search::Paper}},
+                                        options->search),
+               "Our search, or the founding paper's", Times::AtMostOnce, "docent"},
+              {"--lookahead", terminal::number("M", terminal::positive, options->lookahead),
+               "paper: metres looked ahead in a step", Times::AtMostOnce, "1"},
+              {"--use-rate", terminal::number("F", {.least = 0, .most = 1}, options->use_rate),
+               "paper: share of a step that is kept", Times::AtMostOnce, "0.25"},
+              {"--time-limit", terminal::number("S", terminal::positive, options->time_limit),
+               "paper: seconds of search, then the walk ends where it is", Times::AtMostOnce,
+               "600"},
+              {"--start", terminal::numbers("X,Y,HEADING", options->start),
+               "Where the walk begins: metres, degrees", Times::AtMostOnce,
+               "the path's first point, along the path"},
+              {"--fps", terminal::number("N", {.least = 1, .most = 1000}, options->fps),
+               "Frames a second", Times::AtMostOnce, "the clips' own"},
+              {"--exact", terminal::flag(options->exact),
+               "Warp the walk onto the path and pin the planted feet; so it is unless --raw"},
+              {"--raw", terminal::flag(options->raw), "Leave the motion graph's own track"},
+              {"--json", terminal::flag(options->json), "Print the figures as JSON"},
+          },
+      .run = [options] {
+        run_walk(*options);
+        return 0;
+      }};
 }
 
 }  // namespace docent::command

@@ -176,7 +176,11 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
   progress.plan("scenery", 40);
-  AvatarTask avatar(options, clip_folders(options, &config), progress);
+  // The clips that ship hold no mistakes: a museum that does is not kept waiting for them.
+  const bool own_clips = !options.clips.empty() || config.motion.clips.given;
+  std::optional<AvatarTask> avatar;
+  if (own_clips || !report.has_errors())
+    avatar.emplace(options, clip_folders(options, &config), progress);
 
   take_texts(config, museum, report);
   museum.body_radius = config.avatar.radius.value;
@@ -194,7 +198,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     const auto stage = progress.start("scenery");
     compile_scenery(&config, museum);
   }
-  avatar.finish(museum, report);
+  if (avatar) avatar->finish(museum, report);
 }
 
 bool is_museum_folder(const CompileOptions& options) {

@@ -1,11 +1,12 @@
 #include "content/compile/progress.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "platform/terminal/colour.h"
 
 namespace docent::compile {
 
@@ -20,12 +21,16 @@ double seconds_between(std::chrono::steady_clock::time_point a,
 
 Progress::Output progress_output(bool quiet) {
   if (quiet) return Progress::Output::Nothing;
-  return ::isatty(STDERR_FILENO) == 1 ? Progress::Output::Bar : Progress::Output::Lines;
+  return terminal::is_terminal(stderr) ? Progress::Output::Bar : Progress::Output::Lines;
 }
 
 Progress::Progress(Output output) : output_(output) {}
 
 Progress::~Progress() {
+  clear();
+}
+
+void Progress::clear() {
   const std::lock_guard lock(mutex_);
   erase_bar();
 }
@@ -81,8 +86,9 @@ void Progress::draw_bar() {
   const int filled = static_cast<int>(std::lround(share * width));
   // Work so far took that long, so the rest takes in proportion.
   const double left = share > 0 ? seconds_between(begin_, Clock::now()) * (1 - share) / share : 0;
-  fmt::print(stderr, "\r\x1b[K[{:=<{}}{: <{}}] {}{}", "", filled, "", width - filled, running,
-             share > 0 ? fmt::format(", {:.0f} s left", std::ceil(left)) : "");
+  fmt::print(stderr, "\r\x1b[K[{:=<{}}{: <{}}] {}{}{}", "", filled, "", width - filled, running,
+             share > 0 && !running.empty() ? ", " : "",
+             share > 0 ? fmt::format("{:.0f} s left", std::ceil(left)) : "");
   std::fflush(stderr);
 }
 

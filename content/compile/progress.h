@@ -46,6 +46,10 @@ class Progress {
   /// Starts a stage that was planned; a stage may be started again, and its times add up.
   [[nodiscard]] Running start(std::string_view stage);
 
+  /// Takes the bar off the terminal, for what is to be said meanwhile; the next stage draws it
+  /// anew.
+  void clear();
+
   /// Seconds since this was made.
   [[nodiscard]] double seconds() const;
 

@@ -1,13 +1,7 @@
 #include "content/compile/report.h"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <tuple>
-
-#include "config/diagnostic_text.h"
 
 namespace docent::compile {
 
@@ -38,18 +32,6 @@ std::vector<Diagnostic> Report::in_order() const {
     return std::tuple(std::ranges::find(files_, d.file) - files_.begin(), d.file, d.line, d.column);
   });
   return sorted;
-}
-
-void Report::print(Form form) const {
-  constexpr std::size_t terminal_limit = 20;
-  const std::vector<Diagnostic> sorted = in_order();
-  const bool shortens = form == Form::Text && ::isatty(STDERR_FILENO) == 1;
-  const std::size_t shown = shortens ? std::min(sorted.size(), terminal_limit) : sorted.size();
-  for (std::size_t i = 0; i < shown; ++i)
-    fmt::print(stderr, "{}",
-               form == Form::Json ? config::to_json(sorted[i]) + "\n" : config::to_text(sorted[i]));
-  if (shown < sorted.size())
-    fmt::print(stderr, "... and {} more; all of them with 2>FILE\n", sorted.size() - shown);
 }
 
 }  // namespace docent::compile

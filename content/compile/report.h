@@ -21,14 +21,10 @@ class Report {
 
   [[nodiscard]] bool has_errors() const;
 
-  /// How the report is written to standard error.
-  enum class Form { Text, Json };
-  /// Writes all diagnostics; a terminal gets the first 20 as text and then the count.
-  void print(Form form) const;
-
- private:
+  /// All of it, as it is to be told.
   [[nodiscard]] std::vector<Diagnostic> in_order() const;
 
+ private:
   mutable std::mutex mutex_;
   std::vector<std::string> files_;
   std::vector<Diagnostic> diagnostics_;

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <memory>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "platform/file/read_file.h"
@@ -15,8 +15,6 @@
 
 namespace docent::kiosk {
 namespace {
-
-constexpr int wrong_usage = 2;
 
 int say(const Error& error) {
   fmt::print(stderr, "docent: {}\n", error.what);
@@ -43,17 +41,26 @@ int decode(const std::string& file) {
 
 }  // namespace
 
-int run_hid_command(std::span<const char* const> arguments) {
-  const std::vector<std::string_view> words(arguments.begin(), arguments.end());
-  const bool as_json = std::ranges::find(words, "--json") != words.end();
-  if (!words.empty() && words[0] == "list" && words.size() == (as_json ? 2U : 1U))
-    return list(as_json);
-  if (words.size() == 2 && words[0] == "decode" && !as_json) return decode(std::string(words[1]));
-  fmt::print(stderr,
-             "usage: docent hid list [--json]\n"
-             "       docent hid decode FILE.hid\n");
-  const bool asked = !words.empty() && (words[0] == "--help" || words[0] == "-h");
-  return asked ? 0 : wrong_usage;
+terminal::Command hid_command() {
+  struct HidOptions {
+    bool json = false;
+    std::string recording;
+  };
+  const auto options = std::make_shared<HidOptions>();
+  terminal::Command list_devices{
+      .name = "list",
+      .manual = "lists the hidraw devices present, and what each is taken for",
+      .options = {{"--json", terminal::flag(options->json), "Print the list as JSON"}},
+      .run = [options] { return list(options->json); }};
+  terminal::Command decode_file{
+      .name = "decode",
+      .manual = "prints what a recorded device said, as CSV",
+      .options = {{"FILE", terminal::file("FILE", options->recording),
+                   "A recording in the text form of hid-recorder", terminal::Times::Once}},
+      .run = [options] { return decode(options->recording); }};
+  return {.name = "hid",
+          .manual = "tells of touch screens and keypads",
+          .commands = {std::move(list_devices), std::move(decode_file)}};
 }
 
 }  // namespace docent::kiosk

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <span>
+#include "platform/terminal/command_line.h"
 
 namespace docent::kiosk {
 
-/// `docent hid list [--json]` and `docent hid decode FILE.hid`: what comes after `docent hid`.
-/// Prints the answer or what is wrong; returns CONTRACT's exit code.
-int run_hid_command(std::span<const char* const> arguments);
+/// `docent hid list [--json]` and `docent hid decode FILE.hid`: which devices there are and what
+/// each is taken for, and what the kiosk makes of a recording.
+terminal::Command hid_command();
 
 }  // namespace docent::kiosk

@@ -1,7 +1,6 @@
 #include "runtime/kiosk/kiosk.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <csignal>
 
 #include <array>
@@ -49,19 +48,6 @@ void expect_end() noexcept {
 int say(const Error& error) {
   fmt::print(stderr, "docent: {}\n", error.what);
   return exit_code(error.code);
-}
-
-/// Prints every mistake; a terminal shows the first 20 and then the count.
-void say(const std::vector<Diagnostic>& mistakes) {
-  constexpr std::size_t most_on_terminal = 20;
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  for (std::size_t i = 0; i < mistakes.size(); ++i) {
-    if (terminal && i == most_on_terminal) {
-      fmt::print(stderr, "... and {} more\n", mistakes.size() - i);
-      return;
-    }
-    fmt::print(stderr, "{}", config::to_text(mistakes[i]));
-  }
 }
 
 bool has_error(const std::vector<Diagnostic>& mistakes) {
@@ -152,7 +138,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   exhibition_ = std::move(*exhibition);
   if (visit) {
     const auto mistakes = unknown_names(exhibition_->museum, *visit, options_.visit.string());
-    say(mistakes);
+    config::tell(mistakes);
     if (!mistakes.empty())
       return std::unexpected(Error{Errc::InvalidInput, "the visit was not begun"});
     if (!visit->commands.empty()) last_command_ = visit->commands.back().time;
@@ -340,13 +326,14 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   std::optional<Visit> visit;
   if (!options.visit.empty()) {
     visit = load_visit(options.visit);
-    say(visit->mistakes);
+    config::tell(visit->mistakes);
     if (!visit->mistakes.empty()) return 1;
   }
-  if (options.config_given && !file::is_there(options.config))
-    return say({Errc::NotFound, options.config.string() + ": there is no such settings file"});
-  const config::Loaded<config::KioskConfig> config = config::load_kiosk_config(options.config);
-  say(config.diagnostics);
+  if (options.config && !file::is_there(*options.config))
+    return say({Errc::NotFound, options.config->string() + ": there is no such settings file"});
+  const config::Loaded<config::KioskConfig> config =
+      config::load_kiosk_config(options.config.value_or(default_config));
+  config::tell(config.diagnostics);
   if (has_error(config.diagnostics) || !config.value) return 1;
 
   expect_end();

@@ -1,24 +1,24 @@
 #include <cstdio>
 #include <exception>
 #include <span>
-#include <string_view>
 
+#include "config/diagnostic_text.h"
 #include "platform/clock/monotonic_clock.h"
 #include "runtime/kiosk/allocations.h"
-#include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/kiosk.h"
 #include "runtime/kiosk/options.h"
 
 namespace {
 
 int run(int argc, char** argv, std::chrono::nanoseconds started) {
-  if (argc > 1 && std::string_view(argv[1]) == "hid")
-    return docent::kiosk::run_hid_command(
-        std::span<const char* const>(argv, argv + argc).subspan(2));
   docent::kiosk::prepare_allocator_for(docent::kiosk::Phase::Start);
-  const docent::kiosk::CommandLine line = docent::kiosk::parse_command_line(argc, argv);
-  if (line.exit) return *line.exit;
-  return docent::kiosk::run_kiosk(line.options, started);
+  docent::kiosk::Options options;
+  const auto asked = docent::terminal::parse(
+      docent::kiosk::program(options, [&] { return docent::kiosk::run_kiosk(options, started); }),
+      std::span<const char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
+  if (asked) return (*asked)();
+  docent::config::tell({&asked.error(), 1});
+  return docent::exit_code(docent::Errc::WrongUsage);
 }
 
 }  // namespace

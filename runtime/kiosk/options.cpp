@@ -1,8 +1,11 @@
 #include "runtime/kiosk/options.h"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <utility>
+
+#include "runtime/kiosk/hid_command.h"
 
 namespace docent::kiosk {
 namespace {
@@ -20,6 +23,63 @@ std::optional<PixelSize> parse_size(const std::string& text) {
   return fits ? std::optional(size) : std::nullopt;
 }
 
+terminal::Value size_value(std::optional<PixelSize>& size) {
+  return {.name = "WxH", .take = [&size](terminal::Words words) {
+            size = parse_size(words.back());
+            return size ? std::string() : "'" + words.back() + "' is not a size like 1920x1080";
+          }};
+}
+
+std::vector<terminal::Option> options_of(Options& options) {
+  using terminal::Times;
+  return {
+      {"--content", terminal::file("DB", options.content), "The compiled museum", Times::AtMostOnce,
+       "what kiosk.toml says, else /var/lib/docent/museum.db"},
+      {"--config", terminal::file("FILE", options.config), "This device's settings",
+       Times::AtMostOnce, default_config},
+      {"--display",
+       terminal::one_of<DisplayKind>({{"auto", DisplayKind::Auto},
+                                      {"kms", DisplayKind::Kms},
+                                      {"window", DisplayKind::Window},
+                                      {"headless", DisplayKind::Headless}},
+                                     options.display),
+       "Where to draw; auto takes KMS on a free console, a window where there is a desktop, else "
+       "headless",
+       Times::AtMostOnce, "what kiosk.toml says, else auto"},
+      {"--size", size_value(options.size), "Pixels, such as 1920x1080", Times::AtMostOnce,
+       "what kiosk.toml says, else what the display prefers"},
+      {"--rotate",
+       terminal::one_of<Rotation>({{"0", static_cast<Rotation>(0)},
+                                   {"90", static_cast<Rotation>(1)},
+                                   {"180", static_cast<Rotation>(2)},
+                                   {"270", static_cast<Rotation>(3)}},
+                                  options.rotation),
+       "Degrees by which the screen hangs turned", Times::AtMostOnce,
+       "what kiosk.toml says, else 0"},
+      {"--visit", terminal::file("FILE", options.visit), "Play a scripted visit"},
+      {"--record", terminal::folder("DIR", options.record),
+       "Write frames as PNG and states.csv into this folder"},
+      {"--seconds", terminal::number("S", terminal::not_negative, options.seconds),
+       "End after so many seconds"},
+      {"--stats", terminal::file("FILE", options.stats), "Write measurements as JSON at the end"},
+      {"--hid", terminal::file("PATH", options.hid),
+       "A hidraw device to use, instead of all touch screens and keypads", Times::AnyNumber},
+  };
+}
+
+terminal::Section files() {
+  return {.title = "files",
+          .rows = {{"/etc/docent/kiosk.toml",
+                    "This device's settings; without it those of a new device hold"},
+                   {"/var/lib/docent/museum.db", "The compiled museum"}}};
+}
+
+terminal::Section signals() {
+  return {.title = "signals",
+          .rows = {{"SIGTERM, SIGINT", "End cleanly within a second"},
+                   {"SIGHUP", "Take up a new database as soon as nobody is being guided"}}};
+}
+
 }  // namespace
 
 DisplayKind display_named(std::string_view name) noexcept {
@@ -28,59 +88,13 @@ DisplayKind display_named(std::string_view name) noexcept {
   return name == "headless" ? DisplayKind::Headless : DisplayKind::Auto;
 }
 
-CommandLine parse_command_line(int argc, const char* const* argv) {
-  CommandLine line;
-  Options& options = line.options;
-  std::filesystem::path content;
-  std::string size;
-  std::string display;
-  int rotate = 0;
-  double seconds = 0;
-
-  CLI::App app("docent: the museum's guide. A visitor touches an exhibit, and it walks there.",
-               "docent");
-  app.set_version_flag("--version", "docent 0.1.0");
-  auto* content_option = app.add_option("--content", content, "The compiled museum (museum.db)");
-  auto* config_option = app.add_option("--config", options.config, "This device's settings");
-  auto* display_option = app.add_option("--display", display, "Where to draw")
-                             ->check(CLI::IsMember({"auto", "kms", "window", "headless"}))
-                             ->option_text("auto|kms|window|headless");
-  auto* size_option =
-      app.add_option("--size", size, "Pixels, such as 1920x1080")
-          ->option_text("WxH")
-          ->check([](const std::string& text) {
-            return parse_size(text) ? std::string() : "'" + text + "' is not a size like 1920x1080";
-          });
-  auto* rotate_option = app.add_option("--rotate", rotate, "How far the screen hangs turned")
-                            ->check(CLI::IsMember({0, 90, 180, 270}))
-                            ->option_text("0|90|180|270");
-  app.add_option("--visit", options.visit, "Play a scripted visit")->option_text("FILE");
-  app.add_option("--record", options.record, "Write frames and states.csv there")
-      ->option_text("DIR");
-  auto* seconds_option = app.add_option("--seconds", seconds, "End after so many seconds")
-                             ->check(CLI::NonNegativeNumber)
-                             ->option_text("S");
-  app.add_option("--stats", options.stats, "Write measurements as JSON at exit")
-      ->option_text("FILE");
-  app.add_option("--hid", options.hid, "A hidraw device to use; repeat for more")
-      ->option_text("PATH");
-  app.footer(
-      "docent hid list [--json]       the touch screens and keypads present\n"
-      "docent hid decode FILE.hid     what a recorded device said, as CSV");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    constexpr int wrong_usage = 2;
-    line.exit = app.exit(error) == 0 ? 0 : wrong_usage;
-    return line;
-  }
-  options.config_given = config_option->count() > 0;
-  if (content_option->count() > 0) options.content = content;
-  if (display_option->count() > 0) options.display = display_named(display);
-  if (size_option->count() > 0) options.size = parse_size(size);
-  if (rotate_option->count() > 0) options.rotation = static_cast<Rotation>(rotate / 90);
-  if (seconds_option->count() > 0) options.seconds = seconds;
-  return line;
+terminal::Command program(Options& options, std::function<int()> run) {
+  return {.name = "docent",
+          .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
+          .options = options_of(options),
+          .run = std::move(run),
+          .commands = {hid_command()},
+          .sections = {files(), signals(), terminal::exit_codes()}};
 }
 
 }  // namespace docent::kiosk

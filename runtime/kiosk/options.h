@@ -2,22 +2,26 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "platform/display.h"
+#include "platform/terminal/command_line.h"
 
 namespace docent::kiosk {
+
+/// This device's settings, where the command line names no other.
+inline constexpr std::string_view default_config = "/etc/docent/kiosk.toml";
 
 enum class DisplayKind : std::uint8_t { Auto, Kms, Window, Headless };
 
 /// The command line of `docent`. What is not given comes from kiosk.toml.
 struct Options {
   std::optional<std::filesystem::path> content;
-  std::filesystem::path config = "/etc/docent/kiosk.toml";
-  bool config_given = false;
+  std::optional<std::filesystem::path> config;
   std::optional<DisplayKind> display;
   std::optional<PixelSize> size;
   std::optional<Rotation> rotation;
@@ -26,15 +30,11 @@ struct Options {
   std::vector<std::string> hid;
 };
 
-/// What to do with a command line: run with these options, or leave with this exit code because
-/// everything there was to say (help, version, what is wrong) has been said.
-struct CommandLine {
-  Options options;
-  std::optional<int> exit;
-};
 /// The display of that name; Auto for any other.
 DisplayKind display_named(std::string_view name) noexcept;
 
-CommandLine parse_command_line(int argc, const char* const* argv);
+/// The command line of `docent`: stores what it says in `options` and then calls `run`, or one of
+/// the commands that come instead.
+terminal::Command program(Options& options, std::function<int()> run);
 
 }  // namespace docent::kiosk

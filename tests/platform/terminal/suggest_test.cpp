@@ -1,11 +1,11 @@
-#include "config/suggest.h"
+#include "platform/terminal/suggest.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <string>
 
-namespace docent::config {
+namespace docent::terminal {
 namespace {
 
 TEST(EditDistance, CountsSlipsOfTheFinger) {
@@ -31,4 +31,4 @@ TEST(Suggestion, IsTheNearestKnownWordAndNothingWhereNoneIsNear) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::terminal

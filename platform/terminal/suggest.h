@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent::config {
+namespace docent::terminal {
 
 /// How many letters must be added, removed, changed or swapped with a neighbour to make one word of
 /// the other (Damerau 1964, in the form that edits no letter twice). Compares bytes.
@@ -13,4 +13,4 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The known word that somebody who wrote `word` probably meant; empty where none is close.
 std::string_view closest(std::string_view word, const std::vector<std::string_view>& known);
 
-}  // namespace docent::config
+}  // namespace docent::terminal

@@ -1,9 +1,9 @@
-#include "config/suggest.h"
+#include "platform/terminal/suggest.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace docent::config {
+namespace docent::terminal {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // Rows of the dynamic program for the last two letters of `a` and this one.
@@ -36,4 +36,4 @@ std::string_view closest(std::string_view word, const std::vector<std::string_vi
   return best;
 }
 
-}  // namespace docent::config
+}  // namespace docent::terminal
