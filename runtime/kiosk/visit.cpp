@@ -10,6 +10,8 @@
 #include <span>
 
 #include "platform/file/read_file.h"
+#include "platform/terminal/suggest.h"
+#include "platform/terminal/value.h"
 #include "runtime/interface/seats.h"
 
 namespace docent::kiosk {
@@ -54,6 +56,12 @@ std::optional<std::uint32_t> finger(std::string_view text) {
   return value;
 }
 
+/// The arguments of a form, a word each.
+std::vector<std::string_view> arguments_of(const VisitForm& form) {
+  return form.arguments.empty() ? std::vector<std::string_view>()
+                                : terminal::split(form.arguments, ' ');
+}
+
 class LineReader {
  public:
   LineReader(std::string_view file, std::uint32_t line, std::span<const Word> words)
@@ -69,14 +77,13 @@ class LineReader {
                    "a line is TIME and a command, such as 2.5 tap @home");
     command.time = *time;
     if (words_.size() < 2)
-      return wrong(0, "missing-command", "there is no command after the time", commands);
+      return wrong(0, "missing-command", "there is no command after the time",
+                   "a line is TIME and a command, such as 2.5 tap @home");
     return read_command(command) ? std::optional(command) : std::nullopt;
   }
   std::optional<Diagnostic> mistake;
 
  private:
-  static constexpr const char* commands = "commands are tap, down, move, up, key, shot and quit";
-
   std::nullopt_t wrong(std::size_t word, std::string code, std::string message,
                        std::string hint = {}) {
     mistake = Diagnostic{.file = std::string(file_),
@@ -89,40 +96,91 @@ class LineReader {
     return std::nullopt;
   }
 
-  bool has(std::size_t arguments, const char* usage) {
-    if (words_.size() == arguments + 2) return true;
+  /// The forms of the command that this line names; empty, and a mistake, where there is none.
+  std::vector<const VisitForm*> forms_named() {
+    std::vector<const VisitForm*> forms;
+    std::vector<std::string_view> verbs;
+    for (const VisitForm& form : visit_forms()) {
+      if (form.verb == words_[1].text) forms.push_back(&form);
+      if (std::ranges::find(verbs, form.verb) == verbs.end()) verbs.push_back(form.verb);
+    }
+    if (!forms.empty()) return forms;
+    const std::string_view meant = terminal::closest(words_[1].text, verbs);
+    wrong(1, "unknown-command", fmt::format("there is no command '{}'", words_[1].text),
+          meant.empty() ? fmt::format("commands are {}", fmt::join(verbs, ", "))
+                        : fmt::format("did you mean '{}'?", meant));
+    return forms;
+  }
+
+  /// Is this line written in that form?
+  bool is_of(const VisitForm& form) const {
+    const std::vector<std::string_view> arguments = arguments_of(form);
+    if (words_.size() != arguments.size() + 2) return false;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const std::string_view word = words_[i + 2].text;
+      if (arguments[i] == "seat" && word != "seat") return false;
+      if (arguments[i] == "@NAME" && !word.starts_with('@')) return false;
+    }
+    return true;
+  }
+
+  bool read_command(VisitCommand& command) {
+    const std::vector<const VisitForm*> forms = forms_named();
+    if (forms.empty()) return false;
+    for (const VisitForm* form : forms)
+      if (is_of(*form)) return read_arguments(*form, command);
+    std::string usage;
+    for (const VisitForm* form : forms)
+      usage +=
+          fmt::format("{}TIME {} {}", usage.empty() ? "" : ", or ", form->verb, form->arguments);
     wrong(1, "wrong-arguments", fmt::format("'{}' does not have what it needs", words_[1].text),
           fmt::format("write {}", usage));
     return false;
   }
 
-  bool read_point(std::size_t word, VisitCommand& command) {
-    for (const std::size_t i : {word, word + 1}) {
-      const std::optional<float> value = share(words_[i].text);
-      if (!value) {
-        wrong(i, "bad-place",
-              fmt::format("'{}' is not a place on the screen, which runs from 0 to 1",
-                          words_[i].text));
-        return false;
-      }
-      (i == word ? command.contact.x : command.contact.y) = *value;
-    }
+  bool read_arguments(const VisitForm& form, VisitCommand& command) {
+    command.kind = form.kind;
+    const std::vector<std::string_view> arguments = arguments_of(form);
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      if (!read_argument(arguments[i], i + 2, command)) return false;
     return true;
   }
 
-  bool read_finger(VisitCommand& command) {
-    const std::optional<std::uint32_t> id = finger(words_[2].text);
+  bool read_argument(std::string_view argument, std::size_t word, VisitCommand& command) {
+    const std::string_view text = words_[word].text;
+    if (argument == "X") return read_share(word, command.contact.x);
+    if (argument == "Y") return read_share(word, command.contact.y);
+    if (argument == "ID") return read_finger(word, command);
+    if (argument == "KEY") return read_key(word, command);
+    if (argument == "NUMBER") return read_seat(word, command);
+    if (argument != "seat") command.name = text.substr(argument.starts_with('@') ? 1 : 0);
+    return true;
+  }
+
+  bool read_share(std::size_t word, float& place) {
+    const std::optional<float> value = share(words_[word].text);
+    if (value)
+      place = *value;
+    else
+      wrong(word, "bad-place",
+            fmt::format("'{}' is not a place on the screen, which runs from 0 to 1",
+                        words_[word].text));
+    return value.has_value();
+  }
+
+  bool read_finger(std::size_t word, VisitCommand& command) {
+    const std::optional<std::uint32_t> id = finger(words_[word].text);
     if (!id)
-      wrong(2, "bad-finger", fmt::format("'{}' is not a finger's number", words_[2].text));
+      wrong(word, "bad-finger", fmt::format("'{}' is not a finger's number", words_[word].text));
     else
       command.contact.id = *id;
     return id.has_value();
   }
 
-  bool read_seat(VisitCommand& command) {
-    const std::optional<std::uint32_t> seat = finger(words_[4].text);
+  bool read_seat(std::size_t word, VisitCommand& command) {
+    const std::optional<std::uint32_t> seat = finger(words_[word].text);
     if (!seat || *seat < 1 || *seat > interface::most_seats) {
-      wrong(4, "bad-seat", fmt::format("'{}' is not a seat's number", words_[4].text),
+      wrong(word, "bad-seat", fmt::format("'{}' is not a seat's number", words_[word].text),
             fmt::format("seats are counted from the left, 1 to {}", interface::most_seats));
       return false;
     }
@@ -130,49 +188,12 @@ class LineReader {
     return true;
   }
 
-  bool read_command(VisitCommand& command) {
-    using Kind = VisitCommand::Kind;
-    const std::string_view verb = words_[1].text;
-    if (verb == "tap" && words_.size() > 2 && words_[2].text.starts_with('@')) {
-      command.kind = Kind::TapNamed;
-      command.name = words_[2].text.substr(1);
-      const bool at_seat = words_.size() > 3 && words_[3].text == "seat";
-      if (!at_seat) return has(1, "TIME tap @NAME, or TIME tap @NAME seat NUMBER");
-      return has(3, "TIME tap @NAME seat NUMBER") && read_seat(command);
-    }
-    if (verb == "tap") {
-      command.kind = Kind::Tap;
-      return has(2, "TIME tap X Y, or TIME tap @NAME") && read_point(2, command);
-    }
-    if (verb == "down" || verb == "move") {
-      command.kind = verb == "down" ? Kind::Down : Kind::Move;
-      return has(3, "TIME down ID X Y") && read_finger(command) && read_point(3, command);
-    }
-    if (verb == "up") {
-      command.kind = Kind::Up;
-      return has(1, "TIME up ID") && read_finger(command);
-    }
-    if (verb == "key") {
-      command.kind = Kind::Press;
-      if (!has(1, "TIME key NAME")) return false;
-      command.key = key_named(words_[2].text);
-      if (command.key.key != input::Key::None) return true;
-      wrong(2, "unknown-key", fmt::format("there is no key '{}'", words_[2].text),
-            "keys are UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a letter, a digit "
-            "or F1 to F24");
-      return false;
-    }
-    if (verb == "shot") {
-      command.kind = Kind::Shot;
-      if (!has(1, "TIME shot FILE.png")) return false;
-      command.name = words_[2].text;
-      return true;
-    }
-    if (verb == "quit") {
-      command.kind = Kind::Quit;
-      return has(0, "TIME quit");
-    }
-    wrong(1, "unknown-command", fmt::format("there is no command '{}'", verb), commands);
+  bool read_key(std::size_t word, VisitCommand& command) {
+    command.key = key_named(words_[word].text);
+    if (command.key.key != input::Key::None) return true;
+    wrong(word, "unknown-key", fmt::format("there is no key '{}'", words_[word].text),
+          "keys are UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a letter, a digit "
+          "or F1 to F24");
     return false;
   }
 
@@ -182,6 +203,28 @@ class LineReader {
 };
 
 }  // namespace
+
+std::span<const VisitForm> visit_forms() noexcept {
+  using Kind = VisitCommand::Kind;
+  static constexpr std::array<VisitForm, 9> forms{{
+      {"tap", "X Y", Kind::Tap, "A finger goes down there and up again"},
+      {"tap", "@NAME", Kind::TapNamed,
+       "The control or exhibit of that name is tapped, wherever it is; where another screen shows "
+       "it, that one is gone to first, over at most three touches"},
+      {"tap", "@NAME seat NUMBER", Kind::TapNamed,
+       "The same from one seat of a shared glass, counted from the left, from 1; else the seat "
+       "is the one that was touched last"},
+      {"down", "ID X Y", Kind::Down, "The finger of that number goes down"},
+      {"move", "ID X Y", Kind::Move, "It moves there"},
+      {"up", "ID", Kind::Up, "It goes up"},
+      {"key", "KEY", Kind::Press,
+       "A key is pressed: UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a letter, a "
+       "digit, or F1 to F24"},
+      {"shot", "FILE.png", Kind::Shot, "The screen is written as a picture"},
+      {"quit", "", Kind::Quit, "The program ends"},
+  }};
+  return forms;
+}
 
 input::InputEvent key_named(std::string_view name) noexcept {
   input::InputEvent event{.kind = input::InputEvent::Kind::KeyDown, .contact = {}};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,13 +26,24 @@ struct VisitCommand {
   std::uint32_t line = 0;
 };
 
+/// A form in which a command is written after its time: the table that is read by, and that the
+/// manual is made of.
+struct VisitForm {
+  std::string_view verb;
+  /// Words: X Y ID KEY NUMBER FILE.png, @NAME for a name with its "@", and "seat" as it stands.
+  std::string_view arguments;
+  VisitCommand::Kind kind;
+  std::string_view manual;
+};
+std::span<const VisitForm> visit_forms() noexcept;
+
 /// A visit as it was written, in order of time, and everything that is wrong with it.
 struct Visit {
   std::vector<VisitCommand> commands;
   std::vector<Diagnostic> mistakes;
 };
 
-/// Reads CONTRACT's visit language; `file` names it in mistakes. Defined for any text.
+/// Reads a visit (docent-visit(5)); `file` names it in mistakes. Defined for any text.
 Visit parse_visit(std::string_view text, std::string_view file);
 
 /// Reads a file; a file that cannot be read is a mistake like others.
