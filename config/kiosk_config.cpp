@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "config/field_manual.h"
 #include "config/fields.h"
 #include "platform/file/read_file.h"
 
@@ -22,36 +23,46 @@ constexpr double shared_from_inches = 42;
 constexpr int most_visitors = 8;
 
 constexpr std::array kiosk_file_fields{
-    Field<KioskFile>{
-        "content", &KioskFile::content, Presence::Optional, "The compiled museum", {}, Form::File},
-    Field<KioskFile>{"idle_reset",
-                     &KioskFile::idle_reset,
+    Field<KioskFile>{"content",
+                     &KioskFile::content,
                      Presence::Optional,
-                     "Seconds without a touch until the welcome screen returns",
-                     {10, 600}},
+                     "The compiled museum, relative to this file; /var/lib/docent/museum.db where "
+                     "it is not said",
+                     {},
+                     Form::File},
+    Field<KioskFile>{
+        "idle_reset",
+        &KioskFile::idle_reset,
+        Presence::Optional,
+        "Seconds without a touch until the welcome screen returns; 60 where it is not said",
+        {10, 600}},
     Field<KioskFile>{"text_scale",
                      &KioskFile::text_scale,
                      Presence::Optional,
-                     "How much larger letters are",
+                     "How much larger letters are, for every visitor; 1 where it is not said",
                      {1, 2}},
     Field<KioskFile>{"screen_inches",
                      &KioskFile::screen_inches,
                      Presence::Optional,
-                     "The screen's diagonal in inches",
+                     "The screen's diagonal in inches, so that letters have their size on the "
+                     "glass; 24 where it is not said",
                      {5, 120}},
     Field<KioskFile>{"visitors",
                      &KioskFile::visitors,
                      Presence::Optional,
-                     "How many visitors may use the glass at the same time",
+                     "How many visitors may use the glass at the same time; where it is not said "
+                     "1, or 8 on a screen of 42 inches and more",
                      {1, most_visitors}},
-    Field<KioskFile>{"rotate",
-                     &KioskFile::rotate,
-                     Presence::Optional,
-                     "Degrees by which the screen hangs turned",
-                     {0, 270}},
+    Field<KioskFile>{
+        "rotate",
+        &KioskFile::rotate,
+        Presence::Optional,
+        "Degrees by which the screen hangs turned: 0, 90, 180 or 270; 0 where it is not said",
+        {0, 270}},
     Field<KioskFile>{"display", &KioskFile::display, Presence::Optional,
-                     "auto, kms, window or headless"},
-    Field<KioskFile>{"size", &KioskFile::size, Presence::Optional, "Pixels: \"1920x1080\""},
+                     "Where to draw: auto, kms, window or headless; auto where it is not said"},
+    Field<KioskFile>{"size", &KioskFile::size, Presence::Optional,
+                     "Pixels: \"1920x1080\"; what the display prefers where it is not said"},
 };
 
 /// A whole number of pixels, 64 to 16384; 0 where the text is none.
@@ -133,6 +144,10 @@ Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
   reader.read<KioskFile>(*toml.root, file.filename().string(), kiosk_file_fields, written);
   const KioskConfig config = KioskSettings(file, toml.diagnostics).from(written);
   return {.value = config, .diagnostics = std::move(toml.diagnostics)};
+}
+
+std::vector<SectionManual> kiosk_manual() {
+  return {{.heading = {}, .manual = {}, .fields = manual_of<KioskFile>(kiosk_file_fields)}};
 }
 
 }  // namespace docent::config

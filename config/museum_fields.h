@@ -56,7 +56,7 @@ inline constexpr std::array avatar_fields{
     Field<AvatarSection>{"radius",
                          &AvatarSection::radius,
                          Presence::Optional,
-                         "Metres that the guide keeps from every wall",
+                         "Metres that the guide keeps from every wall; 0.25 where it is not said",
                          {0.05, 2}},
 };
 

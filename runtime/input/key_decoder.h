@@ -25,7 +25,7 @@ struct KeyName {
 /// 15); Key::None for one that the kiosk does not use.
 KeyName key_of(Usage usage) noexcept;
 
-/// "UP", "ENTER", "A", "7", "F13": as CONTRACT and visits write it.
+/// "UP", "ENTER", "A", "7", "F13": as docent(1) and visits write it.
 std::string to_string(KeyName key);
 /// The reverse; Key::None for an unknown name.
 KeyName key_from_string(std::string_view name) noexcept;

@@ -12,7 +12,7 @@ namespace docent::kiosk {
 void expect_reloads() noexcept;
 
 /// Runs the guide on the screen and glass that the options name until it is told to stop (SIGTERM,
-/// SIGINT, the window's close button, a visit's quit, --seconds). Returns CONTRACT's exit code;
+/// SIGINT, the window's close button, a visit's quit, --seconds). Returns docent(1)'s exit code;
 /// every problem has been said on standard error. `started`: when the program began.
 int run_kiosk(const Options& options, std::chrono::nanoseconds started);
 

@@ -13,7 +13,7 @@
 
 namespace docent::kiosk {
 
-/// Writes what happened into a folder: CONTRACT's frame-000000.png... and states.csv.
+/// Writes what happened into a folder: docent(1)'s frame-000000.png... and states.csv.
 class Recorder {
  public:
   /// Makes the folder. states.csv takes its name when the recording is finished.

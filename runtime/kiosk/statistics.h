@@ -25,7 +25,7 @@ class Durations {
   std::chrono::nanoseconds longest_{0};
 };
 
-/// What --stats writes: CONTRACT's keys.
+/// What --stats writes: the keys of docent(1).
 struct Statistics {
   std::uint64_t frames = 0, touches = 0, routes = 0, collisions = 0, dropped_frames = 0;
   std::uint64_t allocations_in_frames = 0;

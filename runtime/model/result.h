@@ -29,7 +29,7 @@ inline std::string without_file(const Error& error, const std::string& file) {
 template <typename T>
 using Result = std::expected<T, Error>;
 
-/// CONTRACT's exit code for an error.
+/// The exit code for an error: 1, 2 or 3, as docent(1) lists them.
 constexpr int exit_code(Errc code) noexcept {
   switch (code) {
     case Errc::InvalidInput:

@@ -10,7 +10,7 @@ namespace docent::scene {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double overview_pitch = 0.94;  ///< 54 degrees: the upper end of what LOOK allows...
+constexpr double overview_pitch = 0.94;  ///< 54 degrees: steep enough to see over walls...
 constexpr double walking_pitch = 0.84;   ///< ... and 48, where the model looks most like one.
 constexpr double arrival_pitch = 0.79;
 constexpr double nearest_distance = 9, farthest_distance = 12;

@@ -12,7 +12,7 @@ namespace docent::bench {
 
 /// What is seen of a walk, measured on its frames alone.
 struct WalkQuality {
-  motion::offline::PathDeviation deviation;  ///< Metres, as CONTRACT defines it.
+  motion::offline::PathDeviation deviation;  ///< Metres, as docent-content(1) defines it.
   double skate = 0;  ///< Metres a second that the toe joint moves while the foot is flat, mean.
   double drift = 0;  ///< Metres that it wanders in one plant; 95 % of the plants are better.
   double flat_share = 0;  ///< Of the feet's frames in which they are flat; skate and drift are not
