@@ -1,0 +1,80 @@
+# bash completion for docent-content; made of its table of options by tests/deploy.
+_docent_offer() {
+  [[ $1 == -W ]] || compopt -o filenames
+  mapfile -t COMPREPLY < <(compgen "$@" -- "$word")
+}
+_docent_content() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} path=docent-content i
+  COMPREPLY=()
+  for ((i = 1; i < COMP_CWORD; i++)); do
+    case "$path ${COMP_WORDS[i]}" in
+    'docent-content compile' | 'docent-content check' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk') path+=" ${COMP_WORDS[i]}" ;;
+    esac
+  done
+  case "$path $before" in
+    'docent-content compile -o' | 'docent-content compile --output') _docent_offer -f; return ;;
+    'docent-content compile --clips') _docent_offer -d; return ;;
+    'docent-content compile --coordinates') _docent_offer -W 'metres wgs84'; return ;;
+    'docent-content compile --radius') :; return ;;
+    'docent-content compile --jobs') :; return ;;
+    'docent-content check --clips') _docent_offer -d; return ;;
+    'docent-content check --coordinates') _docent_offer -W 'metres wgs84'; return ;;
+    'docent-content check --radius') :; return ;;
+    'docent-content check --jobs') :; return ;;
+    'docent-content route --kind') _docent_offer -W 'shortest skeleton offset'; return ;;
+    'docent-content route --from') :; return ;;
+    'docent-content route --to') :; return ;;
+    'docent-content route --exhibits') :; return ;;
+    'docent-content route --radius') :; return ;;
+    'docent-content route --offset') :; return ;;
+    'docent-content route --hand') _docent_offer -W 'left right'; return ;;
+    'docent-content route --floor') :; return ;;
+    'docent-content route --svg') _docent_offer -f; return ;;
+    'docent-content route --queries') _docent_offer -f; return ;;
+    'docent-content route -o' | 'docent-content route --output') _docent_offer -f; return ;;
+    'docent-content route --repeat') :; return ;;
+    'docent-content at --points') _docent_offer -f; return ;;
+    'docent-content at -o' | 'docent-content at --output') _docent_offer -f; return ;;
+    'docent-content at --floor') :; return ;;
+    'docent-content see --pairs') _docent_offer -f; return ;;
+    'docent-content see -o' | 'docent-content see --output') _docent_offer -f; return ;;
+    'docent-content see --floor') :; return ;;
+    'docent-content near --from') :; return ;;
+    'docent-content near --exhibit') :; return ;;
+    'docent-content near --within') :; return ;;
+    'docent-content near --speed') :; return ;;
+    'docent-content near --radius') :; return ;;
+    'docent-content near --floor') :; return ;;
+    'docent-content offset --distance') :; return ;;
+    'docent-content offset --floor') :; return ;;
+    'docent-content offset --svg') _docent_offer -f; return ;;
+    'docent-content show -o' | 'docent-content show --output') _docent_offer -f; return ;;
+    'docent-content show --layers') :; return ;;
+    'docent-content show --floor') :; return ;;
+    'docent-content graph -o' | 'docent-content graph --output') _docent_offer -f; return ;;
+    'docent-content walk --path') _docent_offer -f; return ;;
+    'docent-content walk -o' | 'docent-content walk --output') _docent_offer -f; return ;;
+    'docent-content walk --search') _docent_offer -W 'docent paper'; return ;;
+    'docent-content walk --lookahead') :; return ;;
+    'docent-content walk --use-rate') :; return ;;
+    'docent-content walk --time-limit') :; return ;;
+    'docent-content walk --start') :; return ;;
+    'docent-content walk --fps') :; return ;;
+  esac
+  case "$path" in
+    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check info schema route at see near offset show graph walk'; fi ;;
+    'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
+    'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
+    'docent-content info') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content schema') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else :; fi ;;
+    'docent-content route') if [[ $word == -* ]]; then _docent_offer -W '--kind --from --to --exhibits --radius --offset --hand --widest --smooth --floor --json --svg --queries -o --output --repeat -h --help'; else _docent_offer -f; fi ;;
+    'docent-content at') if [[ $word == -* ]]; then _docent_offer -W '--points -o --output --floor -h --help'; else _docent_offer -f; fi ;;
+    'docent-content see') if [[ $word == -* ]]; then _docent_offer -W '--pairs -o --output --floor -h --help'; else _docent_offer -f; fi ;;
+    'docent-content near') if [[ $word == -* ]]; then _docent_offer -W '--from --exhibit --within --speed --radius --floor --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content offset') if [[ $word == -* ]]; then _docent_offer -W '--distance --floor --json --svg -h --help'; else _docent_offer -f; fi ;;
+    'docent-content show') if [[ $word == -* ]]; then _docent_offer -W '-o --output --layers --floor -h --help'; else _docent_offer -f; fi ;;
+    'docent-content graph') if [[ $word == -* ]]; then _docent_offer -W '-o --output --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content walk') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --search --lookahead --use-rate --time-limit --start --fps --exact --raw --json -h --help'; else _docent_offer -f; fi ;;
+  esac
+}
+complete -F _docent_content docent-content
