@@ -13,7 +13,7 @@ namespace {
 
 /// "a number from 0 to 100"
 std::string describe(const Limits& limits) {
-  const std::string kind = limits.of == Limits::Of::WholeNumbers ? "a whole number" : "a number";
+  std::string kind = limits.of == Limits::Of::WholeNumbers ? "a whole number" : "a number";
   if (std::isfinite(limits.most))
     return fmt::format("{} from {} to {}", kind, limits.least, limits.most);
   if (!std::isfinite(limits.least)) return kind;
@@ -82,8 +82,8 @@ std::expected<std::size_t, std::string> find_choice(std::string_view word,
                                            fmt::join(choices, ", "), meant));
 }
 
-Value list(std::string name, std::vector<std::string>& target) {
-  return {.name = std::move(name), .take = [&target](Words words) {
+Value list(std::string_view name, std::vector<std::string>& target) {
+  return {.name = std::string(name), .take = [&target](Words words) {
             target.clear();
             for (const std::string& word : words)
               for (const std::string_view part : split(word, ',')) target.emplace_back(part);

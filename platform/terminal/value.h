@@ -77,8 +77,8 @@ inline Value flag(bool& target) {
 
 /// Any text: of a string, a path, one of these that may be empty, or a vector of strings.
 template <typename Target>
-Value text(std::string name, Target& target, Offers offers = Offers::Nothing) {
-  return {.name = std::move(name),
+Value text(std::string_view name, Target& target, Offers offers = Offers::Nothing) {
+  return {.name = std::string(name),
           .take =
               [&target](Words words) {
                 put(words, target);
@@ -87,21 +87,21 @@ Value text(std::string name, Target& target, Offers offers = Offers::Nothing) {
           .offers = offers};
 }
 template <typename Target>
-Value file(std::string name, Target& target) {
-  return text(std::move(name), target, Offers::Files);
+Value file(std::string_view name, Target& target) {
+  return text(name, target, Offers::Files);
 }
 template <typename Target>
-Value folder(std::string name, Target& target) {
-  return text(std::move(name), target, Offers::Folders);
+Value folder(std::string_view name, Target& target) {
+  return text(name, target, Offers::Folders);
 }
 
 /// Texts with commas between.
-Value list(std::string name, std::vector<std::string>& target);
+Value list(std::string_view name, std::vector<std::string>& target);
 
 /// A number within limits: of any arithmetic type, one that may be empty, or a vector of doubles.
 template <typename Target>
-Value number(std::string name, Limits limits, Target& target) {
-  return {.name = std::move(name), .take = [limits, &target](Words words) {
+Value number(std::string_view name, Limits limits, Target& target) {
+  return {.name = std::string(name), .take = [limits, &target](Words words) {
             std::vector<double> numbers;
             std::string wrong = read_numbers(words, limits, numbers);
             if (wrong.empty()) put(numbers, target);
@@ -111,8 +111,8 @@ Value number(std::string name, Limits limits, Target& target) {
 
 /// So many numbers with commas between, such as X,Y.
 template <std::size_t n>
-Value numbers(std::string name, std::optional<std::array<double, n>>& target) {
-  return {.name = std::move(name), .take = [&target](Words words) {
+Value numbers(std::string_view name, std::optional<std::array<double, n>>& target) {
+  return {.name = std::string(name), .take = [&target](Words words) {
             std::array<double, n> read{};
             std::string wrong = read_list(words.back(), read);
             if (wrong.empty()) target = read;
