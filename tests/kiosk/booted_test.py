@@ -96,7 +96,7 @@ def luggage(source: pathlib.Path, docent: pathlib.Path, database: pathlib.Path, 
     with tarfile.open(out, "w") as archive:
         archive.add(docent, "build/release/bin/docent")
         archive.add(database, "museum.db")
-        for name in ("config/kiosk.toml", "deploy/udev", "deploy/systemd"):
+        for name in ("config/kiosk.toml", "deploy"):
             archive.add(source / name, name)
         archive.add(pathlib.Path(__file__).parent / "glass.py", "glass.py")
 
