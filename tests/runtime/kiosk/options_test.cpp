@@ -51,9 +51,9 @@ TEST(Help, TellsDefaultPathsSignalsAndExitCodes) {
   const ProgramRun help = run_program("docent", "--help");
 
   EXPECT_EQ(help.exit_code, 0);
-  EXPECT_THAT(help.out, AllOf(HasSubstr("/etc/docent/kiosk.toml\n"),
-                              HasSubstr("/var/lib/docent/museum.db"), HasSubstr("SIGTERM, SIGINT"),
-                              HasSubstr("SIGHUP"), HasSubstr("exit codes:")));
+  EXPECT_THAT(help.out,
+              AllOf(HasSubstr("/etc/docent/kiosk.toml\n"), HasSubstr("/var/lib/docent/museum.db"),
+                    HasSubstr("SIGTERM, SIGINT"), HasSubstr("SIGHUP"), HasSubstr("exit codes:")));
   EXPECT_EQ(run_program("docent", "--version").out,
             "docent " + std::string(terminal::version()) + "\n");
 }
