@@ -16,7 +16,7 @@ packages_kiosk=(
   libxcb-icccm4 libxcb-keysyms1 libxcb1
 )
 packages_test=(
-  libgmock-dev libgtest-dev librapidcheck-dev mandoc python3 x11-utils xdotool xvfb
+  libgmock-dev libgtest-dev librapidcheck-dev mandoc python3 x11-utils xdotool xvfb zsh
 )
 # For tests/kiosk, which boots a Debian and installs docent in it; that test is skipped without them.
 packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)

@@ -9,7 +9,7 @@
 
 namespace docent::plan {
 
-/// The parts that plans are made of, for a guide alone (make_plan.cpp) and in crowd
+/// The parts that plans are made of, for a guide alone (make_plan.cpp) and among others
 /// (traffic.cpp).
 
 /// The place of a walk's frame.
