@@ -5,9 +5,6 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=deploy/packages.sh
 . "$top/deploy/packages.sh"
 
-# A compiler cache, where there is one, serves every checkout alike.
-export CCACHE_BASEDIR=$top CCACHE_NOHASHDIR=1
-
 say() { printf '\n\033[1m== %s\033[0m\n' "$*"; }
 
 as_root() {
