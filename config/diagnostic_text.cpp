@@ -67,7 +67,7 @@ terminal::Ink ink_of(const Diagnostic& d) {
   return d.severity == Severity::Error ? terminal::Ink::Error : terminal::Ink::Warning;
 }
 
-std::string source_excerpt(const Diagnostic& d, terminal::Colour colour) {
+std::string source_excerpt(const Diagnostic& d, terminal::ColourUse colour) {
   if (d.line == 0) return {};
   const auto line = line_of(d.file, d.line);
   if (!line) return {};
@@ -84,7 +84,7 @@ std::string source_excerpt(const Diagnostic& d, terminal::Colour colour) {
 
 }  // namespace
 
-std::string to_text(const Diagnostic& d, terminal::Colour colour) {
+std::string to_text(const Diagnostic& d, terminal::ColourUse colour) {
   std::string place = d.file;
   if (d.line > 0) place += fmt::format(":{}", d.line);
   if (d.line > 0 && d.column > 0) place += fmt::format(":{}", d.column);
@@ -114,7 +114,7 @@ void tell(std::span<const Diagnostic> diagnostics, Form form) {
   const bool shortens = form == Form::Text && terminal::is_terminal(stderr);
   const auto shown = diagnostics.first(shortens ? std::min(diagnostics.size(), most_on_terminal)
                                                 : diagnostics.size());
-  const terminal::Colour colour = terminal::colour_of(stderr);
+  const terminal::ColourUse colour = terminal::colour_use_of(stderr);
   for (const Diagnostic& d : shown)
     fmt::print(stderr, "{}", form == Form::Json ? to_json(d) + "\n" : to_text(d, colour));
   if (shown.size() < diagnostics.size())

@@ -17,7 +17,8 @@ namespace docent::config {
 ///        hint: the nearest free point is [12.40, 3.45]
 ///
 /// Ends with a line feed. Reads the source again; a line that is no longer there is left out.
-std::string to_text(const Diagnostic& diagnostic, terminal::Colour colour = terminal::Colour::Off);
+std::string to_text(const Diagnostic& diagnostic,
+                    terminal::ColourUse colour = terminal::ColourUse::Off);
 
 /// The same as one JSON object on one line: file line column code severity message hint.
 std::string to_json(const Diagnostic& diagnostic);

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <ranges>
 #include <string_view>
 
 #include "config/field_manual.h"
@@ -87,10 +89,6 @@ bool parse_size(std::string_view text, KioskConfig& config) {
   return true;
 }
 
-bool is_display(std::string_view name) {
-  return name == "auto" || name == "kms" || name == "window" || name == "headless";
-}
-
 /// Turns what was written into settings and says what cannot be one.
 class KioskSettings {
  public:
@@ -111,13 +109,20 @@ class KioskSettings {
     config.rotate = static_cast<int>(written.rotate.value);
     if (written.size.given && !parse_size(written.size.value, config))
       bad_value(written.size.place, "'size' should be pixels: \"1920x1080\"");
-    if (written.display.given) config.display = written.display.value;
-    if (!is_display(config.display))
-      bad_value(written.display.place, "'display' should be auto, kms, window or headless");
+    if (written.display.given) set_display(written.display, config);
     return config;
   }
 
  private:
+  void set_display(const Located<std::string>& written, KioskConfig& config) {
+    const auto names = display_kinds | std::views::keys;
+    const auto at = std::ranges::find(names, written.value);
+    if (at == names.end())
+      return bad_value(written.place,
+                       fmt::format("'display' should be one of {}", fmt::join(names, ", ")));
+    config.display = display_kinds[static_cast<std::size_t>(at - names.begin())].second;
+  }
+
   void bad_value(const Place& place, std::string message) {
     Diagnostic diagnostic;
     diagnostic.file = file_.string();

@@ -2,8 +2,8 @@
 
 #include <chrono>
 #include <filesystem>
-#include <string>
 
+#include "config/display_kind.h"
 #include "config/located.h"
 
 namespace docent::config {
@@ -18,9 +18,9 @@ struct KioskConfig {
   /// 1 to 8. How many visitors may use the glass at the same time. Not said: 1, or 8 on a screen of
   /// 42 inches and more.
   int visitors = 1;
-  int rotate = 0;                ///< Degrees by which the screen hangs turned: 0, 90, 180 or 270.
-  std::string display = "auto";  ///< auto, kms, window or headless.
-  int width = 0, height = 0;     ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
+  int rotate = 0;  ///< Degrees by which the screen hangs turned: 0, 90, 180 or 270.
+  DisplayKind display = DisplayKind::Auto;
+  int width = 0, height = 0;  ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
 };
 
 /// Reads kiosk.toml. A file that does not exist is a device with the defaults. `content` may be

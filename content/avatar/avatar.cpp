@@ -61,7 +61,7 @@ SkinnedMesh make_avatar(const Skeleton& skeleton) {
   const SkinWeights weights(skeleton, body);
   const std::vector<Layer> layers = layers_of(body);
 
-  Box whole = layers.front().box;
+  Box3 whole = layers.front().box;
   for (const Layer& layer : layers) {
     whole.low = glm::min(whole.low, layer.box.low);
     whole.high = glm::max(whole.high, layer.box.high);

@@ -3,7 +3,7 @@
 namespace docent::avatar {
 namespace {
 
-Box box_around(Vec3 a, Vec3 b, float margin) {
+Box3 box_around(Vec3 a, Vec3 b, float margin) {
   return {glm::min(a, b) - margin, glm::max(a, b) + margin};
 }
 
@@ -127,14 +127,14 @@ float shirt(const Body& body, const Neckline& neckline, Vec3 p) {
 
 void add_head_layers(const Body& body, std::vector<Layer>& layers) {
   const float s = body.scale;
-  const Box head{body.skull - Vec3{0.11F, 0.14F, 0.14F} * s,
-                 body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
-  const Box head_neck{{head.low.x, body.neck_base.y - 0.12F * s, head.low.z - 0.02F * s},
-                      head.high};
+  const Box3 head{body.skull - Vec3{0.11F, 0.14F, 0.14F} * s,
+                  body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
+  const Box3 head_neck{{head.low.x, body.neck_base.y - 0.12F * s, head.low.z - 0.02F * s},
+                       head.high};
   const Vec3 eye_line = body.skull + Vec3{0, 0.012F, 0.075F} * s;
-  const Box face = box_around(eye_line, eye_line, 0.056F * s);
+  const Box3 face = box_around(eye_line, eye_line, 0.056F * s);
   layers.push_back({.material = Material::Skin,
-                    .region = Region::Head,
+                    .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return head_and_neck(body, p); },
                     .box = head_neck,
                     .cell = 0.0062F * s,
@@ -144,21 +144,21 @@ void add_head_layers(const Body& body, std::vector<Layer>& layers) {
                           return std::min(hair(body, p), coat_trunk(body, p, -0.02F * s));
                         }});
   layers.push_back({.material = Material::Hair,
-                    .region = Region::Head,
+                    .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return hair(body, p); },
                     .box = head,
                     .cell = 0.0095F * s,
                     .error = 0.0007F * s,
                     .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
   layers.push_back({.material = Material::Hair,
-                    .region = Region::Head,
+                    .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return brows(body, p); },
                     .box = face,
                     .cell = 0.0034F * s,
                     .error = 0.0004F * s,
                     .covered = {}});
   layers.push_back({.material = Material::Eye,
-                    .region = Region::Head,
+                    .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return eyes(body, p); },
                     .box = face,
                     .cell = 0.0036F * s,
@@ -174,7 +174,7 @@ void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
   const float top = body.shoulder_height + 0.13F * s;
   const float hem = body.hem - 0.02F * s;
   layers.push_back({.material = Material::Coat,
-                    .region = Region::Coat,
+                    .region = BodyRegion::Coat,
                     .solid = whole,
                     .box = {{-reach, hem, -0.28F * s}, {reach, top, 0.32F * s}},
                     .cell = 0.0165F * s,
@@ -182,7 +182,7 @@ void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
                     .covered = {}});
   layers.push_back(
       {.material = Material::Coat,
-       .region = Region::Coat,
+       .region = BodyRegion::Coat,
        .solid = CoatEdges(body, neckline),
        .box = {{-0.19F * s, hem, body.neck_base.z - 0.12F * s}, {0.19F * s, top, 0.30F * s}},
        .cell = 0.0085F * s,
@@ -190,16 +190,16 @@ void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
        .covered = whole});
   const Buttons buttons(body, neckline);
   layers.push_back({.material = Material::Trousers,
-                    .region = Region::Coat,
+                    .region = BodyRegion::Coat,
                     .solid = buttons,
                     .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
                     .cell = 0.0052F * s,
                     .error = 0.0005F * s,
                     .covered = whole});
-  const Box chest{{-0.12F * s, neckline.bottom - 0.02F * s, neckline.front - 0.08F * s},
-                  {0.12F * s, neckline.top + 0.04F * s, neckline.front + 0.20F * s}};
+  const Box3 chest{{-0.12F * s, neckline.bottom - 0.02F * s, neckline.front - 0.08F * s},
+                   {0.12F * s, neckline.top + 0.04F * s, neckline.front + 0.20F * s}};
   layers.push_back({.material = Material::Shirt,
-                    .region = Region::Coat,
+                    .region = BodyRegion::Coat,
                     .solid =
                         [&body, neckline, chest](Vec3 p) {
                           const Vec3 middle = 0.5F * (chest.low + chest.high);
@@ -217,9 +217,9 @@ void add_limb_layers(const Body& body, Side side, std::vector<Layer>& layers) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const bool left = side == Side::Left;
-  const Region leg = left ? Region::LeftLeg : Region::RightLeg;
+  const BodyRegion leg = left ? BodyRegion::LeftLeg : BodyRegion::RightLeg;
   layers.push_back({.material = Material::Skin,
-                    .region = left ? Region::LeftHand : Region::RightHand,
+                    .region = left ? BodyRegion::LeftHand : BodyRegion::RightHand,
                     .solid = [&body, side](Vec3 p) { return hand(body, p, side); },
                     .box = box_around(limb.wrist - limb.hand_axis * 0.06F * s,
                                       limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),

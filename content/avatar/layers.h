@@ -12,9 +12,9 @@ namespace docent::avatar {
 /// sharp as the meeting of two surfaces.
 struct Layer {
   Material material = Material::Coat;
-  Region region = Region::Coat;
+  BodyRegion region = BodyRegion::Coat;
   DistanceField solid;
-  Box box{};
+  Box3 box{};
   float cell = 0.02F;    ///< Metres: the finest detail.
   float error = 0.001F;  ///< Metres that simplification may take off or put on.
   /// What is deeper than a margin inside this is covered by other layers and left out; may be

@@ -11,7 +11,7 @@ constexpr float darkest = 0.25F;
 
 }  // namespace
 
-Occlusion::Occlusion(const std::vector<Layer>& layers, const Box& box, float cell)
+Occlusion::Occlusion(const std::vector<Layer>& layers, const Box3& box, float cell)
     : low_{box.low}, cell_{cell} {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<glm::length_t>(axis);

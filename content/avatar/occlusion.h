@@ -12,7 +12,7 @@ namespace docent::avatar {
 /// scenes"). Distances are sampled once on a coarse grid, since light is soft.
 class Occlusion {
  public:
-  Occlusion(const std::vector<Layer>& layers, const Box& box, float cell);
+  Occlusion(const std::vector<Layer>& layers, const Box3& box, float cell);
 
   /// 255 open, 0 buried.
   std::uint8_t at(Vec3 p, Vec3 normal) const;

@@ -154,25 +154,25 @@ void SkinWeights::add_head(Vec3 p, Shares& shares) const {
   add_chain(neck_, p, (1 - head) * free, shares);
 }
 
-JointShares SkinWeights::at(Vec3 p, Region region) const {
+JointShares SkinWeights::at(Vec3 p, BodyRegion region) const {
   Shares shares(joint_count_, 0.0F);
   switch (region) {
-    case Region::Head:
+    case BodyRegion::Head:
       add_head(p, shares);
       break;
-    case Region::Coat:
+    case BodyRegion::Coat:
       add_coat(p, shares);
       break;
-    case Region::LeftHand:
+    case BodyRegion::LeftHand:
       add_chain(arm_[0], p, 1, shares);
       break;
-    case Region::RightHand:
+    case BodyRegion::RightHand:
       add_chain(arm_[1], p, 1, shares);
       break;
-    case Region::LeftLeg:
+    case BodyRegion::LeftLeg:
       add_chain(leg_[0], p, 1, shares);
       break;
-    case Region::RightLeg:
+    case BodyRegion::RightLeg:
       add_chain(leg_[1], p, 1, shares);
       break;
   }

@@ -10,7 +10,7 @@
 namespace docent::avatar {
 
 /// What a vertex follows: a region of the body with its own rule.
-enum class Region : std::uint8_t { Head, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
+enum class BodyRegion : std::uint8_t { Head, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
 
 /// At most four joints and their shares, which add up to 255.
 struct JointShares {
@@ -27,7 +27,7 @@ class SkinWeights {
  public:
   SkinWeights(const Skeleton& skeleton, const Body& body);
 
-  JointShares at(Vec3 p, Region region) const;
+  JointShares at(Vec3 p, BodyRegion region) const;
 
  private:
   /// A joint takes what lies beyond `point` in the direction of `normal`, softly over `softness`.

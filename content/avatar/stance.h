@@ -3,17 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "runtime/model/motion/side.h"
 #include "runtime/model/motion/skeleton.h"
 
 namespace docent::avatar {
-
-/// Left is the body's own left, at +x for a body that faces +z.
-enum class Side : std::uint8_t { Left, Right };
-
-/// +1 for left, -1 for right: the sign of x on that side.
-constexpr float sign_of(Side side) noexcept {
-  return side == Side::Left ? 1.0F : -1.0F;
-}
 
 /// Joint places of one leg and one arm in the stance pose (model frame, metres).
 struct LimbPoints {

@@ -31,7 +31,7 @@ void for_each_node(const Grid& grid, std::uint32_t margin, const Visit& visit) {
       for (std::uint32_t x = margin; x < grid.nodes[0] - margin; ++x) visit(x, y, z);
 }
 
-Grid grid_over(const Box& box, float cell) {
+Grid grid_over(const Box3& box, float cell) {
   Grid grid{.low = box.low - 1.5F * cell, .cell = cell, .nodes = {}};
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<glm::length_t>(axis);
@@ -115,7 +115,7 @@ Vec3 gradient_of(const DistanceField& field, Vec3 p, float step) {
   return size > 1e-12F ? slope / size : Vec3{0, 1, 0};
 }
 
-TriangleSurface polygonise(const DistanceField& field, const Box& box, float cell) {
+TriangleSurface polygonise(const DistanceField& field, const Box3& box, float cell) {
   const Grid grid = grid_over(box, cell);
   const std::size_t count = grid.stride(2) * grid.nodes[2];
   const std::vector<float> value = sampled(field, grid);

@@ -44,7 +44,7 @@ Surroundings surroundings(const Museum& museum, const NearOptions& options) {
                                               museum.floors[exhibit.floor].plan.name),
                                   "leave --floor out");
     around.floor = exhibit.floor;
-    around.from = exhibit.view.position;
+    around.from = exhibit.viewing_point.position;
   }
   for (const Exhibit& exhibit : museum.exhibits)
     if (exhibit.floor == around.floor && exhibit.id != options.exhibit)
@@ -82,7 +82,7 @@ void run_near(const NearOptions& options) {
   const Surroundings around = surroundings(museum, options);
   std::vector<Vec2> places;
   places.reserve(around.exhibits.size());
-  for (const Exhibit* exhibit : around.exhibits) places.push_back(exhibit->view.position);
+  for (const Exhibit* exhibit : around.exhibits) places.push_back(exhibit->viewing_point.position);
 
   const auto map = path::make_floor_map(museum.floors[around.floor]);
   const double radius = options.radius.value_or(museum.body_radius);

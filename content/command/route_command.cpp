@@ -25,7 +25,7 @@ namespace {
 
 struct RouteOptions {
   std::string database;
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   std::optional<double> radius;
   double offset = 1;
   path::Hand hand = path::Hand::Shorter;
@@ -86,7 +86,7 @@ std::vector<Vec2> stops_at_exhibits(const Museum& museum, const RouteOptions& op
                                   fmt::format("exhibit '{}' is on another floor, '{}'", id,
                                               museum.floors[exhibit.floor].plan.name),
                                   "a route stays on one floor");
-    stops.push_back(exhibit.view.position);
+    stops.push_back(exhibit.viewing_point.position);
   }
   return stops;
 }
@@ -195,16 +195,18 @@ void run_route(const RouteOptions& options) {
     answer_table(museum, options);
 }
 
+std::vector<std::pair<std::string_view, RouteKind>> named_kinds() {
+  std::vector<std::pair<std::string_view, RouteKind>> named;
+  for (const RouteKindInfo& info : route_kinds) named.emplace_back(info.name, info.kind);
+  return named;
+}
+
 /// From where to where, and by which kind of way.
 std::vector<terminal::Option> question(RouteOptions* options) {
   using terminal::Times;
   return {
       {"DB", terminal::file("DB", options->database), "The museum's database", Times::Once},
-      {"--kind",
-       terminal::one_of<path::RouteKind>({{"shortest", path::RouteKind::Shortest},
-                                          {"skeleton", path::RouteKind::Skeleton},
-                                          {"offset", path::RouteKind::Offset}},
-                                         options->kind),
+      {"--kind", terminal::one_of<RouteKind>(named_kinds(), options->kind),
        "The shortest way, along the middle of the rooms, or along the walls", Times::Once},
       {"--from", terminal::numbers("X,Y", options->from), "From this point, metres"},
       {"--to", terminal::numbers("X,Y", options->to), "To this point, metres"},

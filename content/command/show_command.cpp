@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +64,7 @@ class LayerReader {
   std::vector<draw::DrawnLine> lines;
 
  private:
-  void add_curve(double distance, draw::LineKind kind) {
+  void add_curve(double distance, std::optional<RouteKind> kind) {
     for (path::OffsetRing& ring : path::offset_curve(*map_, distance).rings)
       lines.push_back({kind, std::move(ring.points), true, distance});
   }
@@ -74,7 +75,7 @@ class LayerReader {
     const double widest = clearance.empty() ? 0 : *std::ranges::max_element(clearance);
     double step = 0.25;
     while (widest > 20 * step) step *= 2;
-    for (int i = 1; i * step < widest; ++i) add_curve(i * step, draw::LineKind::Level);
+    for (int i = 1; i * step < widest; ++i) add_curve(i * step, {});
   }
 
   void add_offset(const std::string& layer) {
@@ -82,7 +83,7 @@ class LayerReader {
         terminal::finite_number(std::string_view(layer).substr(layer.find('=') + 1));
     if (!distance || *distance <= 0)
       refuse_layer(layer, "an offset is a number of metres above zero");
-    add_curve(*distance, draw::LineKind::Offset);
+    add_curve(*distance, RouteKind::Offset);
   }
 
   [[nodiscard]] Vec2 viewing_point(const std::string& layer, std::string_view id) const {
@@ -91,7 +92,7 @@ class LayerReader {
       refuse_layer(layer, fmt::format("there is no exhibit '{}'", id));
     if (found->floor != floor_)
       refuse_layer(layer, fmt::format("exhibit '{}' is on another floor", id));
-    return found->view.position;
+    return found->viewing_point.position;
   }
 
   void add_route(const std::string& layer) {
@@ -101,22 +102,19 @@ class LayerReader {
     path::RouteQuery query{.radius = museum_.body_radius};
     query.from = viewing_point(layer, words[0]);
     query.to = viewing_point(layer, words[1]);
-    draw::LineKind kind = draw::LineKind::Shortest;
-    if (words[2] == "skeleton") {
-      query.kind = path::RouteKind::Skeleton;
-      kind = draw::LineKind::Skeleton;
-    } else if (words[2] == "offset") {
-      query.kind = path::RouteKind::Offset;
-      kind = draw::LineKind::Offset;
-    } else if (words[2] != "shortest") {
-      refuse_layer(layer, "the kind of a route is shortest, skeleton or offset");
-    }
+    const auto info = std::ranges::find(route_kinds, words[2], &RouteKindInfo::name);
+    if (info == route_kinds.end())
+      refuse_layer(
+          layer,
+          fmt::format("the kind of a route is one of: {}",
+                      fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), ", ")));
+    query.kind = info->kind;
     path::Way way = path::route(*map_, query);
     if (way.status != path::RouteStatus::Ok)
       throw content::ContentError(
           "--layers", 0, 0, "no-route",
           fmt::format("there is no {} way from '{}' to '{}'", words[2], words[0], words[1]));
-    lines.push_back({kind, std::move(way.points), false, 0});
+    lines.push_back({info->kind, std::move(way.points), false, 0});
   }
 
   const Museum& museum_;

@@ -18,6 +18,7 @@
 #include "content/import/motion/bvh_write.h"
 #include "content/motion/paper_walk.h"
 #include "content/motion/path_deviation.h"
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
 #include "runtime/motion/walk.h"
@@ -64,9 +65,7 @@ std::vector<Vec2> read_path(const std::string& file) {
                                   "not-a-point", "a path's points must be finite");
     path.push_back(point);
   }
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) length += glm::distance(path[i - 1], path[i]);
-  if (!(length > 0))
+  if (!(polyline_length(path) > 0))
     throw content::ContentError(file, 0, 0, "no-path", "a path needs two different points");
   return path;
 }
@@ -137,7 +136,7 @@ motion::Walk walk_by_paper(const motion::WalkGraph& graph, const std::vector<Vec
   request.use_rate = options.use_rate.value_or(request.use_rate);
   request.time_limit = options.time_limit.value_or(request.time_limit);
   motion::offline::PaperWalk found = motion::offline::make_paper_walk(graph, request);
-  if (!found.reaches_end) report_early_end(found, motion::polyline_length(path), options);
+  if (!found.reaches_end) report_early_end(found, polyline_length(path), options);
   return std::move(found.walk);
 }
 
@@ -158,7 +157,7 @@ Outcome walk_along(const MotionGraph& motion, const std::vector<Vec2>& path,
   std::vector<Vec2> roots;
   for (const Vec3& root : outcome.walk.root) roots.push_back(to_floor(root));
   outcome.deviation = motion::offline::measure_deviation(roots, outcome.walk.frame_rate, path);
-  outcome.path_length = motion::polyline_length(path);
+  outcome.path_length = polyline_length(path);
   return outcome;
 }
 

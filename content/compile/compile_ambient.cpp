@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "content/compile/place_exhibits.h"
-#include "content/compile/polygon.h"
+#include "runtime/model/geometry/polygon.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::compile {

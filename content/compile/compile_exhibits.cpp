@@ -12,7 +12,7 @@
 #include "content/compile/compile_ambient.h"
 #include "content/compile/narrow_doors.h"
 #include "content/compile/place_exhibits.h"
-#include "content/compile/polygon.h"
+#include "runtime/model/geometry/polygon.h"
 #include "runtime/path/route.h"
 
 namespace docent::compile {
@@ -137,7 +137,7 @@ class ExhibitCompiler {
         .view = section.view.given ? std::optional(section.view.value) : std::nullopt};
     const PlacedExhibit placed = place_exhibit(floor, wanted);
     exhibit.place = placed.place;
-    exhibit.view = placed.view;
+    exhibit.viewing_point = placed.view;
     if (placed.problem) report_problem(section, *placed.problem);
     if (placed.problem && placed.problem->kind == PlaceProblem::Kind::Unreachable)
       unreached_.push_back(placed.view.position);
@@ -206,7 +206,7 @@ class ExhibitCompiler {
     const Vec2 object = exhibit.placement.position;
     const Vec2 front = object + 0.3 * Vec2(std::cos(exhibit.placement.heading),
                                            std::sin(exhibit.placement.heading));
-    for (const Vec2 p : {front, exhibit.view.position, object})
+    for (const Vec2 p : {front, exhibit.viewing_point.position, object})
       for (std::uint32_t i = 0; i < museum_.rooms.size(); ++i)
         if (museum_.rooms[i].floor == exhibit.floor && contains(museum_.rooms[i].outline, p))
           return i;

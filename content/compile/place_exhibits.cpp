@@ -6,7 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "content/compile/polygon.h"
+#include "runtime/model/geometry/polygon.h"
+#include "runtime/model/geometry/segment.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::compile {
@@ -150,10 +151,9 @@ void consider_beside_walls(const FloorPlan& plan, Vec2 point, double clearance,
   for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall) {
     const Vec2 a = wall_start(plan, wall);
     const Vec2 corner = wall_end(plan, wall);
-    const Vec2 along = corner - a;
-    const double share = std::clamp(dot(point - a, along) / dot(along, along), 0.0, 1.0);
+    const double share = nearest_on_segment(point, a, corner).t;
     const Vec2 normal = inward_normal(plan, wall);
-    consider(a + share * along + clearance * normal);
+    consider(glm::mix(a, corner, share) + clearance * normal);
     const Vec2 next_normal = inward_normal(plan, plan.next[wall]);
     // x with x . normal = x . next_normal = clearance, unless the walls fold back on each other.
     const double fold = 1 + dot(normal, next_normal);
@@ -186,7 +186,7 @@ std::optional<PlaceProblem> why_nobody_stands(const path::FloorMap& map, Vec2 po
 
 bool can_walk(const path::FloorMap& map, Vec2 from, Vec2 to, double body_radius) {
   const path::RouteQuery query{
-      .kind = path::RouteKind::Shortest, .from = from, .to = to, .radius = body_radius};
+      .kind = RouteKind::Shortest, .from = from, .to = to, .radius = body_radius};
   return path::route(map, query).status == path::RouteStatus::Ok;
 }
 

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "content/content_error.h"
-#include "content/floor/overlay.h"
+#include "content/floor/ring_overlay.h"
+#include "runtime/model/geometry/polygon.h"
+#include "runtime/model/geometry/segment.h"
 
 namespace docent::floor {
 namespace {
@@ -124,13 +126,6 @@ void unify_corners(DrawnRing& drawn, Corners& corners, const Reporter* reporter)
       erase_vertex(drawn, i);
 }
 
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return glm::distance(p, a + t * along);
-}
-
 /// Do the sides about `tip` run there and back along one line?
 bool is_spike(Vec2 before, Vec2 tip, Vec2 after) {
   if (dot(before - tip, after - tip) <= 0) return false;
@@ -159,14 +154,6 @@ void remove_spikes(DrawnRing& drawn, const Reporter* reporter) {
     without_spike = 0;
     i = i > 1 ? i - 2 : i + n - 3;  // Its neighbours may be spikes now.
   }
-}
-
-double signed_area(std::span<const Vec2> ring) {
-  double twice = 0;
-  const Vec2 origin = ring.front();  // Keeps the digits of plans that are far from (0, 0).
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    twice += cross(ring[i] - origin, ring[(i + 1) % ring.size()] - origin);
-  return twice / 2;
 }
 
 /// Vertices unified, spikes gone; rings of which nothing remains are left out.
@@ -262,7 +249,7 @@ bool is_inside(Vec2 p, std::span<const Vec2> ring) {
 
 /// Rings that make no wall: holes beyond the outline or within another hole, and areas within
 /// another area.
-void report_idle_rings(const Overlay& walls, const std::vector<DrawnRing>& drawn,
+void report_idle_rings(const RingOverlay& walls, const std::vector<DrawnRing>& drawn,
                        const Reporter& reporter) {
   const auto outline = [&](std::uint32_t polygon) {
     return std::ranges::find_if(drawn, [polygon](const DrawnRing& ring) {
@@ -282,7 +269,7 @@ void report_idle_rings(const Overlay& walls, const std::vector<DrawnRing>& drawn
 }
 
 /// RFC 7946, 3.1.6: outlines run counter-clockwise, holes clockwise.
-void report_orientation(const Overlay& walls, const std::vector<DrawnRing>& drawn,
+void report_orientation(const RingOverlay& walls, const std::vector<DrawnRing>& drawn,
                         const Reporter& reporter) {
   for (std::uint32_t i = 0; i < drawn.size(); ++i) {
     const bool crosses_itself = std::ranges::any_of(
@@ -295,7 +282,8 @@ void report_orientation(const Overlay& walls, const std::vector<DrawnRing>& draw
   }
 }
 
-void report(const Overlay& walls, const std::vector<DrawnRing>& drawn, const Reporter& reporter) {
+void report(const RingOverlay& walls, const std::vector<DrawnRing>& drawn,
+            const Reporter& reporter) {
   report_orientation(walls, drawn, reporter);
   for (const RingContact& contact : walls.contacts) report_contact(contact, drawn, reporter);
   report_idle_rings(walls, drawn, reporter);
@@ -304,7 +292,7 @@ void report(const Overlay& walls, const std::vector<DrawnRing>& drawn, const Rep
 /// Rounding a crossing moves the walls that end there by half a unit in the last place, which may
 /// make them cross a third; so the walls are overlaid again until nothing is left to round. Each
 /// round moves walls by less than the one before found them apart; two are usual.
-std::vector<std::vector<Vec2>> settle(Overlay walls, const import::ImportedPlan& imported) {
+std::vector<std::vector<Vec2>> settle(RingOverlay walls, const import::ImportedPlan& imported) {
   constexpr int patience = 20;
   for (int round = 0; walls.adds_vertices; ++round) {
     if (round == patience)
@@ -369,7 +357,7 @@ FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& me
   check_size(imported);
 
   const std::vector<DrawnRing> drawn = tidy(collect(imported), &reporter);
-  Overlay walls = overlay(rings_of(drawn), Fill::Polygons);
+  RingOverlay walls = overlay(rings_of(drawn), Fill::Polygons);
   report(walls, drawn, reporter);
   const std::vector<std::vector<Vec2>> rings =
       drop_specks(settle(std::move(walls), imported), reporter);

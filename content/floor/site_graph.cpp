@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "content/content_error.h"
+#include "runtime/model/geometry/polygon.h"
 
 namespace docent::floor {
 namespace {
@@ -112,19 +113,12 @@ std::vector<std::uint32_t> find_reflex_corners(const FloorPlan& plan) {
   return corners;
 }
 
-double signed_area(std::span<const Vec2> ring) {
-  double twice = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    twice += cross(ring[i] - ring[0], ring[(i + 1) % ring.size()] - ring[0]);
-  return twice / 2;
-}
-
-struct Box {
+struct RingBox {
   Vec2 low{}, high{};
 };
 
-Box box_of(std::span<const Vec2> ring) {
-  Box box{ring.front(), ring.front()};
+RingBox box_of(std::span<const Vec2> ring) {
+  RingBox box{ring.front(), ring.front()};
   for (const Vec2 vertex : ring) {
     box.low = glm::min(box.low, vertex);
     box.high = glm::max(box.high, vertex);
@@ -132,7 +126,7 @@ Box box_of(std::span<const Vec2> ring) {
   return box;
 }
 
-bool holds(const Box& box, Vec2 point) {
+bool holds(const RingBox& box, Vec2 point) {
   return glm::min(box.low, point) == box.low && glm::max(box.high, point) == box.high;
 }
 
@@ -157,7 +151,7 @@ bool is_behind(std::span<const Vec2> ring, Vec2 point) {
 /// site of its own in the middle leaves nothing to compare there. Every point of the floor has a
 /// wall between itself and the middle, so the diagram on the floor stays what it is.
 std::vector<Vec2> find_middles(const FloorPlan& plan) {
-  std::vector<Box> floors;
+  std::vector<RingBox> floors;
   for (const Ring& ring : plan.ring)
     if (signed_area(vertices_of(plan, ring)) > 0) floors.push_back(box_of(vertices_of(plan, ring)));
   std::vector<Vec2> middles;
@@ -167,8 +161,8 @@ std::vector<Vec2> find_middles(const FloorPlan& plan) {
         std::accumulate(vertices.begin(), vertices.end(), Vec2{},
                         [&](Vec2 sum, Vec2 vertex) { return sum + (vertex - vertices.front()); });
     const Vec2 middle = vertices.front() + offset / static_cast<double>(vertices.size());
-    const Box box = box_of(vertices);
-    const auto is_floor_within = [&](const Box& floor) {
+    const RingBox box = box_of(vertices);
+    const auto is_floor_within = [&](const RingBox& floor) {
       return holds(floor, middle) && holds(box, floor.low) && holds(box, floor.high);
     };
     if (is_behind(vertices, middle) && std::ranges::none_of(floors, is_floor_within))

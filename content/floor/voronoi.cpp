@@ -264,7 +264,7 @@ void add_vertices_and_edges(const FloorPlan& plan, const EdgeCollector& collecto
 }
 
 /// An edge as its region's boundary runs along it.
-struct Side {
+struct EdgeSide {
   std::uint32_t region = 0;
   std::uint32_t start = 0, end = 0;  ///< Voronoi vertices.
   std::uint32_t edge = 0;
@@ -273,11 +273,11 @@ struct Side {
 /// Puts the sides of one region, which are sorted by their starts, in a row, each beginning where
 /// the one before ends, from `start`. The row of a wall's region is open; the wall itself closes
 /// it.
-void link(const FloorPlan& plan, std::span<Side> sides, std::uint32_t start) {
-  std::vector<Side> row;
+void link(const FloorPlan& plan, std::span<EdgeSide> sides, std::uint32_t start) {
+  std::vector<EdgeSide> row;
   row.reserve(sides.size());
   while (row.size() < sides.size()) {
-    const auto next = std::ranges::lower_bound(sides, start, {}, &Side::start);
+    const auto next = std::ranges::lower_bound(sides, start, {}, &EdgeSide::start);
     if (next == sides.end() || next->start != start) refuse(plan);
     row.push_back(*next);
     start = next->end;
@@ -285,27 +285,28 @@ void link(const FloorPlan& plan, std::span<Side> sides, std::uint32_t start) {
   std::ranges::copy(row, sides.begin());
 }
 
-std::uint32_t find_vertex_at(const VoronoiDiagram& diagram, std::span<const Side> sides,
+std::uint32_t find_vertex_at(const VoronoiDiagram& diagram, std::span<const EdgeSide> sides,
                              Vec2 corner) {
-  for (const Side& side : sides)
+  for (const EdgeSide& side : sides)
     if (diagram.vertex[side.start] == corner) return side.start;
   return none;
 }
 
 void add_regions(const FloorPlan& plan, VoronoiDiagram& diagram) {
-  std::vector<Side> sides;
+  std::vector<EdgeSide> sides;
   for (std::uint32_t e = 0; e < diagram.edge.size(); ++e) {
     const VoronoiEdge& edge = diagram.edge[e];
     sides.push_back({edge.left, edge.from, edge.to, e});
     sides.push_back({edge.right, edge.to, edge.from, e});
   }
-  std::ranges::sort(
-      sides, {}, [](const Side& side) { return std::tuple(side.region, side.start, side.edge); });
+  std::ranges::sort(sides, {}, [](const EdgeSide& side) {
+    return std::tuple(side.region, side.start, side.edge);
+  });
   std::size_t first = 0;
   for (std::uint32_t region = 0; region < diagram.site.size(); ++region) {
     std::size_t end = first;
     while (end < sides.size() && sides[end].region == region) ++end;
-    const std::span<Side> own = std::span(sides).subspan(first, end - first);
+    const std::span<EdgeSide> own = std::span(sides).subspan(first, end - first);
     const auto [kind, index] = diagram.site[region];
     const std::uint32_t corner = kind == Site::Kind::Wall ? plan.next[index] : index;
     link(plan, own, find_vertex_at(diagram, own, plan.vertex[corner]));
@@ -313,7 +314,7 @@ void add_regions(const FloorPlan& plan, VoronoiDiagram& diagram) {
     first = end;
   }
   diagram.region_first.push_back(static_cast<std::uint32_t>(sides.size()));
-  for (const Side& side : sides) diagram.region_edge.push_back(side.edge);
+  for (const EdgeSide& side : sides) diagram.region_edge.push_back(side.edge);
 }
 
 }  // namespace

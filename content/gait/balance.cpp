@@ -96,7 +96,7 @@ Loading loading_of(std::span<const Footstep> steps, const FrameTimes& times) {
     const double time = times.at(f);
     const std::size_t k = current_step(steps, time);
     const double share = taken_over(steps, k, time);
-    const double left = steps[k].foot == Foot::Left ? share : 1 - share;
+    const double left = steps[k].foot == Side::Left ? share : 1 - share;
     loading.left.push_back(left);
     loading.right.push_back(1 - left);
   }

@@ -30,12 +30,12 @@ struct UpperBody {
 UpperBody upper_body_at(const Pace& pace, std::size_t frame, std::uint32_t seed);
 
 /// A leg in a frame, rotations in the room.
-struct Leg {
+struct LegRotations {
   glm::dquat thigh, shin, foot, toes;
   double knee = 0;  ///< Flexion, radians.
 };
 /// Reaches from a hip joint to a foot with the knee forward between pelvis and toes.
-Leg reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading);
+LegRotations reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading);
 
 /// Where the root is in every frame: over the feet as balance has it, and as high as the legs that
 /// bear the weight hold it at their normative knee flexion, but never out of reach of a foot.
@@ -43,6 +43,6 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
                                     std::uint32_t seed);
 
 /// The placings of one foot, in order.
-std::vector<Footstep> placings_of(std::span<const Footstep> steps, Foot foot);
+std::vector<Footstep> placings_of(std::span<const Footstep> steps, Side foot);
 
 }  // namespace docent::gait

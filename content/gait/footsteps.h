@@ -5,6 +5,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "runtime/model/motion/side.h"
+
 namespace docent::gait {
 
 /// The ground of a gait clip: x to the left of the first walking direction, z along it, so that a
@@ -13,17 +15,9 @@ using GroundPoint = glm::dvec2;
 GroundPoint forward_of(double heading) noexcept;
 GroundPoint left_of_heading(double heading) noexcept;
 
-enum class Foot : std::uint8_t { Left, Right };
-constexpr Foot other(Foot foot) noexcept {
-  return foot == Foot::Left ? Foot::Right : Foot::Left;
-}
-constexpr double sign_of(Foot foot) noexcept {
-  return foot == Foot::Left ? 1.0 : -1.0;
-}
-
 /// One placing of a foot, from its heel strike to its toe-off. Times in seconds.
 struct Footstep {
-  Foot foot = Foot::Left;
+  Side foot = Side::Left;
   GroundPoint ankle{};    ///< Under the ankle while the foot is flat.
   double yaw = 0;         ///< Where the foot points.
   double heading = 0;     ///< Where the body goes, halfway through the step that ends here.
@@ -41,7 +35,7 @@ struct GaitPlan {
   double turn_speed = 1.1;  ///< Metres a second in the middle of the turn.
   double turn_length = 1;   ///< Metres of way that the turn takes.
   enum class Kind : std::uint8_t { Walking, FromStanding, ToStanding } kind = Kind::Walking;
-  Foot first = Foot::Left;  ///< Which foot is placed at (or nearest before) time 0.
+  Side first = Side::Left;  ///< Which foot is placed at (or nearest before) time 0.
   std::uint32_t seed = 1;   ///< Of the variation from step to step.
 };
 

@@ -62,8 +62,8 @@ MotionClip make_gait_clip(const GaitRecipe& recipe) {
   const std::vector<Footstep> steps = plan_footsteps(recipe.plan);
   const Pace pace = pace_of(steps, times);
   const std::vector<glm::dvec3> root = root_places(steps, pace, recipe.plan.seed);
-  const std::array<std::vector<Footstep>, 2> placings{placings_of(steps, Foot::Left),
-                                                      placings_of(steps, Foot::Right)};
+  const std::array<std::vector<Footstep>, 2> placings{placings_of(steps, Side::Left),
+                                                      placings_of(steps, Side::Right)};
   constexpr std::array<std::array<WalkerJoint, 4>, 2> legs{
       {{LeftHip, LeftKnee, LeftAnkle, LeftToe}, {RightHip, RightKnee, RightAnkle, RightToe}}};
 
@@ -84,7 +84,8 @@ MotionClip make_gait_clip(const GaitRecipe& recipe) {
       const double out = side == 0 ? 1 : -1;
       const glm::dvec3 hip =
           root[made] + body.pelvis * glm::dvec3{out * walker::hip_half, -walker::hip_drop, 0};
-      const Leg leg = reach(hip, foot_at(placings[side], times.at(made)), pace.heading[made]);
+      const LegRotations leg =
+          reach(hip, foot_at(placings[side], times.at(made)), pace.heading[made]);
       const std::array<glm::dquat, 4> in_room{leg.thigh, leg.shin, leg.foot, leg.toes};
       write_chain(body.pelvis, legs[side], in_room, local);
     }
@@ -106,13 +107,13 @@ std::vector<GaitRecipe> default_clips() {
                     .turn_length = length,
                     .kind = Kind::Walking,
                     // Turning away from the foot that is down opens the stride: a step turn.
-                    .first = angle > 0 ? Foot::Right : Foot::Left,
+                    .first = angle > 0 ? Side::Right : Side::Left,
                     .seed = seed};
   };
   return {
-      {"stand-to-walk", {.kind = Kind::FromStanding, .first = Foot::Right, .seed = 3}, -0.85, 424},
-      {"walk", {.kind = Kind::Walking, .first = Foot::Left, .seed = 5}, middle(471), 471},
-      {"walk-to-stand", {.kind = Kind::ToStanding, .first = Foot::Left, .seed = 8}, -1.95, 285},
+      {"stand-to-walk", {.kind = Kind::FromStanding, .first = Side::Right, .seed = 3}, -0.85, 424},
+      {"walk", {.kind = Kind::Walking, .first = Side::Left, .seed = 5}, middle(471), 471},
+      {"walk-to-stand", {.kind = Kind::ToStanding, .first = Side::Left, .seed = 8}, -1.95, 285},
       {"turn-left-90", turn(90, 1.75, 0.86, 13), middle(520), 520},
       {"turn-right-90", turn(-90, 1.65, 0.86, 21), middle(503), 503},
       {"turn-left-45", turn(45, 1.35, 0.97, 34), middle(441), 441},

@@ -78,7 +78,7 @@ void keep_below(std::vector<double>& track, const std::vector<double>& limit, do
 
 }  // namespace
 
-Leg reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading) {
+LegRotations reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading) {
   constexpr double thigh = walker::thigh;
   constexpr double shin = walker::shin;
   const glm::dvec3 line = foot.ankle - hip;
@@ -94,7 +94,7 @@ Leg reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_heading) {
   const glm::dvec3 hinge = glm::normalize(glm::cross(-down, forward));
   const glm::dvec3 ahead = glm::cross(hinge, -down);
   const glm::dquat straight = glm::quat_cast(glm::dmat3(hinge, -down, ahead));
-  Leg leg;
+  LegRotations leg;
   leg.knee = knee;
   leg.thigh = straight * glm::angleAxis(-lead, glm::dvec3{1, 0, 0});
   leg.shin = leg.thigh * glm::angleAxis(knee, glm::dvec3{1, 0, 0});
@@ -110,8 +110,8 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
   constexpr double mass_ahead_standing = 0.020, mass_ahead_walking = -0.038;
   const FrameTimes& times = pace.times;
   const std::vector<GroundPoint> mass = balanced_mass(centre_of_pressure(steps, times), times.rate);
-  const std::vector<Footstep> placings[2] = {placings_of(steps, Foot::Left),
-                                             placings_of(steps, Foot::Right)};
+  const std::vector<Footstep> placings[2] = {placings_of(steps, Side::Left),
+                                             placings_of(steps, Side::Right)};
   std::vector<double> height(times.count), highest(times.count, 2.0);
   std::vector<GroundPoint> ground(times.count);
   for (std::size_t f = 0; f < times.count; ++f) {

@@ -14,7 +14,7 @@ bool stands_from_the_start(const Footstep& step) {
 }
 
 /// Knots of a quantity that is known when feet come down, linear between them and constant beyond.
-struct Track {
+struct KnottedCurve {
   std::vector<gait_figures::Knot> knots;
 
   double at(double time) const {
@@ -27,7 +27,7 @@ struct Track {
   }
 };
 
-std::vector<double> sampled(const Track& track, const FrameTimes& times, double sigma) {
+std::vector<double> sampled(const KnottedCurve& track, const FrameTimes& times, double sigma) {
   std::vector<double> values;
   values.reserve(times.count);
   for (std::size_t f = 0; f < times.count; ++f) values.push_back(track.at(times.at(f)));
@@ -48,13 +48,13 @@ std::vector<double> lean_of(const std::vector<double>& heading, double rate) {
 }  // namespace
 
 Pace pace_of(std::span<const Footstep> steps, const FrameTimes& times) {
-  Track cycle, vigour, heading;
+  KnottedCurve cycle, vigour, heading;
   const bool begins = stands_from_the_start(steps[1]);
   double phase = 0;
   for (std::size_t k = 1; k < steps.size(); ++k) {
     const Footstep& step = steps[k];
     if (stands_from_the_start(step)) continue;
-    phase = cycle.knots.empty() ? (step.foot == Foot::Left ? 0.0 : 0.5) : phase + 0.5;
+    phase = cycle.knots.empty() ? (step.foot == Side::Left ? 0.0 : 0.5) : phase + 0.5;
     if (cycle.knots.empty() && begins) {
       cycle.knots.push_back({steps[0].toe_off - 0.15, phase - 0.42});
       vigour.knots.push_back({0.15, 0});
@@ -79,7 +79,7 @@ Pace pace_of(std::span<const Footstep> steps, const FrameTimes& times) {
   return pace;
 }
 
-std::vector<Footstep> placings_of(std::span<const Footstep> steps, Foot foot) {
+std::vector<Footstep> placings_of(std::span<const Footstep> steps, Side foot) {
   std::vector<Footstep> own;
   std::ranges::copy_if(steps, std::back_inserter(own),
                        [&](const Footstep& step) { return step.foot == foot; });

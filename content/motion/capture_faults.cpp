@@ -25,14 +25,14 @@ std::uint32_t bridge(const MotionClip& clip) {
 }
 
 /// By how much a joint leaves its course in a frame that is not an end; metres.
-double leap_of(const Track& track, std::size_t frame, std::size_t joint) {
+double leap_of(const JointPositions& track, std::size_t frame, std::size_t joint) {
   const Vec3 course = 0.5f * (track.at(frame - 1, joint) + track.at(frame + 1, joint));
   return 2 * static_cast<double>(glm::distance(track.at(frame, joint), course));
 }
 
 /// The faults from the first to the last frame in which something leaps.
 std::vector<CaptureFault> find_leaps(const Skeleton& skeleton, const MotionClip& clip,
-                                     const Track& track) {
+                                     const JointPositions& track) {
   const double limit = least_leap(skeleton, clip.frame_rate);
   std::vector<CaptureFault> faults;
   for (std::uint32_t f = 1; f + 1 < frame_count(clip); ++f) {
@@ -131,8 +131,8 @@ struct Throwers {
   bool body = false;
 };
 
-Throwers find_throwers(const Skeleton& skeleton, const CaptureFault& fault, const Track& track,
-                       double limit) {
+Throwers find_throwers(const Skeleton& skeleton, const CaptureFault& fault,
+                       const JointPositions& track, double limit) {
   // What moves a quarter as far as the limit moves with what is thrown.
   std::vector<bool> thrown(track.joints);
   for (std::uint32_t f = fault.first; f <= fault.last; ++f)
@@ -144,7 +144,8 @@ Throwers find_throwers(const Skeleton& skeleton, const CaptureFault& fault, cons
   return throwers;
 }
 
-void place_again(const Skeleton& skeleton, const MotionClip& clip, const Gap& gap, Track& track) {
+void place_again(const Skeleton& skeleton, const MotionClip& clip, const Gap& gap,
+                 JointPositions& track) {
   std::vector<Vec3> places;
   for (std::int64_t f = gap.first; f <= gap.last; ++f) {
     const auto frame = static_cast<std::size_t>(f);
@@ -155,7 +156,7 @@ void place_again(const Skeleton& skeleton, const MotionClip& clip, const Gap& ga
 }
 
 /// Does anything leap in the frames of a gap, or where it meets the sound ones?
-bool is_sound(const Gap& gap, const MotionClip& clip, const Track& track, double limit) {
+bool is_sound(const Gap& gap, const MotionClip& clip, const JointPositions& track, double limit) {
   const std::int64_t begin = std::max<std::int64_t>(gap.first - 1, 1);
   const std::int64_t end = std::min<std::int64_t>(gap.last + 2, frame_count(clip) - 1);
   for (std::int64_t f = begin; f < end; ++f)
@@ -184,7 +185,7 @@ void put_back(const Kept& kept, const Gap& gap, MotionClip& clip) {
 }
 
 bool fill_gap(const Skeleton& skeleton, const CaptureFault& fault, const Gap& gap, MotionClip& clip,
-              Track& track) {
+              JointPositions& track) {
   const double limit = least_leap(skeleton, clip.frame_rate);
   if (gap.before < 0 && gap.after < 0) return false;
   const Throwers throwers = find_throwers(skeleton, fault, track, limit);
@@ -203,7 +204,8 @@ bool fill_gap(const Skeleton& skeleton, const CaptureFault& fault, const Gap& ga
 }
 
 /// The frames beside a fault may be a little wrong, too, and their speeds very much.
-bool mend(const Skeleton& skeleton, const CaptureFault& fault, MotionClip& clip, Track& track) {
+bool mend(const Skeleton& skeleton, const CaptureFault& fault, MotionClip& clip,
+          JointPositions& track) {
   const std::int64_t most = frames_in(0.04, clip.frame_rate);
   for (std::int64_t more = 0; more <= most; ++more)
     if (fill_gap(skeleton, fault, gap_of(fault, clip, more), clip, track)) return true;
@@ -213,7 +215,7 @@ bool mend(const Skeleton& skeleton, const CaptureFault& fault, MotionClip& clip,
 }  // namespace
 
 std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const MotionClip& clip,
-                                              const Track& track) {
+                                              const JointPositions& track) {
   std::vector<CaptureFault> faults = find_leaps(skeleton, clip, track);
   for (CaptureFault& fault : faults) {
     if (fault.first <= bridge(clip)) fault.first = 0;
@@ -223,7 +225,7 @@ std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const Mo
 }
 
 std::vector<CaptureFault> mend_capture_faults(const Skeleton& skeleton, MotionClip& clip,
-                                              Track& track) {
+                                              JointPositions& track) {
   const std::uint32_t longest = frames_in(0.15, clip.frame_rate);
   std::vector<CaptureFault> mended;
   for (const CaptureFault& fault : find_leaps(skeleton, clip, track))

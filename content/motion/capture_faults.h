@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 
@@ -20,7 +20,7 @@ struct CaptureFault {
 /// reaches about half of that) is a fault, and the frames between two such leaps with it. A leap
 /// within a tenth of a second of an end of the clip parts that end from the rest.
 std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const MotionClip& clip,
-                                              const Track& track);
+                                              const JointPositions& track);
 
 /// Mends the faults that last no longer than 0.15 s: the joints that throw others off their course
 /// turn smoothly from the last sound frame to the next (cubic Hermite curves, which keep the speeds
@@ -30,7 +30,7 @@ std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const Mo
 /// Brings `track` up to date, and returns what was mended, in order: find_capture_faults finds none
 /// of it any more. What cannot be mended so is left as it was.
 std::vector<CaptureFault> mend_capture_faults(const Skeleton& skeleton, MotionClip& clip,
-                                              Track& track);
+                                              JointPositions& track);
 
 /// "joint 'LeftHand' leaps by 71 cm in frames 0 to 1", for reports.
 std::string describe(const CaptureFault& fault, const Skeleton& skeleton);

@@ -44,7 +44,8 @@ double median_of(std::vector<double>& values) {
 
 }  // namespace
 
-ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track) {
+ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,
+                          const JointPositions& track) {
   const std::vector<Placement> body = extract_root_motion(skeleton, clip, track);
   const std::vector<double> speed = body_speed(body, clip.frame_rate);
   const double size = size_of(skeleton), leg = import::leg_length(skeleton);

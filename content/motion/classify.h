@@ -1,6 +1,6 @@
 #pragma once
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 
@@ -15,7 +15,8 @@ struct ClipMeasures {
   double typical_hips = 0;                 ///< The same, the median while the body moves.
 };
 
-ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip, const Track& track);
+ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,
+                          const JointPositions& track);
 
 /// The role that the measures speak for: a start stands first and moves last, a stop the other way
 /// round; a turn changes the heading by more than 20 degrees. What stands throughout, jumps,

@@ -23,7 +23,7 @@ struct Offer {
 };
 
 std::vector<Placement> body_of(const Skeleton& skeleton, const MotionClip& clip) {
-  return extract_root_motion(skeleton, clip, make_track(skeleton, clip));
+  return extract_root_motion(skeleton, clip, joint_positions(skeleton, clip));
 }
 
 double turned_by(const std::vector<Placement>& body) {

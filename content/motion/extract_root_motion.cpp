@@ -44,7 +44,8 @@ Value fit_line(const std::vector<Value>& values, std::size_t at, std::size_t hal
 
 }  // namespace
 
-double hip_heading(const Skeleton& skeleton, const Track& track, std::size_t frame, double before) {
+double hip_heading(const Skeleton& skeleton, const JointPositions& track, std::size_t frame,
+                   double before) {
   const JointIndex left = skeleton[BodyPart::LeftHip], right = skeleton[BodyPart::RightHip];
   if (left == JointIndex::None || right == JointIndex::None) return before;
   const Vec2 to_left =
@@ -55,7 +56,7 @@ double hip_heading(const Skeleton& skeleton, const Track& track, std::size_t fra
 }
 
 std::vector<Placement> extract_root_motion(const Skeleton& skeleton, const MotionClip& clip,
-                                           const Track& track) {
+                                           const JointPositions& track) {
   std::vector<Vec2> place;
   std::vector<double> heading;
   for (std::size_t f = 0; f < clip.root.size(); ++f) {

@@ -165,7 +165,7 @@ void find_meetings(const Comparison& c, const PairTile& at, Distances& distances
       if (!(distance < c.threshold)) continue;
       const std::size_t j = i + at.place.diagonal * DistanceTile::diagonals + e - (frames_a - 1);
       if (j < c.least_radius || j + c.least_radius >= frames_b) continue;
-      // Within a clip, pairs mirror each other, and a passage is not taken for its own neighbour.
+      // Within a clip, pairs mirror each other, and a crossover is not taken for its own neighbour.
       if (c.same_clip && j < i + 2 * c.radius) continue;
       const auto frame_a = static_cast<std::uint32_t>(i), frame_b = static_cast<std::uint32_t>(j);
       if (is_minimum_of_tile(c, tile, r, e) && can_meet(c, frame_a, frame_b) &&
@@ -250,37 +250,37 @@ std::vector<Meeting> meetings_in(const Material& m, std::span<const PairTile> ti
 }
 
 /// One direction of a meeting.
-struct Passage {
+struct Crossover {
   ClipFrame from, to;
   float distance = 0;
 };
 
-/// Of the passages that leave in the same window, the closest.
-std::vector<Passage> best_passages(const Material& m,
-                                   const std::vector<std::vector<Meeting>>& found) {
-  std::vector<Passage> passages;
+/// Of the crossovers that leave in the same window, the closest.
+std::vector<Crossover> best_crossovers(const Material& m,
+                                       const std::vector<std::vector<Meeting>>& found) {
+  std::vector<Crossover> crossovers;
   for (const std::vector<Meeting>& some : found)
     for (const Meeting& meeting : some) {
-      passages.push_back({meeting.a, meeting.b, meeting.distance});
-      passages.push_back({meeting.b, meeting.a, meeting.distance});
+      crossovers.push_back({meeting.a, meeting.b, meeting.distance});
+      crossovers.push_back({meeting.b, meeting.a, meeting.distance});
     }
-  const auto window = [length = m.radius()](const Passage& p) {
+  const auto window = [length = m.radius()](const Crossover& p) {
     return std::tuple(p.from.clip, p.from.frame / length);
   };
-  std::ranges::sort(passages, {}, [&](const Passage& p) {
+  std::ranges::sort(crossovers, {}, [&](const Crossover& p) {
     return std::tuple(window(p), p.distance, p.from.frame, p.to.clip, p.to.frame);
   });
-  std::vector<Passage> best;
+  std::vector<Crossover> best;
   std::size_t here = 0;  // How many of the same window came before.
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    here = i > 0 && window(passages[i]) == window(passages[i - 1]) ? here + 1 : 0;
-    if (here < m.options.per_window) best.push_back(passages[i]);
+  for (std::size_t i = 0; i < crossovers.size(); ++i) {
+    here = i > 0 && window(crossovers[i]) == window(crossovers[i - 1]) ? here + 1 : 0;
+    if (here < m.options.per_window) best.push_back(crossovers[i]);
   }
   return best;
 }
 
-Transition make_transition(const Material& m, const Passage& passage) {
-  const auto& [from, to, rough] = passage;
+Transition make_transition(const Material& m, const Crossover& crossover) {
+  const auto& [from, to, rough] = crossover;
   const PoseMatch match = compare_poses(m.studied.cloud[from.clip], from.frame,
                                         m.studied.cloud[to.clip], to.frame, m.radius());
   return {
@@ -333,7 +333,7 @@ std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
     found[part] = meetings_in(material, parts[part]);
   });
 
-  const std::vector<Passage> best = best_passages(material, found);
+  const std::vector<Crossover> best = best_crossovers(material, found);
   std::vector<Transition> transitions(best.size());
   content::for_each_index(best.size(), jobs, [&](std::size_t i) {
     transitions[i] = make_transition(material, best[i]);

@@ -25,7 +25,7 @@ struct ToeMotion {
   std::vector<double> height, speed;
 };
 
-ToeMotion toe_motion(const Track& track, std::size_t toe, double frame_rate) {
+ToeMotion toe_motion(const JointPositions& track, std::size_t toe, double frame_rate) {
   ToeMotion motion;
   const std::size_t frames = track.place.size() / track.joints;
   const std::size_t half = std::max<std::size_t>(1, frames_in(speed_span, frame_rate) / 2);
@@ -71,7 +71,7 @@ std::vector<bool> plants_of(const ToeMotion& toe, double size, double frame_rate
 
 }  // namespace
 
-void find_foot_plants(const Skeleton& skeleton, const Track& track, MotionClip& clip) {
+void find_foot_plants(const Skeleton& skeleton, const JointPositions& track, MotionClip& clip) {
   clip.plants.assign(clip.root.size(), {});
   const double size = size_of(skeleton);
   const auto find = [&](BodyPart toe, bool FootPlants::* foot) {
@@ -84,7 +84,8 @@ void find_foot_plants(const Skeleton& skeleton, const Track& track, MotionClip& 
   find(BodyPart::RightToe, &FootPlants::right);
 }
 
-double planted_height(const Skeleton& skeleton, const Track& track, const MotionClip& clip) {
+double planted_height(const Skeleton& skeleton, const JointPositions& track,
+                      const MotionClip& clip) {
   double sum = 0;
   int feet = 0;
   const auto add = [&](BodyPart toe, bool FootPlants::* foot) {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 
@@ -12,10 +12,11 @@ namespace docent::motion::offline {
 /// fast (hysteresis), so a plant neither flickers nor ends while the heel is already rising. Low is
 /// measured from where that foot rests in this clip, because the floor of a recording lies some
 /// centimetres off. Clips without feet get no plants.
-void find_foot_plants(const Skeleton& skeleton, const Track& track, MotionClip& clip);
+void find_foot_plants(const Skeleton& skeleton, const JointPositions& track, MotionClip& clip);
 
 /// The height at which planted toe joints rest, the mean of both feet's medians; 0 without plants.
-double planted_height(const Skeleton& skeleton, const Track& track, const MotionClip& clip);
+double planted_height(const Skeleton& skeleton, const JointPositions& track,
+                      const MotionClip& clip);
 
 /// The height, metres, at which planted toe joints are to rest so that clips stand on one floor,
 /// y = 0. `heights` has each clip's planted_height.

@@ -16,7 +16,8 @@ constexpr std::array<BodyPart, GaitCycle::joints> compared{
     RightKnee, RightAnkle, RightToe, LeftShoulder, LeftElbow, LeftWrist, RightShoulder, RightElbow};
 
 /// By how much the left ankle is before the right, in the direction in which the hips face; metres.
-std::vector<double> leg_swing(const Skeleton& skeleton, const Track& track, std::size_t frames) {
+std::vector<double> leg_swing(const Skeleton& skeleton, const JointPositions& track,
+                              std::size_t frames) {
   const std::size_t left = index_of(skeleton[LeftAnkle]), right = index_of(skeleton[RightAnkle]);
   std::vector<double> swing;
   double heading = 0;
@@ -46,8 +47,8 @@ std::vector<double> overtakings(const std::vector<double>& swing, double clear) 
   return frames;
 }
 
-GaitCycle sample_cycle(const Skeleton& skeleton, const MotionClip& clip, const Track& track,
-                       double first, double last) {
+GaitCycle sample_cycle(const Skeleton& skeleton, const MotionClip& clip,
+                       const JointPositions& track, double first, double last) {
   GaitCycle cycle{.seconds = (last - first) / clip.frame_rate};
   const auto frame_at = [&](double part) {
     return std::min(static_cast<std::size_t>(std::lround(first + (last - first) * part)),
@@ -77,7 +78,7 @@ GaitCycle sample_cycle(const Skeleton& skeleton, const MotionClip& clip, const T
 }  // namespace
 
 std::vector<GaitCycle> find_gait_cycles(const Skeleton& skeleton, const MotionClip& clip,
-                                        const Track& track) {
+                                        const JointPositions& track) {
   constexpr double shortest = 0.3, longest = 2.2;  // seconds: a sprint's stride, and a stealthy one
   std::vector<GaitCycle> cycles;
   if (skeleton[LeftAnkle] == JointIndex::None || skeleton[RightAnkle] == JointIndex::None)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 
@@ -26,7 +26,7 @@ struct GaitCycle {
 /// The strides of a clip, in order; none where the legs do not swing past each other twice in 0.3
 /// to 2.2 s, or not by a tenth of their length.
 std::vector<GaitCycle> find_gait_cycles(const Skeleton& skeleton, const MotionClip& clip,
-                                        const Track& track);
+                                        const JointPositions& track);
 
 /// How unlike two gaits are: the paper's sum over the poses of |a - T R S b|, where each pose of
 /// the second is laid onto that of the first by the best translation and turn on the floor and the

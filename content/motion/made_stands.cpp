@@ -9,7 +9,7 @@
 
 #include "content/motion/extract_root_motion.h"
 #include "content/motion/foot_plants.h"
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 #include "runtime/motion/leg.h"
 #include "runtime/motion/pose.h"
 
@@ -169,7 +169,7 @@ void make(const Skeleton& skeleton, const Legs& legs, ClipRole role,
       made.role = role;
       made.name = clip->name + (reel.backwards ? ", stopping" : ", starting") +
                   (passing.bears == Side::Left ? " on the left foot" : " on the right foot");
-      find_foot_plants(skeleton, make_track(skeleton, made), made);
+      find_foot_plants(skeleton, joint_positions(skeleton, made), made);
       out.push_back(std::move(made));
     }
     if (has[0] && has[1]) return;

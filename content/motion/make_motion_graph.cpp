@@ -39,7 +39,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
   std::vector<Study> studies(sources.size());
   content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
-    Track track = make_track(skeleton, clip);
+    JointPositions track = joint_positions(skeleton, clip);
     studies[c].mended = mend_capture_faults(skeleton, clip, track);
     studies[c].left = find_capture_faults(skeleton, clip, track);
     find_foot_plants(skeleton, track, clip);
@@ -52,7 +52,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
     MotionClip& clip = sources[c].clip;
     level_ground(rest - heights[c], clip);
     quantise(skeleton, clip);  // what follows, down to foresight, is about what will be stored
-    const Track track = make_track(skeleton, clip);
+    const JointPositions track = joint_positions(skeleton, clip);
     const ClipMeasures measures = measure_clip(skeleton, clip, track);
     if (!sources[c].role_stated) clip.role = classify(measures, size_of(skeleton));
     if (clip.motion_class.empty()) clip.motion_class = motion_class_of(measures, size_of(skeleton));
@@ -79,7 +79,7 @@ void add_made_clips(std::vector<MotionClip> made, MotionGraph& graph, StudiedCli
                     std::vector<std::string>& files) {
   for (MotionClip& clip : made) {
     quantise(graph.skeleton, clip);
-    const Track track = make_track(graph.skeleton, clip);
+    const JointPositions track = joint_positions(graph.skeleton, clip);
     studied.cloud.push_back(make_pose_cloud(graph.skeleton, track));
     studied.faults.push_back(find_capture_faults(graph.skeleton, clip, track));
     files.push_back(clip.name);

@@ -7,7 +7,7 @@
 
 #include "content/content_error.h"
 #include "content/import/motion/body.h"
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 namespace {

@@ -14,7 +14,7 @@ GaitCycle basic_gait_of(const MotionClass& motion_class, const Skeleton& skeleto
   std::vector<GaitCycle> strides;
   for (const MotionClip& clip : clips) {
     if (clip.motion_class != motion_class.name || strides.size() >= most_strides) continue;
-    const auto more = find_gait_cycles(skeleton, clip, make_track(skeleton, clip));
+    const auto more = find_gait_cycles(skeleton, clip, joint_positions(skeleton, clip));
     strides.insert(strides.end(), more.begin(), more.end());
   }
   return strides.empty() ? GaitCycle{} : strides[basic_gait(strides)];

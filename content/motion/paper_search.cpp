@@ -94,8 +94,8 @@ struct Candidate {
   ClipFrame at;  ///< The last vertex.
   bool has_arrived =
       true;  ///< By a transition, or it is the start: sections may be shortened here.
-  Passage passage{no_transition, 0};  ///< That led to the vertex.
-  std::size_t depth = 0;              ///< Vertices after V_start.
+  PassedTransition transition_passed{no_transition, 0};  ///< That led to the vertex.
+  std::size_t depth = 0;                                 ///< Vertices after V_start.
   Placement clip_to_floor;
   Vec2 place{};              ///< Of the hips at the vertex, floor frame.
   double length = 0;         ///< Of the track T_x, metres.
@@ -176,11 +176,11 @@ class PaperSearch {
       push(from, {from.at.clip, end}, {no_transition, 0});
   }
 
-  void push(const Candidate& from, ClipFrame to, Passage passage) {
+  void push(const Candidate& from, ClipFrame to, PassedTransition transition_passed) {
     Candidate next = from;
     next.at = to;
-    next.has_arrived = passage.transition != no_transition;
-    next.passage = passage;
+    next.has_arrived = transition_passed.transition != no_transition;
+    next.transition_passed = transition_passed;
     next.depth = from.depth + 1;
     stack_.push_back(next);
   }
@@ -204,7 +204,7 @@ class PaperSearch {
   void follow(Candidate& candidate) const {
     if (candidate.depth == 0) return;
     const ClipFrame from = way_.back().at;
-    if (candidate.passage.transition == no_transition)
+    if (candidate.transition_passed.transition == no_transition)
       follow_clip(candidate, from.frame);
     else
       follow_section(candidate);
@@ -218,7 +218,7 @@ class PaperSearch {
   }
 
   void follow_section(Candidate& candidate) const {
-    const auto [t, radius] = candidate.passage;
+    const auto [t, radius] = candidate.transition_passed;
     const Transition& way = graph_.motion.transitions[t];
     const Vec2* from = clip(way.from.clip).root.data() + way.from.frame - radius;
     const Vec2* to = clip(way.to.clip).root.data() + way.to.frame - radius;
@@ -260,7 +260,8 @@ class PaperSearch {
   }
 
   void keep(const Candidate& candidate) {
-    if (candidate.passage.transition != no_transition) path_.passages.push_back(candidate.passage);
+    if (candidate.transition_passed.transition != no_transition)
+      path_.passed.push_back(candidate.transition_passed);
   }
 
   bool is_time_up() const { return seconds() >= request_.time_limit; }

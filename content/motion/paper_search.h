@@ -39,7 +39,7 @@ struct PaperRequest {
 };
 
 /// A transition and the radius that it is passed with.
-struct Passage {
+struct PassedTransition {
   std::uint32_t transition = 0;
   std::uint32_t radius = 0;
 };
@@ -47,7 +47,7 @@ struct Passage {
 /// P_result: from the start over transitions to a frame of the clip that the last one leads to.
 struct PaperPath {
   ClipFrame start;
-  std::vector<Passage> passages;
+  std::vector<PassedTransition> passed;
   std::uint32_t last_frame = 0;
   std::uint32_t frames = 1;    ///< Of its track, which may end within the last blend.
   double length = 0;           ///< Of its track, metres: that of the path, unless cut short.

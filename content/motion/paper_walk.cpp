@@ -42,7 +42,7 @@ PaperWalk make_paper_walk(const WalkGraph& graph, const PaperWalkRequest& reques
   for (const ClipFrame source : track.source)
     walk.plants.push_back(graph.motion->clips[source.clip].plants[source.frame]);
   walk.source = std::move(track.source);
-  walk.transitions = static_cast<std::uint32_t>(found.passages.size());
+  walk.transitions = static_cast<std::uint32_t>(found.passed.size());
   walk.expanded = static_cast<std::uint32_t>(
       std::min<std::uint64_t>(found.expanded, std::numeric_limits<std::uint32_t>::max()));
   walk.search_seconds = found.seconds;

@@ -29,7 +29,7 @@ Quat about_vertical(double heading) {
 class Parent {
  public:
   Parent(const Skeleton& skeleton, const MotionClip& clip)
-      : clip_(clip), track_(make_track(skeleton, clip)) {
+      : clip_(clip), track_(joint_positions(skeleton, clip)) {
     for (std::size_t f = 0; f < clip.root.size(); ++f)
       heading_.push_back(hip_heading(skeleton, track_, f, f > 0 ? heading_.back() : 0));
   }
@@ -76,7 +76,7 @@ class Parent {
   }
 
   const MotionClip& clip_;
-  Track track_;
+  JointPositions track_;
   std::vector<double> heading_;
 };
 
@@ -166,7 +166,7 @@ class Blend {
                                      std::pair{BodyPart::RightToe, &FootPlants::right}})
       if (skeleton_[part] != JointIndex::None)
         feet.push_back({index_of(skeleton_[part]), firmness(foot)});
-    const Track track = make_track(skeleton_, clip_);
+    const JointPositions track = joint_positions(skeleton_, clip_);
     Vec2 place{};
     for (std::size_t f = 0; f + 1 < clip_.root.size(); ++f) {
       Vec2 step{};
@@ -207,7 +207,7 @@ std::vector<Turn> find_turns(const Skeleton& skeleton, const std::vector<MotionC
       continue;
     Turn& turn = turns.emplace_back(c);
     for (const Placement& body :
-         extract_root_motion(skeleton, clips[c], make_track(skeleton, clips[c])))
+         extract_root_motion(skeleton, clips[c], joint_positions(skeleton, clips[c])))
       turn.heading.push_back(body.heading);
   }
   std::ranges::stable_sort(turns, {}, [&](const Turn& turn) {
@@ -252,7 +252,7 @@ std::vector<MotionClip> parametric_turns(const Skeleton& skeleton,
     const double parts = std::ceil(gap / widest);
     for (double part = 1; part < parts; ++part) {
       MotionClip clip = blend_clips(skeleton, clips[a.clip], clips[b.clip], shared, part / parts);
-      const Track track = make_track(skeleton, clip);
+      const JointPositions track = joint_positions(skeleton, clip);
       find_foot_plants(skeleton, track, clip);
       clip.role = classify(measure_clip(skeleton, clip, track), size_of(skeleton));
       if (clip.role == ClipRole::Other) continue;

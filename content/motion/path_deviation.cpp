@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/model/geometry/polyline.h"
+
 namespace docent::motion::offline {
 namespace {
 
@@ -21,12 +23,9 @@ NearestPoint nearest_on(std::span<const Vec2> path, std::span<const double> walk
   NearestPoint best{point - path[std::min(i, path.size() - 1)],
                     walked[std::min(i, path.size() - 1)]};
   for (; i + 1 < path.size() && walked[i] <= from + ahead; ++i) {
-    const Vec2 step = path[i + 1] - path[i];
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(point - path[i], step) / square, 0.0, 1.0) : 0.0;
-    const Vec2 offset = point - path[i] - t * step;
-    if (glm::length(offset) < glm::length(best.offset))
-      best = {offset, walked[i] + t * std::sqrt(square)};
+    const auto [squared, t] = nearest_on_segment(point, path[i], path[i + 1]);
+    if (squared < dot(best.offset, best.offset))
+      best = {point - glm::mix(path[i], path[i + 1], t), std::lerp(walked[i], walked[i + 1], t)};
   }
   return best;
 }
@@ -35,10 +34,7 @@ NearestPoint nearest_on(std::span<const Vec2> path, std::span<const double> walk
 
 PathDeviation measure_deviation(std::span<const Vec2> roots, double frame_rate,
                                 std::span<const Vec2> path) {
-  std::vector<double> walked(path.size(), 0.0);
-  for (std::size_t i = 1; i < path.size(); ++i)
-    walked[i] = walked[i - 1] + glm::distance(path[i - 1], path[i]);
-
+  const std::vector<double> walked = distances_along(path);
   PathDeviation result;
   std::vector<Vec2> sums(roots.size() + 1, Vec2{});
   double along = 0;

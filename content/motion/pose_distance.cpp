@@ -222,7 +222,7 @@ float cut_window(const PoseCloud& a, std::size_t row, const PoseCloud& b, std::s
 
 }  // namespace
 
-PoseCloud make_pose_cloud(const Skeleton& skeleton, const Track& track) {
+PoseCloud make_pose_cloud(const Skeleton& skeleton, const JointPositions& track) {
   PoseCloud cloud;
   cloud.frames = track.place.size() / track.joints;
   std::vector<std::size_t> joints;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 
@@ -23,7 +23,7 @@ struct PoseCloud {
   std::vector<double> sum_square;    ///< The same of x2 + y2 + h2; frames + 1 entries each.
 };
 
-PoseCloud make_pose_cloud(const Skeleton& skeleton, const Track& track);
+PoseCloud make_pose_cloud(const Skeleton& skeleton, const JointPositions& track);
 
 /// How alike two windows are, and the rigid motion on the floor that lays `b` best onto `a`.
 struct PoseMatch {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 namespace docent::motion::offline {
 namespace {
@@ -22,7 +22,7 @@ std::vector<Quat> world_rotations(const Skeleton& skeleton, const Quat* local) {
 }
 
 /// How far the feet of a frame are from standing side by side, metres.
-double unrest(const Skeleton& skeleton, const Track& track, std::size_t frame) {
+double unrest(const Skeleton& skeleton, const JointPositions& track, std::size_t frame) {
   const auto at = [&](BodyPart part) { return track.at(frame, index_of(skeleton[part])); };
   return std::abs(at(BodyPart::LeftAnkle).y - at(BodyPart::RightAnkle).y) +
          std::abs(at(BodyPart::LeftToe).y - at(BodyPart::RightToe).y) +
@@ -37,7 +37,7 @@ bool has_legs(const Skeleton& skeleton) {
 }
 
 /// The turn about the vertical after which a body that faces as this one looks along z.
-Quat turned_forwards(const Skeleton& skeleton, const Track& track, std::size_t frame) {
+Quat turned_forwards(const Skeleton& skeleton, const JointPositions& track, std::size_t frame) {
   const Vec3 left = track.at(frame, index_of(skeleton[BodyPart::LeftHip])) -
                     track.at(frame, index_of(skeleton[BodyPart::RightHip]));
   // The left hip is to be at positive x.
@@ -65,7 +65,7 @@ void rest_upright(Skeleton& skeleton, std::span<MotionClip* const> clips) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<Quat> rest;
   for (const MotionClip* clip : clips) {
-    const Track track = make_track(skeleton, *clip);
+    const JointPositions track = joint_positions(skeleton, *clip);
     for (std::size_t f = 0; f < frame_count(*clip); f += every) {
       const double off = unrest(skeleton, track, f);
       if (off >= least) continue;

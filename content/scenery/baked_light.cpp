@@ -132,13 +132,13 @@ class PaddedField {
 };
 
 /// A place to look at on the way to the horizon.
-struct Look {
+struct SkySample {
   std::int64_t offset = 0;
   float distance = 0;
 };
 
 /// One direction in which the horizon is measured from every texel.
-using Direction = std::vector<Look>;
+using Direction = std::vector<SkySample>;
 
 Direction look_along(const PaddedField& field, double texel, Vec2 direction,
                      std::span<const double> distances) {
@@ -151,7 +151,7 @@ Direction look_along(const PaddedField& field, double texel, Vec2 direction,
 /// Raises `tangent`, one per texel of the row, to the horizon's in this direction.
 void raise_horizon(const PaddedField& field, std::uint32_t y, const Direction& looks,
                    std::span<float> tangent) {
-  for (const Look& look : looks) {
+  for (const SkySample& look : looks) {
     const float* heights = field.row(y, look.offset);
     const float scale = 1 / look.distance;
     for (std::size_t x = 0; x < tangent.size(); ++x)
@@ -206,7 +206,7 @@ class FloorLight {
     }
     const auto fall = static_cast<float>(std::tan(sun_.elevation));
     std::fill(tangent.begin(), tangent.end(), 0.0F);
-    for (const Look& look : shade_) {
+    for (const SkySample& look : shade_) {
       const float* heights = padded_.row(y, look.offset);
       for (std::size_t x = 0; x < width; ++x)
         tangent[x] = std::max(tangent[x], heights[x] - look.distance * fall);

@@ -6,15 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "runtime/model/geometry/polygon.h"
+
 namespace docent::scenery {
 namespace {
-
-double signed_area(const Outline& outline) {
-  double twice = 0;
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    twice += cross(outline[i], outline[(i + 1) % outline.size()]);
-  return twice / 2;
-}
 
 double perimeter(const Outline& outline) {
   double sum = 0;
@@ -233,7 +228,7 @@ Vec2 fitted(double aspect, Vec2 box) {
   return box.x / a <= box.y ? Vec2{box.x, box.x / a} : Vec2{box.y * a, box.y};
 }
 
-Board board_on_wall(const Stand& stand) {
+Board board_on_wall(const ExhibitStand& stand) {
   const Vec2 size = fitted(stand.aspect, {1.8, 1.25});
   const Vec2 forward{std::cos(stand.placement.heading), std::sin(stand.placement.heading)};
   constexpr double centre = 1.25;
@@ -247,7 +242,7 @@ Board board_on_wall(const Stand& stand) {
           .border = 0.045};
 }
 
-Board standing_board(const Stand& stand) {
+Board standing_board(const ExhibitStand& stand) {
   const bool in_glass = stand.on == HoleKind::Case;
   Vec2 room{1.0, 1.05};
   double bottom = 0.0;
@@ -279,18 +274,6 @@ Outline outline_of(const FloorPlan& plan, const Ring& ring) {
   Outline outline(first, first + ring.count);
   if (signed_area(outline) < 0) std::reverse(outline.begin(), outline.end());
   return outline;
-}
-
-bool contains(const Outline& outline, Vec2 point) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i];
-    const Vec2 b = outline[(i + 1) % outline.size()];
-    if ((a.y > point.y) != (b.y > point.y) &&
-        point.x < a.x + (b.x - a.x) * (point.y - a.y) / (b.y - a.y))
-      inside = !inside;
-  }
-  return inside;
 }
 
 std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit> exhibits) {
@@ -329,7 +312,7 @@ void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
   if (kind == HoleKind::Case) build_glass(outline, mesh);
 }
 
-void build_stand(const Stand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers) {
+void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers) {
   const Board board = stand.on_wall ? board_on_wall(stand) : standing_board(stand);
   build_board(board, stand.exhibit, mesh);
   const Vec2 forward{std::cos(board.heading), std::sin(board.heading)};

@@ -33,7 +33,7 @@ void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers);
 
 /// An exhibit as a picture: hung on its wall, or standing up on its case, pedestal or the floor.
-struct Stand {
+struct ExhibitStand {
   std::int32_t exhibit = -1;
   Placement placement;
   float aspect = 1;  ///< Width over height of the picture.
@@ -41,12 +41,10 @@ struct Stand {
   const Outline* hole = nullptr;  ///< What it stands on; null on a wall or the floor.
   bool on_wall = false;
 };
-void build_stand(const Stand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers);
+void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers);
 
 /// The ring as an outline: counter-clockwise.
 Outline outline_of(const FloorPlan& plan, const Ring& ring);
-
-bool contains(const Outline& outline, Vec2 point);
 
 /// Metres above the floor at which walls and columns are cut.
 constexpr double cut_height = 1.45;

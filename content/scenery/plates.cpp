@@ -14,7 +14,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 struct FaceInfo {
   bool seen = false;
-  Region region = Region::Outside;
+  PlateKind region = PlateKind::Outside;
   std::uint32_t area = 0;
 };
 using FaceBase =
@@ -114,13 +114,13 @@ class Classifier {
   FaceInfo at(Vec2 p) const {
     int inside = 0;
     for (const Polygon& ring : outlines_.rings) inside += winding(ring, p);
-    if (inside > 0) return {true, Region::Floor, area_at(p)};
+    if (inside > 0) return {true, PlateKind::Floor, area_at(p)};
     for (std::uint32_t r = 0; r < outlines_.rings.size(); ++r)
       if (furniture_[r] && winding(outlines_.rings[r], p) != 0)
-        return {true, Region::Hole, area_at(p)};
+        return {true, PlateKind::Hole, area_at(p)};
     int solid = 0;
     for (const Polygon& back : outlines_.backs) solid += winding(back, p);
-    return {true, solid > 0 ? Region::Wall : Region::Outside, 0};
+    return {true, solid > 0 ? PlateKind::Wall : PlateKind::Outside, 0};
   }
 
  private:
@@ -181,8 +181,8 @@ void classify(const Triangulation& triangulation, const Classifier& classifier) 
     const Vec2 middle =
         (corner_of(largest, 0) + corner_of(largest, 1) + corner_of(largest, 2)) / 3.0;
     FaceInfo info = classifier.at(middle);
-    if (info.region == Region::Outside && !is_open && area < largest_pocket)
-      info.region = Region::Wall;
+    if (info.region == PlateKind::Outside && !is_open && area < largest_pocket)
+      info.region = PlateKind::Wall;
     for (Face face : component) face->info() = info;
   }
 }
@@ -212,17 +212,17 @@ Plates divide(const FloorPlan& plan, const std::vector<bool>& furniture, double 
 
   Plates plates;
   const auto region_of = [&](Face face) {
-    return triangulation.is_infinite(face) ? Region::Outside : face->info().region;
+    return triangulation.is_infinite(face) ? PlateKind::Outside : face->info().region;
   };
   for (Face face : triangulation.finite_face_handles()) {
-    if (region_of(face) == Region::Outside) continue;
+    if (region_of(face) == PlateKind::Outside) continue;
     plates.plates.push_back({{corner_of(face, 0), corner_of(face, 1), corner_of(face, 2)},
                              face->info().region,
                              face->info().area});
-    if (region_of(face) != Region::Wall) continue;
+    if (region_of(face) != PlateKind::Wall) continue;
     for (int side = 0; side < 3; ++side) {
-      const Region beyond = region_of(face->neighbor(side));
-      if (beyond == Region::Wall || beyond == Region::Hole) continue;
+      const PlateKind beyond = region_of(face->neighbor(side));
+      if (beyond == PlateKind::Wall || beyond == PlateKind::Hole) continue;
       plates.wall_edges.push_back(
           {corner_of(face, Triangulation::ccw(side)), corner_of(face, Triangulation::cw(side))});
     }

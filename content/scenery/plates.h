@@ -10,7 +10,7 @@
 namespace docent::scenery {
 
 /// What a piece of the plan's plane is.
-enum class Region : std::uint8_t {
+enum class PlateKind : std::uint8_t {
   Outside,  ///< Beyond the building's walls.
   Wall,     ///< Solid, cut at shoulder height.
   Floor,    ///< Where one can walk.
@@ -21,7 +21,7 @@ enum class Region : std::uint8_t {
 /// a Floor or Hole lies in; 0: none.
 struct Plate {
   std::array<Vec2, 3> corner{};
-  Region region = Region::Outside;
+  PlateKind region = PlateKind::Outside;
   std::uint32_t area = 0;
 };
 

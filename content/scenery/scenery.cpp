@@ -8,6 +8,7 @@
 #include "content/scenery/furniture.h"
 #include "content/scenery/mesh_builder.h"
 #include "content/scenery/plates.h"
+#include "runtime/model/geometry/polygon.h"
 
 namespace docent::scenery {
 namespace {
@@ -39,7 +40,7 @@ HeightField make_field(const FloorPlan& plan, double texel) {
 
 /// The floor goes on under what stands on it, which leaves a gap at its foot.
 Surface surface_of(const Plate& plate, std::span<const PavedArea> paving) {
-  if (plate.region == Region::Wall) return Surface::CutFace;
+  if (plate.region == PlateKind::Wall) return Surface::CutFace;
   if (plate.area > 0 && paving[plate.area - 1].paving == Paving::Stone) return Surface::Stone;
   return Surface::Floor;
 }
@@ -48,12 +49,12 @@ void build_plates(const Plates& plates, std::span<const PavedArea> paving, MeshB
                   HeightField& field) {
   constexpr Vec3 up{0, 1, 0};
   for (const Plate& plate : plates.plates) {
-    const double height = plate.region == Region::Wall ? cut_height : 0;
+    const double height = plate.region == PlateKind::Wall ? cut_height : 0;
     mesh.use(surface_of(plate, paving));
     mesh.triangle({to_world(plate.corner[0], height), to_world(plate.corner[1], height),
                    to_world(plate.corner[2], height)},
                   up);
-    if (plate.region == Region::Wall) field.raise(plate.corner, height);
+    if (plate.region == PlateKind::Wall) field.raise(plate.corner, height);
   }
   constexpr std::array rows{0.0, 0.1, 0.3, 0.7, cut_height};
   mesh.use(Surface::Plaster);
@@ -140,10 +141,10 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
     build_hole(kinds[r], outlines[r], mesh, blockers);
   for (std::size_t e = 0; e < exhibits.size(); ++e) {
     if (exhibits[e].floor != options.floor) continue;
-    Stand stand{.exhibit = static_cast<std::int32_t>(e),
-                .placement = exhibits[e].placement,
-                .aspect = image_aspect[e],
-                .on_wall = exhibits[e].place == ExhibitPlace::OnWall};
+    ExhibitStand stand{.exhibit = static_cast<std::int32_t>(e),
+                       .placement = exhibits[e].placement,
+                       .aspect = image_aspect[e],
+                       .on_wall = exhibits[e].place == ExhibitPlace::OnWall};
     if (!stand.on_wall)
       stand.hole = hole_under(outlines, kinds, exhibits[e].placement.position, stand.on);
     build_stand(stand, mesh, blockers);

@@ -28,7 +28,7 @@ Result<void> WayPass::compile() {
   if (!marker) return std::unexpected(marker.error());
   ribbon_ = std::move(*ribbon);
   marker_ = std::move(*marker);
-  at_ = {ribbon_["lift"],  ribbon_["tone"], ribbon_["way"],  ribbon_["kind"],
+  at_ = {ribbon_["lift"],  ribbon_["tone"], ribbon_["way"],  ribbon_["pattern"],
          marker_["place"], marker_["tone"], marker_["mark"], marker_["inner_tone"]};
 
   staging_.reserve(most_vertices);
@@ -79,19 +79,20 @@ void WayPass::prepare(const scene::DrawList& list) noexcept {
 
 void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept {
   const scene::Colour tone = ribbon.look < 0
-                                 ? scene::route_colour(theme_, ribbon.kind)
+                                 ? scene::route_colour(ribbon.kind)
                                  : scene::trail_colour(static_cast<std::size_t>(ribbon.look));
   set(at_.tone, scene::with_opacity(tone, ribbon.opacity));
   glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
               static_cast<float>(scene::ribbon_half_width));
-  glUniform1i(at_.kind, static_cast<GLint>(ribbon.kind));
+  const LinePattern& pattern = info_of(ribbon.kind).pattern;
+  glUniform2f(at_.pattern, pattern.period, pattern.piece / 2);
   glDrawArrays(GL_TRIANGLE_STRIP, strip.first, strip.count);
 }
 
 void WayPass::draw_marker(const scene::MarkerDraw& marker) const noexcept {
   using Kind = scene::MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
-  scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.shortest;
+  scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.invitation;
   if (marker.look >= 0) tone = scene::trail_colour(static_cast<std::size_t>(marker.look));
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);

@@ -38,7 +38,7 @@ class WayPass {
   std::size_t strip_count_ = 0;
   Program ribbon_, marker_;
   struct {
-    GLint lift, tone, way, kind, place, marker_tone, mark, inner_tone;
+    GLint lift, tone, way, pattern, place, marker_tone, mark, inner_tone;
   } at_{};
   scene::Theme theme_;
 };

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "platform/kms/card.h"
+#include "platform/kms/graphics_card.h"
 
 namespace docent::kms {
 

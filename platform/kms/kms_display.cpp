@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "platform/egl/context.h"
-#include "platform/kms/card.h"
 #include "platform/kms/console.h"
+#include "platform/kms/graphics_card.h"
 
 namespace docent::kms {
 namespace {
@@ -51,7 +51,7 @@ std::uint32_t framebuffer_of(int fd, gbm_bo* buffer) noexcept {
 
 class Kms final : public KmsDisplay {
  public:
-  explicit Kms(Card card) : card_(std::move(card)) {}
+  explicit Kms(GraphicsCard card) : card_(std::move(card)) {}
   Kms(const Kms&) = delete;
   Kms& operator=(const Kms&) = delete;
 
@@ -193,7 +193,7 @@ class Kms final : public KmsDisplay {
   }
 
   std::optional<QuietConsole> console_;
-  Card card_;
+  GraphicsCard card_;
   GbmDevice gbm_;
   egl::EglDisplay egl_;
   GbmSurface surface_;
@@ -210,7 +210,7 @@ class Kms final : public KmsDisplay {
 }  // namespace
 
 Result<std::unique_ptr<KmsDisplay>> open_kms(PixelSize wanted) {
-  auto card = open_card(wanted);
+  auto card = open_graphics_card(wanted);
   if (!card) return std::unexpected(card.error());
   auto kms = std::make_unique<Kms>(std::move(*card));
   if (auto opened = kms->open(); !opened) return std::unexpected(opened.error());
@@ -218,7 +218,7 @@ Result<std::unique_ptr<KmsDisplay>> open_kms(PixelSize wanted) {
 }
 
 bool is_kms_free() noexcept {
-  return open_card({}).has_value();
+  return open_graphics_card({}).has_value();
 }
 
 }  // namespace docent::kms

@@ -33,13 +33,13 @@ bool is_terminal(std::FILE* stream) noexcept {
   return ::isatty(::fileno(stream)) == 1;
 }
 
-Colour colour_of(std::FILE* stream) noexcept {
+ColourUse colour_use_of(std::FILE* stream) noexcept {
   const bool wanted = environment("NO_COLOR").empty() && environment("TERM") != "dumb";
-  return wanted && is_terminal(stream) ? Colour::On : Colour::Off;
+  return wanted && is_terminal(stream) ? ColourUse::On : ColourUse::Off;
 }
 
-std::string painted(std::string_view text, Ink ink, Colour colour) {
-  if (colour == Colour::Off) return std::string(text);
+std::string painted(std::string_view text, Ink ink, ColourUse colour) {
+  if (colour == ColourUse::Off) return std::string(text);
   return fmt::format("{}{}\x1b[0m", sequence(ink), text);
 }
 

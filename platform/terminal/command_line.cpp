@@ -173,7 +173,7 @@ std::expected<std::function<int()>, Diagnostic> parse(const Command& program,
     return take_all(named_command(program, app));
   } catch (const CLI::CallForHelp&) {
     const Node node = named_command(program, app);
-    return printing(help(node.command, node.path, node.is_program, colour_of(stdout)));
+    return printing(help(node.command, node.path, node.is_program, colour_use_of(stdout)));
   } catch (const CLI::CallForVersion&) {
     return printing(fmt::format("{} {}\n", program.name, version()));
   } catch (const CLI::ArgumentMismatch& error) {  // "--floor: 1 required TEXT missing"

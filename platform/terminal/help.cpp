@@ -28,7 +28,7 @@ void wrap(const Words& words, std::size_t column, std::size_t indent, std::strin
   text += '\n';
 }
 
-std::string title(std::string_view words, Colour colour) {
+std::string title(std::string_view words, ColourUse colour) {
   return fmt::format("\n{}:\n", painted(words, Ink::Bold, colour));
 }
 
@@ -43,7 +43,7 @@ void add_row(std::string_view heading, std::string_view manual, std::string& tex
 }
 
 void add_options(std::string_view heading, const std::vector<Option>& options, bool positional,
-                 Colour colour, std::string& text) {
+                 ColourUse colour, std::string& text) {
   bool is_first = true;
   for (const Option& option : options) {
     if (is_positional(option) != positional) continue;
@@ -92,7 +92,7 @@ std::vector<Option> common_options(bool is_program) {
   return options;
 }
 
-std::string help(const Command& command, std::string_view path, bool is_program, Colour colour) {
+std::string help(const Command& command, std::string_view path, bool is_program, ColourUse colour) {
   std::string text;
   wrap(split(fmt::format("{}: {}.", path, command.manual), ' '), 0, 0, text);
   text += fmt::format("\n{}: ", painted("usage", Ink::Bold, colour));

@@ -22,6 +22,6 @@ std::string description_of(const Option& option);
 std::vector<Option> common_options(bool is_program);
 
 /// What --help prints of a command; `path` is how it is called: "docent hid list".
-std::string help(const Command& command, std::string_view path, bool is_program, Colour colour);
+std::string help(const Command& command, std::string_view path, bool is_program, ColourUse colour);
 
 }  // namespace docent::terminal

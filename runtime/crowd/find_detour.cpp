@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/crowd/line_distance.h"
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
@@ -23,8 +23,8 @@ path::Way find_detour(const path::FloorMap& map, const ReservationTable& reserva
       standing.push_back(entry.trajectory.place.back());
   const double apart = 2 * reservations.body_radius() + spare;
   const auto is_free = [&](const path::Way& way) {
-    return std::ranges::all_of(standing,
-                               [&](Vec2 place) { return distance_to(way.points, place) >= apart; });
+    return std::ranges::all_of(
+        standing, [&](Vec2 place) { return distance_to_polyline(place, way.points) >= apart; });
   };
 
   const Roadmap& roads = map.floor().roadmap;

@@ -8,6 +8,7 @@
 #include <queue>
 #include <utility>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
@@ -31,7 +32,7 @@ constexpr double back_cost = 2.5;         // times the seconds
 constexpr double start_again = 0.6;       // seconds that setting out takes after a wait
 constexpr double narrow_wait_cost = 0.3;  // seconds a second: who has to wait does so where
 constexpr double narrow = 2.4;            // others can pass, this many radii from any wall
-constexpr double room_cost = 2.0;         // seconds that it takes an obliging body to make room
+constexpr double room_cost = 2.0;         // seconds that it takes a body that yields to make room
 constexpr double unsafe_end_cost = 6;     // seconds
 constexpr std::size_t most_expanded = 20000;
 
@@ -83,7 +84,7 @@ std::vector<Vec2> resampled(std::span<const Vec2> line, double step, double most
 struct Other {
   std::uint32_t body = 0;
   const Trajectory* trajectory = nullptr;
-  bool obliging = false;
+  bool yields_when_asked = false;
   bool stands = false;  ///< From the beginning on.
 };
 
@@ -122,10 +123,7 @@ class PassageSearch {
     std::vector<Vec2> behind = resampled(query_.behind, column_step, reach_behind);
     if (ahead.empty()) return;
     if (!behind.empty()) behind.erase(behind.begin());
-    double length = 0;
-    for (std::size_t i = 1; i < query_.way.size(); ++i)
-      length += glm::distance(query_.way[i - 1], query_.way[i]);
-    way_length_ = length;
+    way_length_ = polyline_length(query_.way);
     origin_ = static_cast<int>(behind.size());
     std::vector<Vec2> all(behind.rbegin(), behind.rend());
     all.insert(all.end(), ahead.begin(), ahead.end());
@@ -159,8 +157,10 @@ class PassageSearch {
       nearest = std::sqrt(nearest);
       if (nearest > most_lanes * lane_step + 2 * radius_ + 1) continue;
       if (nearest < crowd_reach) is_crowded_ = true;
-      const bool obliging = std::ranges::find(query_.obliging, entry.body) != query_.obliging.end();
-      others_.push_back({entry.body, &trajectory, obliging, trajectory.end() <= query_.seconds});
+      const bool yields_when_asked =
+          std::ranges::find(query_.yields_when_asked, entry.body) != query_.yields_when_asked.end();
+      others_.push_back(
+          {entry.body, &trajectory, yields_when_asked, trajectory.end() <= query_.seconds});
     }
   }
 
@@ -204,7 +204,7 @@ class PassageSearch {
   /// Who is met on a straight move; none, or whether it could be asked to make room.
   struct Encounter {
     std::uint32_t body = none;
-    bool obliging = false;
+    bool yields_when_asked = false;
   };
   Encounter met(Vec2 a, Vec2 b, double from, double seconds) const {
     Encounter out;
@@ -218,7 +218,7 @@ class PassageSearch {
         distance = std::min(distance, std::max(2 * radius_ + 0.015, glm::distance(then, a) - 0.01));
       const Vec2 velocity = ((later - then) - (b - a)) / std::max(seconds, 1e-6);
       if (!first_impact(then - a, velocity, distance, seconds)) continue;
-      if (!(other.obliging && stands)) return {other.body, false};
+      if (!(other.yields_when_asked && stands)) return {other.body, false};
       out = {other.body, true};
     }
     return out;
@@ -235,7 +235,7 @@ class PassageSearch {
       const Trajectory& trajectory = *other.trajectory;
       const Vec2 end = trajectory.place.back() - here;
       if (dot(end, end) < distance * distance) {
-        if (!other.obliging) until = never;
+        if (!other.yields_when_asked) until = never;
         continue;
       }
       for (double t = trajectory.end(); t > std::max(query_.seconds, until); t -= 0.1) {
@@ -370,7 +370,7 @@ class PassageSearch {
     if (!waits && state.stands) seconds += std::max(query_.delay, start_again);
     next.stands = waits;
     const Encounter met = this->met(a, b, state.seconds, seconds);
-    if (met.body != none && !met.obliging) return false;
+    if (met.body != none && !met.yields_when_asked) return false;
     next.asked = met.body;
     next.seconds = state.seconds + seconds;
     double cost = move.columns < 0 ? back_cost * seconds : seconds;

@@ -18,7 +18,7 @@ struct PassageQuery {
   std::span<const Vec2> way;     ///< What is ahead of it, to its goal.
   std::span<const Vec2> behind;  ///< The way that it came, from where it is; may be empty.
   /// Bodies that will make room when they are asked, once they stand.
-  std::span<const std::uint32_t> obliging;
+  std::span<const std::uint32_t> yields_when_asked;
 };
 
 /// How it gets on.

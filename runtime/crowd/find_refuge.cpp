@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/crowd/line_distance.h"
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
@@ -35,7 +35,7 @@ std::vector<Refuge> find_refuges(const path::FloorMap& map, const ReservationTab
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5 * (ring % 2)) / directions;
       const Vec2 place = from + ring_step * ring * Vec2(std::cos(angle), std::sin(angle));
-      if (!map.has_room(place, radius + wall_spare) || distance_to(line, place) < apart ||
+      if (!map.has_room(place, radius + wall_spare) || distance_to_polyline(place, line) < apart ||
           is_taken(reservations, body, place, apart))
         continue;
       path::RouteQuery query{

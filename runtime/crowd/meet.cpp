@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/crowd/branchless.h"
+#include "runtime/model/geometry/segment.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
@@ -37,7 +38,8 @@ class Moments {
 
 /// The last time, up to `last`, to which the straight way of a centre stays on the floor, given
 /// that it does to `first`.
-double last_on_floor(const Bays& floor, const Body& body, double first, double last) noexcept {
+double last_on_floor(const WalkableCells& floor, const Body& body, double first,
+                     double last) noexcept {
   const path::WallGrid& walls = floor.map().walls();
   const auto is_clear_to = [&](double time) {
     return walls.segment_clear(body.position, place_at(body, time));
@@ -104,7 +106,7 @@ bool are_apart(Range a, Range b, double by) noexcept {
 enum class Glance : std::uint8_t { Open, PathBlocked, SightBlocked, Unsure };
 
 /// The way goes from `from[0]` to `to[0]`, to `to[1]`, and back to `from[1]`.
-Glance glance(const Bays& floor, const std::array<Vec2, 2>& from,
+Glance glance(const WalkableCells& floor, const std::array<Vec2, 2>& from,
               const std::array<Vec2, 2>& to) noexcept {
   // Square metres, for the sides of a line: many times the rounding where nothing is further out
   // than `furthest`.
@@ -161,7 +163,7 @@ bool is_far_out(Vec2 low, Vec2 high) noexcept {
 
 /// Do all lines from one stretch to the other cross the wall from a to b? So they do if the line of
 /// the wall parts the stretches, and is crossed between the wall's ends.
-bool parts(Vec2 a, Vec2 b, const std::array<Vec2, 4>& ends, double skin) noexcept {
+bool parts(Vec2 a, Vec2 b, const std::array<Vec2, 4>& ends, double tolerance) noexcept {
   const double length = glm::distance(a, b);
   if (!(length > 0)) return false;
   const Vec2 along = (b - a) / length;
@@ -171,47 +173,47 @@ bool parts(Vec2 a, Vec2 b, const std::array<Vec2, 4>& ends, double skin) noexcep
     at[i] = dot(along, ends[i] - a);
   }
   const double sign = side[0] > 0 ? 1 : -1;
-  if (!(sign * side[0] > skin && sign * side[1] > skin && sign * side[2] < -skin &&
-        sign * side[3] < -skin))
+  if (!(sign * side[0] > tolerance && sign * side[1] > tolerance && sign * side[2] < -tolerance &&
+        sign * side[3] < -tolerance))
     return false;
   for (const std::size_t i : {0, 1})
     for (const std::size_t j : {2, 3}) {
-      // Lines begin and end within the skin of these, so they cross within the skin of where these
-      // are so near to the wall.
+      // Lines begin and end within the tolerance of these, so they cross within the tolerance of
+      // where these are so near to the wall.
       const double turn = (at[j] - at[i]) / (side[j] - side[i]);
-      const double first = at[i] + (skin - side[i]) * turn, last = at[i] - (skin + side[i]) * turn;
-      if (!(std::min(first, last) > skin && std::max(first, last) < length - skin)) return false;
+      const double first = at[i] + (tolerance - side[i]) * turn,
+                   last = at[i] - (tolerance + side[i]) * turn;
+      if (!(std::min(first, last) > tolerance && std::max(first, last) < length - tolerance))
+        return false;
     }
   return true;
 }
 
 }  // namespace
 
-double clearance_at(const Bays& floor, Vec2 point, double most) noexcept {
+double clearance_at(const WalkableCells& floor, Vec2 point, double most) noexcept {
   const Vec2 low = point - most, high = point + most;
   double nearest = most * most;
   floor.visit_walls(low, high, [&](Vec2 a, Vec2 b) {
     if (any_holds(are_apart(range_of(a.x, b.x), {low.x, high.x}, 0),
                   are_apart(range_of(a.y, b.y), {low.y, high.y}, 0)))
       return true;
-    const Vec2 wall = b - a, from = point - a;
-    const double square = dot(wall, wall);
-    const Vec2 apart = from - std::clamp(dot(from, wall) / square, 0.0, 1.0) * wall;
-    nearest = std::min(nearest, dot(apart, apart));
+    nearest = std::min(nearest, nearest_on_segment(point, a, b).distance_squared);
     return true;
   });
   return std::max(std::sqrt(nearest) - margin, 0.0);
 }
 
-Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexcept {
+Sight sight_between(const WalkableCells& floor, const SweptLine& a, const SweptLine& b) noexcept {
   // A wall that parts them parts them, but meet.h has it that those whom more corners pass are not
   // watched; as many as that have more walls.
   constexpr int most_walls = 30, most_that_part_nobody = 3;
-  const double skin = std::max(a.skin, b.skin) + margin;
+  const double tolerance = std::max(a.tolerance, b.tolerance) + margin;
   const std::array ends{a.from, a.to, b.from, b.to};
   const Range x = range_of(ends[0].x, ends[1].x, ends[2].x, ends[3].x);
   const Range y = range_of(ends[0].y, ends[1].y, ends[2].y, ends[3].y);
-  const Vec2 low{x.least - skin, y.least - skin}, high{x.most + skin, y.most + skin};
+  const Vec2 low{x.least - tolerance, y.least - tolerance},
+      high{x.most + tolerance, y.most + tolerance};
   if (is_far_out(low, high)) return Sight::Either;
   const Vec2 between = b.from + b.to - a.from - a.to;
   const double distance = std::sqrt(dot(between, between));
@@ -221,16 +223,16 @@ Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexc
   int walls = 0;
   bool is_parted = false;
   floor.visit_walls(low, high, [&](Vec2 from, Vec2 to) {
-    if (any_holds(are_apart(range_of(from.x, to.x), x, skin),
-                  are_apart(range_of(from.y, to.y), y, skin),
-                  are_apart(range_of(beside(from), beside(to)), lane, skin)))
+    if (any_holds(are_apart(range_of(from.x, to.x), x, tolerance),
+                  are_apart(range_of(from.y, to.y), y, tolerance),
+                  are_apart(range_of(beside(from), beside(to)), lane, tolerance)))
       return true;
     const Vec2 wall = to - from;
     const auto side = [&](Vec2 point) { return cross(wall, point - from); };
     const Range sides = range_of(side(ends[0]), side(ends[1]), side(ends[2]), side(ends[3]));
-    const double aside = skin * std::sqrt(dot(wall, wall));
+    const double aside = tolerance * std::sqrt(dot(wall, wall));
     if (sides.least > aside || sides.most < -aside) return true;
-    is_parted = is_parted || parts(from, to, ends, skin);
+    is_parted = is_parted || parts(from, to, ends, tolerance);
     return ++walls <= (is_parted ? most_walls : most_that_part_nobody);
   });
   if (walls == 0) return Sight::Open;
@@ -241,7 +243,7 @@ double clamp_horizon(double horizon) noexcept {
   return horizon > 0 ? std::min(horizon, largest_horizon) : 0;
 }
 
-std::optional<double> time_of_impact(const Bays& floor, const Body& a, const Body& b,
+std::optional<double> time_of_impact(const WalkableCells& floor, const Body& a, const Body& b,
                                      double horizon) noexcept {
   if (!takes_part(a) || !takes_part(b)) return {};
   const auto contact = contact_of_circles(a, b, clamp_horizon(horizon));
@@ -251,7 +253,7 @@ std::optional<double> time_of_impact(const Bays& floor, const Body& a, const Bod
   return time_in_sight(floor, a, b, *contact);
 }
 
-std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
+std::optional<double> time_in_sight(const WalkableCells& floor, const Body& a, const Body& b,
                                     const Collision& contact) noexcept {
   const path::WallGrid& walls = floor.map().walls();
   const auto in_sight = [&](double time) {

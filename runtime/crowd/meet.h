@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "runtime/crowd/bays.h"
 #include "runtime/crowd/body.h"
+#include "runtime/crowd/cells.h"
 
 namespace docent::crowd {
 
@@ -81,20 +81,21 @@ inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
 /// A body whose centre is off the floor, where nobody should be, is held by no wall: there only the
 /// circles count. Where more than 64 corners pass between two bodies they count from the first
 /// touch. The same for (b, a), but for rounding of the time. Does not allocate.
-std::optional<double> time_of_impact(const Bays& floor, const Body& a, const Body& b,
+std::optional<double> time_of_impact(const WalkableCells& floor, const Body& a, const Body& b,
                                      double horizon) noexcept;
 
 /// The same for bodies that take part and stand on the floor, with their contact at hand.
-std::optional<double> time_in_sight(const Bays& floor, const Body& a, const Body& b,
+std::optional<double> time_in_sight(const WalkableCells& floor, const Body& a, const Body& b,
                                     const Collision& contact) noexcept;
 
 /// From a point to the nearest wall, metres, if that is less than `most`; perhaps a little less.
-double clearance_at(const Bays& floor, Vec2 point, double most) noexcept;
+double clearance_at(const WalkableCells& floor, Vec2 point, double most) noexcept;
 
-/// Where a centre is, and where it will be up to the horizon: no further than `skin` from a line.
-struct Stretch {
+/// Where a centre is, and where it will be up to the horizon: no further than `tolerance` from a
+/// line.
+struct SweptLine {
   Vec2 from{}, to{};
-  double skin = 0;  ///< Metres.
+  double tolerance = 0;  ///< Metres.
 };
 /// What `time_in_sight` says of any two who are each in their stretch.
 enum class Sight : std::uint8_t {
@@ -103,6 +104,6 @@ enum class Sight : std::uint8_t {
   Closed,   ///< A wall always does: they do not meet.
   Either,   ///< Sometimes.
 };
-Sight sight_between(const Bays& floor, const Stretch& a, const Stretch& b) noexcept;
+Sight sight_between(const WalkableCells& floor, const SweptLine& a, const SweptLine& b) noexcept;
 
 }  // namespace docent::crowd

@@ -10,7 +10,7 @@
 namespace docent::crowd {
 namespace {
 
-/// Measured (tests/bench, bench_crowd): smaller bays are shared by fewer, larger ones are fewer.
+/// Measured (tests/bench, bench_crowd): smaller cells are shared by fewer, larger ones are fewer.
 /// Metres.
 constexpr double bay_size = 2.5;
 /// A cover is kept until the body, or where it is going, has moved so far from the line between
@@ -27,9 +27,9 @@ constexpr double too_long = 1;
 constexpr double margin = 1e-6;
 /// A place is clear of walls up to this far, as far as anybody asks. Metres.
 constexpr double most_clear = 0.5;
-/// More bays than this in a row are not looked at one by one.
+/// More cells than this in a row are not looked at one by one.
 constexpr double longest_reach = 256;
-/// After so many steps people have walked a bay or two, and are numbered anew.
+/// After so many steps people have walked a cell or two, and are numbered anew.
 constexpr std::uint64_t steps_of_a_numbering = 256;
 
 float rounded_up(double value) noexcept {
@@ -42,7 +42,7 @@ float rounded_down(double value) noexcept {
 }  // namespace
 
 Meetings::Meetings(const path::FloorMap& map, std::size_t most_bodies)
-    : regions_(map), bays_(map, bay_size), most_bodies_(most_bodies) {
+    : regions_(map), cells_(map, bay_size), most_bodies_(most_bodies) {
   index_of_.resize(most_bodies);
   std::iota(index_of_.begin(), index_of_.end(), 0U);
   number_of_ = index_of_;
@@ -50,12 +50,12 @@ Meetings::Meetings(const path::FloorMap& map, std::size_t most_bodies)
   body_.resize(most_bodies);
   place_.resize(most_bodies);
   cover_.resize(most_bodies);
-  covered_.resize(most_bodies * most_bays);
-  // Beyond the first sheet of a bay, all but one of its sheets are full.
-  sheet_.resize(bays_.count() + most_bodies * most_bays / guests_on_sheet + 1);
-  for (std::size_t i = sheet_.size(); i-- > bays_.count();) {
-    sheet_[i].next = spare_sheet_;
-    spare_sheet_ = static_cast<std::uint32_t>(i);
+  covered_.resize(most_bodies * most_cells);
+  // Beyond the first block of a cell, all but one of its blocks are full.
+  blocks_.resize(cells_.count() + most_bodies * most_cells / occupants_a_block + 1);
+  for (std::size_t i = blocks_.size(); i-- > cells_.count();) {
+    blocks_[i].next = spare_block_;
+    spare_block_ = static_cast<std::uint32_t>(i);
   }
   seen_in_.assign(most_bodies, 0);
   neighbours_.reserve(8 * most_bodies);
@@ -84,7 +84,7 @@ void Meetings::update(std::span<const Body> bodies) noexcept {
 void Meetings::sort_bodies() noexcept {
   const auto numbering = std::span(numbering_).first(numbers_);
   for (std::uint32_t body = 0; body < numbers_; ++body)
-    numbering[body] = {body_[body].takes_part ? bays_.square_at(body_[body].now.position) : none,
+    numbering[body] = {body_[body].takes_part ? cells_.square_at(body_[body].now.position) : none,
                        body};
   std::ranges::sort(numbering, {},
                     [](const Numbering& n) { return std::pair(n.square, n.before); });
@@ -93,10 +93,10 @@ void Meetings::sort_bodies() noexcept {
   const auto renumber = [&](std::uint32_t& body) { body = numbering[body].square; };
   for (Neighbours& pair : neighbours_) renumber(pair.a), renumber(pair.b);
   std::ranges::sort(neighbours_, {}, &Neighbours::a);
-  for (std::size_t bay = 0; bay < bays_.count(); ++bay)
-    for (auto i = static_cast<std::uint32_t>(bay); i != none; i = sheet_[i].next)
-      for (std::uint32_t& guest : std::span(sheet_[i].guest).first(sheet_[i].count))
-        renumber(guest);
+  for (std::size_t cell = 0; cell < cells_.count(); ++cell)
+    for (auto i = static_cast<std::uint32_t>(cell); i != none; i = blocks_[i].next)
+      for (std::uint32_t& occupant : std::span(blocks_[i].occupant).first(blocks_[i].count))
+        renumber(occupant);
   for (std::uint32_t body = 0; body < numbers_; ++body)
     while (numbering[body].square != body) {
       const std::uint32_t goal = numbering[body].square;
@@ -112,13 +112,13 @@ void Meetings::swap_bodies(std::uint32_t a, std::uint32_t b) noexcept {
   std::swap(place_[a], place_[b]);
   std::swap(cover_[a], cover_[b]);
   std::swap(seen_in_[a], seen_in_[b]);
-  const auto bays = std::max(cover_[a].bays, cover_[b].bays);
-  std::swap_ranges(&covered_[a * most_bays], &covered_[a * most_bays] + bays,
-                   &covered_[b * most_bays]);
+  const auto cells = std::max(cover_[a].cells, cover_[b].cells);
+  std::swap_ranges(&covered_[a * most_cells], &covered_[a * most_cells] + cells,
+                   &covered_[b * most_cells]);
 }
 
 void Meetings::look_up(std::uint32_t body) noexcept {
-  KeptPlace& place = place_[body];
+  CachedPlace& place = place_[body];
   const Vec2 at = body_[body].now.position;
   const auto found = regions_.follow(at, place.region);
   place = {.at = at, .clearance = found.clearance, .slack = found.slack, .region = found.region};
@@ -139,40 +139,40 @@ bool Meetings::is_on_floor(std::uint32_t body) noexcept {
   return place_[body].region != Regions::none;
 }
 
-/// The bay that the body is in now.
-std::uint32_t Meetings::bay_of(std::uint32_t body) noexcept {
+/// The cell that the body is in now.
+std::uint32_t Meetings::cell_of(std::uint32_t body) noexcept {
   const Vec2 at = body_[body].now.position;
   const Vec2 moved = at - place_[body].at;
   const double slack = place_[body].slack;
   if (dot(moved, moved) >= slack * std::abs(slack)) look_up(body);
-  if (place_[body].region == Regions::none) return Bays::none;
-  return bays_.bay_at(bays_.square_at(at), place_[body].region);
+  if (place_[body].region == Regions::none) return WalkableCells::none;
+  return cells_.cell_at(cells_.square_at(at), place_[body].region);
 }
 
 /// Is the cover enough for the body's way to `end`, if it has passed no wall? Every point of that
 /// way is as near to the axis as its ends are. Without a branch.
-bool Meetings::KeptCover::holds(const Body& now, Vec2 end) const noexcept {
+bool Meetings::CachedCover::holds(const Body& now, Vec2 end) const noexcept {
   const Vec2 way = end - now.position;
   const double too_short = std::max(length - (most_ahead + too_long), 0.0);
-  return all_hold(bays > 0, now.radius <= radius, is_near(now.position, length, skin),
-                  is_near(end, length, skin), dot(way, way) >= too_short * too_short);
+  return all_hold(cells > 0, now.radius <= radius, is_near(now.position, length, tolerance),
+                  is_near(end, length, tolerance), dot(way, way) >= too_short * too_short);
 }
 
 /// Those whose covers do not hold, or may not.
 std::span<const std::uint32_t> Meetings::list_leavers(double horizon) noexcept {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < numbers_; ++i) {
-    const KeptCover& cover = cover_[i];
-    const auto& [now, edition, takes_part] = body_[i];
+    const CachedCover& cover = cover_[i];
+    const auto& [now, version, takes_part] = body_[i];
     const bool holds = all_hold(cover.holds(now, now.position + horizon * now.velocity),
                                 cover.is_clear_at(now.position));
     leaver_[count] = i;
-    count += static_cast<std::size_t>(takes_part ? !holds : cover.bays > 0);
+    count += static_cast<std::size_t>(takes_part ? !holds : cover.cells > 0);
   }
   return std::span(leaver_).first(count);
 }
 
-void Meetings::KeptCover::clear(Vec2 place, double clearance) noexcept {
+void Meetings::CachedCover::clear(Vec2 place, double clearance) noexcept {
   clear_x = static_cast<float>(place.x - from.x);
   clear_y = static_cast<float>(place.y - from.y);
   const double rounding = glm::distance(place, clear_place());
@@ -181,74 +181,74 @@ void Meetings::KeptCover::clear(Vec2 place, double clearance) noexcept {
 
 /// Does the cover hold, for a body that may have left what is clear?
 bool Meetings::is_covered(std::uint32_t body, Vec2 end) noexcept {
-  KeptCover& cover = cover_[body];
+  CachedCover& cover = cover_[body];
   const Vec2 at = body_[body].now.position;
   if (!cover.holds(body_[body].now, end)) return false;
-  const double clearance = clearance_at(bays_, at, most_clear);
+  const double clearance = clearance_at(cells_, at, most_clear);
   if (!cover.leads_to(at, clearance)) {
-    // It must not have come through a wall: one can walk from its bay to all of them, or to none.
+    // It must not have come through a wall: one can walk from its cell to all of them, or to none.
     if (!is_on_floor(body)) return false;
-    const std::uint32_t bay = bay_of(body);
-    const auto covered = std::span(covered_).subspan(body * most_bays, cover.bays);
-    if (std::ranges::find(covered, bay) == covered.end()) return false;
+    const std::uint32_t cell = cell_of(body);
+    const auto covered = std::span(covered_).subspan(body * most_cells, cover.cells);
+    if (std::ranges::find(covered, cell) == covered.end()) return false;
   }
   cover.clear(at, clearance);
   return true;
 }
 
 void Meetings::uncover(std::uint32_t body) noexcept {
-  KeptCover& cover = cover_[body];
-  for (const std::uint32_t bay : std::span(covered_).subspan(body * most_bays, cover.bays))
-    leave(bay, body);
-  cover.bays = 0;
-  ++body_[body].edition;
+  CachedCover& cover = cover_[body];
+  for (const std::uint32_t cell : std::span(covered_).subspan(body * most_cells, cover.cells))
+    leave(cell, body);
+  cover.cells = 0;
+  ++body_[body].version;
 }
 
-/// Enters a bay's first sheet; a full one becomes its second.
-void Meetings::enter(std::uint32_t bay, std::uint32_t body) noexcept {
-  Sheet& first = sheet_[bay];
-  if (first.count == guests_on_sheet) {
-    const std::uint32_t spare = spare_sheet_;
-    spare_sheet_ = sheet_[spare].next;
-    sheet_[spare] = first;
+/// Enters a cell's first block; a full one becomes its second.
+void Meetings::enter(std::uint32_t cell, std::uint32_t body) noexcept {
+  OccupantBlock& first = blocks_[cell];
+  if (first.count == occupants_a_block) {
+    const std::uint32_t spare = spare_block_;
+    spare_block_ = blocks_[spare].next;
+    blocks_[spare] = first;
     first.next = spare;
     first.count = 0;
   }
-  first.guest[first.count++] = body;
+  first.occupant[first.count++] = body;
 }
 
-/// The last one of the first sheet takes the leaver's place.
-void Meetings::leave(std::uint32_t bay, std::uint32_t body) noexcept {
-  Sheet& first = sheet_[bay];
+/// The last one of the first block takes the leaver's place.
+void Meetings::leave(std::uint32_t cell, std::uint32_t body) noexcept {
+  OccupantBlock& first = blocks_[cell];
   if (first.count == 0) {  // All are on the sheets behind.
     const std::uint32_t second = first.next;
-    first = sheet_[second];
-    sheet_[second].next = spare_sheet_;
-    spare_sheet_ = second;
+    first = blocks_[second];
+    blocks_[second].next = spare_block_;
+    spare_block_ = second;
   }
-  for (Sheet* sheet = &first;; sheet = &sheet_[sheet->next]) {
-    const auto guests = std::span(sheet->guest).first(sheet->count);
-    const auto found = std::ranges::find(guests, body);
-    if (found == guests.end()) continue;
-    *found = first.guest[--first.count];
+  for (OccupantBlock* block = &first;; block = &blocks_[block->next]) {
+    const auto occupants = std::span(block->occupant).first(block->count);
+    const auto found = std::ranges::find(occupants, body);
+    if (found == occupants.end()) continue;
+    *found = first.occupant[--first.count];
     return;
   }
 }
 
-/// The bay that the body has come to from where its cover is clear, if it has surely met no wall.
-std::uint32_t Meetings::followed_bay(std::uint32_t body, double clearance) const noexcept {
-  const KeptCover& cover = cover_[body];
+/// The cell that the body has come to from where its cover is clear, if it has surely met no wall.
+std::uint32_t Meetings::followed_cell(std::uint32_t body, double clearance) const noexcept {
+  const CachedCover& cover = cover_[body];
   const Vec2 at = body_[body].now.position;
-  if (cover.bays == 0 || !cover.leads_to(at, clearance)) return Bays::none;
-  const std::uint32_t square = bays_.square_at(at);
-  std::uint32_t found = bays_.only_bay_of(square);
-  if (found != Bays::none) return found;
+  if (cover.cells == 0 || !cover.leads_to(at, clearance)) return WalkableCells::none;
+  const std::uint32_t square = cells_.square_at(at);
+  std::uint32_t found = cells_.only_cell_of(square);
+  if (found != WalkableCells::none) return found;
   // It is one of those that it covered, if it is still among them.
-  if (!cover.is_near(at, cover.length, cover.skin + cover.radius)) return Bays::none;
-  for (const std::uint32_t bay : std::span(covered_).subspan(body * most_bays, cover.bays)) {
-    if (bays_.square_of(bay) != square) continue;
-    if (found != Bays::none) return Bays::none;  // Two of one square.
-    found = bay;
+  if (!cover.is_near(at, cover.length, cover.tolerance + cover.radius)) return WalkableCells::none;
+  for (const std::uint32_t cell : std::span(covered_).subspan(body * most_cells, cover.cells)) {
+    if (cells_.square_of(cell) != square) continue;
+    if (found != WalkableCells::none) return WalkableCells::none;  // Two of one square.
+    found = cell;
   }
   return found;
 }
@@ -257,31 +257,31 @@ void Meetings::cover(std::uint32_t body, Vec2 end) {
   const Body& now = body_[body].now;
   const double way = glm::distance(now.position, end);
   const double speed = std::sqrt(dot(now.velocity, now.velocity));
-  KeptCover made;
+  CachedCover made;
   made.from = now.position;
   made.along = way > 0 ? (end - now.position) / way : Vec2{0, 0};
   const double length = way > 0 ? way + std::min(seconds_ahead * speed, most_ahead) : 0;
-  if (length + now.radius > longest_reach * bays_.size()) return uncover(body);
+  if (length + now.radius > longest_reach * cells_.size()) return uncover(body);
   made.length = rounded_up(length);
-  made.skin = rounded_up(least_skin + skin_per_metre * made.length);
+  made.tolerance = rounded_up(least_skin + skin_per_metre * made.length);
   made.radius = rounded_up(now.radius);
-  const double clearance = clearance_at(bays_, now.position, most_clear);
-  std::uint32_t bay = followed_bay(body, clearance);
-  if (bay == Bays::none && is_on_floor(body)) bay = bay_of(body);
-  if (bay == Bays::none) return uncover(body);
-  BayList list;
-  made.bays = list_bays(made, bay, list);
-  if (made.bays == 0) return uncover(body);
+  const double clearance = clearance_at(cells_, now.position, most_clear);
+  std::uint32_t cell = followed_cell(body, clearance);
+  if (cell == WalkableCells::none && is_on_floor(body)) cell = cell_of(body);
+  if (cell == WalkableCells::none) return uncover(body);
+  CellList list;
+  made.cells = list_cells(made, cell, list);
+  if (made.cells == 0) return uncover(body);
   made.clear(now.position, clearance);
-  enter_bays(body, made, list);
+  enter_cells(body, made, list);
 }
 
-/// Walks from the body's bay to neighbouring ones, as far as its capsule reaches. How many there
+/// Walks from the body's cell to neighbouring ones, as far as its capsule reaches. How many there
 /// are; 0 if too many.
-std::uint32_t Meetings::list_bays(const KeptCover& cover, std::uint32_t own,
-                                  BayList& list) const noexcept {
-  const double reach = static_cast<double>(cover.radius) + cover.skin + margin;
-  const double half = bays_.size() / 2;
+std::uint32_t Meetings::list_cells(const CachedCover& cover, std::uint32_t own,
+                                   CellList& list) const noexcept {
+  const double reach = static_cast<double>(cover.radius) + cover.tolerance + margin;
+  const double half = cells_.size() / 2;
   const Vec2 to_middle = 0.5 * cover.length * cover.along;
   const Vec2 middle = cover.from + to_middle;
   const Vec2 box = glm::abs(to_middle) + Vec2{reach + half, reach + half};
@@ -292,63 +292,64 @@ std::uint32_t Meetings::list_bays(const KeptCover& cover, std::uint32_t own,
            std::abs(cross(cover.along, from)) <= beside;
   };
   std::uint32_t count = 0;
-  // Where each square is one bay there is no need to ask where one can walk.
+  // Where each square is one cell there is no need to ask where one can walk.
   const Vec2 side = box - half;
-  const auto [left, bottom, right, top] = bays_.squares_in(middle - side, middle + side);
-  bool is_plain = (right - left + 1) * (top - bottom + 1) <= most_bays;
+  const auto [left, bottom, right, top] = cells_.squares_in(middle - side, middle + side);
+  bool is_plain = (right - left + 1) * (top - bottom + 1) <= most_cells;
   for (std::uint32_t y = bottom; y <= top && is_plain; ++y)
     for (std::uint32_t x = left; x <= right && is_plain; ++x) {
-      const std::uint32_t square = bays_.square(x, y);
-      if (!is_under(bays_.centre_of_square(square))) continue;
-      const std::uint32_t bay = bays_.only_bay_of(square);
-      is_plain = bay != Bays::none;
-      list[count++] = bay;
+      const std::uint32_t square = cells_.square(x, y);
+      if (!is_under(cells_.centre_of_square(square))) continue;
+      const std::uint32_t cell = cells_.only_cell_of(square);
+      is_plain = cell != WalkableCells::none;
+      list[count++] = cell;
     }
   if (is_plain) return count;
 
   count = 0;
   list[count++] = own;
   for (std::uint32_t done = 0; done < count; ++done)
-    for (const std::uint32_t next : bays_.next_to(list[done])) {
-      if (!is_under(bays_.centre_of(next)) ||
+    for (const std::uint32_t next : cells_.next_to(list[done])) {
+      if (!is_under(cells_.centre_of(next)) ||
           std::find(list.begin(), list.begin() + count, next) != list.begin() + count)
         continue;
-      if (count == most_bays) return 0;
+      if (count == most_cells) return 0;
       list[count++] = next;
     }
   return count;
 }
 
-/// Makes this its cover: enters the bays, and notes whom it may meet of those that are there.
-void Meetings::enter_bays(std::uint32_t body, const KeptCover& made, const BayList& list) {
-  const auto covered = std::span(covered_).subspan(body * most_bays, most_bays);
-  const std::span<const std::uint32_t> before = covered.first(cover_[body].bays);
-  const std::span<const std::uint32_t> now = std::span(list).first(made.bays);
-  const auto is_in = [](std::span<const std::uint32_t> bays, std::uint32_t bay) {
-    return std::ranges::find(bays, bay) != bays.end();
+/// Makes this its cover: enters the cells, and notes whom it may meet of those that are there.
+void Meetings::enter_cells(std::uint32_t body, const CachedCover& made, const CellList& list) {
+  const auto covered = std::span(covered_).subspan(body * most_cells, most_cells);
+  const std::span<const std::uint32_t> before = covered.first(cover_[body].cells);
+  const std::span<const std::uint32_t> now = std::span(list).first(made.cells);
+  const auto is_in = [](std::span<const std::uint32_t> cells, std::uint32_t cell) {
+    return std::ranges::find(cells, cell) != cells.end();
   };
-  for (const std::uint32_t bay : before)
-    if (!is_in(now, bay)) leave(bay, body);
-  ++body_[body].edition;
+  for (const std::uint32_t cell : before)
+    if (!is_in(now, cell)) leave(cell, body);
+  ++body_[body].version;
   seen_in_[body] = ++looks_;
-  for (const std::uint32_t bay : now) {
-    for (std::uint32_t i = bay; i != none; i = sheet_[i].next)
-      for (const std::uint32_t other : std::span(sheet_[i].guest).first(sheet_[i].count)) {
+  for (const std::uint32_t cell : now) {
+    for (std::uint32_t i = cell; i != none; i = blocks_[i].next)
+      for (const std::uint32_t other : std::span(blocks_[i].occupant).first(blocks_[i].count)) {
         if (seen_in_[other] == looks_) continue;
         seen_in_[other] = looks_;
         if (may_meet(made, cover_[other]))
           new_neighbours_.push_back(
-              {body, other, body_[body].edition + body_[other].edition, Sight::Unknown});
+              {body, other, body_[body].version + body_[other].version, Sight::Unknown});
       }
-    if (!is_in(before, bay)) enter(bay, body);
+    if (!is_in(before, cell)) enter(cell, body);
   }
   cover_[body] = made;
   std::ranges::copy(now, covered.begin());
 }
 
 /// Do the capsules come near each other? Said of some that do not.
-bool Meetings::may_meet(const KeptCover& a, const KeptCover& b) const noexcept {
-  const double reach = static_cast<double>(a.radius) + a.skin + b.radius + b.skin + margin;
+bool Meetings::may_meet(const CachedCover& a, const CachedCover& b) const noexcept {
+  const double reach =
+      static_cast<double>(a.radius) + a.tolerance + b.radius + b.tolerance + margin;
   const Vec2 between = b.from + 0.5 * b.length * b.along - (a.from + 0.5 * a.length * a.along);
   const double far = reach + 0.5 * (a.length + b.length);
   // Boxes about them, in the directions of either. Without a branch.
@@ -379,7 +380,7 @@ std::span<const Meeting> Meetings::find(double horizon) {
       uncover(i);
     } else if (!is_covered(i, end)) {
       cover(i, end);
-      if (cover_[i].bays == 0) everywhere_.push_back(i);
+      if (cover_[i].cells == 0) everywhere_.push_back(i);
     }
   }
   compare_neighbours(horizon);
@@ -388,7 +389,7 @@ std::span<const Meeting> Meetings::find(double horizon) {
   return sorted_;
 }
 
-/// Forgets those of old editions as it goes, and puts the new ones among the others: who stand
+/// Forgets those of old versions as it goes, and puts the new ones among the others: who stand
 /// together are compared one after the other. In two rounds, the first without a branch: nobody can
 /// guess who will meet.
 void Meetings::compare_neighbours(double horizon) {
@@ -398,7 +399,7 @@ void Meetings::compare_neighbours(double horizon) {
   std::size_t kept = 0, candidates = 0;
   const auto compare = [&](const Neighbours& pair) {
     const Mover &a = body_[pair.a], &b = body_[pair.b];
-    const bool holds = a.edition + b.edition == pair.editions;
+    const bool holds = a.version + b.version == pair.versions;
     candidate_[candidates] = static_cast<std::uint32_t>(kept);
     candidates +=
         static_cast<std::size_t>(holds & !surely_miss(approach_of(a.now, b.now), horizon));
@@ -421,14 +422,14 @@ void Meetings::compare_neighbours(double horizon) {
     const auto contact = contact_of_circles(body_[a].now, body_[b].now, horizon);
     if (!contact) continue;
     if (pair.sight == Sight::Unknown)
-      pair.sight = sight_between(bays_, stretch_of(cover_[a]), stretch_of(cover_[b]));
+      pair.sight = sight_between(cells_, swept_line_of(cover_[a]), swept_line_of(cover_[b]));
     std::optional<double> time;
     if (pair.sight == Sight::Open)
       time = contact->first;
     else if (pair.sight == Sight::Closed)
-      pair.editions = 0;  // That of nobody.
+      pair.versions = 0;  // That of nobody.
     else
-      time = time_in_sight(bays_, body_[a].now, body_[b].now, *contact);
+      time = time_in_sight(cells_, body_[a].now, body_[b].now, *contact);
     if (time) found_.push_back({index_of_[a], index_of_[b], *time});
   }
 }
@@ -436,13 +437,13 @@ void Meetings::compare_neighbours(double horizon) {
 void Meetings::compare_with_everybody(std::uint32_t body, double horizon) {
   for (std::uint32_t other = 0; other < numbers_; ++other) {
     if (other == body || !body_[other].takes_part) continue;
-    if (cover_[other].bays == 0 && other < body) continue;  // It was compared with this one.
+    if (cover_[other].cells == 0 && other < body) continue;  // It was compared with this one.
     const auto [a, b] = in_order(body, other);
     const Body &first = body_[a].now, &second = body_[b].now;
     const auto contact = contact_of_circles(first, second, horizon);
     if (!contact) continue;
     std::optional<double> time = contact->first;
-    if (is_on_floor(a) && is_on_floor(b)) time = time_in_sight(bays_, first, second, *contact);
+    if (is_on_floor(a) && is_on_floor(b)) time = time_in_sight(cells_, first, second, *contact);
     if (time) found_.push_back({index_of_[a], index_of_[b], *time});
   }
 }

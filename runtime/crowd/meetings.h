@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/crowd/bays.h"
 #include "runtime/crowd/body.h"
+#include "runtime/crowd/cells.h"
 #include "runtime/crowd/meet.h"
 #include "runtime/crowd/regions.h"
 #include "runtime/model/geometry/vec2.h"
@@ -26,15 +26,15 @@ struct Meeting {
 /// Who meets whom, step after step: all pairs for which `time_of_impact` (meet.h) has an answer,
 /// and no others, found without comparing everybody with everybody.
 ///
-/// Every body is known by its Voronoi region, followed from neighbour to neighbour, and by the bays
-/// that its circle covers on its way up to the horizon, as far as one can walk to them under it.
-/// Who meet share a bay: the point where the circles touch is on the open line between the centres.
-/// What a body covers is made a little larger than it need be, and kept, with the neighbours found
-/// in it, until the body leaves it. So a step compares each with the few that it may meet, and
-/// only those that have come to the end of their cover look about them.
+/// Every body is known by its Voronoi region, followed from neighbour to neighbour, and by the
+/// cells that its circle covers on its way up to the horizon, as far as one can walk to them under
+/// it. Who meet share a cell: the point where the circles touch is on the open line between the
+/// centres. What a body covers is made a little larger than it need be, and kept, with the
+/// neighbours found in it, until the body leaves it. So a step compares each with the few that it
+/// may meet, and only those that have come to the end of their cover look about them.
 ///
 /// What is kept changes the cost of an answer and never the answer. Bodies may be given in any
-/// number up to the one promised, jump, come and go. Those that reach over dozens of bays, or are
+/// number up to the one promised, jump, come and go. Those that reach over dozens of cells, or are
 /// off the floor, are compared with everybody. Borrows the map. For one thread; the frame loop may
 /// call it: nothing is allocated while there are at most eight neighbours to a body, on average, or
 /// no more than ever before.
@@ -51,31 +51,31 @@ class Meetings {
 
   /// The Voronoi region (site) that a body is in; Regions::none off the floor.
   std::uint32_t region_of(std::size_t body) const noexcept;
-  const Bays& bays() const noexcept { return bays_; }
+  const WalkableCells& cells() const noexcept { return cells_; }
 
  private:
-  static constexpr std::size_t most_bays = 32;  ///< That one body covers.
+  static constexpr std::size_t most_cells = 32;  ///< That one body covers.
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// A place, and where it was looked up.
-  struct KeptPlace {
+  struct CachedPlace {
     Vec2 at{};
     double clearance = -1;  ///< A move shorter than that passes no wall. Negative: to be looked up.
     double slack = -1;      ///< A move shorter than that stays in the region.
     std::uint32_t region = Regions::none;
   };
-  /// What a body covers: all bays under a capsule that one can walk to from the body's bay without
-  /// leaving the bays under it. Holds while body and destination are within `skin` of the axis. The
-  /// body has been at the clear place, and no wall is within its radius: who is there has passed
-  /// none. On one line of the cache.
-  struct alignas(64) KeptCover {
+  /// What a body covers: all cells under a capsule that one can walk to from the body's cell
+  /// without leaving the cells under it. Holds while body and destination are within `tolerance` of
+  /// the axis. The body has been at the clear place, and no wall is within its radius: who is there
+  /// has passed none. On one line of the cache.
+  struct alignas(64) CachedCover {
     Vec2 from{}, along{};  ///< The axis begins here; a unit vector, or none.
     float length = 0;      ///< Of the axis, metres as all of these.
-    float skin = 0;
+    float tolerance = 0;
     float radius = -1;               ///< Of the body, or a little more.
     float clear_x = 0, clear_y = 0;  ///< The clear place, from the axis' beginning.
     float clear_radius = 0;
-    std::uint32_t bays = 0;  ///< How many; 0 for a body without a cover.
+    std::uint32_t cells = 0;  ///< How many; 0 for a body without a cover.
 
     bool is_near(Vec2 point, double most_along, double most_beside) const noexcept {
       const Vec2 way = point - from;
@@ -94,51 +94,54 @@ class Meetings {
     }
     void clear(Vec2 place, double clearance) noexcept;
   };
-  static constexpr std::uint32_t guests_on_sheet = 14;
-  /// Who is in a bay, on one line of the cache; bay i begins with sheet i. All behind it are full.
-  struct alignas(64) Sheet {
+  static constexpr std::uint32_t occupants_a_block = 14;
+  /// Who is in a cell, on one line of the cache; cell i begins with block i. All behind it are
+  /// full.
+  struct alignas(64) OccupantBlock {
     std::uint32_t next = none;
     std::uint32_t count = 0;
-    std::array<std::uint32_t, guests_on_sheet> guest{};
+    std::array<std::uint32_t, occupants_a_block> occupant{};
   };
   struct Mover {
     Body now;
-    std::uint32_t edition = 1;  ///< One more for every cover.
+    std::uint32_t version = 1;  ///< One more for every cover.
     bool takes_part = false;
   };
-  /// Two whose capsules come near each other, while both covers are those of these editions.
+  /// Two whose capsules come near each other, while both covers are those of these versions.
   struct Neighbours {
     std::uint32_t a = 0, b = 0;    ///< The one that looked first.
-    std::uint32_t editions = 0;    ///< The sum of both; 0 for two who need no comparing.
+    std::uint32_t versions = 0;    ///< The sum of both; 0 for two who need no comparing.
     Sight sight = Sight::Unknown;  ///< While both covers hold.
   };
 
   void sort_bodies() noexcept;
   void swap_bodies(std::uint32_t a, std::uint32_t b) noexcept;
   void look_up(std::uint32_t body) noexcept;
-  std::uint32_t bay_of(std::uint32_t body) noexcept;
+  std::uint32_t cell_of(std::uint32_t body) noexcept;
   bool is_on_floor(std::uint32_t body) noexcept;
   std::span<const std::uint32_t> list_leavers(double horizon) noexcept;
   bool is_covered(std::uint32_t body, Vec2 end) noexcept;
   void cover(std::uint32_t body, Vec2 end);
   void uncover(std::uint32_t body) noexcept;
-  void enter(std::uint32_t bay, std::uint32_t body) noexcept;
-  void leave(std::uint32_t bay, std::uint32_t body) noexcept;
-  using BayList = std::array<std::uint32_t, most_bays>;
-  std::uint32_t followed_bay(std::uint32_t body, double clearance) const noexcept;
-  std::uint32_t list_bays(const KeptCover& cover, std::uint32_t own, BayList& list) const noexcept;
-  void enter_bays(std::uint32_t body, const KeptCover& made, const BayList& list);
-  static Stretch stretch_of(const KeptCover& cover) noexcept {
-    return {cover.from, cover.from + static_cast<double>(cover.length) * cover.along, cover.skin};
+  void enter(std::uint32_t cell, std::uint32_t body) noexcept;
+  void leave(std::uint32_t cell, std::uint32_t body) noexcept;
+  using CellList = std::array<std::uint32_t, most_cells>;
+  std::uint32_t followed_cell(std::uint32_t body, double clearance) const noexcept;
+  std::uint32_t list_cells(const CachedCover& cover, std::uint32_t own,
+                           CellList& list) const noexcept;
+  void enter_cells(std::uint32_t body, const CachedCover& made, const CellList& list);
+  static SweptLine swept_line_of(const CachedCover& cover) noexcept {
+    return {cover.from, cover.from + static_cast<double>(cover.length) * cover.along,
+            cover.tolerance};
   }
-  bool may_meet(const KeptCover& a, const KeptCover& b) const noexcept;
+  bool may_meet(const CachedCover& a, const CachedCover& b) const noexcept;
   void compare_neighbours(double horizon);
   void compare_with_everybody(std::uint32_t body, double horizon);
   std::pair<std::uint32_t, std::uint32_t> in_order(std::uint32_t a, std::uint32_t b) const noexcept;
   void sort_found();
 
   Regions regions_;
-  Bays bays_;
+  WalkableCells cells_;
   std::size_t most_bodies_;
   std::uint32_t count_ = 0;  ///< Of the bodies given.
   std::uint64_t steps_ = 0;
@@ -152,11 +155,11 @@ class Meetings {
   };
   std::vector<Numbering> numbering_;
   std::vector<Mover> body_;
-  std::vector<KeptPlace> place_;
-  std::vector<KeptCover> cover_;
-  std::vector<std::uint32_t> covered_;  ///< Bays, `most_bays` per body.
-  std::vector<Sheet> sheet_;
-  std::uint32_t spare_sheet_ = none;    ///< The first of those that no bay uses.
+  std::vector<CachedPlace> place_;
+  std::vector<CachedCover> cover_;
+  std::vector<std::uint32_t> covered_;  ///< Cells, `most_cells` per body.
+  std::vector<OccupantBlock> blocks_;
+  std::uint32_t spare_block_ = none;    ///< The first of those that no cell uses.
   std::vector<std::uint64_t> seen_in_;  ///< Per body: the last look that met it.
   std::uint64_t looks_ = 0;
   std::vector<Neighbours> neighbours_;  ///< By a.

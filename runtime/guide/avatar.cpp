@@ -41,7 +41,8 @@ void follow(Avatar& avatar) noexcept {
 /// When the next plan takes over, in seconds of the present one.
 double change_of(const Avatar& avatar) noexcept {
   const plan::WalkOrder& order = avatar.next->order;
-  return order.seconds ? order.before_seconds : order.before_frame / avatar.plan->walk.frame_rate;
+  return order.seconds ? order.previous_seconds
+                       : order.previous_frame / avatar.plan->walk.frame_rate;
 }
 
 /// Changes to the next plan at exactly the frame from which it was made.
@@ -132,13 +133,13 @@ std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {
 bool take_plan(Avatar& avatar, std::unique_ptr<plan::Plan> plan) noexcept {
   const motion::Walk& walk = avatar.plan->walk;
   if (plan->order.seconds) {
-    if (avatar.seconds > plan->order.before_seconds + 1e-6) return false;
+    if (avatar.seconds > plan->order.previous_seconds + 1e-6) return false;
     avatar.next = std::move(plan);
     return true;
   }
-  const double change = plan->order.before_frame / walk.frame_rate;
-  const bool stands_there =
-      plan->order.before_frame + 1 >= walk.root.size() && avatar.seconds >= avatar.plan->seconds();
+  const double change = plan->order.previous_frame / walk.frame_rate;
+  const bool stands_there = plan->order.previous_frame + 1 >= walk.root.size() &&
+                            avatar.seconds >= avatar.plan->seconds();
   if (stands_there) {
     avatar.seconds = change;  // however long it has stood: it sets out now
   } else if (avatar.seconds > change) {

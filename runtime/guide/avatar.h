@@ -18,7 +18,7 @@ struct Avatar {
   std::uint32_t floor = 0;
   std::uint32_t look = 0;            ///< Of `looks` (runtime/scene/look.h).
   std::unique_ptr<plan::Plan> plan;  ///< Never empty; standing at its last frame when it is over.
-  std::unique_ptr<plan::Plan> next;  ///< Takes over at next->order.before_frame of plan.
+  std::unique_ptr<plan::Plan> next;  ///< Takes over at next->order.previous_frame of plan.
   double seconds = 0;                ///< Since the first frame of plan's walk.
   double standing = 0;     ///< Seconds that it has stood; keeps its value while it sets out...
   double idle_weight = 1;  ///< ... and this fades the idle motion out.

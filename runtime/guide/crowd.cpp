@@ -34,12 +34,12 @@ std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double ran
   return who;
 }
 
-void Crowd::send(std::uint32_t who, const Placement& goal, path::RouteKind kind) noexcept {
+void Crowd::send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept {
   Agent& one = members_[who];
   one.goal = goal;
   one.kind = kind;
   one.has_arrived = one.is_on_its_way = false;
-  one.trip.reset();
+  one.route_summary.reset();
   one.ask_at = clock_;
   one.awaits_answer = false;
   one.avatar.next.reset();
@@ -51,7 +51,7 @@ void Crowd::stop(std::uint32_t who) noexcept {
   one.goal.reset();
   one.has_arrived = true;
   one.is_on_its_way = false;
-  one.trip.reset();
+  one.route_summary.reset();
   one.avatar.next.reset();
   if (stands(one.avatar)) return;
   ask(who, {}, one.avatar.seconds + one.lead);
@@ -66,19 +66,19 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
   order.floor = avatar.floor;
   order.start = avatar.body;
   order.pace = one.pace;
-  order.before = avatar.plan.get();
+  order.previous = avatar.plan.get();
   if (!walk.root.empty()) {
     const auto last = static_cast<double>(walk.root.size() - 1);
     const double frame = std::min(std::ceil(takes_over * walk.frame_rate - 1e-6), last);
-    order.before_frame = static_cast<std::uint32_t>(frame);
+    order.previous_frame = static_cast<std::uint32_t>(frame);
     takes_over =
         frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
   }
   if (members_.size() > 1) {
-    order.before_seconds = takes_over;
+    order.previous_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
-    order.held_seconds = one.held_seconds;
-    order.rank = one.rank + urgency * one.held_seconds + 1e-6 * who;
+    order.blocked_seconds = one.blocked_seconds;
+    order.rank = one.rank + urgency * one.blocked_seconds + 1e-6 * who;
   }
   one.awaits_answer = true;
   planner_.ask(order);
@@ -114,9 +114,9 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     one.ask_at = clock_ + appear_again;
     return;
   }
-  if (plan->order.goal && (!plan->order.goes_on || plan->is_new_way)) {
+  if (plan->order.goal && (!plan->order.continues || plan->is_new_way)) {
     one.is_answered = true;
-    one.trip = interface::Trip{plan->status, plan->length, plan->seconds_to_goal};
+    one.route_summary = interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal};
   }
   if (plan->status != path::RouteStatus::Ok) {
     one.goal.reset();
@@ -149,13 +149,13 @@ void Crowd::step(double seconds) noexcept {
     Agent& one = members_[who];
     advance(museum_, one.avatar, seconds);
     const bool held = one.goal && !one.has_arrived && stands(one.avatar);
-    one.held_seconds = held ? one.held_seconds + seconds : 0;
+    one.blocked_seconds = held ? one.blocked_seconds + seconds : 0;
     ask_for_next(who);
   }
 }
 
 /// Is the one for whom it has made room still there?
-bool Crowd::lets_go_first(const Agent& one) const noexcept {
+bool Crowd::yields(const Agent& one) const noexcept {
   if (!one.made_room_for || clock_ >= one.let_first_until) return false;
   const Agent& other = members_[*one.made_room_for];
   return other.goal && !other.has_arrived && stands(other.avatar);
@@ -166,14 +166,14 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
   Agent& one = members_[who];
   const Avatar& avatar = one.avatar;
   if (members_.size() == 1) one.is_here = true;
-  if (one.awaits_answer || avatar.next || clock_ < one.ask_at || lets_go_first(one)) return;
+  if (one.awaits_answer || avatar.next || clock_ < one.ask_at || yields(one)) return;
   if (!one.is_here) {
     plan::WalkOrder order;
     order.enters = true;
     return ask(who, order, avatar.seconds);
   }
   if (!one.goal || one.has_arrived) return;
-  if (one.held_seconds > content_after &&
+  if (one.blocked_seconds > content_after &&
       glm::distance(avatar.body.position, one.goal->position) < close_by)
     one.goal->position = avatar.body.position;  // somebody holds the place itself
   const double lead = stands(avatar) && members_.size() > 1 ? standing_lead : one.lead;
@@ -185,12 +185,12 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
     one.has_arrived = stands(avatar);
     return;
   }
-  const double go_on = avatar.plan->go_on_frame / avatar.plan->walk.frame_rate;
+  const double go_on = avatar.plan->handover_frame / avatar.plan->walk.frame_rate;
   // Who stops on its way looks about when it stands.
-  const bool stops = avatar.plan->go_on_frame + 1 >= motion::frame_count(avatar.plan->walk);
+  const bool stops = avatar.plan->handover_frame + 1 >= motion::frame_count(avatar.plan->walk);
   if (stops && !stands(avatar)) return;
   if (go_on - avatar.seconds > go_on_ahead + lead) return;
-  order.goes_on = true;
+  order.continues = true;
   ask(who, order, std::max(go_on, avatar.seconds + lead));
 }
 

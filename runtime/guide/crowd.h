@@ -15,22 +15,23 @@ struct Agent {
   Avatar avatar;
   bool is_here = false;           ///< Not before there is room for it.
   std::optional<Placement> goal;  ///< Where it is wanted; empty: nowhere, it stands or stops.
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   double pace = 1;  ///< Share of the ordinary speed.
   bool has_arrived = true;
   bool is_on_its_way = false;  ///< Its plan leads to its goal (and not aside, for somebody else).
   bool awaits_answer = false;
-  bool is_answered = false;  ///< In this step, by a plan that begins a way.
-  double held_seconds = 0;   ///< For how long others have been in its way.
+  bool is_answered = false;    ///< In this step, by a plan that begins a way.
+  double blocked_seconds = 0;  ///< For how long others have been in its way.
 
   std::uint64_t last_order = 0;
   double ask_at = 0;  ///< Crowd's clock: no earlier than that.
   double asked_for_room = -1e9;
   std::optional<std::uint32_t> made_room_for;  ///< And lets that one go first, ...
   double let_first_until = 0;                  ///< ... but no longer than until then.
-  double lead = 0.25;                   ///< Seconds ahead from which the next plan is asked for.
-  std::optional<interface::Trip> trip;  ///< Of the way to its goal, once it is planned.
+  double lead = 0.25;  ///< Seconds ahead from which the next plan is asked for.
+  std::optional<interface::RouteSummary>
+      route_summary;  ///< Of the way to its goal, once it is planned.
 };
 
 /// All who walk on a floor: asks the planner for their walks in good time, follows them, and sees
@@ -51,7 +52,7 @@ class Crowd {
   void set_look(std::uint32_t who, std::uint32_t look) noexcept {
     members_[who].avatar.look = look;
   }
-  void send(std::uint32_t who, const Placement& goal, path::RouteKind kind) noexcept;
+  void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;
@@ -67,7 +68,7 @@ class Crowd {
   void take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void ask_for_next(std::uint32_t who) noexcept;
   void ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept;
-  bool lets_go_first(const Agent& one) const noexcept;
+  bool yields(const Agent& one) const noexcept;
   void ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept;
 
   const Museum& museum_;

@@ -58,7 +58,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) +
                         2 * interface::most_seats);
   list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512) +
-                      tours_.size() * quads_of_a_card);
+                      sessions_.size() * quads_of_a_card);
 }
 
 /// Guides wait near the kiosk, as many as there is room for.
@@ -68,7 +68,8 @@ void Guide::enter_guides() {
   if (wanted > 1 && museum_.kiosk_floor < planner_.maps().size()) {
     std::vector<Vec2> keep_clear = museum_.ambient.entrances;
     for (const Exhibit& exhibit : museum_.exhibits)
-      if (exhibit.floor == museum_.kiosk_floor) keep_clear.push_back(exhibit.view.position);
+      if (exhibit.floor == museum_.kiosk_floor)
+        keep_clear.push_back(exhibit.viewing_point.position);
     homes_ = waiting_places(*planner_.maps()[museum_.kiosk_floor], museum_.kiosk, wanted,
                             museum_.body_radius, keep_clear);
   }
@@ -82,39 +83,40 @@ void Guide::enter_guides() {
 void Guide::take_seats() {
   const std::size_t seats = std::min<std::size_t>(
       interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
-  const TourContext context{museum_, planner_, crowd_, settings_.shape, homes_};
+  const SessionContext context{museum_, planner_, crowd_, settings_.shape, homes_};
   const bool shared = seats > 1;
-  tours_.reserve(shared ? 1 + seats : 1);
+  sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
   state.glass = shared ? interface::Glass::Quiet : interface::Glass::Whole;
   state.seats = shared ? static_cast<std::uint8_t>(seats) : 0;
-  tours_.emplace_back(context, 0, state, shared ? std::nullopt : std::optional<std::uint32_t>(0));
+  sessions_.emplace_back(context, 0, state,
+                         shared ? std::nullopt : std::optional<std::uint32_t>(0));
   for (std::size_t seat = 0; shared && seat < seats; ++seat) {
     state.seat = static_cast<std::int8_t>(seat);
-    tours_.emplace_back(context, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
+    sessions_.emplace_back(context, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
   }
-  territory_.resize(tours_.size());
+  territory_.resize(sessions_.size());
   held_.reserve(most_contacts);
-  led_visitors_.reserve(tours_.size());
+  led_visitors_.reserve(sessions_.size());
   speaker_ = shared ? 1 : 0;
 }
 
 std::size_t Guide::part_of(std::uint32_t seat) const noexcept {
-  for (std::size_t part = 1; seat > 0 && part < tours_.size(); ++part)
-    if (tours_[part].state().seat + 1 == static_cast<int>(seat)) return part;
+  for (std::size_t part = 1; seat > 0 && part < sessions_.size(); ++part)
+    if (sessions_[part].state().seat + 1 == static_cast<int>(seat)) return part;
   return speaker_;
 }
 
 bool Guide::shows_its_state(std::size_t part) const noexcept {
-  return tours_[part].shows_its_state();
+  return sessions_[part].shows_its_state();
 }
 
 bool Guide::is_settled(std::size_t part) const noexcept {
-  return shows_its_state(part) && !tours_[part].overlay().is_fading() && !stage_.is_flying();
+  return shows_its_state(part) && !sessions_[part].overlay().is_fading() && !stage_.is_flying();
 }
 
 bool Guide::is_vacant() const noexcept {
-  return std::ranges::all_of(tours_, &Tour::is_vacant);
+  return std::ranges::all_of(sessions_, &Session::is_vacant);
 }
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
@@ -128,10 +130,10 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
       break;
   }
   if (one.goal && !one.has_arrived) return AvatarState::Wait;
-  const auto tour = std::ranges::find(tours_, std::optional(who), &Tour::guide);
+  const auto session = std::ranges::find(sessions_, std::optional(who), &Session::guide);
   const bool is_guide = who < homes_.size();
   const bool at_exhibit =
-      is_guide ? tour != tours_.end() && tour->state().arrived : one.goal.has_value();
+      is_guide ? session != sessions_.end() && session->state().arrived : one.goal.has_value();
   return at_exhibit ? AvatarState::Look : AvatarState::Idle;
 }
 
@@ -142,8 +144,8 @@ void Guide::touch(const input::InputEvent& event) noexcept {
     case input::InputEvent::Kind::KeyUp:
       return;
     case input::InputEvent::Kind::KeyDown:
-      if (tours_[speaker_].is_vacant()) territory_[speaker_] = middle_of_card(speaker_);
-      tours_[speaker_].press_key(event.key);
+      if (sessions_[speaker_].is_vacant()) territory_[speaker_] = middle_of_card(speaker_);
+      sessions_[speaker_].press_key(event.key);
       return tell_each_other();
     case input::InputEvent::Kind::Down:
       put_down(event);
@@ -156,7 +158,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   if (held == held_.end()) return;
   const Held finger = *held;
   if (event.kind == input::InputEvent::Kind::Up) held_.erase(held);
-  const bool meant = tours_[finger.visitor].touch(event, tours_[finger.surface].overlay());
+  const bool meant = sessions_[finger.visitor].touch(event, sessions_[finger.surface].overlay());
   // Perhaps somebody who found no seat.
   if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
     refusal_seconds_ = refusal_shown_for;
@@ -176,7 +178,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const std::size_t visitor = visitor_at(at);
   if (visitor == 0) {
     refusal_seconds_ = refusal_shown_for;
-    Overlay& model = tours_[0].overlay();
+    Overlay& model = sessions_[0].overlay();
     model.touch_down({event.contact, event.contact, 0});
     model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
     return;
@@ -184,9 +186,9 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const bool on_model = at.y < interface::strip_of(settings_.shape).y;
   speaker_ = visitor;
   scene::ScreenPoint& territory = territory_[visitor];
-  territory = tours_[visitor].is_vacant() ? at
-                                          : scene::ScreenPoint{std::midpoint(territory.x, at.x),
-                                                               std::midpoint(territory.y, at.y)};
+  territory = sessions_[visitor].is_vacant() ? at
+                                             : scene::ScreenPoint{std::midpoint(territory.x, at.x),
+                                                                  std::midpoint(territory.y, at.y)};
   if (on_model) follow_territory(visitor);
   held_.push_back({event.contact.id, visitor, on_model ? 0 : visitor});
 }
@@ -197,9 +199,9 @@ std::size_t Guide::visitor_at(scene::ScreenPoint at) const noexcept {
   std::size_t nearest = 0;
   const std::size_t vacant = vacant_seat_near(at.x);
   float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres()) : arms_reach;
-  for (std::size_t part = 1; part < tours_.size(); ++part) {
+  for (std::size_t part = 1; part < sessions_.size(); ++part) {
     const float mm = millimetres(territory_[part], at);
-    if (tours_[part].is_vacant() || mm > distance) continue;
+    if (sessions_[part].is_vacant() || mm > distance) continue;
     distance = mm;
     nearest = part;
   }
@@ -215,10 +217,10 @@ std::size_t Guide::seat_at(float x) const noexcept {
 std::size_t Guide::vacant_seat_near(float x) const noexcept {
   std::size_t nearest = 0;
   float distance = 2;
-  for (std::size_t part = 1; part < tours_.size(); ++part) {
+  for (std::size_t part = 1; part < sessions_.size(); ++part) {
     const float seat =
-        (static_cast<float>(tours_[part].state().seat) + 0.5F) / static_cast<float>(seats());
-    if (!tours_[part].is_vacant() || std::abs(seat - x) >= distance) continue;
+        (static_cast<float>(sessions_[part].state().seat) + 0.5F) / static_cast<float>(seats());
+    if (!sessions_[part].is_vacant() || std::abs(seat - x) >= distance) continue;
     distance = std::abs(seat - x);
     nearest = part;
   }
@@ -241,50 +243,50 @@ scene::ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
   if (part == 0) return {0.5F, 0.5F};
   const scene::Rect card =
       interface::card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
-                         static_cast<std::uint32_t>(tours_[part].state().seat));
+                         static_cast<std::uint32_t>(sessions_[part].state().seat));
   return {card.x + card.width / 2, card.y + card.height / 2};
 }
 
 /// The card of a visitor who has gone on along the glass comes after them, if there is a seat.
 void Guide::follow_territory(std::size_t part) noexcept {
   const std::size_t other = vacant_seat_near(territory_[part].x);
-  if (other == 0 || tours_[part].is_vacant()) return;
+  if (other == 0 || sessions_[part].is_vacant()) return;
   const auto columns_off = [&](std::size_t of) {
     return std::abs(territory_[part].x * static_cast<float>(seats()) -
-                    static_cast<float>(tours_[of].state().seat) - 0.5F);
+                    static_cast<float>(sessions_[of].state().seat) - 0.5F);
   };
   if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
-  interface::InterfaceState mine = tours_[part].state(), theirs = tours_[other].state();
+  interface::InterfaceState mine = sessions_[part].state(), theirs = sessions_[other].state();
   std::swap(mine.seat, theirs.seat);
-  tours_[part].show(mine);
-  tours_[other].show(theirs);
+  sessions_[part].show(mine);
+  sessions_[other].show(theirs);
 }
 
 /// Which guides are taken, and whether there is room for more visitors.
 void Guide::tell_each_other() noexcept {
   if (!is_shared()) return;
-  const auto seated = std::span(tours_).subspan(1);
-  const auto there = std::ranges::count_if(seated, [](const Tour& t) { return !t.is_vacant(); });
+  const auto seated = std::span(sessions_).subspan(1);
+  const auto there = std::ranges::count_if(seated, [](const Session& t) { return !t.is_vacant(); });
   std::uint8_t taken = 0;
-  for (const Tour& tour : seated)
-    if (tour.guide()) taken = static_cast<std::uint8_t>(taken | 1U << *tour.guide());
+  for (const Session& session : seated)
+    if (session.guide()) taken = static_cast<std::uint8_t>(taken | 1U << *session.guide());
   // Guides for whom there was no room to wait are never free.
   for (std::size_t i = homes_.size(); i < scene::guide_look_count; ++i)
     taken = static_cast<std::uint8_t>(taken | 1U << i);
   const interface::Glass glass = there == 0 ? interface::Glass::Quiet : interface::Glass::Busy;
-  for (Tour& tour : seated) {
+  for (Session& session : seated) {
     // Only to whom it matters: a card that changes is laid out anew.
-    interface::InterfaceState state = tour.state();
-    state.glass = tour.is_vacant() ? glass : interface::Glass::Busy;
-    state.taken = tour.guide() ? 0 : taken;
-    tour.show(state);
+    interface::InterfaceState state = session.state();
+    state.glass = session.is_vacant() ? glass : interface::Glass::Busy;
+    state.taken = session.guide() ? 0 : taken;
+    session.show(state);
   }
   const bool is_full = there == static_cast<std::ptrdiff_t>(seated.size());
-  interface::InterfaceState model = tours_[0].state();
+  interface::InterfaceState model = sessions_[0].state();
   model.glass = !is_full               ? glass
-                : refusal_seconds_ > 0 ? interface::Glass::Told
+                : refusal_seconds_ > 0 ? interface::Glass::TurnedAway
                                        : interface::Glass::Full;
-  tours_[0].show(model);
+  sessions_[0].show(model);
 }
 
 // What the planner answers.
@@ -292,7 +294,7 @@ void Guide::tell_each_other() noexcept {
 void Guide::resize(const interface::ScreenShape& shape) noexcept {
   if (shape == settings_.shape) return;
   settings_.shape = shape;
-  for (Tour& tour : tours_) tour.request_view();
+  for (Session& session : sessions_) session.request_view();
 }
 
 void Guide::bind(scene::TextureId piece, scene::TextureId memory) noexcept {
@@ -308,10 +310,10 @@ scene::TextureId Guide::memory_of(scene::TextureId piece) const noexcept {
 void Guide::take_answers() noexcept {
   while (std::unique_ptr<interface::View> view = planner_.take_view()) {
     const std::size_t part = view->part;
-    if (part >= tours_.size() || !tours_[part].take_view(std::move(view))) continue;
+    if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
     if (part == 0)
-      stage_.enter(tours_[0].state(), tours_[0].view()->free,
+      stage_.enter(sessions_[0].state(), sessions_[0].view()->free,
                    interface::aspect_ratio(settings_.shape), leader());
   }
 }
@@ -329,9 +331,9 @@ void Guide::step(Seconds dt) noexcept {
     if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
   }
   counters_.routes = 0;
-  for (Tour& tour : tours_) {
-    tour.step(seconds, settings_.idle_reset.count());
-    counters_.routes += tour.routes();
+  for (Session& session : sessions_) {
+    session.step(seconds, settings_.idle_reset.count());
+    counters_.routes += session.routes();
   }
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
@@ -359,9 +361,9 @@ void Guide::count_collisions() noexcept {
 
 std::span<const LedVisitor> Guide::led_visitors() noexcept {
   led_visitors_.clear();
-  for (const Tour& tour : tours_)
-    if (tour.guide() && tour.leads_to_exhibit())
-      led_visitors_.push_back({*tour.guide(), tour.state().exhibit, tour.state().arrived});
+  for (const Session& session : sessions_)
+    if (session.guide() && session.leads_to_exhibit())
+      led_visitors_.push_back({*session.guide(), session.state().exhibit, session.state().arrived});
   return led_visitors_;
 }
 
@@ -374,10 +376,10 @@ const scene::DrawList& Guide::draw_list() noexcept {
   stage_.draw(state(), crowd_, led_visitors(), list_);
   const double floor_height = museum_.floors[leader().floor].plan.height;
   const bool names = is_shared() || state().screen == interface::Screen::Choosing;
-  for (Tour& tour : tours_) {
-    tour.overlay().follow(list_.camera, static_cast<float>(floor_height));
-    tour.overlay().draw(static_cast<float>(tour.remaining()), names && !stage_.is_flying() ? 1 : 0,
-                        list_);
+  for (Session& session : sessions_) {
+    session.overlay().follow(list_.camera, static_cast<float>(floor_height));
+    session.overlay().draw(static_cast<float>(session.remaining()),
+                           names && !stage_.is_flying() ? 1 : 0, list_);
   }
   for (scene::Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
   return list_;

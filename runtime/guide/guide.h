@@ -9,9 +9,9 @@
 
 #include "runtime/crowd/meetings.h"
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
-#include "runtime/guide/tour.h"
 #include "runtime/input/contact.h"
 #include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
@@ -84,16 +84,18 @@ class Guide {
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.
-  std::size_t seats() const noexcept { return is_shared() ? tours_.size() - 1 : 1; }
+  std::size_t seats() const noexcept { return is_shared() ? sessions_.size() - 1 : 1; }
   /// The part of the glass that a seat is, counted from 1 and from the left; 0: the part that was
   /// touched last.
   std::size_t part_of(std::uint32_t seat) const noexcept;
-  /// Parts of the glass: the whole of it, or the model, is 0; then the tours at the seats.
+  /// Parts of the glass: the whole of it, or the model, is 0; then the sessions at the seats.
   const interface::InterfaceState& state(std::size_t part = 0) const noexcept {
-    return tours_[part].state();
+    return sessions_[part].state();
   }
   /// The view on the screen; empty before the first one. Its spots follow the camera.
-  const interface::View* view(std::size_t part = 0) const noexcept { return tours_[part].view(); }
+  const interface::View* view(std::size_t part = 0) const noexcept {
+    return sessions_[part].view();
+  }
   /// Does the screen show the state that the visitor asked for?
   bool shows_its_state(std::size_t part = 0) const noexcept;
   /// And does nothing fly or fade any more?
@@ -126,7 +128,7 @@ class Guide {
   void count_collisions() noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
-  bool is_shared() const noexcept { return tours_.size() > 1; }
+  bool is_shared() const noexcept { return sessions_.size() > 1; }
   const Avatar& leader() const noexcept { return crowd_[0].avatar; }
 
   const Museum& museum_;
@@ -137,7 +139,7 @@ class Guide {
   std::vector<Placement> homes_;               ///< Of the guides.
   std::vector<crowd::Body> bodies_;            ///< Of those who are here, for counting collisions.
   std::vector<crowd::Meetings> meetings_;      ///< One, of the kiosk's floor.
-  std::vector<Tour> tours_;                    ///< By part.
+  std::vector<Session> sessions_;              ///< By part.
   std::vector<scene::ScreenPoint> territory_;  ///< By part: where its visitor touches.
   std::vector<Held> held_;
   std::vector<LedVisitor> led_visitors_;

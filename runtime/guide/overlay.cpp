@@ -199,8 +199,7 @@ void Overlay::draw_focus(scene::DrawList& list) const noexcept {
   if (rect.width <= 0) return;
   // Two nested frames, dark round light, are seen on every ground.
   const float thick = view_->unit_px * 0.5F;
-  for (const auto& [reach, colour] :
-       {std::pair{1.6F, theme.skeleton}, std::pair{0.9F, theme.paper}}) {
+  for (const auto& [reach, colour] : {std::pair{1.6F, theme.focus}, std::pair{0.9F, theme.paper}}) {
     const float x = reach * thick / view_->pixel_width, y = reach * thick / view_->pixel_height;
     scene::Quad frame;
     frame.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y};
@@ -227,7 +226,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
       scene::Quad disc;
       disc.rect = around(x, y, size / view.pixel_width, size / view.pixel_height);
       disc.corner = size / 2 / shorter;
-      disc.colour = scene::with_opacity(selected ? theme.shortest : theme.paper, opacity);
+      disc.colour = scene::with_opacity(selected ? theme.invitation : theme.paper, opacity);
       list.quads.push_back(disc);
     }
     if (!label.on_disc) {

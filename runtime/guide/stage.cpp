@@ -187,14 +187,14 @@ void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& l
                          scene::DrawList& list) const noexcept {
   if (state.exhibit >= 0) {
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
-    list.goal = exhibit.view.position;
+    list.goal = exhibit.viewing_point.position;
     list.goal_radius = 6;
     if (!state.arrived)
       list.markers.push_back(
           {.kind = scene::MarkerDraw::Kind::Goal,
-           .position = to_world(exhibit.view.position, height_of(museum_, leader.floor)),
+           .position = to_world(exhibit.viewing_point.position, height_of(museum_, leader.floor)),
            .radius = 0.35F,
-           .heading = static_cast<float>(exhibit.view.heading)});
+           .heading = static_cast<float>(exhibit.viewing_point.heading)});
   }
   if (way_count_ >= 2)
     list.ribbons.push_back({.kind = way_kind_,
@@ -213,7 +213,7 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
     const Agent& guide = crowd[one.guide];
     if (one.exhibit < 0 || guide.avatar.floor != list.floor) continue;
     if (guide.is_on_its_way) draw_trail(guide.avatar, time_ * flow_speed, list);
-    const Placement& view = museum_.exhibits[static_cast<std::size_t>(one.exhibit)].view;
+    const Placement& view = museum_.exhibits[static_cast<std::size_t>(one.exhibit)].viewing_point;
     if (!one.arrived)
       list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
                               .look = static_cast<std::int32_t>(guide.avatar.look),

@@ -71,7 +71,7 @@ class Stage {
   float time_ = 0;
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;
-  path::RouteKind way_kind_ = path::RouteKind::Shortest;
+  RouteKind way_kind_ = RouteKind::Shortest;
   std::uint32_t way_count_ = 0;
   float way_length_ = 0;
 };

@@ -35,7 +35,7 @@ Placement Strollers::start_of(std::size_t i) const noexcept {
   // Spread over the exhibits; who comes when all are taken waits for room.
   std::size_t skip = (i * 7 + 3) % count;
   for (const Exhibit& exhibit : museum_.exhibits)
-    if (on_floor(exhibit) && skip-- == 0) return exhibit.view;
+    if (on_floor(exhibit) && skip-- == 0) return exhibit.viewing_point;
   return museum_.kiosk;
 }
 
@@ -81,21 +81,23 @@ void Strollers::choose(Stroller& stroller, Crowd& crowd) const noexcept {
   };
   const Roadmap& roads = museum_.floors[museum_.kiosk_floor].roadmap;
   for (int i = 0; i < most_tries; ++i) {
-    const auto kind =
-        static_cast<path::RouteKind>(std::min(2, static_cast<int>(3 * random(stroller))));
+    const RouteKind kind =
+        route_kinds[static_cast<std::size_t>(random(stroller) *
+                                             static_cast<double>(route_kinds.size()))]
+            .kind;
     if (random(stroller) < aimless && !roads.position.empty()) {
       const auto node =
           static_cast<std::size_t>(random(stroller) * static_cast<double>(roads.position.size()));
       const double heading = 2 * std::numbers::pi * (random(stroller) - 0.5);
       if (roads.clearance[node] < 2 * museum_.body_radius || is_taken(roads.position[node]))
         continue;
-      return crowd.send(stroller.who, {roads.position[node], heading}, path::RouteKind::Skeleton);
+      return crowd.send(stroller.who, {roads.position[node], heading}, RouteKind::Skeleton);
     }
     if (museum_.exhibits.empty()) continue;
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(
         random(stroller) * static_cast<double>(museum_.exhibits.size()))];
-    if (exhibit.floor != museum_.kiosk_floor || is_taken(exhibit.view.position)) continue;
-    return crowd.send(stroller.who, exhibit.view, kind);
+    if (exhibit.floor != museum_.kiosk_floor || is_taken(exhibit.viewing_point.position)) continue;
+    return crowd.send(stroller.who, exhibit.viewing_point, kind);
   }
   stroller.looks = false;  // everything is taken: it looks on
 }

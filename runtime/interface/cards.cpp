@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/interface/face.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
 #include "runtime/interface/sheet.h"
@@ -25,7 +26,7 @@ float height_of_row(const Measures& m) noexcept {
 }
 
 /// A guide's coat with its pattern; `box` is what the pattern may cover.
-void draw_pattern(Sheet& sheet, const scene::Look& look, const Box& box, float opacity,
+void draw_pattern(Sheet& sheet, const scene::Look& look, const PixelBox& box, float opacity,
                   std::int32_t control) {
   const scene::Colour second = scene::srgb(look.second, opacity);
   const float w = box.width, h = box.height;
@@ -66,15 +67,15 @@ void draw_pattern(Sheet& sheet, const scene::Look& look, const Box& box, float o
 
 /// A guide as large as the box allows, standing on its lower edge. Lengths are shares of a guide of
 /// ordinary height.
-void draw_figure(Sheet& sheet, const scene::Look& look, const Box& box, float opacity,
+void draw_figure(Sheet& sheet, const scene::Look& look, const PixelBox& box, float opacity,
                  std::int32_t control) {
   constexpr float tallest = 1.07F, widest = 0.44F;
   const float h = std::min(box.height / tallest, box.width / widest);
   const float middle = box.x + box.width / 2, floor = box.bottom();
   const auto part = [&](float x, float from, float to, float width, scene::Colour colour,
                         float corner) {
-    const Box at{middle + (x - width / 2) * h, floor - to * look.height * h, width * h,
-                 (to - from) * look.height * h};
+    const PixelBox at{middle + (x - width / 2) * h, floor - to * look.height * h, width * h,
+                      (to - from) * look.height * h};
     sheet.fill(at, colour, corner * h, control);
     return at;
   };
@@ -88,7 +89,7 @@ void draw_figure(Sheet& sheet, const scene::Look& look, const Box& box, float op
        hair);
   if (look.hair_length > 0)
     part(0, head - look.hair_length, head, 0.2F, scene::srgb(look.hair, opacity), 0.06F);
-  const Box coat = part(0, 0.34F, 0.79F, wide, scene::srgb(look.coat, opacity), 0.09F);
+  const PixelBox coat = part(0, 0.34F, 0.79F, wide, scene::srgb(look.coat, opacity), 0.09F);
   const float inset = 0.045F * h;
   draw_pattern(sheet, look,
                {coat.x + inset, coat.y + inset, coat.width - 2 * inset, coat.height - 2 * inset},
@@ -98,7 +99,7 @@ void draw_figure(Sheet& sheet, const scene::Look& look, const Box& box, float op
 }
 
 /// A band in the guide's colour along the card's upper edge: whose card it is.
-void draw_band(Sheet& sheet, const Box& card) {
+void draw_band(Sheet& sheet, const PixelBox& card) {
   const Measures& m = sheet.measures();
   const std::int8_t look = sheet.request().state.look;
   if (look < 0) return;
@@ -108,7 +109,7 @@ void draw_band(Sheet& sheet, const Box& card) {
 }
 
 /// Buttons side by side on the lowest row, those that this state has; returns its top.
-float draw_buttons(Sheet& sheet, const Box& content, std::span<const std::string_view> names) {
+float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::string_view> names) {
   const Measures& m = sheet.measures();
   const float top = content.bottom() - m.touch, gap = std::round(m.unit);
   const auto is_there = [&](std::string_view name) { return sheet.control(name) >= 0; };
@@ -124,21 +125,77 @@ float draw_buttons(Sheet& sheet, const Box& content, std::span<const std::string
   return top;
 }
 
+void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Museum& museum = sheet.museum();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  sheet.place(control, box);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  const PixelBox picture{box.x, box.y, box.height, box.height};
+  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
+  sheet.image(picture, museum.exhibits[it.action.argument].image, m.corner, control);
+  const float x = picture.right() + m.unit;
+  TextStyle style = sheet.style(Letters::Body, 2);
+  style.line_height = style.right_to_left ? 1.4F : 1.2F;
+  const std::string number =
+      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1);
+  const TextPiece title = sheet.fitted(style, number + "  " + std::string(sheet.local(it.label)),
+                                       box.right() - x - m.unit / 2);
+  sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
+              sheet.theme().ink, control);
+}
+
+/// All the guides side by side.
+void draw_guides(Sheet& sheet, const PixelBox& box) {
+  const float width = box.width / scene::guide_look_count;
+  for (std::size_t i = 0; i < scene::guide_look_count; ++i)
+    draw_figure(sheet, scene::looks[i],
+                {box.x + (static_cast<float>(i) + 0.08F) * width, box.y, 0.84F * width, box.height},
+                1, -1);
+}
+
+/// Words on a slip of paper in the middle of `box`.
+void draw_slip(Sheet& sheet, const TextPiece& words, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const float width = words.width + 2 * m.margin, height = words.height + 2 * m.gap;
+  const PixelBox slip{box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width,
+                      height};
+  sheet.shadow(slip, 2 * m.unit, 0.16F);
+  sheet.fill(slip, sheet.theme().paper, m.corner);
+  sheet.piece(words, slip.x, slip.y + m.gap, slip.width, Align::Centre, sheet.theme().ink);
+}
+
+/// The card with letters of that share of their size.
+void lay_out_card(Sheet& sheet, const PixelBox& card, float letters) {
+  const InterfaceState& state = sheet.request().state;
+  const Measures& m = sheet.measures();
+  sheet.lie_on(card, letters);
+  const Face& face = faces_of(state.screen).card;
+  if (state.screen == Screen::Welcome) return face.lay_out(sheet, card);
+  sheet.shadow(card, 2 * m.unit, 0.16F);
+  sheet.fill(card, sheet.theme().paper, m.corner);
+  draw_band(sheet, card);
+  const PixelBox content = card.inset(std::round(card_margin * m.unit));
+  face.lay_out(sheet, content);
+}
+
+}  // namespace
+
 /// Nobody is here: where others are, whoever comes is invited.
-void lay_out_vacant(Sheet& sheet, const Box& card) {
+void lay_out_welcome_card(Sheet& sheet, const PixelBox& card) {
   const Measures& m = sheet.measures();
   const std::int32_t join = sheet.control("begin");
   sheet.place(join, card);
   if (sheet.request().state.glass == Glass::Quiet) return;
   sheet.fill(card, scene::with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
-  const Box inside = card.inset(card_margin * m.unit);
+  const PixelBox inside = card.inset(card_margin * m.unit);
   const TextPiece words =
       sheet.fitted(sheet.style(Letters::Label, 3), sheet.word("join"), inside.width);
   sheet.piece(words, inside.x, card.y + (card.height - words.height) / 2, inside.width,
               Align::Centre, sheet.theme().quiet_ink, join);
 }
 
-void lay_out_picking(Sheet& sheet, const Box& content) {
+void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit);
   float bottom = content.bottom() - m.touch;
@@ -158,8 +215,8 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
     const std::int32_t control = sheet.control("look:" + std::string(scene::looks[i].name));
     if (control < 0) continue;
     const std::uint32_t column = i % columns, row = i / columns;
-    const Box cell{content.x + static_cast<float>(column) * (width + gap / 2),
-                   top + static_cast<float>(row) * (height + gap), width, height};
+    const PixelBox cell{content.x + static_cast<float>(column) * (width + gap / 2),
+                        top + static_cast<float>(row) * (height + gap), width, height};
     sheet.place(control, cell);
     const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
     if (it.enabled) sheet.fill(cell, sheet.theme().plaster, m.corner, control);
@@ -176,27 +233,7 @@ void lay_out_picking(Sheet& sheet, const Box& content) {
   }
 }
 
-void draw_row(Sheet& sheet, std::int32_t control, const Box& box) {
-  const Measures& m = sheet.measures();
-  const Museum& museum = sheet.museum();
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-  sheet.place(control, box);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
-  const Box picture{box.x, box.y, box.height, box.height};
-  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
-  sheet.image(picture, museum.exhibits[it.action.argument].image, m.corner, control);
-  const float x = picture.right() + m.unit;
-  TextStyle style = sheet.style(Letters::Body, 2);
-  style.line_height = style.right_to_left ? 1.4F : 1.2F;
-  const std::string number =
-      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1);
-  const TextPiece title = sheet.fitted(style, number + "  " + std::string(sheet.local(it.label)),
-                                       box.right() - x - m.unit / 2);
-  sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
-              sheet.theme().ink, control);
-}
-
-void lay_out_list(Sheet& sheet, const Box& content) {
+void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
@@ -213,7 +250,7 @@ void lay_out_list(Sheet& sheet, const Box& content) {
   draw_languages(sheet, {content.x, bottom - m.touch, content.width, m.touch});
 }
 
-void lay_out_walk(Sheet& sheet, const Box& content) {
+void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit);
   constexpr std::array<std::string_view, 2> buttons{"stop", "choose"};
@@ -230,7 +267,7 @@ void lay_out_walk(Sheet& sheet, const Box& content) {
     sheet.whole_image({content.x, y, content.width, room}, exhibit->image, m.corner);
 }
 
-void lay_out_visit(Sheet& sheet, const Box& content) {
+void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
   constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
@@ -248,50 +285,6 @@ void lay_out_visit(Sheet& sheet, const Box& content) {
               content.width, Align::Start, sheet.theme().ink);
 }
 
-/// All the guides side by side.
-void draw_guides(Sheet& sheet, const Box& box) {
-  const float width = box.width / scene::guide_look_count;
-  for (std::size_t i = 0; i < scene::guide_look_count; ++i)
-    draw_figure(sheet, scene::looks[i],
-                {box.x + (static_cast<float>(i) + 0.08F) * width, box.y, 0.84F * width, box.height},
-                1, -1);
-}
-
-/// Words on a slip of paper in the middle of `box`.
-void draw_slip(Sheet& sheet, const TextPiece& words, const Box& box) {
-  const Measures& m = sheet.measures();
-  const float width = words.width + 2 * m.margin, height = words.height + 2 * m.gap;
-  const Box slip{box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width, height};
-  sheet.shadow(slip, 2 * m.unit, 0.16F);
-  sheet.fill(slip, sheet.theme().paper, m.corner);
-  sheet.piece(words, slip.x, slip.y + m.gap, slip.width, Align::Centre, sheet.theme().ink);
-}
-
-/// The card with letters of that share of their size.
-void lay_out_card(Sheet& sheet, const Box& card, float letters) {
-  const InterfaceState& state = sheet.request().state;
-  const Measures& m = sheet.measures();
-  sheet.lie_on(card, letters);
-  if (state.screen == Screen::Welcome) return lay_out_vacant(sheet, card);
-  sheet.shadow(card, 2 * m.unit, 0.16F);
-  sheet.fill(card, sheet.theme().paper, m.corner);
-  draw_band(sheet, card);
-  const Box content = card.inset(std::round(card_margin * m.unit));
-  switch (state.screen) {
-    case Screen::Welcome:
-    case Screen::Picking:
-      return lay_out_picking(sheet, content);
-    case Screen::Choosing:
-      return lay_out_list(sheet, content);
-    case Screen::Walking:
-      return lay_out_walk(sheet, content);
-    case Screen::Arrived:
-      return lay_out_visit(sheet, content);
-  }
-}
-
-}  // namespace
-
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
   const Measures m = measures_of(shape);
   const float height =
@@ -303,7 +296,7 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
       std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
 }
 
-void lay_out_seat(Sheet& sheet, const Box& card) {
+void lay_out_seat(Sheet& sheet, const PixelBox& card) {
   // On a small glass, or in large letters, a card has little room: what does not fit is set
   // smaller.
   for (const float letters : {1.0F, 0.85F, 0.7F, 0.55F, 0.4F}) {
@@ -324,11 +317,11 @@ void lay_out_model(Sheet& sheet) {
     case Glass::Busy:
       return;
     case Glass::Quiet: {
-      const Box paper{0, strip, width, height - strip};
+      const PixelBox paper{0, strip, width, height - strip};
       sheet.shadow(paper, 4 * m.unit, 0.16F);
       sheet.fill(paper, sheet.theme().paper, 0);
-      Box content = paper.inset(m.margin);
-      Box guides = content;
+      PixelBox content = paper.inset(m.margin);
+      PixelBox guides = content;
       guides.x = content.x + content.width * 0.4F;
       guides.width = content.right() - guides.x;
       content.width = guides.x - m.margin - content.x;
@@ -343,10 +336,10 @@ void lay_out_model(Sheet& sheet) {
       return draw_guides(sheet, guides);
     }
     case Glass::Full:
-    case Glass::Told: {
-      const bool told = request.state.glass == Glass::Told;
-      const Box box =
-          told ? Box{0, 0, width, strip} : Box{m.margin, m.margin, 0.2F * width, 0.15F * height};
+    case Glass::TurnedAway: {
+      const bool told = request.state.glass == Glass::TurnedAway;
+      const PixelBox box = told ? PixelBox{0, 0, width, strip}
+                                : PixelBox{m.margin, m.margin, 0.2F * width, 0.15F * height};
       const TextPiece words =
           sheet.fitted(sheet.style(told ? Letters::Lead : Letters::Body, 4),
                        sheet.word("all_taken"), std::min(box.width, 0.6F * width) - 2 * m.margin);

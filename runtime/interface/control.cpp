@@ -5,13 +5,11 @@
 #include <deque>
 #include <numeric>
 
+#include "runtime/interface/face.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
 namespace {
-
-constexpr std::array route_kinds{path::RouteKind::Shortest, path::RouteKind::Skeleton,
-                                 path::RouteKind::Offset};
 
 /// A word in every language that has it.
 LocalText word_in_all(const Museum& museum, std::string_view key) {
@@ -36,7 +34,8 @@ Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
           .rect = {}};
 }
 
-void add_languages(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+void add_languages(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
   if (museum.languages.size() < 2) return;
   for (std::uint32_t i = 0; i < museum.languages.size(); ++i) {
     Control control{.name = "language:" + museum.languages[i].tag,
@@ -51,19 +50,21 @@ void add_languages(const Museum& museum, const InterfaceState& state, std::vecto
   }
 }
 
-void add_routes(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
-  for (const path::RouteKind kind : route_kinds) {
-    const std::string name(name_of(kind));
+void add_routes(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
+  for (const RouteKindInfo& info : route_kinds) {
+    const std::string name(info.name);
     Control control = button(museum, "route:" + name, "route_" + name,
-                             {Action::Kind::TakeRoute, static_cast<std::uint32_t>(kind)});
+                             {Action::Kind::TakeRoute, static_cast<std::uint32_t>(info.kind)});
     control.role = Role::Choice;
-    control.selected = state.kind == kind;
+    control.selected = state.kind == info.kind;
     out.push_back(std::move(control));
   }
 }
 
 /// The guides, of whom those that others have cannot be picked.
-void add_looks(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+void add_looks(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
   for (std::uint32_t i = 0; i < scene::guide_look_count; ++i) {
     const std::string name(scene::looks[i].name);
     Control control = button(museum, "look:" + name, "look_" + name, {Action::Kind::Pick, i});
@@ -74,8 +75,8 @@ void add_looks(const Museum& museum, const InterfaceState& state, std::vector<Co
   }
 }
 
-void add_list(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
-              std::vector<Control>& out) {
+void add_list(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
   const std::uint32_t pages = page_count(museum, per_page);
   const std::uint32_t page = std::min(state.page, pages - 1);
   const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
@@ -92,42 +93,67 @@ void add_list(const Museum& museum, const InterfaceState& state, std::uint32_t p
   out.push_back(std::move(next));
 }
 
-/// What stands on a visitor's card at a shared glass.
-void add_seat_controls(const Museum& museum, const InterfaceState& state, std::uint32_t per_page,
-                       std::vector<Control>& out) {
-  switch (state.screen) {
-    case Screen::Welcome:
-      out.push_back(button(museum, "begin", "join", {Action::Kind::Begin}));
-      return;
-    case Screen::Picking:
-      add_looks(museum, state, out);
-      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
-      add_languages(museum, state, out);
-      return;
-    case Screen::Choosing:
-      add_list(museum, state, per_page, out);
-      if (state.exhibit >= 0)
-        out.push_back(button(museum, "back", state.arrived ? "back_to_exhibit" : "back",
-                             {Action::Kind::Return}));
-      else
-        out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
-      add_languages(museum, state, out);
-      return;
-    case Screen::Walking:
-      add_routes(museum, state, out);
-      out.push_back(button(museum, "stop", "stop", {Action::Kind::Stop}));
-      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
-      return;
-    case Screen::Arrived:
-      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
-      out.push_back(button(museum, "home", "leave", {Action::Kind::Home}));
-      return;
-  }
-}
-
 void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
   for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
     out.push_back(exhibit_control(museum, i, Role::Spot, state));
+}
+
+// The controls of each screen: on a glass of one's own, and on a card.
+
+void add_begin(const ControlRequest& request, std::vector<Control>& out) {
+  out.push_back(button(request.museum, "begin", "begin", {Action::Kind::Begin}));
+}
+void add_join(const ControlRequest& request, std::vector<Control>& out) {
+  out.push_back(button(request.museum, "begin", "join", {Action::Kind::Begin}));
+}
+void add_home(const ControlRequest& request, std::string_view key, std::vector<Control>& out) {
+  out.push_back(button(request.museum, "home", key, {Action::Kind::Home}));
+}
+void add_choose(const ControlRequest& request, std::vector<Control>& out) {
+  out.push_back(button(request.museum, "choose", "choose", {Action::Kind::ShowExhibits}));
+}
+void add_picking(const ControlRequest& request, std::vector<Control>& out) {
+  add_looks(request, out);
+  add_home(request, "leave", out);
+  add_languages(request, out);
+}
+/// Back to where the visitor is led, or else home.
+void add_back(const ControlRequest& request, std::string_view home_key, std::vector<Control>& out) {
+  if (request.state.exhibit < 0) return add_home(request, home_key, out);
+  out.push_back(button(request.museum, "back", request.state.arrived ? "back_to_exhibit" : "back",
+                       {Action::Kind::Return}));
+}
+void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
+  add_list(request, out);
+  add_routes(request, out);
+  add_back(request, "home", out);
+}
+void add_choosing_on_card(const ControlRequest& request, std::vector<Control>& out) {
+  add_list(request, out);
+  add_back(request, "leave", out);
+  add_languages(request, out);
+}
+void add_walking_on_card(const ControlRequest& request, std::vector<Control>& out) {
+  add_routes(request, out);
+  out.push_back(button(request.museum, "stop", "stop", {Action::Kind::Stop}));
+  add_choose(request, out);
+}
+void add_walking(const ControlRequest& request, std::vector<Control>& out) {
+  add_walking_on_card(request, out);
+  add_home(request, "home", out);
+}
+void add_arrived_on_card(const ControlRequest& request, std::vector<Control>& out) {
+  add_choose(request, out);
+  add_home(request, "leave", out);
+}
+void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
+  if (state.exhibit >= 0)
+    for (const std::uint32_t next :
+         neighbours(museum, static_cast<std::uint32_t>(state.exhibit), suggestion_count))
+      out.push_back(exhibit_control(museum, next, Role::ListItem, state));
+  add_choose(request, out);
+  add_home(request, "home", out);
 }
 
 /// A seat whose visitor has left.
@@ -188,6 +214,16 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
 
 }  // namespace
 
+const std::array<ScreenFaces, 5> screens{{
+    {Screen::Welcome, {add_begin, lay_out_welcome}, {add_join, lay_out_welcome_card}},
+    {Screen::Picking, {add_begin, lay_out_welcome}, {add_picking, lay_out_picking_card}},
+    {Screen::Choosing,
+     {add_choosing, lay_out_choosing},
+     {add_choosing_on_card, lay_out_choosing_card}},
+    {Screen::Walking, {add_walking, lay_out_walking}, {add_walking_on_card, lay_out_walking_card}},
+    {Screen::Arrived, {add_arrived, lay_out_arrived}, {add_arrived_on_card, lay_out_arrived_card}},
+}};
+
 InterfaceState after(InterfaceState state, Action action) noexcept {
   switch (action.kind) {
     case Action::Kind::Begin:
@@ -217,7 +253,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.language = action.argument;
       break;
     case Action::Kind::TakeRoute:
-      state.kind = static_cast<path::RouteKind>(action.argument);
+      state.kind = static_cast<RouteKind>(action.argument);
       break;
     case Action::Kind::Return:
       if (state.exhibit < 0)
@@ -245,45 +281,17 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
 std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
                                  std::uint32_t per_page) {
   std::vector<Control> out;
+  const ControlRequest request{museum, state, per_page};
   if (state.seat >= 0) {
-    add_seat_controls(museum, state, per_page, out);
+    faces_of(state.screen).card.add_controls(request, out);
     return out;
   }
-  if (state.glass != Glass::Whole) {
+  if (state.glass == Glass::Whole) {
+    faces_of(state.screen).whole.add_controls(request, out);
+    add_languages(request, out);
+  }
+  if (state.glass != Glass::Whole || state.screen == Screen::Choosing)
     add_spots(museum, state, out);
-    return out;
-  }
-  switch (state.screen) {
-    case Screen::Welcome:
-    case Screen::Picking:
-      out.push_back(button(museum, "begin", "begin", {Action::Kind::Begin}));
-      break;
-    case Screen::Choosing:
-      add_list(museum, state, per_page, out);
-      add_routes(museum, state, out);
-      if (state.exhibit >= 0)
-        out.push_back(button(museum, "back", state.arrived ? "back_to_exhibit" : "back",
-                             {Action::Kind::Return}));
-      else
-        out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
-      break;
-    case Screen::Walking:
-      add_routes(museum, state, out);
-      out.push_back(button(museum, "stop", "stop", {Action::Kind::Stop}));
-      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
-      out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
-      break;
-    case Screen::Arrived:
-      if (state.exhibit >= 0)
-        for (const std::uint32_t next :
-             neighbours(museum, static_cast<std::uint32_t>(state.exhibit), suggestion_count))
-          out.push_back(exhibit_control(museum, next, Role::ListItem, state));
-      out.push_back(button(museum, "choose", "choose", {Action::Kind::ShowExhibits}));
-      out.push_back(button(museum, "home", "home", {Action::Kind::Home}));
-      break;
-  }
-  add_languages(museum, state, out);
-  if (state.screen == Screen::Choosing) add_spots(museum, state, out);
   return out;
 }
 
@@ -294,7 +302,7 @@ std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibi
   for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
     if (i != exhibit && museum.exhibits[i].floor == from.floor) others.push_back(i);
   const auto distance = [&](std::uint32_t i) {
-    const Vec2 d = museum.exhibits[i].view.position - from.view.position;
+    const Vec2 d = museum.exhibits[i].viewing_point.position - from.viewing_point.position;
     return dot(d, d);
   };
   std::ranges::stable_sort(others, {}, distance);
@@ -321,11 +329,11 @@ bool is_control_name(const Museum& museum, std::string_view name) {
     const std::vector<Control> controls = controls_of(museum, state, per_page);
     return std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; });
   };
-  for (const Screen screen : {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived})
+  for (const ScreenFaces& faces : screens)
     for (const std::int32_t exhibit : {-1, 0}) {
       if (exhibit >= static_cast<std::int32_t>(museum.exhibits.size())) continue;
       InterfaceState state;
-      state.screen = screen;
+      state.screen = faces.screen;
       state.exhibit = exhibit;
       if (has_it(state)) return true;
     }
@@ -353,18 +361,6 @@ std::string_view in_language(const Museum& museum, std::uint32_t language,
       return found->second;
   }
   return text.empty() ? std::string_view{} : std::string_view(text.begin()->second);
-}
-
-std::string_view name_of(path::RouteKind kind) noexcept {
-  switch (kind) {
-    case path::RouteKind::Skeleton:
-      return "skeleton";
-    case path::RouteKind::Offset:
-      return "offset";
-    case path::RouteKind::Shortest:
-      break;
-  }
-  return "shortest";
 }
 
 }  // namespace docent::interface

@@ -25,11 +25,11 @@ enum class Screen : std::uint8_t {
 /// Who uses the glass. On a shared one every visitor has a seat, a card at its lower edge, and the
 /// rest of it, the model, belongs to all of them.
 enum class Glass : std::uint8_t {
-  Whole,  ///< One visitor, who has all of it.
-  Quiet,  ///< Shared; nobody is there.
-  Busy,   ///< Shared; somebody is there, and there is room for more.
-  Full,   ///< Shared; every seat is taken.
-  Told,   ///< And somebody has just asked for one in vain.
+  Whole,       ///< One visitor, who has all of it.
+  Quiet,       ///< Shared; nobody is there.
+  Busy,        ///< Shared; somebody is there, and there is room for more.
+  Full,        ///< Shared; every seat is taken.
+  TurnedAway,  ///< And somebody has just asked for one in vain.
 };
 
 /// What of the guide's state decides which controls there are and what they say. The rest (where
@@ -39,7 +39,7 @@ struct InterfaceState {
   std::uint32_t language = 0;  ///< Index into Museum::languages.
   std::uint32_t page = 0;      ///< Of the list of exhibits, on the choosing screen.
   std::int32_t exhibit = -1;   ///< Where the visitor is going or has arrived; -1: nowhere.
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
   Glass glass = Glass::Whole;
   std::uint8_t seats = 0;  ///< Of a shared glass.
@@ -124,7 +124,5 @@ std::string_view word(const Museum& museum, std::uint32_t language, std::string_
 /// `text` in a language, with the same fallbacks; empty where there is none at all.
 std::string_view in_language(const Museum& museum, std::uint32_t language,
                              const LocalText& text) noexcept;
-/// The stable name of a route kind: "shortest", "skeleton", "offset".
-std::string_view name_of(path::RouteKind kind) noexcept;
 
 }  // namespace docent::interface

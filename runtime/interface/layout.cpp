@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/interface/face.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
 #include "runtime/interface/sheet.h"
@@ -13,7 +14,7 @@ namespace docent::interface {
 namespace {
 
 /// The panel in pixels, left to right.
-Box panel_box(const ScreenShape& shape) noexcept {
+PixelBox panel_box(const ScreenShape& shape) noexcept {
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   constexpr float most = 0.44F;  // the model keeps at least 55 %
   if (!is_landscape(shape)) {
@@ -86,7 +87,7 @@ bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept {
 }
 
 scene::Rect panel_of(const ScreenShape& shape) noexcept {
-  const Box box = panel_box(shape);
+  const PixelBox box = panel_box(shape);
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   return {box.x / width, box.y / height, box.width / width, box.height / height};
 }
@@ -138,32 +139,18 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
 
   Sheet sheet(museum, request, pieces, *view);
   view->accent = request.state.look < 0
-                     ? sheet.theme().shortest
+                     ? sheet.theme().invitation
                      : scene::trail_colour(static_cast<std::size_t>(request.state.look));
   if (request.state.glass != Glass::Whole) {
     lay_out_shared(sheet);
     sheet.finish();
     return view;
   }
-  const Box panel = panel_box(request.shape);
+  const PixelBox panel = panel_box(request.shape);
   sheet.draw_panel(panel);
-  const Box content = panel.inset(sheet.measures().margin);
-  switch (request.state.screen) {
-    case Screen::Welcome:
-    case Screen::Picking:
-      lay_out_welcome(sheet, content);
-      break;
-    case Screen::Choosing:
-      lay_out_choosing(sheet, content);
-      add_floor_labels(sheet);
-      break;
-    case Screen::Walking:
-      lay_out_walking(sheet, content);
-      break;
-    case Screen::Arrived:
-      lay_out_arrived(sheet, content);
-      break;
-  }
+  const PixelBox content = panel.inset(sheet.measures().margin);
+  faces_of(request.state.screen).whole.lay_out(sheet, content);
+  if (request.state.screen == Screen::Choosing) add_floor_labels(sheet);
   sheet.finish();
   return view;
 }

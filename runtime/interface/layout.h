@@ -12,12 +12,12 @@
 namespace docent::interface {
 
 /// What is known of the way that the guide is about to take.
-struct Trip {
+struct RouteSummary {
   path::RouteStatus status = path::RouteStatus::Ok;
   double metres = 0;
   double seconds = 0;
 
-  bool operator==(const Trip&) const = default;
+  bool operator==(const RouteSummary&) const = default;
 };
 
 /// Everything that decides what a view looks like.
@@ -25,8 +25,8 @@ struct ViewRequest {
   std::uint64_t id = 0;
   InterfaceState state;
   ScreenShape shape;
-  std::optional<Trip> trip;  ///< Absent while the way is still being planned.
-  std::uint32_t part = 0;    ///< Of the glass: the whole of it, or the model, is 0; then the seats.
+  std::optional<RouteSummary> route_summary;  ///< Absent while the way is still being planned.
+  std::uint32_t part = 0;  ///< Of the glass: the whole of it, or the model, is 0; then the seats.
 };
 
 /// Lays out one view: where everything stands on the glass, in which words. One panel, at the side

@@ -9,7 +9,7 @@
 
 namespace docent::interface {
 
-void draw_stroke(Sheet& sheet, const Box& box, scene::Colour colour, float corner,
+void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control) {
   constexpr float pale = 0.6F;  // linear light, from where paper is no ground for it
   if (colour.g > pale)
@@ -20,39 +20,28 @@ void draw_stroke(Sheet& sheet, const Box& box, scene::Colour colour, float corne
 
 namespace {
 
-/// A sample of a route kind's ribbon: solid, long dashes, round dots.
-void draw_pattern(Sheet& sheet, path::RouteKind kind, const Box& box, std::int32_t control) {
+/// A sample of a route kind's ribbon.
+void draw_pattern(Sheet& sheet, RouteKind kind, const PixelBox& box, std::int32_t control) {
   const InterfaceState& state = sheet.request().state;
   const scene::Colour colour = state.look >= 0
                                    ? scene::trail_colour(static_cast<std::size_t>(state.look))
-                                   : scene::route_colour(sheet.theme(), kind);
+                                   : scene::route_colour(kind);
+  const LinePattern& pattern = info_of(kind).pattern;
   const float thick = box.height;
-  switch (kind) {
-    case path::RouteKind::Shortest:
-      draw_stroke(sheet, box, colour, thick / 2, control);
-      break;
-    case path::RouteKind::Skeleton: {
-      const float dash = (box.width - thick) / 2;
-      for (const float x : {box.x, box.x + dash + thick})
-        draw_stroke(sheet, {x, box.y, dash, thick}, colour, thick / 2, control);
-      break;
-    }
-    case path::RouteKind::Offset: {
-      constexpr int dots = 4;
-      const float step = (box.width - thick) / (dots - 1);
-      for (int i = 0; i < dots; ++i)
-        draw_stroke(sheet, {box.x + step * static_cast<float>(i), box.y, thick, thick}, colour,
-                    thick / 2, control);
-      break;
-    }
-  }
+  const auto pieces = static_cast<float>(pattern.sample_pieces);
+  const bool are_dots = !pattern.is_solid() && pattern.piece == 0;
+  const float length = are_dots ? thick : (box.width - (pieces - 1) * thick) / pieces;
+  const float step = pieces > 1 ? (box.width - length) / (pieces - 1) : 0;
+  for (int i = 0; i < pattern.sample_pieces; ++i)
+    draw_stroke(sheet, {box.x + step * static_cast<float>(i), box.y, length, thick}, colour,
+                thick / 2, control);
 }
 
-void draw_route(Sheet& sheet, std::int32_t control, const Box& box, Along along) {
+void draw_route(Sheet& sheet, std::int32_t control, const PixelBox& box, Along along) {
   const Measures& m = sheet.measures();
   sheet.place(control, box);
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-  const auto kind = static_cast<path::RouteKind>(it.action.argument);
+  const auto kind = static_cast<RouteKind>(it.action.argument);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
 
   const bool narrow = along != Along::Column;
@@ -84,7 +73,7 @@ TextPiece language_name(Sheet& sheet, const Control& control, float width) {
 }  // namespace
 
 /// Languages side by side, each as wide as its name; in equal shares where that is too much.
-void draw_languages(Sheet& sheet, const Box& box) {
+void draw_languages(Sheet& sheet, const PixelBox& box) {
   const Measures& m = sheet.measures();
   std::vector<std::int32_t> controls;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
@@ -106,7 +95,7 @@ void draw_languages(Sheet& sheet, const Box& box) {
   float x = box.x;
   for (std::size_t n = 0; n < controls.size(); ++n) {
     const Control& it = of(controls[n]);
-    const Box cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
+    const PixelBox cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
     x = cell.right() + m.unit;
     sheet.place(controls[n], cell);
     if (it.selected) sheet.fill(cell, sheet.theme().plaster, m.corner, controls[n]);
@@ -116,7 +105,7 @@ void draw_languages(Sheet& sheet, const Box& box) {
   }
 }
 
-void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
+void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (control < 0) return;
   const Measures& m = sheet.measures();
   const Museum& museum = sheet.museum();
@@ -125,7 +114,7 @@ void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
   sheet.place(control, box);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
 
-  const Box picture{box.x, box.y, box.height, box.height};
+  const PixelBox picture{box.x, box.y, box.height, box.height};
   sheet.fill(picture, sheet.theme().plaster, m.corner, control);
   sheet.image(picture, exhibit.image, m.corner, control);
 
@@ -146,25 +135,27 @@ void draw_card(Sheet& sheet, std::int32_t control, const Box& box) {
   sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
 }
 
-float draw_routes(Sheet& sheet, const Box& box, Along along) {
+float draw_routes(Sheet& sheet, const PixelBox& box, Along along) {
   const Measures& m = sheet.measures();
-  constexpr std::array names{"route:shortest", "route:skeleton", "route:offset"};
+  std::vector<std::int32_t> controls;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].action.kind == Action::Kind::TakeRoute)
+      controls.push_back(static_cast<std::int32_t>(i));
+  const auto kinds = static_cast<float>(route_kinds.size());
   const float gap = std::round(m.unit);
   const bool row = along == Along::Row;
-  const float width = row ? std::floor((box.width - 2 * gap) / 3) : box.width;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::int32_t control = sheet.control(names[i]);
-    if (control < 0) continue;
+  const float width = row ? std::floor((box.width - (kinds - 1) * gap) / kinds) : box.width;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
     const auto n = static_cast<float>(i);
-    draw_route(sheet, control,
+    draw_route(sheet, controls[i],
                {box.x + (row ? n * (width + gap) : 0), box.y + (row ? 0 : n * (m.touch + gap)),
                 width, m.touch},
                along);
   }
-  return box.y + (row ? m.touch : 3 * m.touch + 2 * gap);
+  return box.y + (row ? m.touch : kinds * m.touch + (kinds - 1) * gap);
 }
 
-float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name) {
+float draw_foot(Sheet& sheet, const PixelBox& content, std::string_view button_name) {
   const Measures& m = sheet.measures();
   const float top = content.bottom() - m.touch;
   const std::int32_t end_button = sheet.control(button_name);

@@ -9,7 +9,7 @@ namespace docent::interface {
 namespace {
 
 /// In portrait the wide panel has two columns.
-std::pair<Box, Box> halves(const Box& content, float gap, float share) noexcept {
+std::pair<PixelBox, PixelBox> halves(const PixelBox& content, float gap, float share) noexcept {
   const float left = std::round((content.width - gap) * share);
   return {{content.x, content.y, left, content.height},
           {content.x + left + gap, content.y, content.width - left - gap, content.height}};
@@ -17,13 +17,13 @@ std::pair<Box, Box> halves(const Box& content, float gap, float share) noexcept 
 
 /// The metres still to go, ready for every moment of the walk: every metre when near, every five
 /// when far.
-void prepare_remaining(Sheet& sheet, const TextStyle& style, const Trip& trip, float x, float y,
-                       float width) {
+void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary& route_summary,
+                       float x, float y, float width) {
   const Museum& museum = sheet.museum();
   const std::uint32_t language = sheet.request().state.language;
   constexpr double near = 10, coarse = 5;
   double metres = 1;
-  while (metres < trip.metres) {
+  while (metres < route_summary.metres) {
     const std::string text = metres < 3 ? std::string(sheet.word("nearly_there"))
                                         : filled_in(sheet.word("remaining"), "distance",
                                                     distance_in(museum, language, metres));
@@ -33,8 +33,8 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const Trip& trip, f
     metres += metres < near ? 1 : coarse;
   }
   std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
-                                distance_in(museum, language, trip.metres));
-  whole = filled_in(whole, "time", time_in(museum, language, trip.seconds));
+                                distance_in(museum, language, route_summary.metres));
+  whole = filled_in(whole, "time", time_in(museum, language, route_summary.seconds));
   sheet.view().remaining.push_back({1e9F, sheet.quad_of(sheet.fitted(style, whole, width), x, y,
                                                         width, Align::Start, sheet.theme().ink)});
 }
@@ -49,7 +49,7 @@ const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
              : nullptr;
 }
 
-float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
+float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
   if (exhibit == nullptr) return box.y;
@@ -67,17 +67,17 @@ float draw_invitation(Sheet& sheet, const Box& box, Letters title) {
   if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
   y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
 
-  const std::optional<Trip>& trip = sheet.request().trip;
-  if (trip && trip->status == path::RouteStatus::Ok) {
-    prepare_remaining(sheet, style, *trip, box.x, y, box.width);
+  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
+  if (route_summary && route_summary->status == path::RouteStatus::Ok) {
+    prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
     return y + line + m.gap;
   }
-  return sheet.text(Letters::Body, sheet.word(trip ? "no_way" : "planning"), box.x, y, box.width,
-                    sheet.theme().quiet_ink, 3) +
+  return sheet.text(Letters::Body, sheet.word(route_summary ? "no_way" : "planning"), box.x, y,
+                    box.width, sheet.theme().quiet_ink, 3) +
          m.gap;
 }
 
-void lay_out_welcome(Sheet& sheet, const Box& content) {
+void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Museum& museum = sheet.museum();
   const float foot = draw_foot(sheet, content, "");
@@ -99,7 +99,7 @@ void lay_out_welcome(Sheet& sheet, const Box& content) {
                Sheet::Emphasis::Strong);
 }
 
-void lay_out_choosing(Sheet& sheet, const Box& content) {
+void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const ListShape list = list_shape(sheet.request().shape);
   const std::uint32_t per_page = list.columns * list.rows;
@@ -145,14 +145,14 @@ void lay_out_choosing(Sheet& sheet, const Box& content) {
               sheet.theme().quiet_ink);
 }
 
-void lay_out_walking(Sheet& sheet, const Box& content) {
+void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float foot = draw_foot(sheet, content, "home");
   const bool landscape = is_landscape(sheet.request().shape);
   const float buttons = foot - m.gap - m.touch;
   const float bottom = buttons - m.gap;
 
-  Box first = content, second = content;
+  PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
   const float half = std::floor((content.width - m.gap) / 2);
   sheet.button(sheet.control("stop"), {content.x, buttons, half, m.touch}, Sheet::Emphasis::Strong);
@@ -173,14 +173,14 @@ void lay_out_walking(Sheet& sheet, const Box& content) {
     sheet.whole_image({first.x, y, first.width, end - y}, exhibit->image, m.corner);
 }
 
-void lay_out_arrived(Sheet& sheet, const Box& content) {
+void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
   const bool landscape = is_landscape(sheet.request().shape);
   const float foot = draw_foot(sheet, content, "home");
   if (exhibit == nullptr) return;
 
-  Box first = content, second = content;
+  PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
   const float row = list_shape(sheet.request().shape).row_height;
   float bottom = foot - m.gap - m.touch;

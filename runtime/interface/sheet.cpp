@@ -103,7 +103,7 @@ TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
   return piece;
 }
 
-scene::Rect Sheet::share_of(const Box& box) const noexcept {
+scene::Rect Sheet::share_of(const PixelBox& box) const noexcept {
   return {box.x / width_, box.y / height_, box.width / width_, box.height / height_};
 }
 
@@ -111,11 +111,11 @@ void Sheet::add(scene::Quad quad, std::int32_t control) {
   view_.elements.push_back({quad, control});
 }
 
-void Sheet::fill(const Box& box, scene::Colour colour, float corner, std::int32_t control) {
+void Sheet::fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control) {
   add({.rect = share_of(box), .colour = colour, .corner = corner / shorter_}, control);
 }
 
-void Sheet::shadow(const Box& box, float reach, float opacity) {
+void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
   add({.rect = share_of(box),
        .fill = scene::QuadFill::Shadow,
        .colour = scene::with_opacity(theme_.ink, opacity),
@@ -124,10 +124,10 @@ void Sheet::shadow(const Box& box, float reach, float opacity) {
       -1);
 }
 
-void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_t control) {
+void Sheet::image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control) {
   if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
   const float x = std::round(box.x), y = std::round(box.y);
-  const Box whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
+  const PixelBox whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
   const scene::TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
                                                    static_cast<std::uint32_t>(whole.height));
   if (texture == scene::TextureId::None) return;
@@ -139,7 +139,7 @@ void Sheet::image(const Box& box, std::uint32_t image, float corner, std::int32_
       control);
 }
 
-float Sheet::whole_image(const Box& box, std::uint32_t image, float corner) {
+float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner) {
   if (image >= museum_.images.size() || museum_.images[image].height == 0) return 0;
   const EncodedImage& picture = museum_.images[image];
   constexpr float most_crop = 0.1F;
@@ -156,7 +156,7 @@ scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width
   const float spare = width - piece.width;
   if (align == Align::Centre) x += spare / 2;
   if (align == Align::End) x += spare;
-  const Box box{std::round(x), std::round(y), piece.width, piece.height};
+  const PixelBox box{std::round(x), std::round(y), piece.width, piece.height};
   return {.rect = share_of(box),
           .fill = scene::QuadFill::Text,
           .colour = colour,
@@ -175,11 +175,11 @@ float Sheet::text(Letters letters, std::string_view text, float x, float y, floa
   return piece(fitted(style(letters, max_lines), text, width), x, y, width, Align::Start, colour);
 }
 
-void Sheet::place(std::int32_t control, const Box& box) {
+void Sheet::place(std::int32_t control, const PixelBox& box) {
   if (control >= 0) view_.controls[static_cast<std::size_t>(control)].rect = share_of(box);
 }
 
-void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
+void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis) {
   if (control < 0) return;
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
@@ -201,7 +201,7 @@ void Sheet::button(std::int32_t control, const Box& box, Emphasis emphasis) {
         Align::Centre, colour, control);
 }
 
-void Sheet::draw_panel(const Box& box) {
+void Sheet::draw_panel(const PixelBox& box) {
   view_.panel = share_of(box);
   const std::size_t first = view_.elements.size();
   shadow(box, 4 * measures_.unit, 0.16F);
@@ -209,7 +209,7 @@ void Sheet::draw_panel(const Box& box) {
   for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
 }
 
-void Sheet::lie_on(const Box& card, float letters) {
+void Sheet::lie_on(const PixelBox& card, float letters) {
   turned_ = view_.panel = share_of(card);
   letters_ = letters;
   view_.elements.clear();

@@ -21,12 +21,14 @@ enum class Letters : std::uint8_t {
 };
 
 /// Pixels, left to right, origin top left.
-struct Box {
+struct PixelBox {
   float x = 0, y = 0, width = 0, height = 0;
 
   float right() const noexcept { return x + width; }
   float bottom() const noexcept { return y + height; }
-  Box inset(float by) const noexcept { return {x + by, y + by, width - 2 * by, height - 2 * by}; }
+  PixelBox inset(float by) const noexcept {
+    return {x + by, y + by, width - 2 * by, height - 2 * by};
+  }
 };
 
 /// What a view is drawn on while it is laid out, as if every language ran from left to right;
@@ -50,13 +52,13 @@ class Sheet {
   /// A text that is at most `width` wide, set smaller, down to 7/10, where it does not fit.
   TextPiece fitted(TextStyle style, std::string_view text, float width);
 
-  void fill(const Box& box, scene::Colour colour, float corner, std::int32_t control = -1);
-  void shadow(const Box& box, float reach, float opacity);
+  void fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control = -1);
+  void shadow(const PixelBox& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
-  void image(const Box& box, std::uint32_t image, float corner, std::int32_t control = -1);
+  void image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control = -1);
   /// Shows the whole picture at the box's start, as large as fits; at most a tenth of its height is
   /// given up for width. Returns its height.
-  float whole_image(const Box& box, std::uint32_t image, float corner);
+  float whole_image(const PixelBox& box, std::uint32_t image, float corner);
   /// Draws a piece with its top at `y`; returns its bottom.
   float piece(const TextPiece& piece, float x, float y, float width, Align align,
               scene::Colour colour, std::int32_t control = -1);
@@ -65,19 +67,19 @@ class Sheet {
              scene::Colour colour, std::uint16_t max_lines = 1);
 
   /// Gives a control its rectangle.
-  void place(std::int32_t control, const Box& box);
+  void place(std::int32_t control, const PixelBox& box);
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
-  void button(std::int32_t control, const Box& box, Emphasis emphasis);
+  void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
 
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
-  scene::Rect share_of(const Box& box) const noexcept;
+  scene::Rect share_of(const PixelBox& box) const noexcept;
   /// Marks what is drawn from now on as the panel's own.
-  void draw_panel(const Box& box);
+  void draw_panel(const PixelBox& box);
   /// All is drawn inside this card, anew, with letters of that share of their size: finish() turns
   /// it over in place.
-  void lie_on(const Box& card, float letters);
+  void lie_on(const PixelBox& card, float letters);
   /// Does a text stand on another?
   bool is_crowded() const;
   /// Mirrors everything where the language runs from right to left.
@@ -100,19 +102,26 @@ class Sheet {
 
 /// Fills in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
 /// its margins.
-void lay_out_welcome(Sheet& sheet, const Box& content);
-void lay_out_choosing(Sheet& sheet, const Box& content);
-void lay_out_walking(Sheet& sheet, const Box& content);
-void lay_out_arrived(Sheet& sheet, const Box& content);
+void lay_out_welcome(Sheet& sheet, const PixelBox& content);
+void lay_out_choosing(Sheet& sheet, const PixelBox& content);
+void lay_out_walking(Sheet& sheet, const PixelBox& content);
+void lay_out_arrived(Sheet& sheet, const PixelBox& content);
+
+/// The same on the card of a seat; of the welcome, which nobody has answered yet, the whole card.
+void lay_out_welcome_card(Sheet& sheet, const PixelBox& card);
+void lay_out_picking_card(Sheet& sheet, const PixelBox& content);
+void lay_out_choosing_card(Sheet& sheet, const PixelBox& content);
+void lay_out_walking_card(Sheet& sheet, const PixelBox& content);
+void lay_out_arrived_card(Sheet& sheet, const PixelBox& content);
 
 /// The shared glass: the model, and the cards of those who stand at it.
 void lay_out_model(Sheet& sheet);
-void lay_out_seat(Sheet& sheet, const Box& card);
+void lay_out_seat(Sheet& sheet, const PixelBox& card);
 /// How many exhibits a page of a card's list shows.
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
 
 /// "Follow me to", the name, and how far it is, from `y`; returns its bottom.
-float draw_invitation(Sheet& sheet, const Box& box, Letters title);
+float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
 /// What the visitor goes to or is at; null where there is nothing.
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 
@@ -126,17 +135,17 @@ struct ListShape {
 ListShape list_shape(const ScreenShape& shape) noexcept;
 
 /// A stroke in a way's colour, outlined where paper would swallow it.
-void draw_stroke(Sheet& sheet, const Box& box, scene::Colour colour, float corner,
+void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control);
 
 /// Exhibit `i` on a card: its picture, title and gallery.
-void draw_card(Sheet& sheet, std::int32_t control, const Box& box);
+void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box);
 /// The three route kinds, side by side or one above the other.
 enum class Along : std::uint8_t { Row, Column, NarrowColumn };
-float draw_routes(Sheet& sheet, const Box& box, Along along);
+float draw_routes(Sheet& sheet, const PixelBox& box, Along along);
 /// Languages in a row.
-void draw_languages(Sheet& sheet, const Box& box);
+void draw_languages(Sheet& sheet, const PixelBox& box);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.
-float draw_foot(Sheet& sheet, const Box& content, std::string_view button_name);
+float draw_foot(Sheet& sheet, const PixelBox& content, std::string_view button_name);
 
 }  // namespace docent::interface

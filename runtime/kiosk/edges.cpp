@@ -1,5 +1,6 @@
 #include "runtime/kiosk/edges.h"
 
+#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -26,9 +27,13 @@ PixelSize turned(PixelSize size, Rotation rotation) noexcept {
   return is_quarter(rotation) ? PixelSize{size.height, size.width} : size;
 }
 
-Result<void> open_headless_edge(const EdgeSettings& settings, PixelSize size, Edges& edges) {
+PixelSize size_of(const EdgeSettings& settings) noexcept {
+  return settings.size.width > 0 ? settings.size : usual_size;
+}
+
+Result<void> open_headless_edge(const EdgeSettings& settings, Edges& edges) {
   // In memory nothing hangs turned: the picture is as the visitor would see it.
-  auto display = headless::open_headless(turned(size, settings.rotation));
+  auto display = headless::open_headless(turned(size_of(settings), settings.rotation));
   if (!display) return std::unexpected(display.error());
   edges.headless = display->get();
   edges.rotation = Rotation::None;
@@ -36,34 +41,37 @@ Result<void> open_headless_edge(const EdgeSettings& settings, PixelSize size, Ed
   return {};
 }
 
-Result<void> open_window_edge(PixelSize size, Edges& edges) {
-  auto display = x11::open_window(size);
+Result<void> open_window_edge(const EdgeSettings& settings, Edges& edges) {
+  auto display = x11::open_window(size_of(settings));
   if (!display) return std::unexpected(display.error());
   edges.window = display->get();
   edges.display = std::move(*display);
   return {};
 }
 
-Result<void> open_display(const EdgeSettings& settings, Edges& edges) {
-  DisplayKind kind = settings.kind;
-  if (kind == DisplayKind::Auto)
-    kind = kms::is_kms_free() ? DisplayKind::Kms
-                              : (has_desktop() ? DisplayKind::Window : DisplayKind::Headless);
-  const PixelSize size = settings.size.width > 0 ? settings.size : usual_size;
-  if (kind == DisplayKind::Headless) return open_headless_edge(settings, size, edges);
-  if (kind == DisplayKind::Window) return open_window_edge(size, edges);
+Result<void> open_kms_edge(const EdgeSettings& settings, Edges& edges) {
   auto display = kms::open_kms(settings.size);
   if (!display) return std::unexpected(display.error());
   edges.display = std::move(*display);
   return {};
 }
 
+Result<void> open_what_fits(const EdgeSettings& settings, Edges& edges) {
+  if (kms::is_kms_free()) return open_kms_edge(settings, edges);
+  return has_desktop() ? open_window_edge(settings, edges) : open_headless_edge(settings, edges);
+}
+
+/// By config::DisplayKind.
+constexpr std::array<Result<void> (*)(const EdgeSettings&, Edges&), config::display_kinds.size()>
+    openers{open_what_fits, open_kms_edge, open_window_edge, open_headless_edge};
+
 }  // namespace
 
 Result<Edges> open_edges(const EdgeSettings& settings) {
   Edges edges;
   edges.rotation = settings.rotation;
-  if (const Result<void> opened = open_display(settings, edges); !opened)
+  if (const Result<void> opened = openers[static_cast<std::size_t>(settings.kind)](settings, edges);
+      !opened)
     return std::unexpected(opened.error());
   // A headless run repeats exactly: it hears of devices only where they were named.
   if (edges.headless != nullptr && settings.hid.empty()) return edges;

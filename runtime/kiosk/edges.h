@@ -26,7 +26,7 @@ struct Edges {
 
 /// What was asked for, command line before kiosk.toml.
 struct EdgeSettings {
-  DisplayKind kind = DisplayKind::Auto;
+  config::DisplayKind kind = config::DisplayKind::Auto;
   PixelSize size;  ///< 0 by 0: what the display prefers.
   Rotation rotation = Rotation::None;
   std::vector<std::string> hid;

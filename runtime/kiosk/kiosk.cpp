@@ -58,7 +58,7 @@ bool has_error(const std::vector<Diagnostic>& mistakes) {
 /// The command line over kiosk.toml.
 EdgeSettings edge_settings(const Options& options, const config::KioskConfig& config) {
   EdgeSettings settings;
-  settings.kind = options.display.value_or(display_named(config.display));
+  settings.kind = options.display.value_or(config.display);
   settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
                                                   static_cast<std::uint32_t>(config.height)});
   settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));

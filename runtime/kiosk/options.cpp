@@ -38,11 +38,8 @@ std::vector<terminal::Option> options_of(Options& options) {
       {"--config", terminal::file("FILE", options.config), "This device's settings",
        Times::AtMostOnce, default_config},
       {"--display",
-       terminal::one_of<DisplayKind>({{"auto", DisplayKind::Auto},
-                                      {"kms", DisplayKind::Kms},
-                                      {"window", DisplayKind::Window},
-                                      {"headless", DisplayKind::Headless}},
-                                     options.display),
+       terminal::one_of<config::DisplayKind>(
+           {config::display_kinds.begin(), config::display_kinds.end()}, options.display),
        "Where to draw; auto takes KMS on a free console, a window where there is a desktop, else "
        "headless",
        Times::AtMostOnce, "what kiosk.toml says, else auto"},
@@ -81,12 +78,6 @@ terminal::Section signals() {
 }
 
 }  // namespace
-
-DisplayKind display_named(std::string_view name) noexcept {
-  if (name == "kms") return DisplayKind::Kms;
-  if (name == "window") return DisplayKind::Window;
-  return name == "headless" ? DisplayKind::Headless : DisplayKind::Auto;
-}
 
 terminal::Command program(Options& options, std::function<int()> run) {
   return {.name = "docent",

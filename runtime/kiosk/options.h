@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/display_kind.h"
 #include "platform/display.h"
 #include "platform/terminal/command_line.h"
 
@@ -16,22 +17,17 @@ namespace docent::kiosk {
 /// This device's settings, where the command line names no other.
 inline constexpr std::string_view default_config = "/etc/docent/kiosk.toml";
 
-enum class DisplayKind : std::uint8_t { Auto, Kms, Window, Headless };
-
 /// The command line of `docent`. What is not given comes from kiosk.toml.
 struct Options {
   std::optional<std::filesystem::path> content;
   std::optional<std::filesystem::path> config;
-  std::optional<DisplayKind> display;
+  std::optional<config::DisplayKind> display;
   std::optional<PixelSize> size;
   std::optional<Rotation> rotation;
   std::filesystem::path visit, record, stats;  ///< Empty where not asked for.
   std::optional<double> seconds;
   std::vector<std::string> hid;
 };
-
-/// The display of that name; Auto for any other.
-DisplayKind display_named(std::string_view name) noexcept;
 
 /// The command line of `docent`: stores what it says in `options` and then calls `run`, or one of
 /// the commands that come instead.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 namespace docent::kiosk {
 namespace {
@@ -111,8 +112,10 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .line = command.line,
            .code = "unknown-control",
            .message = fmt::format("no screen of this museum has a control '@{}'", command.name),
-           .hint = "names are @exhibit:ID, @route:shortest|skeleton|offset, @language:TAG, @home, "
-                   "@stop, @begin, @choose, @back and @look:NAME"});
+           .hint = fmt::format(
+               "names are @exhibit:ID, @route:{}, @language:TAG, @home, "
+               "@stop, @begin, @choose, @back and @look:NAME",
+               fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});
   return mistakes;
 }
 

@@ -115,7 +115,7 @@ Momentum momentum_of(const WalkGraph& graph, const Stand& stand, const Placement
   return m;
 }
 
-void take_over(const Momentum& momentum, double seconds, Draft& draft) {
+void inertialise(const Momentum& momentum, double seconds, Draft& draft) {
   Walk& walk = draft.walk;
   const std::size_t joints = walk.joint_count, frames = walk.root.size();
   if (frames < 2 || momentum.rotation.size() != joints) return;

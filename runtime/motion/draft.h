@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "runtime/motion/take.h"
+#include "runtime/motion/clip_sequence.h"
 #include "runtime/motion/walk.h"
 
 namespace docent::motion {
@@ -48,7 +48,7 @@ PoseView pose_of(Walk& walk, std::size_t frame) noexcept;
 
 /// Bends the first `seconds` of a draft so that its first frame is as the momentum says and moves
 /// on as it did (inertialization: Bollo 2018).
-void take_over(const Momentum& momentum, double seconds, Draft& draft);
+void inertialise(const Momentum& momentum, double seconds, Draft& draft);
 
 /// Lowers the hips, smoothly, where a foot would be out of reach. The first frame stays as it is.
 void lower_hips(const WalkGraph& graph, Draft& draft);

@@ -4,19 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "runtime/model/motion/side.h"
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/motion/pose.h"
 
 namespace docent::motion {
-
-enum class Side : std::uint8_t { Left, Right };
-constexpr std::array<Side, 2> both_sides{Side::Left, Side::Right};
-constexpr std::size_t index_of(Side side) noexcept {
-  return static_cast<std::size_t>(side);
-}
-constexpr Side other(Side side) noexcept {
-  return side == Side::Left ? Side::Right : Side::Left;
-}
 
 /// Where a foot is: the toe joint (the ball of the foot) and the ankle joint's orientation.
 /// World frame, metres.

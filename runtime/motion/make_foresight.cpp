@@ -10,14 +10,14 @@
 namespace docent::motion {
 namespace {
 
-constexpr float dead_end = 4;      // what is foreseen where no passage leads on
+constexpr float dead_end = 4;      // what is foreseen where no continuation leads on
 constexpr double steepness = 4.0;  // per square radian (or metre times 6) beyond the axes
 constexpr float settled = 1e-3f;   // share of the costs that a sweep still changes
 constexpr std::size_t most_sweeps = 40;
 constexpr float farthest_miss = 2;                             // metres
 constexpr std::size_t most_warped = 20'000, most_raw = 2'000;  // transitions: 8 and 10 MB
 
-/// A track that bends evenly for longer than any passage.
+/// A track that bends evenly for longer than any continuation.
 PathTrack bend_track(double bend) {
   PathTrack track;
   track.spacing = 0.02;
@@ -75,8 +75,8 @@ class BendValues {
       for (std::size_t state = 0; state < value.size(); ++state) {
         float least = dead_end;
         for (std::uint32_t i = first_[state]; i < first_[state + 1]; ++i)
-          least =
-              std::min(least, passage_[i].cost + passage_[i].decay * foreseen(value, passage_[i]));
+          least = std::min(least, continuations_[i].cost +
+                                      continuations_[i].decay * foreseen(value, continuations_[i]));
         change = std::max(change, std::abs(least - value[state]));
         most = std::max(most, least);
         value[state] = least;
@@ -88,22 +88,23 @@ class BendValues {
 
  private:
   /// Small, because there are millions and every sweep reads them all.
-  struct Passage {
+  struct Continuation {
     float cost, decay;
     std::uint32_t cell;  ///< Of the table, where the misfit after it lies: the lowest corner.
     float side_share, turn_share;
   };
 
-  static float foreseen(std::span<const float> value, const Passage& passage) {
+  static float foreseen(std::span<const float> value, const Continuation& continuation) {
     const auto along_row = [&](std::size_t cell) {
-      return value[cell] + passage.turn_share * (value[cell + 1] - value[cell]);
+      return value[cell] + continuation.turn_share * (value[cell + 1] - value[cell]);
     };
-    const float low = along_row(passage.cell);
+    const float low = along_row(continuation.cell);
     if constexpr (Follower::slice == warped_slice) return low;
-    return low + passage.side_share * (along_row(passage.cell + turn_axis.count) - low);
+    return low + continuation.side_share * (along_row(continuation.cell + turn_axis.count) - low);
   }
 
-  static Passage passage(double cost, double walked, std::uint32_t next, const Misfit& after) {
+  static Continuation continuation(double cost, double walked, std::uint32_t next,
+                                   const Misfit& after) {
     const auto turn = turn_axis.place(after.turn);
     std::size_t cell = next * Follower::slice + turn.low;
     double side_share = 0;
@@ -137,17 +138,17 @@ class BendValues {
         },
         [&](std::uint32_t next) {
           const Misfit after = misfit_of(follower);
-          passage_.push_back(
-              passage(cost + cost_of(graph_.motion->transitions[next]) + beyond_axes(after), walked,
-                      next, after));
+          continuations_.push_back(
+              continuation(cost + cost_of(graph_.motion->transitions[next]) + beyond_axes(after),
+                           walked, next, after));
         });
-    first_.push_back(static_cast<std::uint32_t>(passage_.size()));
+    first_.push_back(static_cast<std::uint32_t>(continuations_.size()));
   }
 
   const WalkGraph& graph_;
   PathTrack track_;
   std::vector<std::uint32_t> first_{0};
-  std::vector<Passage> passage_;
+  std::vector<Continuation> continuations_;
 };
 
 std::uint16_t in_units(double value) {
@@ -169,11 +170,11 @@ void add_bend(const WalkGraph& graph, std::size_t bend, std::vector<std::uint16_
 /// By how much the stand that is reached misses the end, at best.
 std::vector<std::uint16_t> endings(const WalkGraph& graph) {
   const auto& transitions = graph.motion->transitions;
-  struct Passage {
+  struct Continuation {
     std::uint32_t transition;
     double walked;
   };
-  std::vector<std::vector<Passage>> passages(transitions.size());
+  std::vector<std::vector<Continuation>> continuations(transitions.size());
   std::vector<float> miss(transitions.size() * room_axis.count, farthest_miss);
   for (std::uint32_t t = 0; t < transitions.size(); ++t) {
     const ClipFrame at = transitions[t].to;
@@ -183,7 +184,7 @@ std::vector<std::uint16_t> endings(const WalkGraph& graph) {
       walked += clip.effort[to] - clip.effort[from];
     };
     walk_from_transition(graph, Choice{graph.scopes - 1}, t, step,
-                         [&](std::uint32_t next) { passages[t].push_back({next, walked}); });
+                         [&](std::uint32_t next) { continuations[t].push_back({next, walked}); });
     if (graph.motion->clips[at.clip].role != ClipRole::Stop || at.frame > clip.last) continue;
     for (std::size_t room = 0; room < room_axis.count; ++room)
       miss[t * room_axis.count + room] = static_cast<float>(
@@ -192,12 +193,12 @@ std::vector<std::uint16_t> endings(const WalkGraph& graph) {
   for (bool improved = true; improved;) {
     improved = false;
     for (std::size_t t = 0; t < transitions.size(); ++t)
-      for (const Passage& passage : passages[t])
+      for (const Continuation& continuation : continuations[t])
         for (std::size_t room = 0; room < room_axis.count; ++room) {
-          const double left = room_axis.value(room) - passage.walked;
+          const double left = room_axis.value(room) - continuation.walked;
           if (left < room_axis.first) continue;
           const auto there = static_cast<float>(
-              value_at(&miss[passage.transition * room_axis.count], room_axis, left));
+              value_at(&miss[continuation.transition * room_axis.count], room_axis, left));
           float& here = miss[t * room_axis.count + room];
           if (there >= here - 1e-4f) continue;
           here = there;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/motion/clip_sequence.h"
 #include "runtime/motion/draft.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/placement.h"
@@ -11,7 +12,6 @@
 #include "runtime/motion/smoothing.h"
 #include "runtime/motion/speed_limit.h"
 #include "runtime/motion/steps.h"
-#include "runtime/motion/take.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
 #include "runtime/motion/warp.h"
@@ -53,9 +53,9 @@ class WalkMaker {
       : graph_(graph), request_(request), path_(finite_points(request.path)) {}
 
   Result<Walk> make() {
-    if (path_.empty() && !request_.before)
+    if (path_.empty() && !request_.previous)
       return std::unexpected(Error{Errc::InvalidInput, "the path has no point to walk to"});
-    if (request_.before && request_.before->root.empty())
+    if (request_.previous && request_.previous->root.empty())
       return std::unexpected(Error{Errc::InvalidInput, "the walk to go on from is empty"});
     begin();
     if (is_walking_)
@@ -71,11 +71,11 @@ class WalkMaker {
 
  private:
   void begin() {
-    if (request_.before) {
-      const auto frame = std::min(request_.before_frame, frame_count(*request_.before) - 1);
-      momentum_ = momentum_at(graph_, *request_.before, frame);
-      const ClipFrame source = request_.before->source[frame];
-      is_walking_ = request_.before->gait[frame] == Gait::Walk &&
+    if (request_.previous) {
+      const auto frame = std::min(request_.previous_frame, frame_count(*request_.previous) - 1);
+      momentum_ = momentum_at(graph_, *request_.previous, frame);
+      const ClipFrame source = request_.previous->source[frame];
+      is_walking_ = request_.previous->gait[frame] == Gait::Walk &&
                     source.clip < graph_.clip.size() &&
                     source.frame < graph_.clip[source.clip].last &&
                     glm::length(momentum_.body_velocity.position) > walking_speed;
@@ -189,10 +189,11 @@ class WalkMaker {
     const bool exact = request_.fidelity == Fidelity::Exact;
     if (exact && (stretch < shortest_stride || stretch > most_stretch)) return false;
     const ClipPath& first = graph_.clip[plan.start.clip];
-    const Take take =
+    const ClipSequence sequence =
         play(graph_, plan, compose(momentum_.body, inverse(first.body[plan.start.frame])));
-    Draft draft = request_.fidelity == Fidelity::Raw ? as_it_is(graph_, take)
-                                                     : warp_onto(graph_, take, track, momentum_);
+    Draft draft = request_.fidelity == Fidelity::Raw
+                      ? as_it_is(graph_, sequence)
+                      : warp_onto(graph_, sequence, track, momentum_);
     draft.walk.transitions = static_cast<std::uint32_t>(plan.transitions.size());
     draft.walk.expanded = plan.expanded;
     draft.walk.considered = plan.considered;
@@ -223,7 +224,7 @@ class WalkMaker {
   void stand_still() { add(make_steps(graph_, momentum_, {}, graph_.after_walking, Gait::Idle)); }
 
   void add(Draft draft) {
-    take_over(momentum_, take_over_seconds, draft);
+    inertialise(momentum_, take_over_seconds, draft);
     if (request_.fidelity == Fidelity::Exact) {
       lower_hips(graph_, draft);
       place_feet(graph_, draft);

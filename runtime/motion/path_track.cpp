@@ -74,41 +74,6 @@ std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) 
 
 }  // namespace
 
-double polyline_length(std::span<const Vec2> path) noexcept {
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) length += glm::distance(path[i - 1], path[i]);
-  return length;
-}
-
-Vec2 point_along(std::span<const Vec2> path, double along) noexcept {
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const double length = glm::distance(path[i - 1], path[i]);
-    if (along <= length)
-      return length > 0 ? glm::mix(path[i - 1], path[i], std::max(along, 0.0) / length) : path[i];
-    along -= length;
-  }
-  return path.empty() ? Vec2{} : path.back();
-}
-
-std::vector<Vec2> first_part(std::span<const Vec2> path, double along) {
-  std::vector<Vec2> out;
-  double walked = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i > 0) walked += glm::distance(path[i - 1], path[i]);
-    if (i > 0 && walked >= along) break;
-    out.push_back(path[i]);
-  }
-  if (!path.empty()) out.push_back(point_along(path, along));
-  return out;
-}
-
-std::vector<Vec2> last_part(std::span<const Vec2> path, double along) {
-  std::vector<Vec2> reversed(path.rbegin(), path.rend());
-  std::vector<Vec2> out = first_part(reversed, std::max(0.0, polyline_length(path) - along));
-  std::reverse(out.begin(), out.end());
-  return out;
-}
-
 PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace) {
   const double length = polyline_length(path);
   const auto intervals =

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/model/geometry/vec2.h"
 
 namespace docent::motion {
@@ -49,17 +50,5 @@ TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) n
 
 /// The heading there alone, which a search asks for.
 double heading_at_effort(const PathTrack& track, double effort, std::size_t& hint) noexcept;
-
-/// Total length of a polyline, metres.
-double polyline_length(std::span<const Vec2> path) noexcept;
-
-/// The point `along` metres from the beginning of a polyline, clamped to its ends.
-Vec2 point_along(std::span<const Vec2> path, double along) noexcept;
-
-/// The beginning of a polyline, `along` metres of it.
-std::vector<Vec2> first_part(std::span<const Vec2> path, double along);
-
-/// What comes after that.
-std::vector<Vec2> last_part(std::span<const Vec2> path, double along);
 
 }  // namespace docent::motion

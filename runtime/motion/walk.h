@@ -46,8 +46,8 @@ enum class Fidelity : std::uint8_t { Exact, Raw };
 
 /// What is asked of a walk.
 struct WalkRequest {
-  /// Floor frame, at least two different points. With `before` it may be empty: the avatar stops as
-  /// soon as it naturally can.
+  /// Floor frame, at least two different points. With `previous` it may be empty: the avatar stops
+  /// as soon as it naturally can.
   std::span<const Vec2> path;
   std::optional<Placement>
       start;  ///< Standing; facing along the path from its first point when absent.
@@ -55,11 +55,11 @@ struct WalkRequest {
   /// A walk in progress to go on from, at one of its frames: the new walk's frame 0 is that frame,
   /// and it moves on without a jump in place or pose. The path then begins at
   /// walk->body[frame].position.
-  const Walk* before = nullptr;
-  std::uint32_t before_frame = 0;
-  /// Where `before` would have gone on to, from its body at before_frame: where the new path leads
-  /// another way (by more than 60 degrees) a walking avatar brakes along this line, turns on the
-  /// spot, walks back to the new path's beginning and on. Straight ahead when empty, which may
+  const Walk* previous = nullptr;
+  std::uint32_t previous_frame = 0;
+  /// Where `previous` would have gone on to, from its body at previous_frame: where the new path
+  /// leads another way (by more than 60 degrees) a walking avatar brakes along this line, turns on
+  /// the spot, walks back to the new path's beginning and on. Straight ahead when empty, which may
   /// be too near to a wall.
   std::span<const Vec2> old_path_ahead;
   double pace = 1;  ///< Share of the clips' speed that is walked at most, in (0, 1].
@@ -68,11 +68,11 @@ struct WalkRequest {
 
 struct WalkGraph;
 
-/// Synthesises a walk from the motion graph along a path: starts standing (or from `before`), turns
-/// on the spot by steps where the path starts or ends in another direction, and ends standing. The
-/// result keeps to the path (Exact) so that a clear path is a clear walk. Fails with a sentence
-/// where the graph cannot walk (no start, no stop, no clips).
-/// `graph` (runtime/motion/walk_graph.h) is made once and shared by all walks. Any thread may call.
+/// Synthesises a walk from the motion graph along a path: starts standing (or from `previous`),
+/// turns on the spot by steps where the path starts or ends in another direction, and ends
+/// standing. The result keeps to the path (Exact) so that a clear path is a clear walk. Fails with
+/// a sentence where the graph cannot walk (no start, no stop, no clips). `graph`
+/// (runtime/motion/walk_graph.h) is made once and shared by all walks. Any thread may call.
 Result<Walk> make_walk(const WalkGraph& graph, const WalkRequest& request);
 
 /// The same for a single walk: makes the graph ready (some milliseconds) and forgets it.

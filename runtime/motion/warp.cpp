@@ -13,8 +13,8 @@ namespace {
 constexpr double turn_in_seconds = 0.9;  // time in which a body takes up the track's heading
 constexpr double join_seconds = 0.6;     // time in which it takes up the track's direction
 
-/// A moment between two frames of a take.
-struct TakeMoment {
+/// A moment between two frames of a sequence.
+struct SequenceMoment {
   std::size_t frame = 0;
   double share = 0;  ///< Of the next frame.
 };
@@ -26,20 +26,20 @@ void make_room(std::size_t frames, Walk& walk) {
   walk.gait.reserve(frames), walk.source.reserve(frames);
 }
 
-void add_pose(const WalkGraph& graph, const Take& take, TakeMoment at, const Placement& body,
-              Draft& draft) {
+void add_pose(const WalkGraph& graph, const ClipSequence& sequence, SequenceMoment at,
+              const Placement& body, Draft& draft) {
   const std::size_t joints = graph.motion->skeleton.joint.size();
-  const std::size_t next = std::min(at.frame + 1, take.root.size() - 1);
+  const std::size_t next = std::min(at.frame + 1, sequence.root.size() - 1);
   const auto share = static_cast<float>(at.share);
-  const Placement& a = take.body[at.frame];
-  const Placement& b = take.body[next];
+  const Placement& a = sequence.body[at.frame];
+  const Placement& b = sequence.body[next];
   const Placement own{glm::mix(a.position, b.position, at.share),
                       glm::mix(a.heading, b.heading, at.share)};
   const Placement move = compose(body, inverse(own));
   Walk& walk = draft.walk;
-  walk.root.push_back(moved(move, glm::mix(take.root[at.frame], take.root[next], share)));
-  const Quat* first = take.rotation.data() + at.frame * joints;
-  const Quat* second = take.rotation.data() + next * joints;
+  walk.root.push_back(moved(move, glm::mix(sequence.root[at.frame], sequence.root[next], share)));
+  const Quat* first = sequence.rotation.data() + at.frame * joints;
+  const Quat* second = sequence.rotation.data() + next * joints;
   const std::size_t start = walk.rotation.size();
   for (std::size_t j = 0; j < joints; ++j) {
     const Quat to = glm::dot(first[j], second[j]) < 0 ? -second[j] : second[j];
@@ -47,8 +47,8 @@ void add_pose(const WalkGraph& graph, const Take& take, TakeMoment at, const Pla
   }
   walk.rotation[start] = world_rotation(move.heading) * walk.rotation[start];
   const std::size_t nearest = at.share < 0.5 ? at.frame : next;
-  walk.plants.push_back({take.contact[0][nearest], take.contact[1][nearest]});
-  walk.source.push_back(take.source[nearest]);
+  walk.plants.push_back({sequence.contact[0][nearest], sequence.contact[1][nearest]});
+  walk.source.push_back(sequence.source[nearest]);
   walk.body.push_back(body);
   walk.gait.push_back(Gait::Walk);
 }
@@ -115,26 +115,28 @@ class Joining {
 
 }  // namespace
 
-Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track,
+Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const PathTrack& track,
                 const Momentum& momentum) {
   Draft draft = empty_draft(graph);
-  make_room(3 * (take.root.size() - take.first) / 2, draft.walk);
-  const double walked = take.effort.back();
+  make_room(3 * (sequence.root.size() - sequence.first) / 2, draft.walk);
+  const double walked = sequence.effort.back();
   const double stretch = walked > 1e-6 ? track.effort.back() / walked : 0;
-  const std::size_t last = take.root.size() - 1;
-  const double first_step = last > take.first ? take.effort[take.first + 1] * stretch : 0;
+  const std::size_t last = sequence.root.size() - 1;
+  const double first_step =
+      last > sequence.first ? sequence.effort[sequence.first + 1] * stretch : 0;
   const Joining joining(
       momentum, track, first_step * graph.frame_rate * track.stride.front() * track.stride.front());
   std::size_t hint = 0;
-  for (double at = static_cast<double>(take.first);;) {
+  for (double at = static_cast<double>(sequence.first);;) {
     const auto frame = std::min(static_cast<std::size_t>(at), last);
-    const TakeMoment moment{frame,
-                            std::min(at, static_cast<double>(last)) - static_cast<double>(frame)};
+    const SequenceMoment moment{
+        frame, std::min(at, static_cast<double>(last)) - static_cast<double>(frame)};
     const std::size_t next = std::min(frame + 1, last);
-    const double effort = stretch * glm::mix(take.effort[frame], take.effort[next], moment.share);
+    const double effort =
+        stretch * glm::mix(sequence.effort[frame], sequence.effort[next], moment.share);
     const TrackPoint point = at_effort(track, effort, hint);
     const double seconds = static_cast<double>(draft.walk.root.size()) / graph.frame_rate;
-    add_pose(graph, take, moment, joining.bent(point.placement, seconds), draft);
+    add_pose(graph, sequence, moment, joining.bent(point.placement, seconds), draft);
     draft.walk.along.push_back(static_cast<float>(point.along));
     if (at >= static_cast<double>(last)) break;
     at += point.stride;
@@ -143,12 +145,12 @@ Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track
   return draft;
 }
 
-Draft as_it_is(const WalkGraph& graph, const Take& take) {
+Draft as_it_is(const WalkGraph& graph, const ClipSequence& sequence) {
   Draft draft = empty_draft(graph);
-  make_room(take.root.size() - take.first, draft.walk);
-  for (std::size_t f = take.first; f < take.root.size(); ++f) {
-    add_pose(graph, take, {f, 0}, take.body[f], draft);
-    draft.walk.along.push_back(static_cast<float>(take.effort[f]));
+  make_room(sequence.root.size() - sequence.first, draft.walk);
+  for (std::size_t f = sequence.first; f < sequence.root.size(); ++f) {
+    add_pose(graph, sequence, {f, 0}, sequence.body[f], draft);
+    draft.walk.along.push_back(static_cast<float>(sequence.effort[f]));
   }
   for (const Side side : both_sides) find_feet(graph, side, draft);
   return draft;

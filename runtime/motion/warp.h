@@ -1,22 +1,22 @@
 #pragma once
 
+#include "runtime/motion/clip_sequence.h"
 #include "runtime/motion/draft.h"
 #include "runtime/motion/path_track.h"
-#include "runtime/motion/take.h"
 
 namespace docent::motion {
 
-/// Lays a take onto a track (motion path editing: Gleicher 2001): the body's circle runs along the
-/// track, strides stretch evenly so that it ends with the track, and slow down where the track
+/// Lays a sequence onto a track (motion path editing: Gleicher 2001): the body's circle runs along
+/// the track, strides stretch evenly so that it ends with the track, and slow down where the track
 /// says. Feet are then replanted: in each contact a toe stays at one place and heading, and
 /// in between the foot's own motion is bent smoothly from one to the next.
 ///
 /// The first frame takes over `momentum`: position and heading of the body, and both feet where
 /// they are.
-Draft warp_onto(const WalkGraph& graph, const Take& take, const PathTrack& track,
+Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const PathTrack& track,
                 const Momentum& momentum);
 
-/// The take as it is.
-Draft as_it_is(const WalkGraph& graph, const Take& take);
+/// The sequence as it is.
+Draft as_it_is(const WalkGraph& graph, const ClipSequence& sequence);
 
 }  // namespace docent::motion

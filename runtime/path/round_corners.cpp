@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/path/flatten.h"
 
 namespace docent::path {
@@ -30,10 +31,8 @@ struct Corner {
 /// Points of a way with the metres of way before each.
 class Polyline {
  public:
-  explicit Polyline(const std::vector<Vec2>& points) : point_(points), before_(points.size(), 0) {
-    for (std::size_t i = 1; i < points.size(); ++i)
-      before_[i] = before_[i - 1] + glm::distance(points[i - 1], points[i]);
-  }
+  explicit Polyline(const std::vector<Vec2>& points)
+      : point_(points), before_(distances_along(points)) {}
   double length() const { return before_.back(); }
   double before(std::size_t i) const { return before_[i]; }
 

@@ -1,6 +1,7 @@
 #include "runtime/path/route.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/path/floor_map.h"
@@ -13,7 +14,7 @@
 namespace docent::path {
 namespace {
 
-Way shortest(const FloorMap& map, const RouteQuery& query) {
+Way find_shortest(const FloorMap& map, const RouteQuery& query) {
   const auto ways = map.shortest_ways().find(query.radius);
   const auto has_room = [&](Vec2 point) {
     return (ways && ways->surely_has_room(point)) || map.has_room(point, query.radius);
@@ -30,6 +31,21 @@ Way shortest(const FloorMap& map, const RouteQuery& query) {
   return way;
 }
 
+/// A way along curves that the floor has, where both ends have room, with its corners as asked.
+template <Way (*along_curves)(const FloorMap&, const RouteQuery&)>
+Way find_along(const FloorMap& map, const RouteQuery& query) {
+  if (!map.has_room(query.from, query.radius)) return {.status = RouteStatus::StartBlocked};
+  if (!map.has_room(query.to, query.radius)) return {.status = RouteStatus::GoalBlocked};
+  Way way = along_curves(map, query);
+  if (query.smooth) round_corners(map, query.radius, way);
+  if (way.points.size() == 1) way.points.push_back(query.to);
+  return way;
+}
+
+/// The search of each kind.
+constexpr std::array<Way (*)(const FloorMap&, const RouteQuery&), route_kinds.size()> searches{
+    find_shortest, find_along<medial_axis_way>, find_along<offset_way>};
+
 }  // namespace
 
 std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
@@ -39,14 +55,7 @@ std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
 Way route(const FloorMap& map, const RouteQuery& asked) {
   RouteQuery query = asked;
   if (!(query.radius >= smallest_radius)) query.radius = 0;
-  if (query.kind == RouteKind::Shortest) return shortest(map, query);
-  if (!map.has_room(query.from, query.radius)) return {.status = RouteStatus::StartBlocked};
-  if (!map.has_room(query.to, query.radius)) return {.status = RouteStatus::GoalBlocked};
-  Way way =
-      query.kind == RouteKind::Skeleton ? medial_axis_way(map, query) : offset_way(map, query);
-  if (query.smooth) round_corners(map, query.radius, way);
-  if (way.points.size() == 1) way.points.push_back(query.to);
-  return way;
+  return searches[static_cast<std::size_t>(query.kind)](map, query);
 }
 
 Way tour(const FloorMap& map, const RouteQuery& asked, std::span<const Vec2> stops) {

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/route_kind.h"
 
 namespace docent::path {
-
-enum class RouteKind : std::uint8_t { Shortest, Skeleton, Offset };
 
 enum class RouteStatus : std::uint8_t {
   Ok,

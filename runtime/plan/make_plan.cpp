@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/plan.h"
 #include "runtime/plan/stretch.h"
@@ -16,13 +17,13 @@ constexpr double least_rest = 4;  // metres that are worth a stretch of their ow
 /// Makes the walk along a plan's way: all of it, or the first stretch of a long one.
 void walk_way(const MotionGraph& motion, const motion::WalkGraph* walking, const Placement& from,
               std::span<const Vec2> points, Plan& plan) {
-  const double length = motion::polyline_length(points);
+  const double length = polyline_length(points);
   if (walking != nullptr && plan.order.goal && length > stretch + least_rest) {
-    const std::vector<Vec2> beginning = motion::first_part(points, stretch);
+    const std::vector<Vec2> beginning = first_part(points, stretch);
     plan.walk = walk_along(walking, plan.order, from, beginning, {});
-    if (const auto frame = frame_to_go_on(motion, plan.walk)) {
+    if (const auto frame = find_handover_frame(motion, plan.walk)) {
       plan.is_whole = false;
-      plan.go_on_frame = *frame;
+      plan.handover_frame = *frame;
       const double pace = plan.walk.frame_rate * static_cast<double>(plan.walk.along[*frame]) /
                           static_cast<double>(*frame);
       plan.seconds_to_goal = length / pace;
@@ -38,17 +39,17 @@ void walk_way(const MotionGraph& motion, const motion::WalkGraph* walking, const
 /// The next stretch of the way of the plan before.
 std::unique_ptr<Plan> go_on(const MotionGraph& motion, const motion::WalkGraph* walking,
                             const WalkOrder& order) {
-  const Plan& before = *order.before;
+  const Plan& before = *order.previous;
   auto plan = std::make_unique<Plan>();
   plan->order = order;
   plan->status = before.status;
   plan->length = before.length;
   plan->points = before.points;
   plan->reach = before.reach;
-  const std::vector<Vec2> rest = way_ahead(before, order.before_frame);
-  walk_way(motion, walking, last_place(before.walk, order.before_frame, order.start), rest, *plan);
-  const auto done =
-      static_cast<float>(std::max(0.0, plan->reach.back() - motion::polyline_length(rest)));
+  const std::vector<Vec2> rest = way_ahead(before, order.previous_frame);
+  walk_way(motion, walking, last_place(before.walk, order.previous_frame, order.start), rest,
+           *plan);
+  const auto done = static_cast<float>(std::max(0.0, plan->reach.back() - polyline_length(rest)));
   for (float& along : plan->walk.along) along += done;
   return plan;
 }
@@ -67,12 +68,12 @@ Vec2 point_along(const Plan& plan, double metres) noexcept {
 
 std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* walking,
                                 const path::FloorMap& map, const WalkOrder& order) {
-  if (order.goes_on && order.before != nullptr && !order.before->reach.empty())
+  if (order.continues && order.previous != nullptr && !order.previous->reach.empty())
     return go_on(museum.motion, walking, order);
   auto plan = std::make_unique<Plan>();
   plan->order = order;
-  const Placement from = order.before != nullptr
-                             ? last_place(order.before->walk, order.before_frame, order.start)
+  const Placement from = order.previous != nullptr
+                             ? last_place(order.previous->walk, order.previous_frame, order.start)
                              : order.start;
   std::vector<Vec2> points;
   if (order.goal) {

@@ -18,44 +18,44 @@ struct Plan;
 struct WalkOrder {
   std::uint64_t id = 0;
   std::uint32_t floor = 0;
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   std::optional<Placement> goal;  ///< Empty: stop as soon as is natural.
   Placement start;                ///< Where it stands, where there is no plan in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
   /// keeps that plan until the answer to its latest order has come.
-  const Plan* before = nullptr;
-  std::uint32_t before_frame = 0;
-  bool goes_on = false;  ///< The next stretch of the same way; goal and kind are as before.
-  double pace = 1;       ///< Share of the ordinary speed, in (0, 1].
+  const Plan* previous = nullptr;
+  std::uint32_t previous_frame = 0;
+  bool continues = false;  ///< The next stretch of the same way; goal and kind are as before.
+  double pace = 1;         ///< Share of the ordinary speed, in (0, 1].
   std::uint32_t avatar = 0;
 
   /// Only where others walk too: when the new plan takes over, on the crowd's clock, and when
-  /// that is on the clock of `before` (which may have ended). Without, it takes over as soon as it
-  /// can.
+  /// that is on the clock of `previous` (which may have ended). Without, it takes over as soon as
+  /// it can.
   std::optional<double> seconds{};
-  double before_seconds = 0;
+  double previous_seconds = 0;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   std::optional<std::uint32_t> makes_room_for{};  ///< Step aside for that avatar, wherever.
-  double held_seconds = 0;                        ///< For how long others have been in its way.
+  double blocked_seconds = 0;                     ///< For how long others have been in its way.
   bool enters = false;                            ///< Appear at `start`, as soon as there is room.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.
 ///
 /// A long way is walked in stretches, so that the guide sets out at once and memory does not grow
-/// with the way: the walk then ends standing after some metres, and before that, at `go_on_frame`,
-/// the next stretch takes over (an order that `goes_on`), with the same way.
+/// with the way: the walk then ends standing after some metres, and before that, at
+/// `handover_frame`, the next stretch takes over (an order that `continues`), with the same way.
 struct Plan {
   WalkOrder order;
   path::RouteStatus status = path::RouteStatus::NoRoute;
-  double length = 0;              ///< Metres of the way.
-  std::vector<Vec2> points;       ///< The way, simplified to 2 mm, floor frame.
-  std::vector<double> reach;      ///< Metres along the way of each point.
-  motion::Walk walk;              ///< At least one frame unless status says there is no way.
-  bool is_whole = true;           ///< Does the walk lead to the goal?
-  std::uint32_t go_on_frame = 0;  ///< Where it does not.
-  double seconds_to_goal = 0;     ///< From the walk's beginning; where it goes on, at its pace.
-  bool is_new_way = false;        ///< `points` are not those of the plan before.
+  double length = 0;                 ///< Metres of the way.
+  std::vector<Vec2> points;          ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;         ///< Metres along the way of each point.
+  motion::Walk walk;                 ///< At least one frame unless status says there is no way.
+  bool is_whole = true;              ///< Does the walk lead to the goal?
+  std::uint32_t handover_frame = 0;  ///< Where it does not.
+  double seconds_to_goal = 0;        ///< From the walk's beginning; where it goes on, at its pace.
+  bool is_new_way = false;           ///< `points` are not those of the plan before.
   bool holds = false;  ///< Others are in the way: there is no walk now, the one before is kept.
   std::vector<std::uint32_t> in_the_way;  ///< Who could make room.
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/model/geometry/segment.h"
 #include "runtime/motion/path_track.h"
 
 namespace docent::plan {
@@ -14,13 +15,6 @@ constexpr std::size_t most_ribbon_points = 2048;
 
 constexpr double least_stretch = 2;    // metres before another may take over
 constexpr double blend_seconds = 0.3;  // in which a transition is surely over
-
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
-  const Vec2 d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return glm::length(p - (a + d * t));
-}
 
 /// Douglas and Peucker 1973: marks which points of [first, last] to keep.
 void mark_kept(std::span<const Vec2> points, std::size_t first, std::size_t last, double tolerance,
@@ -101,10 +95,10 @@ motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order
   request.final_heading = final_heading;
   request.pace = order.pace;
   std::vector<Vec2> ahead;
-  if (order.before != nullptr && order.before->walk.joint_count > 0) {
-    ahead = way_ahead(*order.before, order.before_frame);
-    request.before = &order.before->walk;
-    request.before_frame = order.before_frame;
+  if (order.previous != nullptr && order.previous->walk.joint_count > 0) {
+    ahead = way_ahead(*order.previous, order.previous_frame);
+    request.previous = &order.previous->walk;
+    request.previous_frame = order.previous_frame;
     request.old_path_ahead = ahead;
   }
   if (walking != nullptr)
@@ -114,7 +108,8 @@ motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order
   return glide(from, points, final_heading);
 }
 
-std::optional<std::uint32_t> frame_to_go_on(const MotionGraph& motion, const motion::Walk& walk) {
+std::optional<std::uint32_t> find_handover_frame(const MotionGraph& motion,
+                                                 const motion::Walk& walk) {
   const auto leads_to_stand = [&](std::size_t f) {
     return motion.clips[walk.source[f].clip].role == ClipRole::Stop;
   };

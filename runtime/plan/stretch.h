@@ -35,6 +35,7 @@ motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order
 /// Where a walk that ends on its way is best taken over: soon after its last transition before the
 /// one that leads to the stand, when every other that the clip offers is still ahead. None where
 /// that is too near to the beginning.
-std::optional<std::uint32_t> frame_to_go_on(const MotionGraph& motion, const motion::Walk& walk);
+std::optional<std::uint32_t> find_handover_frame(const MotionGraph& motion,
+                                                 const motion::Walk& walk);
 
 }  // namespace docent::plan

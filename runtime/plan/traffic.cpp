@@ -8,6 +8,7 @@
 #include "runtime/crowd/find_detour.h"
 #include "runtime/crowd/find_passage.h"
 #include "runtime/crowd/find_refuge.h"
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/stretch.h"
 
@@ -42,10 +43,10 @@ void append_trajectory(const motion::Walk& walk, double from, double seconds,
 /// The plan in progress, from a second before the new one would take over.
 crowd::Trajectory trajectory_before(const WalkOrder& order) {
   constexpr double before = 1;
-  const motion::Walk& walk = order.before->walk;
+  const motion::Walk& walk = order.previous->walk;
   crowd::Trajectory trajectory{*order.seconds - before, {}};
-  const double left = order.before->seconds() - order.before_seconds;
-  append_trajectory(walk, order.before_seconds - before,
+  const double left = order.previous->seconds() - order.previous_seconds;
+  append_trajectory(walk, order.previous_seconds - before,
                     before + std::max(0.0, left) + crowd::Trajectory::step, trajectory);
   return trajectory;
 }
@@ -55,21 +56,22 @@ double seconds_of(const motion::Walk& walk) {
 }
 
 bool stands(const WalkOrder& order) {
-  return order.before == nullptr || order.before_seconds >= order.before->seconds() - 1e-6;
+  return order.previous == nullptr || order.previous_seconds >= order.previous->seconds() - 1e-6;
 }
 
 Placement takes_over_at(const WalkOrder& order) {
-  return order.before != nullptr ? last_place(order.before->walk, order.before_frame, order.start)
-                                 : order.start;
+  return order.previous != nullptr
+             ? last_place(order.previous->walk, order.previous_frame, order.start)
+             : order.start;
 }
 
 /// What is left of the way of the plan before, joined slantwise by a body that has been beside it.
 std::vector<Vec2> rest_of_way(const path::FloorMap& map, const WalkOrder& order, double radius) {
-  const Plan& before = *order.before;
-  std::vector<Vec2> rest = way_ahead(before, order.before_frame);
+  const Plan& before = *order.previous;
+  std::vector<Vec2> rest = way_ahead(before, order.previous_frame);
   if (rest.empty() || before.walk.along.empty()) return rest;
   const double along =
-      before.walk.along[std::min<std::size_t>(order.before_frame, before.walk.along.size() - 1)];
+      before.walk.along[std::min<std::size_t>(order.previous_frame, before.walk.along.size() - 1)];
   const double beside = glm::distance(rest.front(), point_along(before, along));
   if (beside < 0.05) return rest;
   for (const double ahead : {3 * beside, 1.5 * beside}) {
@@ -86,10 +88,10 @@ std::vector<Vec2> rest_of_way(const path::FloorMap& map, const WalkOrder& order,
 /// The way that a body has come on, from where it is.
 std::vector<Vec2> way_behind(const WalkOrder& order) {
   std::vector<Vec2> behind;
-  if (order.before == nullptr) return behind;
-  const motion::Walk& walk = order.before->walk;
+  if (order.previous == nullptr) return behind;
+  const motion::Walk& walk = order.previous->walk;
   double length = 0;
-  for (std::size_t f = std::min<std::size_t>(order.before_frame, walk.body.size() - 1);;) {
+  for (std::size_t f = std::min<std::size_t>(order.previous_frame, walk.body.size() - 1);;) {
     const Vec2 here = walk.body[f].position;
     if (behind.empty() || glm::distance(behind.back(), here) > 0.1) {
       if (!behind.empty()) length += glm::distance(behind.back(), here);
@@ -99,13 +101,6 @@ std::vector<Vec2> way_behind(const WalkOrder& order) {
     f -= std::min<std::size_t>(f, 6);
   }
   return behind;
-}
-
-std::vector<double> reach_of(std::span<const Vec2> points) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    out.push_back(i == 0 ? 0 : out.back() + glm::distance(points[i - 1], points[i]));
-  return out;
 }
 
 /// Metres walked told as metres of the way.
@@ -148,12 +143,12 @@ std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
   if (order.enters) return enter(order);
   auto plan = order.makes_room_for ? make_room(order) : order.goal ? get_on(order) : stop(order);
   // Whatever had been given it since, it goes on as before now.
-  if (plan->holds && order.before != nullptr)
+  if (plan->holds && order.previous != nullptr)
     reservations_.put(order.avatar, trajectory_before(order));
   return plan;
 }
 
-std::vector<std::uint32_t> Traffic::obliging(const WalkOrder& order) const {
+std::vector<std::uint32_t> Traffic::yields_when_asked(const WalkOrder& order) const {
   std::vector<std::uint32_t> out;
   for (const auto& [id, member] : members_)
     if (id != order.avatar && member.rank < order.rank) out.push_back(id);
@@ -175,8 +170,9 @@ std::optional<crowd::Conflict> Traffic::commit(Plan& plan, motion::Walk walk) {
   constexpr double before = 1;
   crowd::Trajectory trajectory;
   trajectory.start = *order.seconds - before;
-  if (order.before != nullptr)
-    append_trajectory(order.before->walk, order.before_seconds - before, before - 1e-9, trajectory);
+  if (order.previous != nullptr)
+    append_trajectory(order.previous->walk, order.previous_seconds - before, before - 1e-9,
+                      trajectory);
   else
     trajectory.place.assign(static_cast<std::size_t>(before / crowd::Trajectory::step),
                             order.start.position);
@@ -221,7 +217,7 @@ std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
        crowd::find_refuges(map_, reservations_, order.avatar, from.position, line, most_refuges)) {
     motion::Walk walk = walk_along(walking_, order, from, refuge.way, {});
     if (commit(*plan, std::move(walk))) continue;
-    plan->length = motion::polyline_length(refuge.way);
+    plan->length = polyline_length(refuge.way);
     keep_way(refuge.way, *plan);
     plan->seconds_to_goal = plan->seconds();
     return plan;
@@ -243,14 +239,14 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   const Placement from = takes_over_at(order);
   std::vector<Vec2> way;
   double done = 0;
-  if (order.goes_on && order.before != nullptr && !order.before->reach.empty()) {
-    const Plan& before = *order.before;
+  if (order.continues && order.previous != nullptr && !order.previous->reach.empty()) {
+    const Plan& before = *order.previous;
     plan->status = before.status;
     plan->length = before.length;
     plan->points = before.points;
     plan->reach = before.reach;
     way = rest_of_way(map_, order, museum_.body_radius);
-    done = plan->reach.back() - motion::polyline_length(way);
+    done = plan->reach.back() - polyline_length(way);
   } else {
     path::Way found = find_way(museum_, map_, order, from.position);
     plan->status = found.status;
@@ -262,8 +258,8 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   }
   if (way.size() < 2) way = {from.position, order.goal->position};
   if (advance(*plan, from, way, done)) return plan;
-  if (order.held_seconds > patience && plan->in_the_way.empty()) {
-    const path::RouteQuery query{.kind = path::RouteKind::Shortest,
+  if (order.blocked_seconds > patience && plan->in_the_way.empty()) {
+    const path::RouteQuery query{.kind = RouteKind::Shortest,
                                  .from = from.position,
                                  .to = order.goal->position,
                                  .radius = museum_.body_radius + Museum::walking_room,
@@ -288,7 +284,7 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
   query.seconds = *order.seconds;
   query.way = way;
   query.speed = order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
-  const Vec2 ahead = motion::first_part(way, 0.5).back() - from.position;
+  const Vec2 ahead = first_part(way, 0.5).back() - from.position;
   if (stands(order)) {
     const double turn =
         std::abs(std::remainder(std::atan2(ahead.y, ahead.x) - from.heading, 2 * std::numbers::pi));
@@ -296,15 +292,15 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
   }
   const std::vector<Vec2> behind = way_behind(order);
   query.behind = behind;
-  const std::vector<std::uint32_t> obliging = this->obliging(order);
-  query.obliging = obliging;
+  const std::vector<std::uint32_t> yields_when_asked = this->yields_when_asked(order);
+  query.yields_when_asked = yields_when_asked;
   const crowd::Passage passage = crowd::find_passage(map_, reservations_, query);
   members_[order.avatar].line = passage.line;
   plan.in_the_way = passage.in_the_way;
 
   // As far as it may go at once; where somebody would be met after all, less far.
-  const std::vector<double> reach = reach_of(passage.points);
-  const double whole = motion::polyline_length(way);
+  const std::vector<double> reach = distances_along(passage.points);
+  const double whole = polyline_length(way);
   double most = passage.reaches_goal && reach.back() < stretch + least_rest ? 1e9 : stretch;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::optional<std::uint32_t> stop;
@@ -318,7 +314,7 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     // On the way itself its own bends are walked and not those of the passage's steps.
     if (passage.is_straight)
       points = arrives ? std::vector<Vec2>(way.begin(), way.end())
-                       : motion::first_part(way, passage.along[*stop]);
+                       : first_part(way, passage.along[*stop]);
     std::optional<double> facing;
     if (arrives) facing = order.goal->heading;
     motion::Walk walk = walk_along(walking_, order, from, points, facing);
@@ -339,9 +335,10 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     }
     plan.is_whole = arrives;
     if (!arrives) {
-      plan.go_on_frame = motion::frame_count(plan.walk) - 1;
+      plan.handover_frame = motion::frame_count(plan.walk) - 1;
       if (walking_ != nullptr)
-        if (const auto frame = frame_to_go_on(museum_.motion, plan.walk)) plan.go_on_frame = *frame;
+        if (const auto frame = find_handover_frame(museum_.motion, plan.walk))
+          plan.handover_frame = *frame;
     }
     plan.seconds_to_goal = arrives ? plan.seconds() : whole / query.speed;
     return true;

@@ -42,7 +42,7 @@ class Traffic {
   /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met
   /// on it; else when that is.
   std::optional<crowd::Conflict> commit(Plan& plan, motion::Walk walk);
-  std::vector<std::uint32_t> obliging(const WalkOrder& order) const;
+  std::vector<std::uint32_t> yields_when_asked(const WalkOrder& order) const;
 
   const Museum& museum_;
   const motion::WalkGraph* walking_;

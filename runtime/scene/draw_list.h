@@ -70,7 +70,7 @@ struct AvatarDraw {
 /// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
 /// follow the kind.
 struct RibbonDraw {
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   std::int32_t look = -1;  ///< Whose trail it is: the colour of that look. -1: that of the kind.
   std::uint32_t first = 0, count = 0;
   std::uint32_t revision =

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "runtime/path/way.h"
+#include "runtime/model/route_kind.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::scene {
@@ -30,21 +30,12 @@ struct Theme {
   Colour stone = srgb(0xBDB6A8);
   Colour ink = srgb(0x1E1C1A);
   Colour quiet_ink = srgb(0x544D46);
-  Colour shortest = srgb(0xD2452D);  ///< Vermilion; also what invites to touch.
-  Colour skeleton = srgb(0x1D7874);  ///< Teal.
-  Colour offset = srgb(0xC0841A);    ///< Ochre.
+  Colour invitation = srgb(0xD2452D);  ///< Vermilion: what invites to touch.
+  Colour focus = srgb(0x1D7874);       ///< Teal: what the keypad would press.
 };
 
-inline Colour route_colour(const Theme& theme, path::RouteKind kind) noexcept {
-  switch (kind) {
-    case path::RouteKind::Skeleton:
-      return theme.skeleton;
-    case path::RouteKind::Offset:
-      return theme.offset;
-    case path::RouteKind::Shortest:
-      break;
-  }
-  return theme.shortest;
+inline Colour route_colour(RouteKind kind) noexcept {
+  return srgb(info_of(kind).colour);
 }
 
 inline Colour with_opacity(Colour colour, float opacity) noexcept {

@@ -207,7 +207,7 @@ bool keeps(const Scenery& scenery, std::size_t exhibits) {
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
   return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
          exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
-         finite(exhibit.placement) && finite(exhibit.view);
+         finite(exhibit.placement) && finite(exhibit.viewing_point);
 }
 
 bool keeps(const Ambient& ambient) {

@@ -126,9 +126,9 @@ void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
   row("x", exhibit.placement.position.x);
   row("y", exhibit.placement.position.y);
   row("heading", exhibit.placement.heading);
-  row("view_x", exhibit.view.position.x);
-  row("view_y", exhibit.view.position.y);
-  row("view_heading", exhibit.view.heading);
+  row("view_x", exhibit.viewing_point.position.x);
+  row("view_y", exhibit.viewing_point.position.y);
+  row("view_heading", exhibit.viewing_point.heading);
   row("place", exhibit.place);
   row("image", exhibit.image);
 }

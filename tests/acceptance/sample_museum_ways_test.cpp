@@ -7,7 +7,7 @@
 namespace docent::test {
 namespace {
 
-class SampleMuseum : public testing::TestWithParam<path::RouteKind> {};
+class SampleMuseum : public testing::TestWithParam<RouteKind> {};
 
 TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
   const auto museum = sqlite::load_museum(sample_database());
@@ -21,8 +21,8 @@ TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
       for (const Exhibit& to : museum->exhibits) {
         if (from.floor != f || to.floor != f) continue;
         path::RouteQuery query{.kind = GetParam(), .radius = museum->body_radius};
-        query.from = from.view.position;
-        query.to = to.view.position;
+        query.from = from.viewing_point.position;
+        query.to = to.viewing_point.position;
         const path::Way way = path::route(*map, query);
         ASSERT_EQ(way.status, path::RouteStatus::Ok) << from.id << " to " << to.id;
         EXPECT_GE(way.clearance_min, museum->body_radius - 1e-6) << from.id << " to " << to.id;
@@ -34,8 +34,8 @@ TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachKind, SampleMuseum,
-                         testing::Values(path::RouteKind::Shortest, path::RouteKind::Skeleton,
-                                         path::RouteKind::Offset));
+                         testing::Values(RouteKind::Shortest, RouteKind::Skeleton,
+                                         RouteKind::Offset));
 
 }  // namespace
 }  // namespace docent::test

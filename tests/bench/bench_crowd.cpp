@@ -166,11 +166,11 @@ std::vector<std::vector<crowd::Body>> walk_about(const path::FloorMap& map, std:
 // --- Those who look for meetings.
 
 /// Whose eyes tell who sees whom: the floor's (`can_see` asks the same), or those that Meetings
-/// has, which look at the walls of its bays.
+/// has, which look at the walls of its cells.
 enum class Sight : std::uint8_t { Floors, Ours };
 
-std::optional<double> sighted(const crowd::Bays& floor, const crowd::Body& a, const crowd::Body& b,
-                              const crowd::Collision& contact, Sight sight) {
+std::optional<double> sighted(const crowd::WalkableCells& floor, const crowd::Body& a,
+                              const crowd::Body& b, const crowd::Collision& contact, Sight sight) {
   if (sight == Sight::Ours) return crowd::time_in_sight(floor, a, b, contact);
   const path::WallGrid& walls = floor.map().walls();
   const Vec2 a_then = a.position + contact.first * a.velocity;
@@ -183,7 +183,7 @@ std::optional<double> sighted(const crowd::Bays& floor, const crowd::Body& a, co
 
 class BruteForce {
  public:
-  explicit BruteForce(const crowd::Bays& floor) : floor_(floor) {}
+  explicit BruteForce(const crowd::WalkableCells& floor) : floor_(floor) {}
   const std::vector<crowd::Meeting>& find(std::span<const crowd::Body> bodies, double horizon) {
     found_.clear();
     for (std::uint32_t a = 0; a < bodies.size(); ++a)
@@ -195,7 +195,7 @@ class BruteForce {
   }
 
  private:
-  const crowd::Bays& floor_;
+  const crowd::WalkableCells& floor_;
   std::vector<crowd::Meeting> found_;
 };
 
@@ -203,7 +203,7 @@ class BruteForce {
 /// circle, and two are compared in the first cell that their boxes share.
 class UniformGrid {
  public:
-  UniformGrid(const crowd::Bays& floor, double cell, Sight sight)
+  UniformGrid(const crowd::WalkableCells& floor, double cell, Sight sight)
       : floor_(floor), cells_per_metre_(1 / cell), sight_(sight) {
     const FloorPlan& plan = floor.map().plan();
     Vec2 low = plan.vertex.front(), high = low;
@@ -275,7 +275,7 @@ class UniformGrid {
       }
   }
 
-  const crowd::Bays& floor_;
+  const crowd::WalkableCells& floor_;
   double cells_per_metre_;
   Sight sight_;
   Vec2 origin_{};
@@ -301,8 +301,8 @@ std::vector<crowd::Meeting> sorted(std::span<const crowd::Meeting> meetings) {
   return result;
 }
 
-void check_agreement(const crowd::Bays& floor, std::span<const crowd::Body> bodies, double horizon,
-                     std::span<const crowd::Meeting> ours) {
+void check_agreement(const crowd::WalkableCells& floor, std::span<const crowd::Body> bodies,
+                     double horizon, std::span<const crowd::Meeting> ours) {
   const auto theirs = sorted(BruteForce(floor).find(bodies, horizon));
   const bool same =
       std::ranges::equal(ours, theirs, [](const crowd::Meeting& x, const crowd::Meeting& y) {
@@ -326,7 +326,7 @@ void run(const std::string& name, const FloorPlan& plan, std::size_t count, doub
   const auto scene = make_scene(plan);
   const auto steps = walk_about(*scene->map, count, frames);
   crowd::Meetings meetings(*scene->map, count);
-  const crowd::Bays& floor = meetings.bays();
+  const crowd::WalkableCells& floor = meetings.cells();
   BruteForce brute_force(floor);
   std::vector<UniformGrid> grids;
   for (const Sight sight : {Sight::Floors, Sight::Ours})

@@ -40,8 +40,8 @@ class Search {
  public:
   Search(const Recordings& recorded, double seconds) {
     make_motion(recorded, seconds, seed, [&](motion::offline::SourceClip made) {
-      const motion::offline::Track track =
-          motion::offline::make_track(recorded.skeleton, made.clip);
+      const motion::offline::JointPositions track =
+          motion::offline::joint_positions(recorded.skeleton, made.clip);
       motion::offline::find_foot_plants(recorded.skeleton, track, made.clip);
       studied_.cloud.push_back(motion::offline::make_pose_cloud(recorded.skeleton, track));
       studied_.faults.push_back(
@@ -80,7 +80,7 @@ void time_matrix(const Recordings& recorded) {
   std::size_t frames = 0;
   for (const motion::offline::SourceClip& source : recorded.clips) {
     clouds.push_back(motion::offline::make_pose_cloud(
-        recorded.skeleton, motion::offline::make_track(recorded.skeleton, source.clip)));
+        recorded.skeleton, motion::offline::joint_positions(recorded.skeleton, source.clip)));
     frames += frame_count(source.clip);
   }
   const std::size_t half = motion::offline::frames_in(0.15, recorded.clips.front().clip.frame_rate);

@@ -14,6 +14,7 @@
 #include "content/draw/svg.h"
 #include "content/motion/compile_motion.h"
 #include "content/motion/paper_walk.h"
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/make_foresight.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/pose.h"
@@ -196,8 +197,7 @@ class Contest {
     csv_ << fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{},{},{},{}\n", shape.name,
                         walker.name, walk.search_seconds, result.seconds, q.deviation.mean,
                         q.deviation.largest, q.skate, q.drift, q.flat_share, walk.transitions,
-                        q.seconds, q.end_gap, q.deviation.reached,
-                        motion::polyline_length(shape.path));
+                        q.seconds, q.end_gap, q.deviation.reached, polyline_length(shape.path));
     picture.captions.push_back(fmt::format(
         "{}: {:.1f} / {:.1f}, skate {:.1f}, {:.1f} ms", walker.name, q.deviation.mean * 100,
         q.deviation.largest * 100, q.skate * 100, result.seconds * 1e3));

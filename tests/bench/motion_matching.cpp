@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/motion/placement.h"
 #include "runtime/motion/pose.h"
@@ -167,7 +168,7 @@ MotionMatcher::MotionMatcher(const motion::WalkGraph& graph) : graph_(graph) {
 /// A path's points at equal distances.
 class SampledPath {
  public:
-  explicit SampledPath(std::span<const Vec2> path) : length_(motion::polyline_length(path)) {
+  explicit SampledPath(std::span<const Vec2> path) : length_(polyline_length(path)) {
     double walked = 0;
     for (std::size_t i = 1; i < path.size(); ++i) {
       const double length = glm::distance(path[i - 1], path[i]);
@@ -343,7 +344,7 @@ class MatchedWalk {
 
 motion::Walk MotionMatcher::walk_along(std::span<const Vec2> path,
                                        std::optional<Placement> start) const {
-  const Vec2 way = motion::point_along(path, 0.25) - path.front();
+  const Vec2 way = point_along(path, 0.25) - path.front();
   return MatchedWalk(*this, path, start.value_or(Placement{path.front(), std::atan2(way.y, way.x)}))
       .make();
 }

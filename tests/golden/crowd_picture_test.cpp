@@ -15,15 +15,15 @@ namespace docent::test {
 namespace {
 
 /// A guide on its way: where it set out, where it leads, how far it has come.
-struct Errand {
+struct PosedWalk {
   Placement start;
   std::string_view exhibit;
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   double metres = 0;
 };
 
 /// Where a guide with that look is after so many metres of its walk.
-guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const Errand& errand) {
+guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const PosedWalk& errand) {
   const Museum& museum = exhibition.museum;
   const auto exhibit = std::ranges::find(museum.exhibits, errand.exhibit, &Exhibit::id);
   plan::WalkOrder order;
@@ -55,12 +55,12 @@ TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
     return Placement{{x, y}, glm::radians(degrees)};
   };
   const std::array errands{
-      Errand{from(19.3, 4.5, 90), "coin-hoard", path::RouteKind::Shortest, 5.5},
-      Errand{from(9.5, 15.2, 0), "tomb-guardian", path::RouteKind::Shortest, 4.6},
-      Errand{from(21.6, 25.5, 270), "boundary-stone", path::RouteKind::Shortest, 6.4},
-      Errand{from(31, 16.5, 180), "tripod-ding", path::RouteKind::Offset, 6.2},
-      Errand{from(24.2, 12.2, 130), "owl-vessel", path::RouteKind::Skeleton, 2.2},
-      Errand{from(15.4, 18.0, 270), "amphora", path::RouteKind::Shortest, 4.1},
+      PosedWalk{from(19.3, 4.5, 90), "coin-hoard", RouteKind::Shortest, 5.5},
+      PosedWalk{from(9.5, 15.2, 0), "tomb-guardian", RouteKind::Shortest, 4.6},
+      PosedWalk{from(21.6, 25.5, 270), "boundary-stone", RouteKind::Shortest, 6.4},
+      PosedWalk{from(31, 16.5, 180), "tripod-ding", RouteKind::Offset, 6.2},
+      PosedWalk{from(24.2, 12.2, 130), "owl-vessel", RouteKind::Skeleton, 2.2},
+      PosedWalk{from(15.4, 18.0, 270), "amphora", RouteKind::Shortest, 4.1},
   };
 
   scene::DrawList list;

@@ -46,8 +46,8 @@ inline Museum sample_museum_without_walls() {
     exhibit.id = section.id.value;
     exhibit.placement = {section.position.value, glm::radians(section.facing.value)};
     const double facing = exhibit.placement.heading;
-    exhibit.view = {exhibit.placement.position + Vec2{std::cos(facing), std::sin(facing)},
-                    facing + glm::pi<double>()};
+    exhibit.viewing_point = {exhibit.placement.position + Vec2{std::cos(facing), std::sin(facing)},
+                             facing + glm::pi<double>()};
     exhibit.title = texts(section.title);
     exhibit.text = texts(section.text);
     exhibit.image = static_cast<std::uint32_t>(museum.images.size());

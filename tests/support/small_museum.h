@@ -85,7 +85,7 @@ inline Museum small_museum() {
                              .floor = 0,
                              .room = 0,
                              .placement = {{10, 4}, 3.0},
-                             .view = {{8.5, 4}, 0.1},
+                             .viewing_point = {{8.5, 4}, 0.1},
                              .place = ExhibitPlace::OnWall,
                              .title = {{"en", "Jade disc"}},
                              .text = {{"en", "A disc of jade."}, {"zh", "玉璧。"}},

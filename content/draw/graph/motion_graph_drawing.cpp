@@ -26,7 +26,7 @@ double seconds_of(const MotionClip& clip) {
 }
 
 /// Teal for what is nearly one motion, ochre between, vermilion for the dearest transition.
-std::string colour_of(double part) {
+std::string colour_use_of(double part) {
   return part < 0.5 ? mixed(ink::teal, ink::ochre, 2 * part)
                     : mixed(ink::ochre, ink::vermilion, 2 * part - 1);
 }
@@ -150,7 +150,7 @@ class GraphDrawing {
 
   void draw_transition(const Transition& t) {
     const Vec2 from = at(t.from), to = at(t.to);
-    const std::string colour = colour_of(part_of(t.distance));
+    const std::string colour = colour_use_of(part_of(t.distance));
     svg_.path(
         arc(from, to, t.from.clip == t.to.clip),
         fmt::format(R"(fill="none" stroke="{}" stroke-width="1.3" stroke-opacity="0.5")", colour));
@@ -175,7 +175,7 @@ class GraphDrawing {
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i)
       svg_.rectangle({left + length * i / steps, y - 12}, {length / steps + 0.5, 12},
-                     fmt::format(R"(fill="{}")", colour_of((i + 0.5) / steps)));
+                     fmt::format(R"(fill="{}")", colour_use_of((i + 0.5) / steps)));
     svg_.text({left, y + 24}, fmt::format("{:.1f} cm", 100 * cheapest_),
               type(sans, 15, ink::quiet));
     svg_.text({left + length, y + 24}, fmt::format("{:.1f} cm", 100 * dearest_),

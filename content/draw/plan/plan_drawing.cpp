@@ -15,6 +15,7 @@
 #include "content/draw/plan/plan_style.h"
 #include "content/draw/svg.h"
 #include "runtime/model/geometry/bisector.h"
+#include "runtime/model/geometry/polygon.h"
 
 namespace docent::draw {
 namespace {
@@ -26,14 +27,8 @@ constexpr double narrowest = 700;
 constexpr double letter = 17;
 constexpr const char* sans = "font-family=\"Inter, Noto Sans, sans-serif\"";
 
-double signed_area(const FloorPlan& plan, const Ring& ring) {
-  double twice = 0;
-  const Vec2 origin = plan.vertex[ring.first];
-  for (std::uint32_t i = 0; i < ring.count; ++i) {
-    const std::uint32_t v = ring.first + i;
-    twice += cross(plan.vertex[v] - origin, plan.vertex[plan.next[v]] - origin);
-  }
-  return twice / 2;
+double signed_area_of(const FloorPlan& plan, const Ring& ring) {
+  return signed_area(std::span(plan.vertex).subspan(ring.first, ring.count));
 }
 
 /// Metres. What is longer and stands free is drawn as a wall, not as a case.
@@ -159,7 +154,7 @@ void PlanPainter::draw_ground() {
   PathData floor, outlines;
   for (const Ring& ring : plan_.ring) {
     add_ring(floor, ring);
-    if (signed_area(plan_, ring) > 0) add_ring(outlines, ring);
+    if (signed_area_of(plan_, ring) > 0) add_ring(outlines, ring);
   }
   const double thickness = std::clamp(page_.pixels(0.35), 5.0, 30.0);
   // Half of the stroke lies on the floor's side and is covered by the floor.
@@ -173,7 +168,7 @@ void PlanPainter::draw_ground() {
 void PlanPainter::draw_walls() {
   PathData outlines, obstacles, partitions;
   for (const Ring& ring : plan_.ring) {
-    if (signed_area(plan_, ring) > 0)
+    if (signed_area_of(plan_, ring) > 0)
       add_ring(outlines, ring);
     else
       add_ring(extent(plan_, ring) > longest_case ? partitions : obstacles, ring);
@@ -274,7 +269,7 @@ void PlanPainter::draw_exhibits() {
   for (const Exhibit& exhibit : museum_.exhibits) {
     if (exhibit.floor != floor_index_) continue;
     const Vec2 object = page_.at(exhibit.placement.position);
-    const Vec2 viewer = page_.at(exhibit.view.position);
+    const Vec2 viewer = page_.at(exhibit.viewing_point.position);
     svg_.path(PathData().move_to(object).line_to(viewer),
               fmt::format("stroke=\"{}\" stroke-width=\"1.2\" stroke-dasharray=\"1 5\" "
                           "stroke-linecap=\"round\"",
@@ -324,7 +319,7 @@ void PlanPainter::add_line(PathData& path, const DrawnLine& line) const {
 void PlanPainter::draw_levels(const std::vector<DrawnLine>& lines) {
   std::map<double, PathData> levels;
   for (const DrawnLine& line : lines)
-    if (line.kind == LineKind::Level) add_line(levels[line.clearance], line);
+    if (!line.kind) add_line(levels[line.clearance], line);
   for (const auto& [clearance, path] : levels) svg_.path(path, level_style(levels.size()));
 }
 
@@ -333,17 +328,16 @@ void PlanPainter::draw_line(const DrawnLine& line) {
   PathData path;
   add_line(path, line);
   if (line.closed) {
-    const std::string_view colour = line.kind == LineKind::Offset ? ink::ochre : ink::vermilion;
-    svg_.path(path, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"3\" "
+    svg_.path(path, fmt::format("fill=\"none\" stroke=\"#{:06X}\" stroke-width=\"3\" "
                                 "stroke-linejoin=\"round\"",
-                                colour));
+                                info_of(*line.kind).colour));
     return;
   }
   const double width = std::clamp(page_.pixels(0.25), 4.0, 11.0);
   svg_.path(path, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" "
                               "stroke-linejoin=\"round\" stroke-linecap=\"round\"",
                               ink::floor, width + 5));  // Sets it off from what lies below.
-  svg_.path(path, way_stroke(line.kind, width));
+  svg_.path(path, way_stroke(info_of(*line.kind), width));
   for (const Vec2 end : {line.points.front(), line.points.back()})
     svg_.circle(
         page_.at(end), 1.1 * width,
@@ -393,7 +387,7 @@ std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayer
   if (layers.walls) painter.draw_walls();
   if (layers.skeleton) painter.draw_skeleton();
   for (const DrawnLine& line : lines)
-    if (line.kind != LineKind::Level) painter.draw_line(line);
+    if (line.kind) painter.draw_line(line);
   if (layers.sites) painter.draw_sites();
   if (layers.exhibits) painter.draw_exhibits();
   painter.draw_caption();

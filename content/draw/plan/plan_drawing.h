@@ -1,24 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/model/museum.h"
+#include "runtime/model/route_kind.h"
 
 namespace docent::draw {
 
-/// A line over the floor; ways are told apart by colour and pattern as on the kiosk.
-enum class LineKind : std::uint8_t {
-  Shortest,  ///< Vermilion, solid.
-  Skeleton,  ///< Teal, long dashes.
-  Offset,    ///< Ochre, round dots.
-  Level,     ///< A thin line of equal clearance; what it encloses is shaded.
-};
-
 /// A line over the plan. Frame: floor.
 struct DrawnLine {
-  LineKind kind = LineKind::Shortest;
+  /// A way of that kind, in its colour and pattern. None: a line of equal clearance, thin; what it
+  /// encloses is shaded.
+  std::optional<RouteKind> kind = RouteKind::Shortest;
   std::vector<Vec2> points;
   bool closed = false;
   double clearance = 0;  ///< Metres: of a level or of an offset curve.

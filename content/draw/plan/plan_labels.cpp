@@ -7,22 +7,22 @@
 namespace docent::draw {
 namespace {
 
-struct Box {
+struct LabelBox {
   Vec2 low{}, high{};
 };
 
-double overlap(const Box& a, const Box& b) {
+double overlap(const LabelBox& a, const LabelBox& b) {
   const Vec2 size = glm::min(a.high, b.high) - glm::max(a.low, b.low);
   return size.x > 0 && size.y > 0 ? size.x * size.y : 0;
 }
 
-double area_beyond(const Box& box, Vec2 page) {
+double area_beyond(const LabelBox& box, Vec2 page) {
   const Vec2 size = box.high - box.low;
   return size.x * size.y - overlap(box, {{0, 0}, page});
 }
 
 /// The box of a label whose middle is displaced from its mark by whole steps.
-Box box_beside(const Label& label, Vec2 step, double letter) {
+LabelBox box_beside(const Label& label, Vec2 step, double letter) {
   constexpr double width_per_letter = 0.54;  // Of a sans in lower case, measured on Noto Sans.
   const Vec2 half{0.5 * width_per_letter * letter * static_cast<double>(label.words.size()),
                   0.6 * letter};
@@ -37,16 +37,16 @@ void place_labels(std::vector<Label>& labels, double letter, Vec2 page) {
   constexpr std::array<Vec2, 8> steps = {Vec2{1, 0},  Vec2{-1, 0},  Vec2{0, -1}, Vec2{0, 1},
                                          Vec2{1, -1}, Vec2{-1, -1}, Vec2{1, 1},  Vec2{-1, 1}};
   const Vec2 around{0.5 * letter, 0.5 * letter};
-  std::vector<Box> taken;
+  std::vector<LabelBox> taken;
   taken.reserve(2 * labels.size());
   for (const Label& label : labels) taken.push_back({label.mark - around, label.mark + around});
   for (Label& label : labels) {
-    Box best;
+    LabelBox best;
     double least = std::numeric_limits<double>::infinity();
     for (const Vec2 step : steps) {
-      const Box box = box_beside(label, step, letter);
+      const LabelBox box = box_beside(label, step, letter);
       double hidden = 10 * area_beyond(box, page);
-      for (const Box& other : taken) hidden += overlap(box, other);
+      for (const LabelBox& other : taken) hidden += overlap(box, other);
       if (hidden < least) {
         least = hidden;
         best = box;

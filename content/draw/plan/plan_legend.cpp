@@ -31,20 +31,17 @@ PlanLegend::PlanLegend(const PlanLayers& layers, const std::vector<DrawnLine>& l
 }
 
 void PlanLegend::add_lines(const std::vector<DrawnLine>& lines) {
-  const auto first = [&lines](LineKind kind, bool closed) {
+  const auto first = [&lines](std::optional<RouteKind> kind, bool closed) {
     return std::ranges::find_if(lines, [kind, closed](const DrawnLine& line) {
       return line.kind == kind && line.closed == closed;
     });
   };
-  if (const auto level = first(LineKind::Level, true); level != lines.end())
+  if (const auto level = first({}, true); level != lines.end())
     entries_.push_back({Symbol::Levels, fmt::format("clearance, every {:g} m", level->clearance)});
-  if (first(LineKind::Shortest, false) != lines.end())
-    entries_.push_back({Symbol::Shortest, "shortest path"});
-  if (first(LineKind::Skeleton, false) != lines.end())
-    entries_.push_back({Symbol::Skeleton, "path on the medial axis"});
-  if (first(LineKind::Offset, false) != lines.end())
-    entries_.push_back({Symbol::Offset, "path along the walls"});
-  if (const auto curve = first(LineKind::Offset, true); curve != lines.end())
+  for (const RouteKindInfo& info : route_kinds)
+    if (first(info.kind, false) != lines.end())
+      entries_.push_back({Symbol::Way, std::string(info.legend), info.kind});
+  if (const auto curve = first(RouteKind::Offset, true); curve != lines.end())
     entries_.push_back(
         {Symbol::OffsetCurve, fmt::format("{:g} m from the walls", curve->clearance)});
 }
@@ -65,12 +62,12 @@ double PlanLegend::height(double width) const {
   return all.empty() ? 0 : all.back().y + row;
 }
 
-void PlanLegend::draw_symbol(Svg& svg, Symbol symbol, Vec2 at) {
+void PlanLegend::draw_symbol(Svg& svg, const Entry& entry, Vec2 at) {
   const Vec2 left = at + Vec2{0, row / 2}, right = left + Vec2{symbol_width, 0};
   const auto line = [&](const std::string& style) {
     svg.path(PathData().move_to(left + Vec2{4, 0}).line_to(right - Vec2{4, 0}), style);
   };
-  switch (symbol) {
+  switch (entry.symbol) {
     case Symbol::Regions:
       for (std::size_t i = 0; i < 4; ++i)
         svg.rectangle(left + Vec2{static_cast<double>(i) * symbol_width / 4, -9},
@@ -91,14 +88,8 @@ void PlanLegend::draw_symbol(Svg& svg, Symbol symbol, Vec2 at) {
     case Symbol::Corner:
       svg.circle(left + Vec2{symbol_width / 2, 0}, 4, fmt::format(R"(fill="{}")", ink::vermilion));
       break;
-    case Symbol::Shortest:
-      line(way_stroke(LineKind::Shortest, 6));
-      break;
-    case Symbol::Skeleton:
-      line(way_stroke(LineKind::Skeleton, 6));
-      break;
-    case Symbol::Offset:
-      line(way_stroke(LineKind::Offset, 6));
+    case Symbol::Way:
+      line(way_stroke(info_of(entry.kind), 6));
       break;
     case Symbol::OffsetCurve:
       line(fmt::format(R"(stroke="{}" stroke-width="3")", ink::ochre));
@@ -109,7 +100,7 @@ void PlanLegend::draw_symbol(Svg& svg, Symbol symbol, Vec2 at) {
 void PlanLegend::draw(Svg& svg, Vec2 at, double width) const {
   const std::vector<Vec2> all = places(width);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    draw_symbol(svg, entries_[i].symbol, at + all[i]);
+    draw_symbol(svg, entries_[i], at + all[i]);
     svg.text(at + all[i] + Vec2{symbol_width + gap, row / 2 + 0.35 * letter}, entries_[i].words,
              fmt::format(R"(font-family="Inter, Noto Sans, sans-serif" font-size="{}" fill="{}")",
                          letter, ink::quiet));

@@ -26,19 +26,18 @@ class PlanLegend {
     MedialAxis,
     Levels,
     Corner,
-    Shortest,
-    Skeleton,
-    Offset,
+    Way,
     OffsetCurve,
   };
   struct Entry {
     Symbol symbol;
     std::string words;
+    RouteKind kind = RouteKind::Shortest;  ///< Of a way.
   };
 
   void add_lines(const std::vector<DrawnLine>& lines);
   [[nodiscard]] std::vector<Vec2> places(double width) const;
-  static void draw_symbol(Svg& svg, Symbol symbol, Vec2 at);
+  static void draw_symbol(Svg& svg, const Entry& entry, Vec2 at);
 
   std::vector<Entry> entries_;
 };

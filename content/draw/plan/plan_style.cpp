@@ -32,19 +32,15 @@ std::string axis_stroke(double wide) {
                      std::lerp(1.6, 7.0, wide));
 }
 
-std::string way_stroke(LineKind kind, double width) {
-  std::string_view colour = ink::vermilion;
-  std::string dashes;
-  if (kind == LineKind::Skeleton) {
-    colour = ink::teal;
-    dashes = fmt::format(R"( stroke-dasharray="{:.1f} {:.1f}")", 3 * width, 1.8 * width);
-  } else if (kind == LineKind::Offset) {
-    colour = ink::ochre;
-    dashes = fmt::format(R"( stroke-dasharray="0 {:.1f}")", 1.7 * width);
-  }
-  return fmt::format(R"(fill="none" stroke="{}" stroke-width="{:.2f}" stroke-linejoin="round" )"
-                     R"(stroke-linecap="round"{})",
-                     colour, width, dashes);
+std::string way_stroke(const RouteKindInfo& kind, double width) {
+  const LinePattern& pattern = kind.pattern;
+  const std::string dashes =
+      pattern.is_solid() ? std::string()
+                         : fmt::format(R"( stroke-dasharray="{:.1f} {:.1f}")",
+                                       pattern.drawn_piece * width, pattern.drawn_gap * width);
+  return fmt::format(R"(fill="none" stroke="#{:06X}" stroke-width="{:.2f}" )"
+                     R"(stroke-linejoin="round" stroke-linecap="round"{})",
+                     kind.colour, width, dashes);
 }
 
 std::string level_style(std::size_t levels) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "content/draw/plan/plan_drawing.h"
+#include "runtime/model/route_kind.h"
 
 namespace docent::draw {
 
@@ -18,7 +18,7 @@ std::string axis_stroke(double wide);
 
 /// Attributes of a way: its colour and its pattern, which tell the kinds apart without colours,
 /// too.
-std::string way_stroke(LineKind kind, double width);
+std::string way_stroke(const RouteKindInfo& kind, double width);
 
 /// Attributes of the edge of all that is at least so far from the walls, when there are that many
 /// such areas one within another: each darkens what lies below a little.

@@ -13,12 +13,12 @@
 namespace docent::import {
 namespace {
 
-enum class Side { Middle, Left, Right };
+enum class WordSide { Middle, Left, Right };
 
 /// A joint's name, taken apart: "mixamorig:LeftUpLeg", "UpperLeg_L" and "lfemur" are the left
 /// side's "upleg", "upperleg" and "femur".
 struct JointName {
-  Side side = Side::Middle;
+  WordSide side = WordSide::Middle;
   std::string base;
 };
 
@@ -50,10 +50,10 @@ std::vector<std::string> words_of(std::string_view name) {
   return words;
 }
 
-Side side_word(std::string_view word) {
-  if (word == "left" || word == "l" || word == "lt") return Side::Left;
-  if (word == "right" || word == "r" || word == "rt") return Side::Right;
-  return Side::Middle;
+WordSide side_word(std::string_view word) {
+  if (word == "left" || word == "l" || word == "lt") return WordSide::Left;
+  if (word == "right" || word == "r" || word == "rt") return WordSide::Right;
+  return WordSide::Middle;
 }
 
 /// ASF writes the side as the first letter of one word, others run "left" into it.
@@ -66,22 +66,22 @@ JointName part_run_together(const std::string& word) {
         "wrist",    "hand",  "fingers", "thumb", "thigh",  "shin",     "shoulder", "elbow",
         "knee",     "ankle", "toe",     "hip",   "collar", "calf",     "upperarm", "forearm"})
     if (word.size() == base.size() + 1 && word.ends_with(base) &&
-        side_word(word.substr(0, 1)) != Side::Middle)
+        side_word(word.substr(0, 1)) != WordSide::Middle)
       return {side_word(word.substr(0, 1)), std::string(base)};
-  return {Side::Middle, word};
+  return {WordSide::Middle, word};
 }
 
 JointName take_apart(std::string_view name) {
   if (const auto colon = name.rfind(':'); colon != name.npos) name.remove_prefix(colon + 1);
   JointName found;
   for (const std::string& word : words_of(name)) {
-    const Side side = side_word(word);
-    if (side == Side::Middle)
+    const WordSide side = side_word(word);
+    if (side == WordSide::Middle)
       found.base += word;
     else
       found.side = side;
   }
-  return found.side == Side::Middle ? part_run_together(found.base) : found;
+  return found.side == WordSide::Middle ? part_run_together(found.base) : found;
 }
 
 class NameTable {
@@ -92,7 +92,7 @@ class NameTable {
   }
 
   /// The first joint of that side whose name is one of `bases`, tried in order.
-  JointIndex find(Side side, std::initializer_list<std::string_view> bases) const {
+  JointIndex find(WordSide side, std::initializer_list<std::string_view> bases) const {
     for (const std::string_view base : bases)
       for (std::size_t j = 0; j < names_.size(); ++j)
         if (names_[j].side == side && names_[j].base == base)
@@ -104,8 +104,8 @@ class NameTable {
   std::vector<JointName> names_;
 };
 
-constexpr BodyPart on(Side side, BodyPart left, BodyPart right) {
-  return side == Side::Left ? left : right;
+constexpr BodyPart on(WordSide side, BodyPart left, BodyPart right) {
+  return side == WordSide::Left ? left : right;
 }
 
 JointIndex& part_of(Skeleton& skeleton, BodyPart part) {
@@ -114,7 +114,7 @@ JointIndex& part_of(Skeleton& skeleton, BodyPart part) {
 
 /// "Leg" is the shin where another joint is the thigh, and "Shoulder" the collar bone where
 /// another joint is the upper arm; the names that settle it come first.
-void name_limbs(const NameTable& names, Side side, Skeleton& skeleton) {
+void name_limbs(const NameTable& names, WordSide side, Skeleton& skeleton) {
   const auto set = [&](BodyPart left, BodyPart right,
                        std::initializer_list<std::string_view> bases) {
     part_of(skeleton, on(side, left, right)) = names.find(side, bases);
@@ -366,10 +366,10 @@ void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
   skeleton.part.fill(JointIndex::None);
   part_of(skeleton, Hips) = JointIndex{0};
   const NameTable names(skeleton);
-  name_limbs(names, Side::Left, skeleton);
-  name_limbs(names, Side::Right, skeleton);
-  part_of(skeleton, Head) = names.find(Side::Middle, {"head"});
-  part_of(skeleton, Neck) = names.find(Side::Middle, {"lowerneck", "neck"});
+  name_limbs(names, WordSide::Left, skeleton);
+  name_limbs(names, WordSide::Right, skeleton);
+  part_of(skeleton, Head) = names.find(WordSide::Middle, {"head"});
+  part_of(skeleton, Neck) = names.find(WordSide::Middle, {"lowerneck", "neck"});
 
   const MeanPose pose = mean_pose(skeleton, clip);
   const auto missing = [&](std::initializer_list<BodyPart> parts) {
@@ -384,8 +384,9 @@ void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
 
 bool are_counterparts(std::string_view name, std::string_view other) {
   const JointName a = take_apart(name), b = take_apart(other);
-  const bool sides_swap =
-      a.side == Side::Middle ? b.side == Side::Middle : b.side != Side::Middle && b.side != a.side;
+  const bool sides_swap = a.side == WordSide::Middle
+                              ? b.side == WordSide::Middle
+                              : b.side != WordSide::Middle && b.side != a.side;
   return sides_swap && a.base == b.base;
 }
 

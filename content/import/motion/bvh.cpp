@@ -271,15 +271,15 @@ Skeleton make_skeleton(const Hierarchy& hierarchy, std::size_t hips) {
 }
 
 /// By how much the frames of a motion change the length or place of a bone, in file units.
-struct Stretch {
+struct BoneStretch {
   double most = 0;
   std::string joint;
 };
 
 /// Places the bones whose joints have positions in the frames: a bone is the mean of what they say.
-Stretch take_bones_from_frames(const Hierarchy& hierarchy, std::size_t hips, const Motion& motion,
-                               Skeleton& skeleton) {
-  Stretch stretch;
+BoneStretch take_bones_from_frames(const Hierarchy& hierarchy, std::size_t hips,
+                                   const Motion& motion, Skeleton& skeleton) {
+  BoneStretch stretch;
   for (std::size_t j = hips + 1; j < hierarchy.joint.size(); ++j) {
     const BvhJoint& joint = hierarchy.joint[j];
     if (!has_positions(joint)) continue;
@@ -297,7 +297,7 @@ Stretch take_bones_from_frames(const Hierarchy& hierarchy, std::size_t hips, con
   return stretch;
 }
 
-void note_stretch(const Stretch& stretch, const std::string& file, RecordedMotion& recorded) {
+void note_stretch(const BoneStretch& stretch, const std::string& file, RecordedMotion& recorded) {
   const double metres = stretch.most * recorded.scale.metres_per_unit;
   if (metres < 0.01) return;
   recorded.notes.push_back(
@@ -351,7 +351,7 @@ RecordedMotion parse_bvh(std::string_view bytes, const std::string& file,
   RecordedMotion recorded{.skeleton = make_skeleton(hierarchy, hips),
                           .clip = make_clip(hierarchy, hips, motion),
                           .notes = motion.notes};
-  const Stretch stretch = take_bones_from_frames(hierarchy, hips, motion, recorded.skeleton);
+  const BoneStretch stretch = take_bones_from_frames(hierarchy, hips, motion, recorded.skeleton);
   recorded.clip.name = std::filesystem::path(file).stem().string();
   find_body_parts(recorded.skeleton, recorded.clip);
   recorded.scale.stated = metres_per_unit.has_value();

@@ -5,7 +5,7 @@ out vec4 colour;
 uniform sampler2D light_map;
 uniform vec4 tone;    // rgb; a: opacity
 uniform vec4 way;     // x: length; y: walked; z: flow; w: half width
-uniform int kind;     // 0 solid, 1 long dashes, 2 round dots
+uniform vec2 pattern; // x: period, 0: solid; y: half the length of a piece
 
 /// Signed distance to a bar of half length `a` and half width `b` with round ends.
 float bar(vec2 p, float a, float b) {
@@ -14,11 +14,10 @@ float bar(vec2 p, float a, float b) {
 
 float shape() {
   float whole = bar(vec2(ribbon.x - 0.5 * way.x, ribbon.y), 0.5 * way.x + way.w, way.w);
-  if (kind == 0) return whole;
-  float period = kind == 1 ? 1.20 : 0.36;
-  float s = mod(ribbon.x - way.z, period) - 0.5 * period;
-  float piece = kind == 1 ? bar(vec2(s, ribbon.y), 0.44, way.w * 0.92) : length(vec2(s, ribbon.y)) - way.w * 0.92;
-  return max(piece, whole);
+  if (pattern.x == 0.0) return whole;
+  float s = mod(ribbon.x - way.z, pattern.x) - 0.5 * pattern.x;
+  float thick = way.w * 0.92;
+  return max(bar(vec2(s, ribbon.y), max(pattern.y, thick), thick), whole);
 }
 
 void main() {
@@ -33,7 +32,7 @@ void main() {
   vec3 c = tone.rgb * light;
   // A slow sheen travels along the solid way.
   float phase = fract((ribbon.x - way.z) / 2.4) - 0.5;
-  float sheen = kind == 0 ? exp(-phase * phase * 40.0) : 0.0;
+  float sheen = pattern.x == 0.0 ? exp(-phase * phase * 40.0) : 0.0;
   c = mix(c, mix(tone.rgb, vec3(1.0), 0.55), 0.20 * sheen);
   // Its edges catch the light.
   c *= 1.0 + 0.10 * smoothstep(-0.03, -0.004, d) * sign(ribbon.y);

@@ -21,7 +21,7 @@ struct Exhibit {
   std::uint32_t floor = 0;  ///< Index into Museum::floors.
   std::uint32_t room = 0;   ///< Index into Museum::rooms.
   Placement placement;      ///< Where the object is, and where it looks.
-  Placement view;           ///< Where a visitor stands to look at it, facing it.
+  Placement viewing_point;  ///< Where a visitor stands to look at it, facing it.
   ExhibitPlace place = ExhibitPlace::OnFloor;
   LocalText title;
   LocalText text;

@@ -21,8 +21,8 @@ class IntervalTree {
   explicit IntervalTree(std::span<const Interval> intervals);
 
   /// Calls visit(i) for each interval that contains x; always in the same order.
-  template <class Visit>
-  void visit_containing(double x, Visit visit) const {
+  template <class Visitor>
+  void visit_containing(double x, Visitor visit) const {
     for (std::uint32_t n = node_.empty() ? none : 0; n != none;) {
       const Node& node = node_[n];
       const bool below = x < node.centre;

@@ -48,14 +48,6 @@ int exact_orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   return determinant.sign();
 }
 
-NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
-  const Vec2 along = b - a;
-  const double squared = dot(along, along);
-  const double t = squared > 0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  const Vec2 apart = t == 1 ? p - b : p - a - t * along;
-  return {dot(apart, apart), t};
-}
-
 double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept {
   const Vec2 pq = q - p, ab = b - a;
   const double a_side = cross(pq, a - p), b_side = cross(pq, b - p);

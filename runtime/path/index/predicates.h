@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "runtime/model/geometry/segment.h"
 #include "runtime/model/geometry/vec2.h"
 
 namespace docent::path {
@@ -24,13 +25,6 @@ inline int orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   if (-determinant > error) return -1;
   return exact_orientation(a, b, c);
 }
-
-/// Distance from `p` to the segment a b, squared, and the place on it.
-struct NearestOnSegment {
-  double distance_squared = 0;
-  double t = 0;  ///< In [0, 1]: 0 at a, 1 at b.
-};
-NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept;
 
 /// Distance between the segments p q and a b, squared; 0 where they cross.
 double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept;

@@ -59,8 +59,8 @@ WallGrid::WallGrid(const FloorPlan& plan, double radius) : radius_(radius) {
     visit_cells_near_wall(wall_[i], [&](std::size_t cell) { cell_wall_[fill[cell]++] = i; });
 }
 
-template <class Visit>
-void WallGrid::visit_cells_near_wall(const Wall& wall, Visit visit) const {
+template <class Visitor>
+void WallGrid::visit_cells_near_wall(const Wall& wall, Visitor visit) const {
   const double reach = radius_ + margin;
   const auto cell_at = [&](double metres, int count) {
     return std::clamp(static_cast<int>(metres * cells_per_metre_), 0, count - 1);

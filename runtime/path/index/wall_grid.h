@@ -74,8 +74,8 @@ class WallGrid {
     return std::span(cell_wall_)
         .subspan(cell_first_[cell], cell_first_[cell + 1] - cell_first_[cell]);
   }
-  template <class Visit>
-  void visit_cells_near_wall(const Wall& wall, Visit visit) const;
+  template <class Visitor>
+  void visit_cells_near_wall(const Wall& wall, Visitor visit) const;
   template <class Blocked>
   bool passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept;
   bool crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/model/geometry/segment.h"
 #include "runtime/path/index/list_edges.h"
 
 namespace docent::path {
@@ -141,7 +142,7 @@ std::optional<MedialAxisMap::Place> MedialAxisMap::place_above(std::uint32_t sit
     const Vec2 a = wall_start(plan, below.index), b = wall_end(plan, below.index);
     const Vec2 along = glm::normalize(b - a);
     up = left_of(along);
-    foot = a + std::clamp(dot(point - a, along), 0.0, dot(b - a, along)) * along;
+    foot = glm::mix(a, b, nearest_on_segment(point, a, b).t);
   } else {
     foot = plan.vertex[below.index];
     const double distance = glm::length(point - foot);

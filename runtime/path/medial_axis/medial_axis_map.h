@@ -65,8 +65,8 @@ class MedialAxisMap {
   }
   /// Calls visit(e) for each Voronoi edge whose clearance is somewhere above `level` and somewhere
   /// not.
-  template <class Visit>
-  void visit_edges_across(double level, Visit visit) const {
+  template <class Visitor>
+  void visit_edges_across(double level, Visitor visit) const {
     by_clearance_.visit_containing(level, visit);
   }
 

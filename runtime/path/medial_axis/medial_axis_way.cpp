@@ -99,7 +99,7 @@ double widest_clearance(const RoadGraph& roads, const Place& from, const Place& 
 
 /// What a search knows of a junction: the shortest way to it yet, and the road that it came by, as
 /// `RoadGraph::roads_at` counts; none for those beside the start.
-struct Visit {
+struct Visitor {
   double length = infinity;
   double least_rest = 0;  ///< No way on to the goal is shorter.
   std::uint32_t by = none;
@@ -133,7 +133,7 @@ class RoadSearch {
       const auto [bound, junction] = queue_.back();
       queue_.pop_back();
       if (bound >= length_) break;
-      const Visit& here = visit_[junction];
+      const Visitor& here = visit_[junction];
       if (bound > here.length + here.least_rest) continue;
       arrive(junction, here.length);
       leave(junction, here.length);
@@ -166,8 +166,8 @@ class RoadSearch {
 
  private:
   /// Kept per thread, so that no search has to make or clear them.
-  static StampedArray<Visit>& notes() {
-    thread_local StampedArray<Visit> kept;
+  static StampedArray<Visitor>& notes() {
+    thread_local StampedArray<Visitor> kept;
     return kept;
   }
   /// The junction that a road, as `roads_at` counts, leads to.
@@ -177,7 +177,7 @@ class RoadSearch {
   }
   void shorten(std::uint32_t junction, double length, std::uint32_t by, bool by_end = false) {
     const bool is_new = !visit_.has(junction);
-    Visit& visit = visit_[junction];
+    Visitor& visit = visit_[junction];
     if (length >= visit.length) return;
     const double rest = is_new ? roads_.least_distance(junction, to_goal_) : visit.least_rest;
     visit = {length, rest, by, by_end};
@@ -216,7 +216,7 @@ class RoadSearch {
   double least_;
   RoadGraph::Distances to_goal_;
   std::array<RoadGraph::Exit, 2> arrival_;
-  StampedArray<Visit>& visit_;
+  StampedArray<Visitor>& visit_;
   std::vector<std::pair<double, std::uint32_t>> queue_;
   double length_ = infinity;
   std::uint32_t last_ = none;  ///< The last junction; none on a way along one road.

@@ -75,8 +75,8 @@ class Network {
   /// Calls visit(link) for each link that leaves a node. Along the curve the wall is on the right:
   /// with the wall on the left it is walked backwards. Whoever wants the shorter hand may walk each
   /// wall either way.
-  template <class Visit>
-  void visit_links(std::uint32_t node, Hand hand, Visit visit) const {
+  template <class Visitor>
+  void visit_links(std::uint32_t node, Hand hand, Visitor visit) const {
     const auto visit_wide = [&](const Link& link) {
       if (link.clearance >= radius_ - touching && link.to != node) visit(link);
     };
@@ -190,8 +190,8 @@ class Network {
     }
   }
   /// The links along the axis from a Voronoi vertex.
-  template <class Visit>
-  void visit_roads(std::uint32_t node, Visit visit) const {
+  template <class Visitor>
+  void visit_roads(std::uint32_t node, Visitor visit) const {
     const RoadGraph& roads = axis_.roads();
     const std::uint32_t vertex = node - first_vertex_, at = axis_.node_at(vertex);
     const std::uint32_t junction = at == none ? none : roads.place_at(at).junction;
@@ -242,8 +242,8 @@ class Network {
     return stops;
   }
   /// The links along an axis edge from a stop of it to the ones beside it.
-  template <class Visit>
-  void visit_axis(std::uint32_t node, std::uint32_t e, Visit visit) const {
+  template <class Visitor>
+  void visit_axis(std::uint32_t node, std::uint32_t e, Visitor visit) const {
     const auto [stop, count] = stops_of(e);
     for (std::size_t i = 0; i < count; ++i) {
       if (stop[i].node != node) continue;
@@ -371,7 +371,7 @@ class NetworkSearch {
         if (link.crossing && !may_cross) return;
         const double next = cost + link.length * (link.crossing ? crossing_weight : 1);
         const bool is_new = !visit_.has(link.to);
-        Visit& there = visit_[link.to];
+        Visitor& there = visit_[link.to];
         if (next >= there.cost) return;
         if (is_new) there.least_rest = glm::length(goal - link.reached);
         there.cost = next;
@@ -393,20 +393,20 @@ class NetworkSearch {
   }
 
  private:
-  struct Visit {
+  struct Visitor {
     double cost = infinity;
     double least_rest = 0;
     Link by;
   };
   /// Kept per thread, so that no search has to make or clear them.
-  static StampedArray<Visit>& notes() {
-    thread_local StampedArray<Visit> kept;
+  static StampedArray<Visitor>& notes() {
+    thread_local StampedArray<Visitor> kept;
     return kept;
   }
 
   const Network& network_;
   Hand hand_;
-  StampedArray<Visit>& visit_;
+  StampedArray<Visitor>& visit_;
 };
 
 void append_road(const RoadGraph& roads, const Link& link, std::vector<Vec2>& points) {

@@ -37,7 +37,7 @@ double volume(const TriangleSurface& surface) {
   return sum;
 }
 
-constexpr Box cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};
+constexpr Box3 cube{{-0.5F, -0.5F, -0.5F}, {0.5F, 0.5F, 0.5F}};
 
 TriangleSurface ball(float radius, float cell) {
   return polygonise([radius](Vec3 p) { return sphere(p, {}, radius); }, cube, cell);

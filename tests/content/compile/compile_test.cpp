@@ -57,9 +57,10 @@ TEST(Compile, KeepsWhereStrollingVisitorsComeFromAndHowLongTheyLook) {
 
 /// A visitor stands in front of the exhibit, facing it, with room for the body, and can get there.
 void expect_good_view(const Museum& museum, const Exhibit& exhibit, const path::FloorMap& map) {
-  const Vec2 view = exhibit.view.position;
+  const Vec2 view = exhibit.viewing_point.position;
   const Vec2 to_object = exhibit.placement.position - view;
-  const Vec2 facing{std::cos(exhibit.view.heading), std::sin(exhibit.view.heading)};
+  const Vec2 facing{std::cos(exhibit.viewing_point.heading),
+                    std::sin(exhibit.viewing_point.heading)};
   EXPECT_TRUE(path::is_inside(map, view)) << exhibit.id;
   EXPECT_GE(path::clearance_at(map, view), museum.body_radius) << exhibit.id;
   EXPECT_NEAR(dot(facing, to_object), glm::length(to_object), 1e-9) << exhibit.id;

@@ -51,7 +51,7 @@ TEST(Loading, GoesFromOneFootToTheOtherAndIsAlwaysWhole) {
 }
 
 TEST(CentreOfPressure, ShiftsBackAndTowardsTheFirstFootBeforeItLeaves) {
-  const GaitPlan plan{.kind = GaitPlan::Kind::FromStanding, .first = Foot::Right};
+  const GaitPlan plan{.kind = GaitPlan::Kind::FromStanding, .first = Side::Right};
   const std::vector<Footstep> steps = plan_footsteps(plan);
   const FrameTimes times{.begin = -0.1, .rate = 120, .count = 80};
   const std::vector<GroundPoint> pressure = centre_of_pressure(steps, times);

@@ -15,7 +15,7 @@ GaitPlan some_walk() {
           .turn = *rc::gen::inRange(-90, 91) * std::numbers::pi / 180,
           .turn_speed = *rc::gen::inRange(80, 100) * 0.01,
           .turn_length = *rc::gen::inRange(12, 25) * 0.1,
-          .first = *rc::gen::element(Foot::Left, Foot::Right),
+          .first = *rc::gen::element(Side::Left, Side::Right),
           .seed = *rc::gen::inRange(0U, 1000U)};
 }
 
@@ -60,7 +60,7 @@ TEST(Footsteps, AreShorterOnTheInsideOfABend) {
   double outer = 0;
   ASSERT_EQ(steps.size() % 2, 1U);
   for (std::size_t k = 3; k < steps.size(); ++k)  // As many strides of either foot.
-    (steps[k].foot == Foot::Left ? inner : outer) +=
+    (steps[k].foot == Side::Left ? inner : outer) +=
         glm::length(steps[k].ankle - steps[k - 2].ankle);
 
   // A quarter turn on a track 11 cm wide.

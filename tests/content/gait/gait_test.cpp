@@ -14,7 +14,7 @@ namespace docent::gait {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr std::array<Foot, 2> feet{Foot::Left, Foot::Right};
+constexpr std::array<Side, 2> feet{Side::Left, Side::Right};
 
 const GaitRecipe& recipe(const std::string& name) {
   static const std::vector<GaitRecipe> all = default_clips();
@@ -45,7 +45,7 @@ struct Range {
 };
 
 /// Frames in which a foot comes down.
-std::vector<std::size_t> strikes(const GaitTrack& track, Foot foot) {
+std::vector<std::size_t> strikes(const GaitTrack& track, Side foot) {
   std::vector<std::size_t> frames;
   for (std::size_t f = 1; f < track.frames(); ++f)
     if (track.touches(f, foot) && !track.touches(f - 1, foot)) frames.push_back(f);
@@ -74,10 +74,10 @@ TEST(GaitClips, NeverSlideAPlantedFoot) {
   for (const auto& [name, clip] : clips()) {
     const GaitTrack track(clip);
     std::size_t planted = 0;
-    for (const Foot foot : feet)
+    for (const Side foot : feet)
       for (std::size_t f = 1; f < track.frames(); ++f) {
         const auto stands = [&](std::size_t g) {
-          return foot == Foot::Left ? clip.plants[g].left : clip.plants[g].right;
+          return foot == Side::Left ? clip.plants[g].left : clip.plants[g].right;
         };
         if (!stands(f) || !stands(f - 1)) continue;
         ++planted;
@@ -106,7 +106,7 @@ TEST(GaitClips, NeverLockAKnee) {
   for (const auto& [name, clip] : clips()) {
     const GaitTrack track(clip);
     for (std::size_t f = 0; f < track.frames(); ++f)
-      for (const Foot foot : feet) {
+      for (const Side foot : feet) {
         ASSERT_GT(track.knee(f, foot), 3 * degree) << name << " frame " << f;
         ASSERT_LT(track.knee(f, foot), 70 * degree) << name << " frame " << f;
       }
@@ -149,7 +149,7 @@ TEST(GaitClips, HaveNoJoltInAnyJoint) {
 
 TEST(Walk, SpendsThreeFifthsOfACycleOnEachFoot) {
   const GaitTrack track(walk());
-  for (const Foot foot : feet) {
+  for (const Side foot : feet) {
     const std::vector<std::size_t> down = strikes(track, foot);
     ASSERT_GE(down.size(), 3U);
     for (std::size_t k = 0; k + 1 < down.size(); ++k) {
@@ -164,7 +164,7 @@ TEST(Walk, SpendsThreeFifthsOfACycleOnEachFoot) {
 
 TEST(Walk, BendsItsKneesAsPeopleDo) {
   const GaitTrack track(walk());
-  for (const Foot foot : feet) {
+  for (const Side foot : feet) {
     const std::vector<std::size_t> down = strikes(track, foot);
     for (std::size_t k = 0; k + 1 < down.size(); ++k) {
       const std::size_t cycle = down[k + 1] - down[k];
@@ -189,7 +189,7 @@ TEST(Walk, BendsItsKneesAsPeopleDo) {
 
 TEST(Walk, StrikesWithTheHeelFirst) {
   const GaitTrack track(walk());
-  for (const Foot foot : feet)
+  for (const Side foot : feet)
     for (const std::size_t frame : strikes(track, foot)) {
       const glm::dvec3 toes = track.turn(frame, GaitTrack::leg(foot).ankle) * glm::dvec3{0, 0, 1};
       EXPECT_GT(std::asin(toes.y), 12 * degree);

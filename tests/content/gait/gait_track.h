@@ -42,14 +42,14 @@ class GaitTrack {
     return 0.5 * (heading(frame, WalkerJoint::Hips) + heading(frame, WalkerJoint::Chest));
   }
   /// Radians between thigh and shin, 0 when straight.
-  double knee(std::size_t frame, Foot foot) const {
+  double knee(std::size_t frame, Side foot) const {
     const auto [hip, knee, ankle, toe] = leg(foot);
     const glm::dvec3 thigh = glm::normalize(place(frame, knee) - place(frame, hip));
     const glm::dvec3 shin = glm::normalize(place(frame, ankle) - place(frame, knee));
     return std::acos(std::min(1.0, glm::dot(thigh, shin)));
   }
   /// Does the heel or the ball of the foot touch the ground?
-  bool touches(std::size_t frame, Foot foot) const {
+  bool touches(std::size_t frame, Side foot) const {
     constexpr double touch = 0.0005;
     const auto [hip, knee, ankle, toe] = leg(foot);
     const glm::dvec3 heel =
@@ -61,9 +61,9 @@ class GaitTrack {
   struct LegJoints {
     WalkerJoint hip, knee, ankle, toe;
   };
-  static LegJoints leg(Foot foot) {
+  static LegJoints leg(Side foot) {
     using enum WalkerJoint;
-    return foot == Foot::Left ? LegJoints{LeftHip, LeftKnee, LeftAnkle, LeftToe}
+    return foot == Side::Left ? LegJoints{LeftHip, LeftKnee, LeftAnkle, LeftToe}
                               : LegJoints{RightHip, RightKnee, RightAnkle, RightToe};
   }
 

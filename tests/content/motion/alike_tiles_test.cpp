@@ -23,7 +23,7 @@ struct Studied {
 
   void add(MotionClip clip) {
     const Skeleton& skeleton = shipped_clips().skeleton;
-    const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+    const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
     motion::offline::find_foot_plants(skeleton, track, clip);
     studied.cloud.push_back(motion::offline::make_pose_cloud(skeleton, track));
     studied.faults.push_back(motion::offline::find_capture_faults(skeleton, clip, track));

@@ -44,7 +44,7 @@ MotionClip mirrored(const MotionClip& clip) {
 
 std::vector<double> headings(const MotionClip& clip) {
   std::vector<double> headings;
-  const motion::offline::Track track = motion::offline::make_track(skeleton(), clip);
+  const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton(), clip);
   for (const Placement& body : motion::offline::extract_root_motion(skeleton(), clip, track))
     headings.push_back(body.heading);
   return headings;
@@ -57,7 +57,7 @@ double turned(const MotionClip& clip) {
 
 /// Metres a second by which planted toe joints slide over the floor, on average.
 double slide(const MotionClip& clip) {
-  const motion::offline::Track track = motion::offline::make_track(skeleton(), clip);
+  const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton(), clip);
   double metres = 0, frames = 0;
   for (const auto& [part, foot] : {std::pair{BodyPart::LeftToe, &FootPlants::left},
                                    std::pair{BodyPart::RightToe, &FootPlants::right}}) {
@@ -79,9 +79,9 @@ struct Registered {
 Registered registered(const std::string& name_a, const std::string& name_b) {
   const MotionClip &a = shipped(name_a), &b = shipped(name_b);
   const motion::offline::PoseCloud cloud_a =
-      motion::offline::make_pose_cloud(skeleton(), motion::offline::make_track(skeleton(), a));
+      motion::offline::make_pose_cloud(skeleton(), motion::offline::joint_positions(skeleton(), a));
   const motion::offline::PoseCloud cloud_b =
-      motion::offline::make_pose_cloud(skeleton(), motion::offline::make_track(skeleton(), b));
+      motion::offline::make_pose_cloud(skeleton(), motion::offline::joint_positions(skeleton(), b));
   const std::vector<double> heading_a = headings(a), heading_b = headings(b);
   return {a, b, motion::offline::register_clips({a, cloud_a, heading_a}, {b, cloud_b, heading_b})};
 }
@@ -89,7 +89,7 @@ Registered registered(const std::string& name_a, const std::string& name_b) {
 MotionClip blended(const Registered& pair, double share) {
   MotionClip clip =
       motion::offline::blend_clips(skeleton(), pair.a, pair.b, pair.registration, share);
-  motion::offline::find_foot_plants(skeleton(), motion::offline::make_track(skeleton(), clip),
+  motion::offline::find_foot_plants(skeleton(), motion::offline::joint_positions(skeleton(), clip),
                                     clip);
   return clip;
 }
@@ -128,9 +128,10 @@ TEST(AMirroredClip, HasEveryJointWhereAMirrorShowsTheOther) {
   const std::vector<std::size_t> counterpart =
       motion::offline::find_counterparts(skeleton(), "clips");
   const MotionClip& clip = shipped("walk");
-  const motion::offline::Track seen = motion::offline::make_track(skeleton(), clip);
+  const motion::offline::JointPositions seen = motion::offline::joint_positions(skeleton(), clip);
 
-  const motion::offline::Track track = motion::offline::make_track(skeleton(), mirrored(clip));
+  const motion::offline::JointPositions track =
+      motion::offline::joint_positions(skeleton(), mirrored(clip));
 
   for (std::size_t f = 0; f < clip.root.size(); f += 20)
     for (std::size_t j = 0; j < counterpart.size(); ++j) {

@@ -12,7 +12,8 @@ namespace {
 
 MotionClip planted(MotionClip clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  motion::offline::find_foot_plants(skeleton, motion::offline::make_track(skeleton, clip), clip);
+  motion::offline::find_foot_plants(skeleton, motion::offline::joint_positions(skeleton, clip),
+                                    clip);
   return clip;
 }
 
@@ -30,7 +31,7 @@ TEST(FootPlants, OfAWalkLastMoreThanHalfOfAStride) {
 TEST(FootPlants, HoldTheToeStill) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip clip = planted(shipped_clips().named("walk"));
-  const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
   const std::size_t toe = index_of(skeleton[BodyPart::LeftToe]);
 
   for (std::size_t f = 1; f < clip.plants.size(); ++f)
@@ -57,7 +58,7 @@ TEST(FootPlants, OfAStandAreBothFeet) {
 
 double planted_height_of(const MotionClip& clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  return motion::offline::planted_height(skeleton, motion::offline::make_track(skeleton, clip),
+  return motion::offline::planted_height(skeleton, motion::offline::joint_positions(skeleton, clip),
                                          clip);
 }
 

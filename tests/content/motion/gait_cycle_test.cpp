@@ -15,7 +15,7 @@ namespace docent::test {
 namespace {
 
 std::string class_of(const Skeleton& skeleton, MotionClip clip) {
-  const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
   motion::offline::find_foot_plants(skeleton, track, clip);
   return motion::offline::motion_class_of(motion::offline::measure_clip(skeleton, clip, track),
                                           motion::offline::size_of(skeleton));
@@ -24,7 +24,7 @@ std::string class_of(const Skeleton& skeleton, MotionClip clip) {
 std::vector<motion::offline::GaitCycle> cycles_of(const Skeleton& skeleton,
                                                   const MotionClip& clip) {
   return motion::offline::find_gait_cycles(skeleton, clip,
-                                           motion::offline::make_track(skeleton, clip));
+                                           motion::offline::joint_positions(skeleton, clip));
 }
 
 /// The recording played faster.

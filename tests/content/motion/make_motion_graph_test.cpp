@@ -86,10 +86,10 @@ void expect_no_dead_end(const MotionGraph& graph) {
   for (std::size_t i = 0; i < graph.transitions.size(); ++i) {
     const Transition& t = graph.transitions[i];
     starts += graph.clips[t.from.clip].role == ClipRole::Start;
-    const bool goes_on = std::ranges::any_of(
+    const bool continues = std::ranges::any_of(
         graph.transitions, [&](const Transition& next) { return can_follow(t, next); });
-    EXPECT_TRUE(goes_on || stops(graph, t)) << "transition " << i;
-    if (goes_on) {
+    EXPECT_TRUE(continues || stops(graph, t)) << "transition " << i;
+    if (continues) {
       EXPECT_GT(reached_from(graph, i), graph.transitions.size() * 9 / 10);
     }
   }
@@ -333,7 +333,8 @@ TEST(RecordedClips, HaveTheHandMendedThatLeaps) {
                                                 Field(&Diagnostic::message, HasSubstr("93 cm")))));
   const auto clip = std::ranges::find(graph.clips, "16_15-walk-forward", &MotionClip::name);
   ASSERT_NE(clip, graph.clips.end());
-  const motion::offline::Track track = motion::offline::make_track(graph.skeleton, *clip);
+  const motion::offline::JointPositions track =
+      motion::offline::joint_positions(graph.skeleton, *clip);
   EXPECT_TRUE(motion::offline::find_capture_faults(graph.skeleton, *clip, track).empty());
 }
 

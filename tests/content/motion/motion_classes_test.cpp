@@ -84,8 +84,8 @@ TEST(AlikeThreshold, OfAClassDoesNotDependOnTheOthers) {
   std::vector<MotionClip> clips{played(1, "walk")};
   motion::offline::StudiedClips studied;
   const auto study = [&] {
-    const motion::offline::Track track =
-        motion::offline::make_track(shipped_clips().skeleton, clips.back());
+    const motion::offline::JointPositions track =
+        motion::offline::joint_positions(shipped_clips().skeleton, clips.back());
     studied.cloud.push_back(motion::offline::make_pose_cloud(shipped_clips().skeleton, track));
   };
   study();

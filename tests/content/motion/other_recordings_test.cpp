@@ -11,9 +11,9 @@
 
 #include "content/motion/compile_motion.h"
 #include "content/motion/foot_plants.h"
+#include "content/motion/joint_positions.h"
 #include "content/motion/made_stands.h"
 #include "content/motion/rest_pose.h"
-#include "content/motion/track.h"
 #include "runtime/motion/walk.h"
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
@@ -107,7 +107,8 @@ TEST(MadeStands, StandAtOneEndWithBothFeetPlantedAndWalkAtTheOther) {
   MotionClip walk = shipped_clips().named("walk");
   walk.role = ClipRole::Walk;
   walk.motion_class = "walk";
-  motion::offline::find_foot_plants(skeleton, motion::offline::make_track(skeleton, walk), walk);
+  motion::offline::find_foot_plants(skeleton, motion::offline::joint_positions(skeleton, walk),
+                                    walk);
   const std::vector<MotionClip> made = motion::offline::made_stands(skeleton, {walk});
 
   ASSERT_EQ(made.size(), 4U);
@@ -171,8 +172,9 @@ TEST(RestPose, IsFoundForARigThatDoesNotStandInItsOwnAndMovesNoJoint) {
 
   EXPECT_TRUE(motion::offline::stands_at_rest(rig));
   for (std::size_t c = 0; c < clips.size(); ++c) {
-    const motion::offline::Track before = motion::offline::make_track(skeleton, as_recorded[c]),
-                                 after = motion::offline::make_track(rig, clips[c]);
+    const motion::offline::JointPositions before = motion::offline::joint_positions(skeleton,
+                                                                                    as_recorded[c]),
+                                          after = motion::offline::joint_positions(rig, clips[c]);
     float most = 0;
     for (std::size_t i = 0; i < before.place.size(); ++i)
       most = std::max(most, glm::distance(before.place[i], after.place[i]));

@@ -89,9 +89,9 @@ class EveryWalk {
       if (way.from.clip != at.clip) continue;
       const auto radius = motion::offline::section_radius(graph_, sections_, t, at.frame);
       if (!radius) continue;
-      tried_.passages.push_back({t, *radius});
+      tried_.passed.push_back({t, *radius});
       go_on({way.to.clip, way.to.frame + *radius});
-      tried_.passages.pop_back();
+      tried_.passed.pop_back();
     }
   }
 
@@ -140,10 +140,11 @@ RC_GTEST_PROP(PaperSearch, FindsTheSameSoonerWhenItGivesUpOnTheWay, ()) {
 
   RC_ASSERT(bounded.expanded <= printed.expanded);
   RC_ASSERT(bounded.frames == printed.frames);
-  RC_ASSERT(std::ranges::equal(bounded.passages, printed.passages,
-                               [](motion::offline::Passage a, motion::offline::Passage b) {
-                                 return a.transition == b.transition && a.radius == b.radius;
-                               }));
+  RC_ASSERT(std::ranges::equal(
+      bounded.passed, printed.passed,
+      [](motion::offline::PassedTransition a, motion::offline::PassedTransition b) {
+        return a.transition == b.transition && a.radius == b.radius;
+      }));
 }
 
 /// The shipped clips along 10 m that bend, as a walker would be asked to.
@@ -184,11 +185,11 @@ TEST(PaperSearch, PlaysFramesForwardsOnly) {
   std::size_t changes = 0;
   for (std::size_t f = 1; f < track.source.size(); ++f) {
     const ClipFrame before = track.source[f - 1], now = track.source[f];
-    const bool goes_on = now.clip == before.clip && now.frame == before.frame + 1;
-    changes += !goes_on;
+    const bool continues = now.clip == before.clip && now.frame == before.frame + 1;
+    changes += !continues;
   }
-  EXPECT_LE(changes, path.passages.size());
-  EXPECT_GT(path.passages.size(), 3U);
+  EXPECT_LE(changes, path.passed.size());
+  EXPECT_GT(path.passed.size(), 3U);
 }
 
 TEST(PaperSearch, MakesATrackWithoutLeapsAsLongAsThePath) {

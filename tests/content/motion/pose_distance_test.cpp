@@ -20,7 +20,7 @@ motion::offline::PoseCloud random_cloud(std::size_t frames) {
        {BodyPart::Hips, BodyPart::LeftKnee, BodyPart::RightKnee, BodyPart::Head})
     skeleton.part[static_cast<std::size_t>(part)] = JointIndex{static_cast<int>(
         std::ranges::count_if(skeleton.part, [](JointIndex j) { return j != JointIndex::None; }))};
-  motion::offline::Track track{.joints = 4, .place = {}};
+  motion::offline::JointPositions track{.joints = 4, .place = {}};
   const auto coordinate = [] { return static_cast<float>(*rc::gen::inRange(-200, 200)) / 100.0f; };
   for (std::size_t i = 0; i < 4 * frames; ++i)
     track.place.push_back({coordinate(), coordinate(), coordinate()});
@@ -116,7 +116,7 @@ TEST(PoseDistance, DoesNotChangeWhenEitherClipIsMovedOnTheFloor) {
 TEST(PoseDistance, FindsTheMoveThatTwoCopiesAreApart) {
   const ShippedClips& shipped = shipped_clips();
   const motion::offline::PoseCloud walk = motion::offline::make_pose_cloud(
-      shipped.skeleton, motion::offline::make_track(shipped.skeleton, shipped.named("walk")));
+      shipped.skeleton, motion::offline::joint_positions(shipped.skeleton, shipped.named("walk")));
   EXPECT_TRUE(rc::check([&] {
     const double turn = *rc::gen::inRange(-300, 300) / 100.0;
     const Vec2 by{*rc::gen::inRange(-9, 9) * 1.0, *rc::gen::inRange(-9, 9) * 1.0};
@@ -164,7 +164,7 @@ TEST(PoseDistance, OfAllPairsAtOnceIsThatOfEachPair) {
 TEST(PoseDistance, SeesTheNextStrideAsTheSamePose) {
   const ShippedClips& shipped = shipped_clips();
   const motion::offline::PoseCloud cloud = motion::offline::make_pose_cloud(
-      shipped.skeleton, motion::offline::make_track(shipped.skeleton, shipped.named("walk")));
+      shipped.skeleton, motion::offline::joint_positions(shipped.skeleton, shipped.named("walk")));
 
   const motion::offline::DistanceMatrix matrix =
       motion::offline::measure_distances(cloud, cloud, 18);

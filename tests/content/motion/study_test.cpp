@@ -15,7 +15,7 @@ namespace {
 
 ClipRole role_of(MotionClip clip) {
   const Skeleton& skeleton = shipped_clips().skeleton;
-  const motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  const motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
   motion::offline::find_foot_plants(skeleton, track, clip);
   return motion::offline::classify(motion::offline::measure_clip(skeleton, clip, track),
                                    motion::offline::size_of(skeleton));
@@ -61,7 +61,7 @@ TEST(RootMotion, TurnsByWhatAClipTurns) {
   const MotionClip& clip = shipped_clips().named("turn-right-90");
 
   const auto body = motion::offline::extract_root_motion(
-      skeleton, clip, motion::offline::make_track(skeleton, clip));
+      skeleton, clip, motion::offline::joint_positions(skeleton, clip));
 
   EXPECT_NEAR((body.back().heading - body.front().heading) * 180 / std::numbers::pi, -90, 8);
 }
@@ -70,14 +70,14 @@ TEST(RootMotion, TakesTheSwayOutAndKeepsTheWay) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   MotionClip clip = shipped_clips().named("walk");
   const auto straight = motion::offline::extract_root_motion(
-      skeleton, clip, motion::offline::make_track(skeleton, clip));
+      skeleton, clip, motion::offline::joint_positions(skeleton, clip));
   constexpr double stride = 1.1, sway = 0.03;  // seconds; metres to each side
   for (std::size_t f = 0; f < clip.root.size(); ++f)
     clip.root[f].x += static_cast<float>(
         sway * std::sin(2 * std::numbers::pi * static_cast<double>(f) / 120 / stride));
 
   const auto body = motion::offline::extract_root_motion(
-      skeleton, clip, motion::offline::make_track(skeleton, clip));
+      skeleton, clip, motion::offline::joint_positions(skeleton, clip));
 
   for (std::size_t f = 66; f + 66 < body.size(); ++f)
     EXPECT_LT(glm::distance(body[f].position, straight[f].position), 0.3 * sway) << f;
@@ -92,7 +92,7 @@ TEST(CaptureFaults, AreFoundWhereAHandLeaps) {
         glm::angleAxis(1.5f, Vec3{0, 0, 1}) * clip.rotation[f * clip.joint_count + shoulder];
 
   const auto faults = motion::offline::find_capture_faults(
-      skeleton, clip, motion::offline::make_track(skeleton, clip));
+      skeleton, clip, motion::offline::joint_positions(skeleton, clip));
 
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_NEAR(faults[0].first, 200, 1);
@@ -105,7 +105,7 @@ TEST(CaptureFaults, AreNotSeenInSoundMotion) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   for (const motion::offline::SourceClip& source : shipped_clips().clips)
     EXPECT_TRUE(motion::offline::find_capture_faults(
-                    skeleton, source.clip, motion::offline::make_track(skeleton, source.clip))
+                    skeleton, source.clip, motion::offline::joint_positions(skeleton, source.clip))
                     .empty())
         << source.file;
 }
@@ -119,8 +119,9 @@ void throw_arm(MotionClip& clip, std::size_t first, std::size_t last, std::size_
 }
 
 /// The largest distance between the joints of two motions, in some frames; metres.
-double farthest_apart(const motion::offline::Track& a, const motion::offline::Track& b,
-                      std::size_t first, std::size_t last) {
+double farthest_apart(const motion::offline::JointPositions& a,
+                      const motion::offline::JointPositions& b, std::size_t first,
+                      std::size_t last) {
   double most = 0;
   for (std::size_t f = first; f <= last; ++f)
     for (std::size_t j = 0; j < a.joints; ++j)
@@ -131,13 +132,13 @@ double farthest_apart(const motion::offline::Track& a, const motion::offline::Tr
 TEST(Mending, PutsAnArmBackThatLeapsForAFrame) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   const MotionClip sound = shipped_clips().named("walk");
-  const motion::offline::Track truth = motion::offline::make_track(skeleton, sound);
+  const motion::offline::JointPositions truth = motion::offline::joint_positions(skeleton, sound);
   const std::size_t end = sound.root.size() - 1;
   using Frames = std::pair<std::size_t, std::size_t>;
   for (const auto& [first, last] : {Frames{200, 200}, {200, 204}, {0, 0}, {end, end}}) {
     MotionClip clip = sound;
     throw_arm(clip, first, last);
-    motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+    motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
     ASSERT_GT(farthest_apart(track, truth, first, last), 0.3);
 
     const auto mended = motion::offline::mend_capture_faults(skeleton, clip, track);
@@ -148,7 +149,8 @@ TEST(Mending, PutsAnArmBackThatLeapsForAFrame) {
     EXPECT_GE(mended[0].last + 1, last);
     EXPECT_TRUE(motion::offline::find_capture_faults(skeleton, clip, track).empty());
     EXPECT_LT(farthest_apart(track, truth, first, last), 0.02) << first;
-    EXPECT_LT(farthest_apart(track, motion::offline::make_track(skeleton, clip), 0, end), 1e-6);
+    EXPECT_LT(farthest_apart(track, motion::offline::joint_positions(skeleton, clip), 0, end),
+              1e-6);
   }
 }
 
@@ -157,7 +159,7 @@ TEST(Mending, LeavesAllOtherFramesAndJointsAlone) {
   const MotionClip sound = shipped_clips().named("walk");
   MotionClip clip = sound;
   throw_arm(clip, 200, 201);
-  motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
 
   motion::offline::mend_capture_faults(skeleton, clip, track);
 
@@ -178,7 +180,7 @@ TEST(Mending, GivesUpOnAnArmThatIsShakenForLong) {
   MotionClip clip = shipped_clips().named("walk");
   throw_arm(clip, 200, 260, 4);
   const MotionClip shaken = clip;
-  motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+  motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
 
   EXPECT_TRUE(motion::offline::mend_capture_faults(skeleton, clip, track).empty());
 
@@ -190,7 +192,7 @@ TEST(Mending, DoesNothingToSoundMotion) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   for (const motion::offline::SourceClip& source : shipped_clips().clips) {
     MotionClip clip = source.clip;
-    motion::offline::Track track = motion::offline::make_track(skeleton, clip);
+    motion::offline::JointPositions track = motion::offline::joint_positions(skeleton, clip);
 
     EXPECT_TRUE(motion::offline::mend_capture_faults(skeleton, clip, track).empty()) << source.file;
     EXPECT_EQ(clip.rotation, source.clip.rotation);
@@ -205,8 +207,8 @@ TEST(Resampling, KeepsTheMotionAndItsLength) {
   const MotionClip dense = motion::offline::resample(sparse, 120);
 
   EXPECT_NEAR(frame_count(sparse), frame_count(clip) / 2.0, 1);
-  const motion::offline::Track expected = motion::offline::make_track(skeleton, clip),
-                               track = motion::offline::make_track(skeleton, dense);
+  const motion::offline::JointPositions expected = motion::offline::joint_positions(skeleton, clip),
+                                        track = motion::offline::joint_positions(skeleton, dense);
   double worst = 0;
   for (std::size_t f = 8; f + 8 < dense.root.size(); ++f)
     for (std::size_t j = 0; j < track.joints; ++j)

@@ -38,14 +38,14 @@ std::vector<bool> passable(const MotionGraph& graph,
     changed = false;
     for (std::size_t t = 0; t < alive.size(); ++t) {
       const ClipFrame to = graph.transitions[t].to;
-      bool goes_on = stops(graph, to.clip);
-      for (std::size_t n = 0; n < alive.size() && !goes_on; ++n) {
+      bool continues = stops(graph, to.clip);
+      for (std::size_t n = 0; n < alive.size() && !continues; ++n) {
         const ClipFrame from = graph.transitions[n].from;
-        goes_on = alive[n] && from.clip == to.clip &&
-                  to.frame + sections.shortest[t] + sections.shortest[n] <= from.frame;
+        continues = alive[n] && from.clip == to.clip &&
+                    to.frame + sections.shortest[t] + sections.shortest[n] <= from.frame;
       }
-      changed = changed || (alive[t] && !goes_on);
-      alive[t] = alive[t] && goes_on;
+      changed = changed || (alive[t] && !continues);
+      alive[t] = alive[t] && continues;
     }
   }
   return alive;

@@ -120,7 +120,7 @@ void add_guide(scene::DrawList& list, Vec2 at, std::uint32_t look = 0) {
   list.palette.push_back(glm::translate(Mat4(1), to_world(at)));
 }
 
-void add_way(scene::DrawList& list, path::RouteKind kind, std::initializer_list<Vec2> points,
+void add_way(scene::DrawList& list, RouteKind kind, std::initializer_list<Vec2> points,
              float length) {
   scene::RibbonDraw ribbon;
   ribbon.kind = kind;
@@ -195,7 +195,7 @@ TEST_F(Rendering, DrawsTheFloorDarkerInTheColumnsShadow) {
 
 TEST_F(Rendering, DrawsTheWayInItsColourAndTheGuideBeforeIt) {
   scene::DrawList list = view_of_hall(small);
-  add_way(list, path::RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
+  add_way(list, RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
   add_guide(list, {6, 2});
   const auto [way_x, way_y] = pixel_of(list.camera, to_world({9, 2}), small);
   const auto [body_x, body_y] = pixel_of(list.camera, to_world({6, 1.75}, 0.9), small);
@@ -210,9 +210,9 @@ TEST_F(Rendering, DrawsTheWayInItsColourAndTheGuideBeforeIt) {
 
 TEST_F(Rendering, TellsTheThreeKindsOfWaysApart) {
   scene::DrawList list = view_of_hall(small);
-  add_way(list, path::RouteKind::Shortest, {{2, 1.5}, {10, 1.5}}, 8);
-  add_way(list, path::RouteKind::Skeleton, {{2, 2.5}, {10, 2.5}}, 8);
-  add_way(list, path::RouteKind::Offset, {{2, 3.5}, {10, 3.5}}, 8);
+  add_way(list, RouteKind::Shortest, {{2, 1.5}, {10, 1.5}}, 8);
+  add_way(list, RouteKind::Skeleton, {{2, 2.5}, {10, 2.5}}, 8);
+  add_way(list, RouteKind::Offset, {{2, 3.5}, {10, 3.5}}, 8);
   const Pixels picture = drawn(list);
 
   std::array<int, 3> covered{};
@@ -256,7 +256,7 @@ TEST_F(Rendering, DrawsSeveralGuidesEachInItsOwnLookWithItsOwnTrail) {
   add_guide(list, {3, 2}, look_named("navy"));
   add_guide(list, {6, 2}, look_named("saffron"));
   add_guide(list, {9, 2}, look_named("rose"));
-  add_way(list, path::RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
+  add_way(list, RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
   list.ribbons.back().look = static_cast<std::int32_t>(look_named("sky"));
   const auto seen = [&](const Pixels& picture, Vec2 at, double height) {
     const auto [x, y] = pixel_of(list.camera, to_world(at, height), small);
@@ -455,7 +455,7 @@ TEST_F(Rendering, HandsAReleasedTexturesRoomOutAgain) {
 
 TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {
   scene::DrawList list = view_of_hall(small);
-  add_way(list, path::RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
+  add_way(list, RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
   add_guide(list, {6, 2});
   open(small, {.buffer_bytes = std::size_t{64} << 20});
   const Pixels whole = drawn(list);
@@ -503,7 +503,7 @@ TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
 
 TEST_F(Rendering, AllocatesNothingInAFrame) {
   scene::DrawList list = view_of_hall(small);
-  add_way(list, path::RouteKind::Skeleton, {{2, 2}, {10, 2}}, 8);
+  add_way(list, RouteKind::Skeleton, {{2, 2}, {10, 2}}, 8);
   for (int i = 0; i < 48; ++i)
     add_guide(list, {1.0 + i % 12 * 0.9, 0.8 + i / 12 * 1.1}, static_cast<std::uint32_t>(i));
   list.markers.emplace_back();
@@ -530,7 +530,7 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
 TEST_F(Rendering, ShowsTheSmallHallAsItWasSeenAndApproved) {
   const std::string file = test::source_dir() / "tests/platform/gles/golden/small-hall.png";
   scene::DrawList list = view_of_hall(small);
-  add_way(list, path::RouteKind::Shortest, {{2, 2}, {7, 2}, {7, 6.5}}, 9.5);
+  add_way(list, RouteKind::Shortest, {{2, 2}, {7, 2}, {7, 6.5}}, 9.5);
   add_guide(list, {4.5, 2});
   scene::MarkerDraw goal;
   goal.position = to_world({7, 6.5});

@@ -168,7 +168,7 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"room", [](Museum& m) { m.rooms[0].floor = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].image = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
-      {"exhibit", [](Museum& m) { m.exhibits[0].view.heading = INFINITY; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"kiosk", [](Museum& m) { m.kiosk_floor = 1; }},
       {"radius", [](Museum& m) { m.body_radius = 0; }},
       {"strolling visitors", [](Museum& m) { m.ambient.count = 100000; }},

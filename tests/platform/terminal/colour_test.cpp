@@ -34,22 +34,22 @@ class Colours : public testing::Test {
 TEST_F(Colours, AreShownOnATerminalOnly) {
   const File file(std::tmpfile());
 
-  EXPECT_EQ(colour_of(terminal_.get()), Colour::On);
-  EXPECT_EQ(colour_of(file.get()), Colour::Off);
+  EXPECT_EQ(colour_use_of(terminal_.get()), ColourUse::On);
+  EXPECT_EQ(colour_use_of(file.get()), ColourUse::Off);
 }
 
 TEST_F(Colours, AreNotShownToWhoWantsNone) {
   ::setenv("NO_COLOR", "1", 1);
-  EXPECT_EQ(colour_of(terminal_.get()), Colour::Off);
+  EXPECT_EQ(colour_use_of(terminal_.get()), ColourUse::Off);
   ::setenv("NO_COLOR", "", 1);
-  EXPECT_EQ(colour_of(terminal_.get()), Colour::On) << "empty is as if it were not set";
+  EXPECT_EQ(colour_use_of(terminal_.get()), ColourUse::On) << "empty is as if it were not set";
   ::setenv("TERM", "dumb", 1);
-  EXPECT_EQ(colour_of(terminal_.get()), Colour::Off);
+  EXPECT_EQ(colour_use_of(terminal_.get()), ColourUse::Off);
 }
 
 TEST(Painted, LeavesTextAsItIsWithoutColour) {
-  EXPECT_EQ(painted("error", Ink::Error, Colour::Off), "error");
-  EXPECT_EQ(painted("error", Ink::Error, Colour::On), "\x1b[1;31merror\x1b[0m");
+  EXPECT_EQ(painted("error", Ink::Error, ColourUse::Off), "error");
+  EXPECT_EQ(painted("error", Ink::Error, ColourUse::On), "\x1b[1;31merror\x1b[0m");
 }
 
 }  // namespace

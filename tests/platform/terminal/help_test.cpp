@@ -16,7 +16,8 @@ using testing::SizeIs;
 
 TEST(Help, TellsHowAnOptionIsWrittenAndWhatHoldsWithoutIt) {
   Kitchen kitchen;
-  const std::string page = help(kitchen.program().commands[0], "kitchen boil", false, Colour::Off);
+  const std::string page =
+      help(kitchen.program().commands[0], "kitchen boil", false, ColourUse::Off);
 
   EXPECT_THAT(
       page, AllOf(HasSubstr("kitchen boil: boils what is in pots.\n"),
@@ -29,7 +30,7 @@ TEST(Help, TellsHowAnOptionIsWrittenAndWhatHoldsWithoutIt) {
 
 TEST(Help, IsPlainTextInLinesThatFitATerminal) {
   Kitchen kitchen;
-  const std::string page = help(kitchen.program(), "kitchen", true, Colour::Off);
+  const std::string page = help(kitchen.program(), "kitchen", true, ColourUse::Off);
 
   EXPECT_EQ(page.find('\0'), std::string::npos);
   EXPECT_EQ(page.find('\x1b'), std::string::npos);
@@ -41,7 +42,7 @@ TEST(Help, IsPlainTextInLinesThatFitATerminal) {
 TEST(Help, HasBoldHeadingsWhereThereIsColour) {
   Kitchen kitchen;
 
-  EXPECT_THAT(help(kitchen.program(), "kitchen", true, Colour::On),
+  EXPECT_THAT(help(kitchen.program(), "kitchen", true, ColourUse::On),
               HasSubstr("\x1b[1mcommands\x1b[0m:\n"));
 }
 

@@ -130,12 +130,12 @@ TEST(Meetings, AreDefinedForBodiesThatShouldNotBe) {
 // --- Situations.
 
 /// Bodies where it is hard: on walls and in corners, on Voronoi vertices and edges, on the borders
-/// of bays, on each other, behind each other's walls, off the floor; still, walking, running,
+/// of cells, on each other, behind each other's walls, off the floor; still, walking, running,
 /// flying.
 class Situations {
  public:
-  Situations(const Mapped& mapped, const crowd::Bays& bays, std::uint64_t seed)
-      : mapped_(mapped), bays_(bays), random_(seed) {
+  Situations(const Mapped& mapped, const crowd::WalkableCells& cells, std::uint64_t seed)
+      : mapped_(mapped), cells_(cells), random_(seed) {
     for (const Vec2 v : plan().vertex) low_ = glm::min(low_, v), high_ = glm::max(high_, v);
   }
 
@@ -209,8 +209,8 @@ class Situations {
         return glm::mix(diagram.vertex[edge.from], diagram.vertex[edge.to], between(0, 1));
       }
       case 5: {
-        const Vec2 centre = bays_.centre_of(static_cast<std::uint32_t>(pick(bays_.count())));
-        const double half = bays_.size() / 2;
+        const Vec2 centre = cells_.centre_of(static_cast<std::uint32_t>(pick(cells_.count())));
+        const double half = cells_.size() / 2;
         return centre + Vec2{pick(2) == 0 ? half : -half, pick(2) == 0 ? half : between(-1, 1)};
       }
       case 6:
@@ -250,17 +250,17 @@ class Situations {
   }
 
   const Mapped& mapped_;
-  const crowd::Bays& bays_;
+  const crowd::WalkableCells& cells_;
   std::mt19937_64 random_;
   Vec2 low_{0, 0}, high_{0, 0};
 };
 
-std::vector<crowd::Meeting> by_brute_force(const crowd::Bays& bays,
+std::vector<crowd::Meeting> by_brute_force(const crowd::WalkableCells& cells,
                                            const std::vector<crowd::Body>& bodies, double horizon) {
   std::vector<crowd::Meeting> found;
   for (std::uint32_t a = 0; a < bodies.size(); ++a)
     for (std::uint32_t b = a + 1; b < bodies.size(); ++b)
-      if (const auto time = crowd::time_of_impact(bays, bodies[a], bodies[b], horizon))
+      if (const auto time = crowd::time_of_impact(cells, bodies[a], bodies[b], horizon))
         found.push_back({a, b, *time});
   return found;
 }
@@ -298,7 +298,7 @@ void check_regions(const Mapped& mapped, const crowd::Meetings& meetings,
 std::size_t check_situations(const Mapped& mapped, std::uint64_t seed, int situations,
                              std::size_t count = 10) {
   crowd::Meetings kept(*mapped.map, count);
-  Situations maker(mapped, kept.bays(), seed);
+  Situations maker(mapped, kept.cells(), seed);
   std::vector<crowd::Body> bodies;
   std::size_t met = 0;
   for (int i = 0; i < situations && !testing::Test::HasFailure(); ++i) {
@@ -307,7 +307,7 @@ std::size_t check_situations(const Mapped& mapped, std::uint64_t seed, int situa
     else
       maker.step(bodies);
     const double horizon = maker.any_horizon();
-    const auto expected = by_brute_force(kept.bays(), bodies, horizon);
+    const auto expected = by_brute_force(kept.cells(), bodies, horizon);
     kept.update(bodies);
     const auto found = kept.find(horizon);
     EXPECT_TRUE(are_same(found, expected)) << "seed " << seed << ", situation " << i << ": "
@@ -366,8 +366,8 @@ bool meet_at(const path::FloorMap& map, const crowd::Body& a, const crowd::Body&
 
 TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
   const Mapped mapped(hall_of_thin_panels());
-  const crowd::Bays bays(*mapped.map, 2);
-  Situations maker(mapped, bays, 11);
+  const crowd::WalkableCells cells(*mapped.map, 2);
+  Situations maker(mapped, cells, 11);
   constexpr double horizon = 2;
   constexpr int moments = 300;
   int met = 0, late = 0;
@@ -375,7 +375,7 @@ TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
     const auto bodies = maker.any(2);
     const crowd::Body &a = bodies[0], &b = bodies[1];
     if (!mapped.map->is_inside(a.position) || !mapped.map->is_inside(b.position)) continue;
-    const auto time = crowd::time_of_impact(bays, a, b, horizon);
+    const auto time = crowd::time_of_impact(cells, a, b, horizon);
 
     for (int k = 0; k <= moments; ++k) {
       const double at = horizon * k / moments;
@@ -399,7 +399,7 @@ TEST(Meetings, AreAtTheFirstMomentThatAWatcherSees) {
 TEST(Meetings, AllocateNothingOnceMade) {
   const Mapped mapped(hall_of_thin_panels());
   crowd::Meetings meetings(*mapped.map, 20);
-  Situations maker(mapped, meetings.bays(), 12);
+  Situations maker(mapped, meetings.cells(), 12);
   std::vector<crowd::Body> bodies = maker.any(20);
   std::vector<std::vector<crowd::Body>> steps;
   for (int i = 0; i < 600; ++i) {

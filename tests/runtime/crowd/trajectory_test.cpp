@@ -142,13 +142,13 @@ TEST(FindPassage, SaysWhoHasToMakeRoom) {
   Hall hall(two_rooms_with_a_door(0.9));
   hall.reservations.put(7, crowd::standing_trajectory({5.1, 2.5}));
   const std::vector<Vec2> way{{3, 2.5}, {8, 2.5}};
-  const std::vector<std::uint32_t> obliging{7};
+  const std::vector<std::uint32_t> yields_when_asked{7};
   crowd::PassageQuery query = along(way);
-  query.obliging = obliging;
+  query.yields_when_asked = yields_when_asked;
 
   const crowd::Passage passage = crowd::find_passage(*hall.map, hall.reservations, query);
 
-  EXPECT_EQ(passage.in_the_way, obliging);
+  EXPECT_EQ(passage.in_the_way, yields_when_asked);
 }
 
 TEST(FindRefuges, StandClearOfTheLineOfOthersAndOfWalls) {

@@ -123,7 +123,7 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
   EXPECT_TRUE(session.guide().state().arrived);
   const Vec2 off =
-      session.guide().crowd()[0].avatar.body.position - museum().exhibits[0].view.position;
+      session.guide().crowd()[0].avatar.body.position - museum().exhibits[0].viewing_point.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 

@@ -166,7 +166,7 @@ TEST(ASharedGlass, LeadsEightVisitorsAtOnceEachByTheirOwnGuide) {
     ASSERT_GE(state.exhibit, 0);
     EXPECT_TRUE(state.arrived) << "seat " << seat;
     EXPECT_LT(distance(glass.guide().crowd()[seat - 1],
-                       museum().exhibits[static_cast<std::size_t>(state.exhibit)].view),
+                       museum().exhibits[static_cast<std::size_t>(state.exhibit)].viewing_point),
               0.3);
   }
   EXPECT_EQ(glass.guide().counters().collisions, 0U);
@@ -268,7 +268,7 @@ TEST(ASharedGlass, CallsAGuideBackWhoHasNotYetSetOut) {
   EXPECT_LT(distance(glass.guide().crowd()[2], home), 0.1);
 }
 
-TEST(ASharedGlass, IsFreedFromWhatLiesOnItAndTrembles) {
+TEST(ASharedGlass, IsFreedOfJitterAtRest) {
   Glassful glass;
   glass.sit_down(5, "rose");
   glass.down(1, Glassful::middle_of(5), 0.6F);
@@ -302,7 +302,7 @@ TEST(ASharedGlass, TellsANinthVisitorKindlyAndForAWhileOnly) {
   EXPECT_EQ(glass.model().glass, interface::Glass::Full);
 
   glass.tap(0.02F, 0.02F);
-  EXPECT_EQ(glass.model().glass, interface::Glass::Told);
+  EXPECT_EQ(glass.model().glass, interface::Glass::TurnedAway);
   glass.run(9);
   EXPECT_EQ(glass.model().glass, interface::Glass::Full);
 

@@ -13,7 +13,7 @@ namespace docent::test {
 /// Somebody with a way of their own.
 struct Part {
   Placement from, to;
-  path::RouteKind kind = path::RouteKind::Shortest;
+  RouteKind kind = RouteKind::Shortest;
   double pace = 1;
   double rank = 0;
   bool stays = false;             ///< Stands where it is, for ever, whatever others want.

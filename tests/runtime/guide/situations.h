@@ -76,7 +76,7 @@ inline Situation overtaking() {
   HallMaker hall;
   hall.room({0, 0}, {24, 2.4});
   return {hall.plan,
-          {{at(3, 1.2), at(22, 1.2), path::RouteKind::Shortest, 0.45}, {at(1, 1.2), at(23, 1.2)}},
+          {{at(3, 1.2), at(22, 1.2), RouteKind::Shortest, 0.45}, {at(1, 1.2), at(23, 1.2)}},
           90};
 }
 

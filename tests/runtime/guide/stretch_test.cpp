@@ -42,7 +42,7 @@ struct Journey {
 };
 
 /// Walks a way from stretch to stretch as the guide does.
-Journey journey(path::RouteKind kind, const Placement& goal) {
+Journey journey(RouteKind kind, const Placement& goal) {
   Journey out;
   plan::WalkOrder order{
       .floor = museum().kiosk_floor, .kind = kind, .goal = goal, .start = museum().kiosk};
@@ -50,7 +50,7 @@ Journey journey(path::RouteKind kind, const Placement& goal) {
   for (;;) {
     EXPECT_EQ(plan->status, path::RouteStatus::Ok);
     const motion::Walk& walk = plan->walk;
-    const std::size_t end = plan->is_whole ? walk.body.size() : plan->go_on_frame;
+    const std::size_t end = plan->is_whole ? walk.body.size() : plan->handover_frame;
     const auto count = static_cast<std::ptrdiff_t>(end);
     out.body.insert(out.body.end(), walk.body.begin(), walk.body.begin() + count);
     const test::Quickest moves = test::quickest(walk, 0, end);
@@ -63,20 +63,20 @@ Journey journey(path::RouteKind kind, const Placement& goal) {
     if (plan->is_whole || out.stretches > 200) return out;
     order = plan->order;
     before = std::move(plan);
-    order.before = before.get();
-    order.before_frame = before->go_on_frame;
-    order.goes_on = true;
+    order.previous = before.get();
+    order.previous_frame = before->handover_frame;
+    order.continues = true;
     plan = plan::make_plan(museum(), &walking(), map(), order);
   }
 }
 
-class Journeys : public testing::TestWithParam<path::RouteKind> {
+class Journeys : public testing::TestWithParam<RouteKind> {
  protected:
   std::vector<Journey> all() const {
     std::vector<Journey> journeys;
     for (const Exhibit& exhibit : museum().exhibits)
       if (exhibit.floor == museum().kiosk_floor)
-        journeys.push_back(journey(GetParam(), exhibit.view));
+        journeys.push_back(journey(GetParam(), exhibit.viewing_point));
     return journeys;
   }
 };
@@ -84,9 +84,10 @@ class Journeys : public testing::TestWithParam<path::RouteKind> {
 TEST_P(Journeys, ArriveWhereTheyShould) {
   for (const Exhibit& exhibit : museum().exhibits) {
     if (exhibit.floor != museum().kiosk_floor) continue;
-    const Placement last = journey(GetParam(), exhibit.view).body.back();
-    EXPECT_LT(glm::distance(last.position, exhibit.view.position), 0.02) << exhibit.id;
-    const double off = std::remainder(last.heading - exhibit.view.heading, 2 * std::numbers::pi);
+    const Placement last = journey(GetParam(), exhibit.viewing_point).body.back();
+    EXPECT_LT(glm::distance(last.position, exhibit.viewing_point.position), 0.02) << exhibit.id;
+    const double off =
+        std::remainder(last.heading - exhibit.viewing_point.heading, 2 * std::numbers::pi);
     EXPECT_LT(std::abs(off), 5 * std::numbers::pi / 180) << exhibit.id;
   }
 }
@@ -130,15 +131,15 @@ TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
   std::mt19937 random(5);
   std::vector<Placement> views;
   for (const Exhibit& exhibit : museum().exhibits)
-    if (exhibit.floor == museum().kiosk_floor) views.push_back(exhibit.view);
+    if (exhibit.floor == museum().kiosk_floor) views.push_back(exhibit.viewing_point);
   plan::WalkOrder order{
       .floor = museum().kiosk_floor, .goal = views.front(), .start = museum().kiosk};
   std::unique_ptr<plan::Plan> plan = plan::make_plan(museum(), &walking(), map(), order), before;
   for (int call = 0; call < 120; ++call) {
     before = std::move(plan);
-    order.before = before.get();
-    order.before_frame = static_cast<std::uint32_t>(random() % before->walk.root.size());
-    order.kind = static_cast<path::RouteKind>(random() % 3);
+    order.previous = before.get();
+    order.previous_frame = static_cast<std::uint32_t>(random() % before->walk.root.size());
+    order.kind = static_cast<RouteKind>(random() % 3);
     order.goal = views[random() % views.size()];
 
     plan = plan::make_plan(museum(), &walking(), map(), order);
@@ -150,12 +151,12 @@ TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Journeys,
-                         testing::Values(path::RouteKind::Shortest, path::RouteKind::Skeleton,
-                                         path::RouteKind::Offset),
+                         testing::Values(RouteKind::Shortest, RouteKind::Skeleton,
+                                         RouteKind::Offset),
                          [](const auto& each) {
-                           return std::string(each.param == path::RouteKind::Shortest   ? "Shortest"
-                                              : each.param == path::RouteKind::Skeleton ? "Skeleton"
-                                                                                        : "Offset");
+                           return std::string(each.param == RouteKind::Shortest   ? "Shortest"
+                                              : each.param == RouteKind::Skeleton ? "Skeleton"
+                                                                                  : "Offset");
                          });
 
 }  // namespace

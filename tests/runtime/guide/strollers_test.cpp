@@ -57,7 +57,7 @@ Stroll stroll(const Museum& museum, double seconds) {
         out.quickest =
             std::max(out.quickest, 60 * glm::distance(out.track[i].back().position, body.position));
       out.track[i].push_back(body);
-      out.longest_held = std::max(out.longest_held, crowd[i].held_seconds);
+      out.longest_held = std::max(out.longest_held, crowd[i].blocked_seconds);
       out.least_clearance =
           std::min(out.least_clearance,
                    path::clearance_at(*planner.maps()[museum.kiosk_floor], body.position) -

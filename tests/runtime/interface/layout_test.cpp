@@ -60,9 +60,10 @@ ViewRequest any_request() {
   request.state.language = *rc::gen::inRange(0U, 3U);
   request.state.exhibit = *rc::gen::inRange(0, static_cast<int>(museum().exhibits.size()));
   request.state.page = *rc::gen::inRange(0U, 2U);
-  request.state.kind = *rc::gen::element(path::RouteKind::Shortest, path::RouteKind::Skeleton,
-                                         path::RouteKind::Offset);
-  if (*rc::gen::arbitrary<bool>()) request.trip = Trip{path::RouteStatus::Ok, 42.4, 55};
+  request.state.kind =
+      *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
+  if (*rc::gen::arbitrary<bool>())
+    request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
   return request;
 }
 
@@ -243,7 +244,7 @@ TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {
   ViewRequest request;
   request.state.screen = Screen::Walking;
   request.state.exhibit = 2;
-  request.trip = Trip{path::RouteStatus::Ok, 42.4, 55};
+  request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
 
   const auto view = laid_out(request);
 

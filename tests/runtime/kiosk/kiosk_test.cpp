@@ -99,7 +99,7 @@ TEST(Visit, EndsInFrontOfTheExhibitThatWasTouched) {
   ASSERT_GT(states.size(), 2900U);
   EXPECT_LT(distance_to(states.front(), museum->kiosk.position), 0.05);
   EXPECT_EQ(states.front().doing, "idle");
-  EXPECT_LE(distance_to(states.back(), exhibit.view.position), 0.3);
+  EXPECT_LE(distance_to(states.back(), exhibit.viewing_point.position), 0.3);
   EXPECT_EQ(states.back().doing, "look");
   EXPECT_GT(std::ranges::count(states, "walk", &State::doing), 600);
   expect_clear_of_walls(states, *museum);
@@ -127,7 +127,7 @@ TEST(Visit, OfSeveralAtOnceEndsForEachInFrontOfTheirExhibit) {
        {std::pair{5, "tripod-ding"}, {4, "painted-jar"}, {7, "boundary-stone"}}) {
     const std::vector<State>& track = tracks[guide];
     expect_no_jump(track);
-    EXPECT_LE(distance_to(track.back(), exhibit_of(*museum, id).view.position), 0.3) << id;
+    EXPECT_LE(distance_to(track.back(), exhibit_of(*museum, id).viewing_point.position), 0.3) << id;
     EXPECT_EQ(track.back().doing, "look") << id;
   }
   EXPECT_EQ(tracks[0].back().doing, "idle");

@@ -27,7 +27,7 @@ TEST(Options, HoldWhatTheCommandLineSays) {
                           "--rotate", "90", "--seconds", "2.5", "--hid", "a", "--hid", "b"}),
             42);
   EXPECT_EQ(options.content, "a.db");
-  EXPECT_EQ(options.display, DisplayKind::Headless);
+  EXPECT_EQ(options.display, config::DisplayKind::Headless);
   EXPECT_EQ(options.size->width, 640U);
   EXPECT_EQ(static_cast<int>(*options.rotation), 1);
   EXPECT_EQ(options.seconds, 2.5);

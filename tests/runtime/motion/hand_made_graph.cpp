@@ -39,8 +39,8 @@ std::vector<Placement> body_of(const WalkedPath& walked) {
 }
 
 /// Where in its cycle a foot is: from 0, set down, over stance_share, lifted, to 1.
-double phase_of(motion::Side side, double frame) {
-  const double turn = frame / cycle + (side == motion::Side::Left ? 0.0 : 0.5);
+double phase_of(Side side, double frame) {
+  const double turn = frame / cycle + (side == Side::Left ? 0.0 : 0.5);
   return turn - std::floor(turn);
 }
 
@@ -50,16 +50,14 @@ Placement at(const std::vector<Placement>& body, double frame) {
 }
 
 /// Where a foot stands that was set down `since` frames before `frame`.
-motion::Foot print(const std::vector<Placement>& body, motion::Side side, double frame,
-                   double since) {
+motion::Foot print(const std::vector<Placement>& body, Side side, double frame, double since) {
   const Placement middle = at(body, frame - since + 0.5 * stance_share * cycle);
-  const Vec2 place{0.05, side == motion::Side::Left ? half_width : -half_width};
+  const Vec2 place{0.05, side == Side::Left ? half_width : -half_width};
   return {motion::moved(middle, to_world(place, toe_height)),
           motion::world_rotation(middle.heading + std::numbers::pi / 2)};
 }
 
-motion::Foot foot_at(const std::vector<Placement>& body, motion::Side side, double frame,
-                     bool& planted) {
+motion::Foot foot_at(const std::vector<Placement>& body, Side side, double frame, bool& planted) {
   const double phase = phase_of(side, frame);
   const motion::Foot last = print(body, side, frame, phase * cycle);
   planted = phase < stance_share;
@@ -88,10 +86,10 @@ MotionClip make_clip(const Skeleton& skeleton, const motion::Legs& legs, const W
     motion::PoseView pose{clip.root.back(), std::span(clip.rotation).last(clip.joint_count)};
     pose.rotation[0] = motion::world_rotation(body[f].heading + std::numbers::pi / 2);
     FootPlants plants;
-    for (const motion::Side side : motion::both_sides) {
+    for (const Side side : both_sides) {
       bool planted = false;
       motion::place_foot(skeleton, legs[side], foot_at(body, side, f, planted), pose);
-      (side == motion::Side::Left ? plants.left : plants.right) = planted;
+      (side == Side::Left ? plants.left : plants.right) = planted;
     }
     clip.plants.push_back(plants);
   }

@@ -164,8 +164,8 @@ TEST(SearchWithClasses, GoesOnFromAnyClass) {
                         body.position + 5.0 * Vec2(std::cos(body.heading), std::sin(body.heading))};
   WalkRequest request;
   request.path = path;
-  request.before = &before;
-  request.before_frame = frame;
+  request.previous = &before;
+  request.previous_frame = frame;
 
   const Walk walk = make_walk(graph(), request).value();
 

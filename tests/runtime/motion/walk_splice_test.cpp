@@ -52,8 +52,8 @@ class Interrupted : public testing::TestWithParam<Interruption> {
     const std::vector<Vec2> ahead{body.position, straight_path().back()};
     WalkRequest request;
     request.path = path;
-    request.before = &straight_walk();
-    request.before_frame = GetParam().frame;
+    request.previous = &straight_walk();
+    request.previous_frame = GetParam().frame;
     request.old_path_ahead = ahead;
     walk = *make_walk(walk_graph(), request);
     whole = test::spliced(straight_walk(), GetParam().frame, walk);
@@ -133,8 +133,8 @@ TEST(RestlessVisitors, NeverMakeTheWalkerJumpOrMissItsGoal) {
       path.push_back(path.back() + Vec2(between(-4, 4), between(-4, 4)));
     WalkRequest request;
     request.path = path;
-    request.before = &walk;
-    request.before_frame = frame;
+    request.previous = &walk;
+    request.previous_frame = frame;
     request.old_path_ahead = ahead;
 
     const Walk next = *make_walk(walk_graph(), request);
@@ -149,8 +149,8 @@ TEST(RestlessVisitors, NeverMakeTheWalkerJumpOrMissItsGoal) {
 
 TEST(StoppedWalk, StandsWithinTwoSteps) {
   WalkRequest request;
-  request.before = &straight_walk();
-  request.before_frame = 400;
+  request.previous = &straight_walk();
+  request.previous_frame = 400;
 
   const Walk walk = *make_walk(walk_graph(), request);
 
@@ -165,8 +165,8 @@ TEST(StandingWalker, GoesOnFromWhereItsFeetAre) {
   const std::vector<Vec2> path{before.body[last].position, {9, 4}};
   WalkRequest request;
   request.path = path;
-  request.before = &before;
-  request.before_frame = last;
+  request.previous = &before;
+  request.previous_frame = last;
 
   const Walk walk = *make_walk(walk_graph(), request);
 
@@ -185,8 +185,8 @@ TEST(TurningWalker, CanBeCalledElsewhere) {
     ASSERT_EQ(before.gait[frame], Gait::Turn);
     WalkRequest second;
     second.path = elsewhere;
-    second.before = &before;
-    second.before_frame = frame;
+    second.previous = &before;
+    second.previous_frame = frame;
 
     const Walk walk = *make_walk(walk_graph(), second);
 

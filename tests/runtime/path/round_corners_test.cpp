@@ -26,7 +26,7 @@ TEST(RoundCorners, JoinsAndLeavesTheAxisSmoothly) {
   const Floor floor = floor_of(drawn(rectangle({0, 0}, {20, 4})));
   const auto map = path::make_floor_map(floor);
   path::RouteQuery query{
-      .kind = path::RouteKind::Skeleton, .from = {4, 0.5}, .to = {15, 3.25}, .radius = 0.25};
+      .kind = RouteKind::Skeleton, .from = {4, 0.5}, .to = {15, 3.25}, .radius = 0.25};
 
   const path::Way sharp = path::route(*map, query);
   query.smooth = true;
@@ -46,12 +46,11 @@ RC_GTEST_PROP(RoundCorners, KeepsTheEndsTheRadiusAndTheWalls, ()) {
   const double radius = *rc::gen::inRange(0, 40) / 100.0;
   const Floor floor = floor_of(*plan);
   const auto map = path::make_floor_map(floor);
-  path::RouteQuery query{
-      .kind = *rc::gen::element(path::RouteKind::Skeleton, path::RouteKind::Offset),
-      .from = random_point(),
-      .to = random_point(),
-      .radius = radius,
-      .offset = *rc::gen::inRange(10, 150) / 100.0};
+  path::RouteQuery query{.kind = *rc::gen::element(RouteKind::Skeleton, RouteKind::Offset),
+                         .from = random_point(),
+                         .to = random_point(),
+                         .radius = radius,
+                         .offset = *rc::gen::inRange(10, 150) / 100.0};
   for (const Vec2 p : {query.from, query.to})
     RC_PRE(is_inside(*plan, p) && distance_to_nearest_wall(*plan, p) > radius);
 

@@ -31,14 +31,10 @@ struct Hall {
 };
 
 path::RouteQuery skeleton(Vec2 from, Vec2 to, double radius, bool widest = false) {
-  return {.kind = path::RouteKind::Skeleton,
-          .from = from,
-          .to = to,
-          .radius = radius,
-          .widest = widest};
+  return {.kind = RouteKind::Skeleton, .from = from, .to = to, .radius = radius, .widest = widest};
 }
 path::RouteQuery offset(Vec2 from, Vec2 to, double distance, path::Hand hand, double radius = 0) {
-  return {.kind = path::RouteKind::Offset,
+  return {.kind = RouteKind::Offset,
           .from = from,
           .to = to,
           .radius = radius,
@@ -143,15 +139,14 @@ RC_GTEST_PROP(EveryWay, StaysOpenToThinnerBodiesAndTheShortestGrowsNoLonger, ())
   const Scene scene = random_scene(thick);
   const auto [a, b, c] = scene.at;
 
-  for (const path::RouteKind kind :
-       {path::RouteKind::Shortest, path::RouteKind::Skeleton, path::RouteKind::Offset}) {
+  for (const RouteKind kind : {RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset}) {
     path::RouteQuery query{.kind = kind, .from = a, .to = b, .radius = thick};
     const path::Way thick_way = scene.hall->ask(query);
     query.radius = thin;
     const path::Way thin_way = scene.hall->ask(query);
     if (thick_way.status != path::RouteStatus::Ok) continue;
     RC_ASSERT(thin_way.status == path::RouteStatus::Ok);
-    if (kind == path::RouteKind::Shortest) RC_ASSERT(thin_way.length <= thick_way.length + exact);
+    if (kind == RouteKind::Shortest) RC_ASSERT(thin_way.length <= thick_way.length + exact);
   }
 }
 
@@ -269,8 +264,7 @@ RC_GTEST_PROP(EveryWay, AnswersWhateverItIsAsked, ()) {
                              -1e300, 1e-300, 0.0, -1.0, 1.0, 3.0, 5.0, 7.0, 1e9);
   };
   path::RouteQuery query{
-      .kind = *rc::gen::element(path::RouteKind::Shortest, path::RouteKind::Skeleton,
-                                path::RouteKind::Offset),
+      .kind = *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset),
       .from = {any_number(), any_number()},
       .to = {any_number(), any_number()},
       .radius = any_number(),
@@ -348,7 +342,7 @@ TEST_P(OnReferenceMaps, WaysKeepWhatTheyPromise) {
       for (const Vec2 p : way.points) {
         EXPECT_GE(distance_to_nearest_wall(hall.plan(), p), way.clearance_min - exact);
         const bool on_curve =
-            query.kind == path::RouteKind::Offset &&
+            query.kind == RouteKind::Offset &&
             std::abs(distance_to_nearest_wall(hall.plan(), p) - query.offset) < exact;
         EXPECT_TRUE(p == a || p == b || on_curve || on_medial_axis(hall.plan(), p));
       }

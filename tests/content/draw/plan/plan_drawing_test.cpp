@@ -39,7 +39,7 @@ Museum small_museum() {
   Exhibit& exhibit = museum.exhibits.emplace_back();
   exhibit.id = "bronze-tripod";
   exhibit.placement.position = {0, 5};
-  exhibit.view.position = {1, 5};
+  exhibit.viewing_point.position = {1, 5};
   return museum;
 }
 
@@ -70,21 +70,20 @@ TEST(PlanDrawing, EscapesNames) {
 
 TEST(PlanDrawing, TellsTheThreeKindsOfWaysApart) {
   const Museum museum = small_museum();
-  const auto way = [&](draw::LineKind kind) {
+  const auto way = [&](RouteKind kind) {
     return draw::draw_plan(museum, 0, {}, {{kind, {{1, 1}, {5, 1}}, false, 0}});
   };
-  EXPECT_THAT(way(draw::LineKind::Shortest), HasSubstr(std::string(draw::ink::vermilion)));
-  EXPECT_THAT(way(draw::LineKind::Skeleton), HasSubstr(std::string(draw::ink::teal)));
-  EXPECT_THAT(way(draw::LineKind::Offset), HasSubstr(std::string(draw::ink::ochre)));
+  EXPECT_THAT(way(RouteKind::Shortest), HasSubstr(std::string(draw::ink::vermilion)));
+  EXPECT_THAT(way(RouteKind::Skeleton), HasSubstr(std::string(draw::ink::teal)));
+  EXPECT_THAT(way(RouteKind::Offset), HasSubstr(std::string(draw::ink::ochre)));
 }
 
 TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
   const Museum museum = small_museum();
   EXPECT_THAT(draw::draw_plan(museum, 0, {.walls = true}, {}), Not(HasSubstr("Voronoi regions")));
-  const std::string svg =
-      draw::draw_plan(museum, 0, {.regions = true, .skeleton = true},
-                      {{draw::LineKind::Level, {{1, 1}, {5, 1}, {1, 5}}, true, 0.5},
-                       {draw::LineKind::Shortest, {{1, 1}, {5, 1}}, false, 0}});
+  const std::string svg = draw::draw_plan(museum, 0, {.regions = true, .skeleton = true},
+                                          {{std::nullopt, {{1, 1}, {5, 1}, {1, 5}}, true, 0.5},
+                                           {RouteKind::Shortest, {{1, 1}, {5, 1}}, false, 0}});
   for (const char* words :
        {"Voronoi regions", "medial axis", "clearance, every 0.5 m", "shortest path"})
     EXPECT_THAT(svg, HasSubstr(words));
@@ -94,8 +93,7 @@ TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
 TEST(PlanDrawing, ShadesEachLevelOnceWithItsHolesLeftOut) {
   const Museum museum = small_museum();
   const auto ring = [](double size, double clearance) {
-    return draw::DrawnLine{
-        draw::LineKind::Level, {{1, 1}, {1 + size, 1}, {1, 1 + size}}, true, clearance};
+    return draw::DrawnLine{std::nullopt, {{1, 1}, {1 + size, 1}, {1, 1 + size}}, true, clearance};
   };
   const std::string svg = draw::draw_plan(museum, 0, {}, {ring(4, 0.5), ring(1, 0.5), ring(3, 1)});
   EXPECT_EQ(count(svg, "fill-rule=\"evenodd\""), 2U + 3U);  // Three more in the legend.

@@ -11,11 +11,9 @@ namespace {
 
 path::Way skeleton(const path::FloorMap& map, Vec2 from, Vec2 to, double radius,
                    bool widest = false) {
-  return path::route(map, {.kind = path::RouteKind::Skeleton,
-                           .from = from,
-                           .to = to,
-                           .radius = radius,
-                           .widest = widest});
+  return path::route(
+      map,
+      {.kind = RouteKind::Skeleton, .from = from, .to = to, .radius = radius, .widest = widest});
 }
 
 TEST(MedialAxisWay, GoesAlongTheMiddleOfACorridor) {

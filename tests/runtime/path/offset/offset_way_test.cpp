@@ -12,7 +12,7 @@ namespace {
 
 path::Way along_wall(const path::FloorMap& map, Vec2 from, Vec2 to, double offset, path::Hand hand,
                      double radius = 0) {
-  return path::route(map, {.kind = path::RouteKind::Offset,
+  return path::route(map, {.kind = RouteKind::Offset,
                            .from = from,
                            .to = to,
                            .radius = radius,
@@ -74,7 +74,7 @@ TEST(OffsetWay, PassesTheStopsOfATourInOrder) {
   const auto map = path::make_floor_map(floor);
   const std::array<Vec2, 3> stops{Vec2{1, 1.5}, Vec2{11, 6}, Vec2{4.5, 4}};
 
-  const path::Way way = path::tour(*map, {.kind = path::RouteKind::Offset, .radius = 0.25}, stops);
+  const path::Way way = path::tour(*map, {.kind = RouteKind::Offset, .radius = 0.25}, stops);
 
   ASSERT_EQ(way.status, path::RouteStatus::Ok);
   auto place = way.points.begin();

@@ -34,7 +34,7 @@ TEST(RadiusMaps, MakeARadiusThatNobodyAskedForBeforeInTheBackground) {
   const Floor floor = floor_of(hall_with_a_box());
   const path::FloorMap map(floor);
   const path::RouteQuery query{
-      .kind = path::RouteKind::Shortest, .from = {3, 4}, .to = {9, 4}, .radius = 0.4};
+      .kind = RouteKind::Shortest, .from = {3, 4}, .to = {9, 4}, .radius = 0.4};
 
   EXPECT_EQ(map.shortest_ways().find(0.4), nullptr);
   const path::Way at_once = path::route(map, query);

@@ -12,8 +12,7 @@ namespace {
 constexpr double exact = 1e-9;  // Metres.
 
 path::Way shortest(const path::FloorMap& map, Vec2 from, Vec2 to, double radius) {
-  return path::route(map,
-                     {.kind = path::RouteKind::Shortest, .from = from, .to = to, .radius = radius});
+  return path::route(map, {.kind = RouteKind::Shortest, .from = from, .to = to, .radius = radius});
 }
 
 TEST(ShortestWay, RollsRoundACornerOnAnArc) {
@@ -106,8 +105,7 @@ TEST(ShortestWay, IsDefinedForNumbersThatAreNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
 
-  for (const path::RouteKind kind :
-       {path::RouteKind::Shortest, path::RouteKind::Skeleton, path::RouteKind::Offset})
+  for (const RouteKind kind : {RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset})
     for (const double bad : {nan, infinity, -infinity, 1e300}) {
       EXPECT_EQ(path::route(*map, {.kind = kind, .from = {bad, 1}, .to = {1, 1}}).status,
                 path::RouteStatus::StartBlocked);

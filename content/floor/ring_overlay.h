@@ -31,7 +31,7 @@ struct RingContact {
 };
 
 /// The subdivision of the plane by a set of rings.
-struct Overlay {
+struct RingOverlay {
   /// The boundary of the enclosed part, which lies on its left. Every vertex belongs to one wedge
   /// of it, so a ring touches itself, instead of crossing, where two wedges share a point. A ring
   /// begins with the vertex that comes first in the input; rings are in the order of those.
@@ -44,6 +44,6 @@ struct Overlay {
 /// Computes it exactly (CGAL, 2D arrangements); only new vertices are rounded, once each, to the
 /// nearest doubles. Vertices of `rings` come through bit for bit, but for exactly collinear ones,
 /// which are dropped.
-Overlay overlay(std::span<const OverlayRing> rings, Fill fill);
+RingOverlay overlay(std::span<const OverlayRing> rings, Fill fill);
 
 }  // namespace docent::floor

@@ -1,4 +1,4 @@
-#include "runtime/motion/take.h"
+#include "runtime/motion/clip_sequence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@ namespace {
 /// Writes frames of clips, laid onto the floor, one after another.
 class Player {
  public:
-  Player(const WalkGraph& graph, Take& take) : graph_(graph), take_(take) {}
+  Player(const WalkGraph& graph, ClipSequence& sequence) : graph_(graph), sequence_(sequence) {}
 
   void make_room(std::size_t frames) {
-    take_.root.reserve(frames), take_.source.reserve(frames);
-    take_.rotation.reserve(frames * joint_count());
+    sequence_.root.reserve(frames), sequence_.source.reserve(frames);
+    sequence_.rotation.reserve(frames * joint_count());
   }
   void lay_clip(const Placement& clip_to_floor) {
     clip_to_floor_ = clip_to_floor;
@@ -42,10 +42,10 @@ class Player {
       const auto share = static_cast<float>(t * t * t * (t * (6 * t - 15) + 10));
       add(from);
       const MotionClip& clip = motion().clips[to.clip];
-      take_.root.back() =
-          glm::mix(take_.root.back(), moved(destination, clip.root[to.frame]), share);
-      if (share >= 0.5f) take_.source.back() = to;
-      Quat* out = take_.rotation.data() + take_.rotation.size() - joints;
+      sequence_.root.back() =
+          glm::mix(sequence_.root.back(), moved(destination, clip.root[to.frame]), share);
+      if (share >= 0.5f) sequence_.source.back() = to;
+      Quat* out = sequence_.rotation.data() + sequence_.rotation.size() - joints;
       const Quat* other = clip.rotation.data() + std::size_t{to.frame} * joints;
       const Quat turn = world_rotation(destination.heading);
       for (std::uint32_t j = 0; j < joints; ++j)
@@ -60,37 +60,37 @@ class Player {
 
   void add(ClipFrame frame) {
     const MotionClip& clip = motion().clips[frame.clip];
-    take_.root.push_back(origin_ + turn_ * clip.root[frame.frame]);
+    sequence_.root.push_back(origin_ + turn_ * clip.root[frame.frame]);
     const auto first =
         clip.rotation.begin() + static_cast<std::ptrdiff_t>(frame.frame) * clip.joint_count;
-    const std::size_t at = take_.rotation.size();
-    take_.rotation.insert(take_.rotation.end(), first, first + clip.joint_count);
-    take_.rotation[at] = turn_ * take_.rotation[at];
-    take_.source.push_back(frame);
+    const std::size_t at = sequence_.rotation.size();
+    sequence_.rotation.insert(sequence_.rotation.end(), first, first + clip.joint_count);
+    sequence_.rotation[at] = turn_ * sequence_.rotation[at];
+    sequence_.source.push_back(frame);
   }
 
   const WalkGraph& graph_;
-  Take& take_;
+  ClipSequence& sequence_;
   Placement clip_to_floor_;
   Quat turn_{1, 0, 0, 0};  ///< The same, in the world.
   Vec3 origin_{};
 };
 
-void find_body(const WalkGraph& graph, Take& take) {
-  const std::size_t frames = take.root.size();
+void find_body(const WalkGraph& graph, ClipSequence& sequence) {
+  const std::size_t frames = sequence.root.size();
   const std::size_t joints = graph.motion->skeleton.joint.size();
   std::vector<Vec2> roots(frames);
   std::vector<double> headings(frames);
   for (std::size_t f = 0; f < frames; ++f) {
-    roots[f] = to_floor(take.root[f]);
-    const PoseView pose{take.root[f], std::span(take.rotation).subspan(f * joints, joints)};
+    roots[f] = to_floor(sequence.root[f]);
+    const PoseView pose{sequence.root[f], std::span(sequence.rotation).subspan(f * joints, joints)};
     headings[f] = facing(graph.motion->skeleton, graph.legs, pose);
   }
   unwrap_angles(headings);
-  take.body = body_track(roots, headings, graph.stride_seconds * graph.frame_rate);
-  take.effort = effort_along(take.body);
-  const double run_up = take.effort[take.first];
-  for (double& effort : take.effort) effort -= run_up;
+  sequence.body = body_track(roots, headings, graph.stride_seconds * graph.frame_rate);
+  sequence.effort = effort_along(sequence.body);
+  const double run_up = sequence.effort[sequence.first];
+  for (double& effort : sequence.effort) effort -= run_up;
 }
 
 constexpr float touching_height = 0.015f;  // metres above the toe joint's resting height
@@ -121,18 +121,19 @@ void tidy_contacts(std::vector<bool>& contact, double frame_rate) {
 
 /// When the toe joint rests on the ground: from when the clip's own plants say so, and while the
 /// foot still rolls over it, which plants (a flat and still foot) leave out.
-void find_contacts(const WalkGraph& graph, Take& take, Side side) {
-  const std::size_t frames = take.root.size();
+void find_contacts(const WalkGraph& graph, ClipSequence& sequence, Side side) {
+  const std::size_t frames = sequence.root.size();
   const std::size_t joints = graph.motion->skeleton.joint.size();
   const Leg& leg = graph.legs[side];
   std::vector<Vec3> toe(frames), ankle(frames);
   std::vector<bool> planted(frames);
   for (std::size_t f = 0; f < frames; ++f) {
-    const PoseView pose{take.root[f], std::span(take.rotation).subspan(f * joints, joints)};
+    const PoseView pose{sequence.root[f], std::span(sequence.rotation).subspan(f * joints, joints)};
     const LegPose at = leg_pose(graph.motion->skeleton, leg, pose);
     toe[f] = at.position[leg.toe];
     ankle[f] = at.position[leg.ankle];
-    const FootPlants plants = graph.motion->clips[take.source[f].clip].plants[take.source[f].frame];
+    const FootPlants plants =
+        graph.motion->clips[sequence.source[f].clip].plants[sequence.source[f].frame];
     planted[f] = side == Side::Left ? plants.left : plants.right;
   }
   const float rest = graph.toe_height[index_of(side)];
@@ -149,7 +150,7 @@ void find_contacts(const WalkGraph& graph, Take& take, Side side) {
     const bool flat = ankle[f].y < graph.ankle_height[index_of(side)] + flat_height;
     return toe[f].y < rest + touching_height && speed(f) < (flat ? landing_speed : rolling_speed);
   };
-  std::vector<bool>& contact = take.contact[index_of(side)];
+  std::vector<bool>& contact = sequence.contact[index_of(side)];
   contact = planted;
   for (std::size_t f = 1; f < frames; ++f)
     if (contact[f - 1] && rolls(f)) contact[f] = true;
@@ -170,17 +171,17 @@ std::size_t frames_of(const WalkGraph& graph, const MotionPlan& plan) {
 
 }  // namespace
 
-Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor) {
-  Take take;
-  Player player(graph, take);
+ClipSequence play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor) {
+  ClipSequence sequence;
+  Player player(graph, sequence);
   player.lay_clip(clip_to_floor);
   const auto run_up = static_cast<std::uint32_t>(graph.stride_seconds * graph.frame_rate);
   const bool from_standing = graph.motion->clips[plan.start.clip].role == ClipRole::Start &&
                              plan.start.frame <= graph.clip[plan.start.clip].first;
   std::size_t frame =
       from_standing ? plan.start.frame : plan.start.frame - std::min(plan.start.frame, run_up);
-  take.first = plan.start.frame - frame;
-  player.make_room(frames_of(graph, plan) + take.first);
+  sequence.first = plan.start.frame - frame;
+  player.make_room(frames_of(graph, plan) + sequence.first);
   std::size_t earliest = plan.start.frame;  // a blend must not reach into the run-up
   std::uint32_t clip = plan.start.clip;
   for (const std::uint32_t t : plan.transitions) {
@@ -199,9 +200,9 @@ Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_
     earliest = frame = way.to.frame + radius;
   }
   player.copy(clip, frame, plan.last_frame + 1);
-  find_body(graph, take);
-  for (const Side side : both_sides) find_contacts(graph, take, side);
-  return take;
+  find_body(graph, sequence);
+  for (const Side side : both_sides) find_contacts(graph, sequence, side);
+  return sequence;
 }
 
 }  // namespace docent::motion

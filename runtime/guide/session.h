@@ -20,11 +20,11 @@ struct Errand {
   enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
   Kind kind = Kind::None;
   std::int32_t exhibit = -1;
-  path::RouteKind route = path::RouteKind::Shortest;
+  RouteKind route = RouteKind::Shortest;
 };
 
-/// What the tours of a kiosk have in common; borrowed from it.
-struct TourContext {
+/// What the sessions of a kiosk have in common; borrowed from it.
+struct SessionContext {
   const Museum& museum;
   plan::Planner& planner;
   Crowd& crowd;  ///< Its first are the guides; guide i waits at home i.
@@ -37,11 +37,11 @@ struct TourContext {
 /// leaves.
 ///
 /// After construction its functions do not throw, allocate or wait.
-class Tour {
+class Session {
  public:
   /// Of a part of the glass (ViewRequest::part). `guide`: who leads it; none before one is picked.
-  Tour(const TourContext& context, std::uint32_t part, const interface::InterfaceState& state,
-       std::optional<std::uint32_t> guide);
+  Session(const SessionContext& context, std::uint32_t part, const interface::InterfaceState& state,
+          std::optional<std::uint32_t> guide);
 
   /// An event of the glass on this part of it; `surface` is the overlay that was touched, which may
   /// be that of the model. True unless a finger left the glass where nothing is.
@@ -83,12 +83,12 @@ class Tour {
   const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
   bool is_out() const noexcept;
 
-  TourContext context_;
+  SessionContext context_;
   std::uint32_t part_;
   interface::InterfaceState state_, vacant_;
   std::optional<std::uint32_t> guide_;
   Errand errand_;
-  std::optional<interface::Trip> trip_;  ///< Of the errand, once it is planned.
+  std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;
   Overlay overlay_;
   float idle_seconds_ = 0;       ///< Since they last touched anything.

@@ -9,14 +9,14 @@ namespace docent::motion::offline {
 
 /// The joints of a clip where they are in the world, all frames, metres: what is measured on a
 /// motion (plants, faults, distances) is measured on these.
-struct Track {
+struct JointPositions {
   std::size_t joints = 0;
   std::vector<Vec3> place;  ///< Joint j of frame f is place[f * joints + j].
 
   Vec3 at(std::size_t frame, std::size_t joint) const { return place[frame * joints + joint]; }
 };
 
-Track make_track(const Skeleton& skeleton, const MotionClip& clip);
+JointPositions joint_positions(const Skeleton& skeleton, const MotionClip& clip);
 
 /// Lengths and speeds of a body, against the adult whose leg (hip to ankle) is 0.83 m: figures
 /// stated for adults are multiplied by it, so that a child's or a giant's motion is judged alike.

@@ -45,7 +45,7 @@ struct Pipe {
 };
 
 /// A graphics card of which this program is the master, and the pipe it drives.
-struct Card {
+struct GraphicsCard {
   std::string path;
   FileDescriptor fd;
   Pipe pipe;
@@ -53,6 +53,6 @@ struct Card {
 
 /// Opens the first card that drives a connected screen and takes the master's place. The mode is
 /// the preferred one, or that nearest to `wanted`.
-Result<Card> open_card(PixelSize wanted);
+Result<GraphicsCard> open_graphics_card(PixelSize wanted);
 
 }  // namespace docent::kms

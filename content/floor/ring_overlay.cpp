@@ -1,4 +1,4 @@
-#include "content/floor/overlay.h"
+#include "content/floor/ring_overlay.h"
 
 #include <CGAL/Arr_consolidated_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
@@ -300,10 +300,10 @@ std::vector<RingContact> find_contacts(Arrangement& arrangement) {
 
 }  // namespace
 
-Overlay overlay(std::span<const OverlayRing> rings, Fill fill) {
+RingOverlay overlay(std::span<const OverlayRing> rings, Fill fill) {
   Arrangement arrangement = arrange(rings);
   mark_enclosed_faces(arrangement, Winding(rings, fill));
-  Overlay result;
+  RingOverlay result;
   result.walls = trace_walls(arrangement, VertexRanks(rings), result.adds_vertices);
   result.contacts = find_contacts(arrangement);
   result.bounds_any.assign(rings.size(), 0);

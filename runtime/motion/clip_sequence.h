@@ -11,7 +11,7 @@ namespace docent::motion {
 
 /// Clips played one after another along a plan, blended at the transitions: the motion graph's own
 /// motion before anything is warped. Floor and world frames as in MotionClip.
-struct Take {
+struct ClipSequence {
   std::vector<Vec3> root;
   std::vector<Quat> rotation;  ///< joint_count per frame.
   std::vector<ClipFrame> source;
@@ -23,6 +23,6 @@ struct Take {
 };
 
 /// Plays a plan. `clip_to_floor` lays the first clip onto the floor.
-Take play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor);
+ClipSequence play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor);
 
 }  // namespace docent::motion

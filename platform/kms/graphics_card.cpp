@@ -1,4 +1,4 @@
-#include "platform/kms/card.h"
+#include "platform/kms/graphics_card.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -128,11 +128,11 @@ std::optional<Pipe> find_pipe(int fd, PixelSize wanted) {
   return std::nullopt;
 }
 
-Result<Card> open_one(const std::string& path, PixelSize wanted) {
+Result<GraphicsCard> open_one(const std::string& path, PixelSize wanted) {
   const auto failed = [&](std::string_view why) {
     return std::unexpected(Error{Errc::Environment, fmt::format("{}: {}", path, why)});
   };
-  Card card{path, FileDescriptor(open(path.c_str(), O_RDWR | O_CLOEXEC)), {}};
+  GraphicsCard card{path, FileDescriptor(open(path.c_str(), O_RDWR | O_CLOEXEC)), {}};
   const int fd = card.fd.get();
   if (fd < 0)
     return failed(fmt::format("{}; the user must be in the group video", std::strerror(errno)));
@@ -161,7 +161,7 @@ FileDescriptor::~FileDescriptor() {
   if (fd_ >= 0) close(fd_);
 }
 
-Result<Card> open_card(PixelSize wanted) {
+Result<GraphicsCard> open_graphics_card(PixelSize wanted) {
   constexpr int most_cards = 16;
   Error why{Errc::Environment,
             "there is no graphics card (/dev/dri/card*); use --display window or headless"};

@@ -1,4 +1,4 @@
-#include "content/motion/track.h"
+#include "content/motion/joint_positions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace docent::motion::offline {
 
-Track make_track(const Skeleton& skeleton, const MotionClip& clip) {
-  Track track{.joints = skeleton.joint.size(), .place = {}};
+JointPositions joint_positions(const Skeleton& skeleton, const MotionClip& clip) {
+  JointPositions track{.joints = skeleton.joint.size(), .place = {}};
   track.place.reserve(clip.root.size() * track.joints);
   std::vector<Vec3> places;
   for (std::size_t f = 0; f < clip.root.size(); ++f) {

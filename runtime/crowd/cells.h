@@ -12,25 +12,25 @@
 
 namespace docent::crowd {
 
-/// A floor cut into bays: pieces of it, a step or two wide, that no wall divides.
+/// A floor cut into cells: pieces of it, a step or two wide, that no wall divides.
 ///
 /// A Voronoi region is the open side of one wall, so whoever knows the region knows on which side
 /// of every wall a point is. But regions are of any size, slivers at a column, a quarter of a hall
 /// at its wall. So squares of one size are laid over the floor and each region is cut along them;
 /// pieces in one square are joined again where their regions are neighbours there. What is on two
 /// sides of a wall stays apart, unless one can walk round the wall within the square, or through
-/// the eight about it: where there is a door every few steps walls part nobody for long. Two bays
+/// the eight about it: where there is a door every few steps walls part nobody for long. Two cells
 /// are next to each other if their squares share a side and one region is in both.
 ///
-/// In doubt (within a micrometre of a square) pieces are joined: bays may be larger and have more
-/// neighbours than need be, never fewer. Every way on the floor leads from bay to neighbouring bay.
-/// Frame: floor. Borrows the map. Immutable, so any thread may ask.
-class Bays {
+/// In doubt (within a micrometre of a square) pieces are joined: cells may be larger and have more
+/// neighbours than need be, never fewer. Every way on the floor leads from cell to neighbouring
+/// cell. Frame: floor. Borrows the map. Immutable, so any thread may ask.
+class WalkableCells {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// Squares of `size` metres; larger ones on floors that would have over a million.
-  Bays(const path::FloorMap& map, double size);
+  WalkableCells(const path::FloorMap& map, double size);
 
   const path::FloorMap& map() const noexcept { return map_; }
   double size() const noexcept { return size_; }
@@ -44,14 +44,14 @@ class Bays {
     };
     return index(at.y, rows_) * static_cast<std::uint32_t>(columns_) + index(at.x, columns_);
   }
-  /// The bay of a point in this square and this region; `none` where there is no such piece.
-  std::uint32_t bay_at(std::uint32_t square, std::uint32_t region) const noexcept {
+  /// The cell of a point in this square and this region; `none` where there is no such piece.
+  std::uint32_t cell_at(std::uint32_t square, std::uint32_t region) const noexcept {
     for (std::uint32_t i = square_first_[square]; i < square_first_[square + 1]; ++i)
-      if (piece_[i].region == region) return piece_[i].bay;
+      if (piece_[i].region == region) return piece_[i].cell;
     return none;
   }
-  std::span<const std::uint32_t> next_to(std::uint32_t bay) const noexcept {
-    return std::span(next_).subspan(next_first_[bay], next_first_[bay + 1] - next_first_[bay]);
+  std::span<const std::uint32_t> next_to(std::uint32_t cell) const noexcept {
+    return std::span(next_).subspan(next_first_[cell], next_first_[cell + 1] - next_first_[cell]);
   }
   /// The squares of a box.
   struct Squares {
@@ -65,10 +65,10 @@ class Bays {
   std::uint32_t square(std::uint32_t column, std::uint32_t row) const noexcept {
     return row * static_cast<std::uint32_t>(columns_) + column;
   }
-  /// The bay of a square, if it has just one.
-  std::uint32_t only_bay_of(std::uint32_t square) const noexcept { return only_bay_[square]; }
-  std::uint32_t square_of(std::uint32_t bay) const noexcept { return square_[bay]; }
-  Vec2 centre_of(std::uint32_t bay) const noexcept { return centre_[bay]; }
+  /// The cell of a square, if it has just one.
+  std::uint32_t only_cell_of(std::uint32_t square) const noexcept { return only_cell_[square]; }
+  std::uint32_t square_of(std::uint32_t cell) const noexcept { return square_[cell]; }
+  Vec2 centre_of(std::uint32_t cell) const noexcept { return centre_[cell]; }
   Vec2 centre_of_square(std::uint32_t square) const noexcept {
     const auto columns = static_cast<std::uint32_t>(columns_);
     const std::uint32_t x = square % columns, y = square / columns;
@@ -77,8 +77,8 @@ class Bays {
 
   /// Every wall that reaches into the box, and perhaps some more, perhaps several times; until
   /// `visit` says false.
-  template <class Visit>
-  void visit_walls(Vec2 low, Vec2 high, Visit visit) const {
+  template <class Visitor>
+  void visit_walls(Vec2 low, Vec2 high, Visitor visit) const {
     const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
     const auto [left, bottom] = tile_at(low);
     const auto [right, top] = tile_at(high);
@@ -91,8 +91,8 @@ class Bays {
   }
 
   /// Every reflex corner in the box, and perhaps some more.
-  template <class Visit>
-  void visit_corners(Vec2 low, Vec2 high, Visit visit) const {
+  template <class Visitor>
+  void visit_corners(Vec2 low, Vec2 high, Visitor visit) const {
     const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
     const auto [left, bottom] = tile_at(low);
     const auto [right, top] = tile_at(high);
@@ -105,7 +105,7 @@ class Bays {
 
  private:
   struct Piece {
-    std::uint32_t region = 0, bay = 0;
+    std::uint32_t region = 0, cell = 0;
   };
   struct Wall {
     Vec2 a{}, b{};
@@ -124,8 +124,8 @@ class Bays {
   }
   struct Cut;
   void join_pieces(const Cut& cut);
-  void link_bays();
-  void join_bays();
+  void link_cells();
+  void join_cells();
   void sort_walls();
   void sort_corners();
 
@@ -135,9 +135,9 @@ class Bays {
   std::int32_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> square_first_;  ///< Per square: its pieces, by region.
   std::vector<Piece> piece_;
-  std::vector<std::uint32_t> only_bay_;  ///< Per square; `none` where there are several, or none.
-  std::vector<Vec2> centre_;             ///< Per bay: of its square.
-  std::vector<std::uint32_t> square_;    ///< Per bay.
+  std::vector<std::uint32_t> only_cell_;  ///< Per square; `none` where there are several, or none.
+  std::vector<Vec2> centre_;              ///< Per cell: of its square.
+  std::vector<std::uint32_t> square_;     ///< Per cell.
   std::vector<std::uint32_t> next_first_, next_;
   std::vector<std::uint32_t> wall_first_;  ///< Per tile.
   std::vector<Wall> wall_;

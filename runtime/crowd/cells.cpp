@@ -1,4 +1,4 @@
-#include "runtime/crowd/bays.h"
+#include "runtime/crowd/cells.h"
 
 #include <cmath>
 #include <numeric>
@@ -29,32 +29,32 @@ void sort_out(std::vector<T>& values) {
 }  // namespace
 
 /// Which regions are in which squares, and which two of them meet there.
-struct Bays::Cut {
+struct WalkableCells::Cut {
   using Piece = std::pair<std::uint32_t, std::uint32_t>;  ///< Square, region.
   struct Border {
     std::uint32_t square = 0, left = 0, right = 0;
   };
-  const Bays& bays;
+  const WalkableCells& cells;
   std::vector<Piece> piece;
   std::vector<Border> border;
 
-  template <class Visit>
-  void visit_squares(Vec2 low, Vec2 high, Visit visit) const {
-    const auto columns = static_cast<std::uint32_t>(bays.columns_);
-    const std::uint32_t first = bays.square_at(low - Vec2{margin, margin});
-    const std::uint32_t last = bays.square_at(high + Vec2{margin, margin});
+  template <class Visitor>
+  void visit_squares(Vec2 low, Vec2 high, Visitor visit) const {
+    const auto columns = static_cast<std::uint32_t>(cells.columns_);
+    const std::uint32_t first = cells.square_at(low - Vec2{margin, margin});
+    const std::uint32_t last = cells.square_at(high + Vec2{margin, margin});
     for (std::uint32_t y = first / columns; y <= last / columns; ++y)
       for (std::uint32_t x = first % columns; x <= last % columns; ++x) visit(y * columns + x);
   }
   /// The squares that a segment passes.
-  template <class Visit>
-  void visit_squares_along(Vec2 from, Vec2 to, Visit visit) const {
+  template <class Visitor>
+  void visit_squares_along(Vec2 from, Vec2 to, Visitor visit) const {
     const Vec2 along = to - from;
     const double length = std::sqrt(dot(along, along));
     const Vec2 normal = length > 0 ? left_of(along) / length : Vec2{0, 0};
-    const double beside = margin + (std::abs(normal.x) + std::abs(normal.y)) * bays.size_ / 2;
+    const double beside = margin + (std::abs(normal.x) + std::abs(normal.y)) * cells.size_ / 2;
     visit_squares(glm::min(from, to), glm::max(from, to), [&](std::uint32_t square) {
-      const Vec2 centre = bays.centre_of_square(square);
+      const Vec2 centre = cells.centre_of_square(square);
       if (std::abs(dot(normal, centre - from)) <= beside) visit(square);
     });
   }
@@ -75,7 +75,7 @@ struct Bays::Cut {
     // In arcs of half a square at most; each lies in the triangle of its ends and control point.
     const Parabola parabola = parabola_of(plan, diagram, edge);
     const double begin = parameter_at(parabola, from), end = parameter_at(parabola, to);
-    const int arcs = 1 + static_cast<int>(arc_length(parabola, begin, end) / (bays.size_ / 2));
+    const int arcs = 1 + static_cast<int>(arc_length(parabola, begin, end) / (cells.size_ / 2));
     for (int i = 0; i < arcs; ++i) {
       const double u = begin + (end - begin) * i / arcs, v = begin + (end - begin) * (i + 1) / arcs;
       const Vec2 p = point_at(parabola, u), q = point_at(parabola, v);
@@ -85,7 +85,7 @@ struct Bays::Cut {
   }
 };
 
-Bays::Bays(const path::FloorMap& map, double size) : map_(map) {
+WalkableCells::WalkableCells(const path::FloorMap& map, double size) : map_(map) {
   const FloorPlan& plan = map.plan();
   const VoronoiDiagram& diagram = map.floor().diagram;
   Vec2 low{}, high{};
@@ -114,13 +114,13 @@ Bays::Bays(const path::FloorMap& map, double size) : map_(map) {
       cut.piece.emplace_back(square, map.site_at(centre));
   sort_out(cut.piece);
   join_pieces(cut);
-  link_bays();
-  join_bays();
+  link_cells();
+  join_cells();
   sort_walls();
   sort_corners();
 }
 
-void Bays::join_pieces(const Cut& cut) {
+void WalkableCells::join_pieces(const Cut& cut) {
   const std::size_t squares = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   square_first_.assign(squares + 1, 0);
   for (const auto& [square, region] : cut.piece) {
@@ -140,24 +140,24 @@ void Bays::join_pieces(const Cut& cut) {
 
   std::vector<std::uint32_t> bay_of_root(piece_.size(), none);
   for (std::uint32_t i = 0; i < piece_.size(); ++i) {
-    std::uint32_t& bay = bay_of_root[root_of(parent, i)];
-    if (bay == none) {
-      bay = static_cast<std::uint32_t>(centre_.size());
+    std::uint32_t& cell = bay_of_root[root_of(parent, i)];
+    if (cell == none) {
+      cell = static_cast<std::uint32_t>(centre_.size());
       square_.push_back(cut.piece[i].first);
       centre_.push_back(centre_of_square(square_.back()));
     }
-    piece_[i].bay = bay;
+    piece_[i].cell = cell;
   }
 }
 
-void Bays::link_bays() {
+void WalkableCells::link_cells() {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
   const auto link = [&](std::uint32_t square, std::uint32_t other) {
     for (std::uint32_t i = square_first_[square]; i < square_first_[square + 1]; ++i) {
-      const std::uint32_t bay = bay_at(other, piece_[i].region);
-      if (bay == none) continue;
-      links.emplace_back(piece_[i].bay, bay);
-      links.emplace_back(bay, piece_[i].bay);
+      const std::uint32_t cell = cell_at(other, piece_[i].region);
+      if (cell == none) continue;
+      links.emplace_back(piece_[i].cell, cell);
+      links.emplace_back(cell, piece_[i].cell);
     }
   };
   const auto columns = static_cast<std::uint32_t>(columns_),
@@ -170,61 +170,61 @@ void Bays::link_bays() {
     }
   sort_out(links);
   next_first_.assign(count() + 1, 0);
-  for (const auto& [bay, other] : links) {
-    ++next_first_[bay + 1];
+  for (const auto& [cell, other] : links) {
+    ++next_first_[cell + 1];
     next_.push_back(other);
   }
   std::partial_sum(next_first_.begin(), next_first_.end(), next_first_.begin());
 }
 
-/// Two bays of one square are joined if a way leads from one to the other through the squares about
-/// it.
-void Bays::join_bays() {
+/// Two cells of one square are joined if a way leads from one to the other through the squares
+/// about it.
+void WalkableCells::join_cells() {
   std::vector<std::uint32_t> parent(count());
   std::iota(parent.begin(), parent.end(), 0U);
   std::vector<std::uint32_t> reached;
-  for (std::uint32_t bay = 0; bay < count(); ++bay) {
+  for (std::uint32_t cell = 0; cell < count(); ++cell) {
     const auto is_about = [&](std::uint32_t other) {
-      const Vec2 apart = glm::abs(centre_[other] - centre_[bay]);
+      const Vec2 apart = glm::abs(centre_[other] - centre_[cell]);
       return std::max(apart.x, apart.y) < 1.5 * size_;
     };
-    reached.assign(1, bay);
+    reached.assign(1, cell);
     for (std::size_t done = 0; done < reached.size(); ++done)
       for (const std::uint32_t next : next_to(reached[done]))
         if (is_about(next) && std::ranges::find(reached, next) == reached.end())
           reached.push_back(next);
     for (const std::uint32_t other : reached)
-      if (square_[other] == square_[bay]) parent[root_of(parent, other)] = root_of(parent, bay);
+      if (square_[other] == square_[cell]) parent[root_of(parent, other)] = root_of(parent, cell);
   }
 
   std::vector<std::uint32_t> number(count(), none), squares_of;
-  for (std::uint32_t bay = 0; bay < count(); ++bay) {
-    std::uint32_t& joined = number[root_of(parent, bay)];
+  for (std::uint32_t cell = 0; cell < count(); ++cell) {
+    std::uint32_t& joined = number[root_of(parent, cell)];
     if (joined == none) {
       joined = static_cast<std::uint32_t>(squares_of.size());
-      squares_of.push_back(square_[bay]);
+      squares_of.push_back(square_[cell]);
     }
-    if (bay != root_of(parent, bay)) number[bay] = joined;
+    if (cell != root_of(parent, cell)) number[cell] = joined;
   }
-  for (Piece& piece : piece_) piece.bay = number[root_of(parent, piece.bay)];
+  for (Piece& piece : piece_) piece.cell = number[root_of(parent, piece.cell)];
   square_ = std::move(squares_of);
   centre_.clear();
   for (const std::uint32_t at : square_) centre_.push_back(centre_of_square(at));
   next_.clear();
-  link_bays();
+  link_cells();
 
   const std::size_t squares = square_first_.size() - 1;
-  only_bay_.assign(squares, none);
+  only_cell_.assign(squares, none);
   for (std::size_t square = 0; square < squares; ++square) {
     const auto pieces = std::span(piece_).subspan(
         square_first_[square], square_first_[square + 1] - square_first_[square]);
-    const auto is_other = [&](const Piece& piece) { return piece.bay != pieces.front().bay; };
+    const auto is_other = [&](const Piece& piece) { return piece.cell != pieces.front().cell; };
     if (!pieces.empty() && std::ranges::none_of(pieces, is_other))
-      only_bay_[square] = pieces.front().bay;
+      only_cell_[square] = pieces.front().cell;
   }
 }
 
-void Bays::sort_walls() {
+void WalkableCells::sort_walls() {
   const FloorPlan& plan = map_.plan();
   const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
@@ -251,7 +251,7 @@ void Bays::sort_walls() {
   std::partial_sum(wall_first_.begin(), wall_first_.end(), wall_first_.begin());
 }
 
-void Bays::sort_corners() {
+void WalkableCells::sort_corners() {
   const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted;
   for (const Site site : map_.floor().diagram.site) {

@@ -1,4 +1,4 @@
-#include "runtime/guide/tour.h"
+#include "runtime/guide/session.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,8 +19,8 @@ input::GestureRecogniser recogniser_for(const interface::InterfaceState& state) 
 
 }  // namespace
 
-Tour::Tour(const TourContext& context, std::uint32_t part, const interface::InterfaceState& state,
-           std::optional<std::uint32_t> guide)
+Session::Session(const SessionContext& context, std::uint32_t part,
+                 const interface::InterfaceState& state, std::optional<std::uint32_t> guide)
     : context_(context),
       part_(part),
       state_(state),
@@ -30,18 +30,18 @@ Tour::Tour(const TourContext& context, std::uint32_t part, const interface::Inte
   request_view();
 }
 
-bool Tour::shows_its_state() const noexcept {
+bool Session::shows_its_state() const noexcept {
   return view() != nullptr && !awaiting_view_ && view()->state == state_;
 }
 
-bool Tour::is_out() const noexcept {
+bool Session::is_out() const noexcept {
   const Avatar& avatar = agent().avatar;
   const Vec2 off = avatar.body.position - context_.homes[*guide_].position;
   return dot(off, off) > at_home * at_home || !stands(avatar) ||
          (agent().goal && !agent().has_arrived);
 }
 
-double Tour::remaining() const noexcept {
+double Session::remaining() const noexcept {
   if (!guide_) return 0;
   const Avatar& avatar = agent().avatar;
   return (avatar.plan->reach.empty() ? 0 : avatar.plan->reach.back()) - avatar.along;
@@ -49,7 +49,7 @@ double Tour::remaining() const noexcept {
 
 // What the visitor does.
 
-bool Tour::touch(const input::InputEvent& event, Overlay& surface) noexcept {
+bool Session::touch(const input::InputEvent& event, Overlay& surface) noexcept {
   // What lies on the glass and trembles is nobody.
   if (event.kind != input::InputEvent::Kind::Move) idle_seconds_ = 0;
   const std::optional<input::Gesture> gesture = gestures_.take(event);
@@ -60,7 +60,7 @@ bool Tour::touch(const input::InputEvent& event, Overlay& surface) noexcept {
   return !gesture || press(*gesture, surface);
 }
 
-bool Tour::press(const input::Gesture& gesture, Overlay& surface) noexcept {
+bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   const std::int32_t control = surface.touch_up(gesture.finger);
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
@@ -80,7 +80,7 @@ bool Tour::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   return true;
 }
 
-void Tour::swipe(bool left) noexcept {
+void Session::swipe(bool left) noexcept {
   // What is further on comes from the side where lines end.
   const bool forwards = left != interface::runs_right_to_left(context_.museum, state_.language);
   const std::uint32_t pages =
@@ -90,7 +90,7 @@ void Tour::swipe(bool left) noexcept {
   if (!forwards && state_.page > 0) act({interface::Action::Kind::TurnPage, state_.page - 1});
 }
 
-void Tour::press_key(input::Key key) noexcept {
+void Session::press_key(input::Key key) noexcept {
   idle_seconds_ = 0;
   switch (key) {
     case input::Key::Up:
@@ -119,7 +119,7 @@ void Tour::press_key(input::Key key) noexcept {
   }
 }
 
-void Tour::act(interface::Action action) noexcept {
+void Session::act(interface::Action action) noexcept {
   const interface::InterfaceState before = state_;
   show(interface::after(state_, action));
   switch (action.kind) {
@@ -146,7 +146,7 @@ void Tour::act(interface::Action action) noexcept {
 }
 
 /// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
-void Tour::set_out() noexcept {
+void Session::set_out() noexcept {
   const Errand errand{Errand::Kind::ToExhibit, state_.exhibit, state_.kind};
   if (!guide_ || state_.arrived || errand.exhibit < 0) return;
   if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
@@ -155,15 +155,15 @@ void Tour::set_out() noexcept {
   order(errand);
 }
 
-void Tour::order(const Errand& errand) noexcept {
+void Session::order(const Errand& errand) noexcept {
   if (!guide_) return;
   errand_ = errand;
-  trip_.reset();
+  route_summary_.reset();
   switch (errand.kind) {
     case Errand::Kind::ToExhibit:
-      context_.crowd.send(*guide_,
-                          context_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].view,
-                          errand.route);
+      context_.crowd.send(
+          *guide_, context_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].viewing_point,
+          errand.route);
       break;
     case Errand::Kind::Home:
       context_.crowd.send(*guide_, context_.homes[*guide_], errand.route);
@@ -176,16 +176,16 @@ void Tour::order(const Errand& errand) noexcept {
 }
 
 /// At a seat the guide is free from now on, for whoever comes next.
-void Tour::go_home() noexcept {
+void Session::go_home() noexcept {
   if (guide_ && is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
   if (state_.seat < 0) return;
   guide_.reset();
   errand_ = {};
-  trip_.reset();
+  route_summary_.reset();
   vacant_seconds_ = 0;
 }
 
-void Tour::show(const interface::InterfaceState& state) noexcept {
+void Session::show(const interface::InterfaceState& state) noexcept {
   if (state_ == state) return;
   state_ = state;
   request_view();
@@ -193,13 +193,13 @@ void Tour::show(const interface::InterfaceState& state) noexcept {
 
 // What the planner answers.
 
-void Tour::request_view() noexcept {
+void Session::request_view() noexcept {
   awaiting_view_ = true;
   context_.planner.ask(
-      interface::ViewRequest{++last_request_, state_, context_.shape, trip_, part_});
+      interface::ViewRequest{++last_request_, state_, context_.shape, route_summary_, part_});
 }
 
-bool Tour::take_view(std::unique_ptr<interface::View> view) noexcept {
+bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   if (view->request != last_request_) return false;  // the visitor has gone on
   awaiting_view_ = false;
   overlay_.enter(std::move(view));
@@ -207,17 +207,17 @@ bool Tour::take_view(std::unique_ptr<interface::View> view) noexcept {
 }
 
 /// The crowd has been told about the guide's way.
-void Tour::take_way() noexcept {
+void Session::take_way() noexcept {
   if (!guide_ || !agent().is_answered || !leads_to_exhibit()) return;
-  if (!trip_) ++routes_;
-  trip_ = agent().trip;
-  if (trip_ && trip_->status != path::RouteStatus::Ok) errand_ = {};
+  if (!route_summary_) ++routes_;
+  route_summary_ = agent().route_summary;
+  if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) errand_ = {};
   request_view();
 }
 
 // What time brings.
 
-void Tour::step(float seconds, float absent_after) noexcept {
+void Session::step(float seconds, float absent_after) noexcept {
   take_way();
   notice_arrival();
   notice_absence(seconds, absent_after);
@@ -226,7 +226,7 @@ void Tour::step(float seconds, float absent_after) noexcept {
   overlay_.advance(seconds);
 }
 
-void Tour::notice_arrival() noexcept {
+void Session::notice_arrival() noexcept {
   if (!guide_ || errand_.kind == Errand::Kind::None || agent().awaits_answer ||
       !stands(agent().avatar) || !agent().has_arrived)
     return;
@@ -242,7 +242,7 @@ void Tour::notice_arrival() noexcept {
 }
 
 /// Nobody has touched the glass for a while: whoever comes next is greeted in the first language.
-void Tour::notice_absence(float seconds, float absent_after) noexcept {
+void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "runtime/interface/control.h"
+#include "runtime/interface/sheet.h"
+
+namespace docent::interface {
+
+/// Whose controls are asked for.
+struct ControlRequest {
+  const Museum& museum;
+  const InterfaceState& state;
+  std::uint32_t per_page = 1;  ///< Exhibits on a page of the list.
+};
+
+/// One way of showing a screen: what can be pressed, in focus order, and where everything lies in
+/// the content of a panel or a card.
+struct Face {
+  void (*add_controls)(const ControlRequest& request, std::vector<Control>& out);
+  void (*lay_out)(Sheet& sheet, const PixelBox& content);
+};
+/// A screen has two: on a glass of one's own and on the card of a seat. A further screen is a row
+/// of `screens`.
+struct ScreenFaces {
+  Screen screen;
+  Face whole, card;
+};
+extern const std::array<ScreenFaces, 5> screens;
+
+inline const ScreenFaces& faces_of(Screen screen) noexcept {
+  return screens[static_cast<std::size_t>(screen)];
+}
+
+}  // namespace docent::interface
