@@ -8,6 +8,7 @@
 #include <queue>
 #include <utility>
 
+#include "runtime/crowd/contact.h"
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/path/floor_map.h"
 
@@ -141,26 +142,27 @@ class PassageSearch {
   }
 
   void find_others() {
-    const double last = query_.seconds + horizon;
-    for (const ReservationTable::Entry& entry : reservations_.entries()) {
-      if (entry.body == query_.body) continue;
-      const Trajectory& trajectory = entry.trajectory;
-      double nearest = never;
-      for (const Column& column : columns_) {
-        // Coarsely: places half a second apart, the way's own steps.
-        for (double t = query_.seconds;; t += 0.5) {
-          const Vec2 off = place_at(trajectory, t) - column.place;
-          nearest = std::min(nearest, dot(off, off));
-          if (t > last || t > trajectory.end()) break;
-        }
-      }
-      nearest = std::sqrt(nearest);
-      if (nearest > most_lanes * lane_step + 2 * radius_ + 1) continue;
-      if (nearest < crowd_reach) is_crowded_ = true;
-      const bool yields_when_asked =
-          std::ranges::find(query_.yields_when_asked, entry.body) != query_.yields_when_asked.end();
-      others_.push_back(
-          {entry.body, &trajectory, yields_when_asked, trajectory.end() <= query_.seconds});
+    for (const std::uint32_t body : query_.near) {
+      const Trajectory* trajectory = reservations_.trajectory_of(body);
+      if (trajectory == nullptr) continue;
+      if (!is_crowded_) is_crowded_ = comes_near(*trajectory);
+      const bool yields =
+          std::ranges::find(query_.yields_when_asked, body) != query_.yields_when_asked.end();
+      others_.push_back({body, trajectory, yields, trajectory->end() <= query_.seconds});
+    }
+  }
+
+  /// Is it ever beside the way? Looked at by half seconds.
+  bool comes_near(const Trajectory& trajectory) const {
+    const double last = std::min(query_.seconds + horizon, trajectory.end());
+    for (double t = query_.seconds;; t += 0.5) {
+      const Vec2 there = place_at(trajectory, t);
+      if (std::ranges::any_of(columns_, [&](const Column& column) {
+            const Vec2 off = there - column.place;
+            return dot(off, off) < crowd_reach * crowd_reach;
+          }))
+        return true;
+      if (t >= last) return false;
     }
   }
 
@@ -217,7 +219,7 @@ class PassageSearch {
       if (from < query_.seconds + 1.0)
         distance = std::min(distance, std::max(2 * radius_ + 0.015, glm::distance(then, a) - 0.01));
       const Vec2 velocity = ((later - then) - (b - a)) / std::max(seconds, 1e-6);
-      if (!first_impact(then - a, velocity, distance, seconds)) continue;
+      if (!contact(make_approach(then - a, velocity, distance), seconds)) continue;
       if (!(other.yields_when_asked && stands)) return {other.body, false};
       out = {other.body, true};
     }

@@ -17,7 +17,9 @@ struct PassageQuery {
   double speed = 1;              ///< Metres a second.
   std::span<const Vec2> way;     ///< What is ahead of it, to its goal.
   std::span<const Vec2> behind;  ///< The way that it came, from where it is; may be empty.
-  /// Bodies that will make room when they are asked, once they stand.
+  /// Bodies that count; all others are taken to be far away.
+  std::span<const std::uint32_t> near;
+  /// Of all, those that will make room when they are asked, once they stand.
   std::span<const std::uint32_t> yields_when_asked;
 };
 

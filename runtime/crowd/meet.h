@@ -7,6 +7,7 @@
 
 #include "runtime/crowd/body.h"
 #include "runtime/crowd/cells.h"
+#include "runtime/crowd/contact.h"
 
 namespace docent::crowd {
 
@@ -24,47 +25,13 @@ inline bool takes_part(const Body& body) noexcept {
 }
 double clamp_horizon(double horizon) noexcept;
 
-/// From when to when two circles overlap or touch if both keep their velocity; seconds from now.
-struct Collision {
-  double first = 0;  ///< 0 where they touch already.
-  double last = 0;   ///< At most the horizon.
-};
-
-/// Two bodies as one that comes towards the other, which stands.
-struct Approach {
-  double beyond = 0;   ///< Distance squared less reach squared: positive where they are apart.
-  double nearing = 0;  ///< Half of how fast the squared distance falls.
-  double speed_squared = 0;
-  double square = 0;  ///< Negative where the line of the drift passes outside of the reach.
-};
 inline Approach approach_of(const Body& a, const Body& b) noexcept {
-  const Vec2 apart = b.position - a.position, drift = b.velocity - a.velocity;
-  const double reach = a.radius + b.radius;
-  const double speed_squared = dot(drift, drift);
-  // No difference of squares of distances here: a near miss is decided by how far the line passes.
-  const double beside = cross(apart, drift);
-  return {dot(apart, apart) - reach * reach, -dot(apart, drift), speed_squared,
-          speed_squared * reach * reach - beside * beside};
+  return make_approach(b.position - a.position, b.velocity - a.velocity, a.radius + b.radius);
 }
-/// Do the circles surely not touch within the horizon? Without a branch, since most do not.
-inline bool surely_miss(const Approach& approach, double horizon) noexcept {
-  const bool is_apart = approach.beyond > 0;
-  const bool is_slow = approach.beyond > 2 * horizon * approach.nearing;
-  return is_apart & (is_slow | (approach.square < 0));
-}
-
-/// When the circles touch, walls or no walls. Touching with no speed to spare counts. The same for
-/// (a, b) as for (b, a), to the last bit.
+/// When the circles of two bodies touch, walls or no walls (contact.h).
 inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
                                                    double horizon) noexcept {
-  const Approach approach = approach_of(a, b);
-  if (surely_miss(approach, horizon)) return {};
-  const auto [beyond, nearing, speed_squared, square] = approach;
-  const double root = std::sqrt(square > 0 ? square : 0.0);
-  const double first = beyond > 0 ? beyond / (nearing + root) : 0;
-  if (first > horizon) return {};
-  const double last = speed_squared > 0 ? (nearing + root) / speed_squared : horizon;
-  return Collision{first, std::min(std::max(last, first), horizon)};
+  return contact(approach_of(a, b), horizon);
 }
 
 /// When two bodies meet: the first time t, now or within the horizon, at which their circles touch

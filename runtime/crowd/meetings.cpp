@@ -12,11 +12,11 @@ namespace {
 
 /// Measured (tests/bench, bench_crowd): smaller cells are shared by fewer, larger ones are fewer.
 /// Metres.
-constexpr double bay_size = 2.5;
+constexpr double cell_size = 2.5;
 /// A cover is kept until the body, or where it is going, has moved so far from the line between
 /// them, and some more the longer that line is, since turning moves its end. Metres.
-constexpr double least_skin = 0.2;
-constexpr double skin_per_metre = 0.1;
+constexpr double least_tolerance = 0.2;
+constexpr double tolerance_per_metre = 0.1;
 /// So much further than the horizon a cover reaches, for whoever goes straight on. Seconds, and
 /// metres at most.
 constexpr double seconds_ahead = 0.5;
@@ -29,6 +29,8 @@ constexpr double margin = 1e-6;
 constexpr double most_clear = 0.5;
 /// More cells than this in a row are not looked at one by one.
 constexpr double longest_reach = 256;
+/// Room for so many pairs is kept at once.
+constexpr std::size_t few_pairs = 4096;
 /// After so many steps people have walked a cell or two, and are numbered anew.
 constexpr std::uint64_t steps_of_a_numbering = 256;
 
@@ -42,7 +44,7 @@ float rounded_down(double value) noexcept {
 }  // namespace
 
 Meetings::Meetings(const path::FloorMap& map, std::size_t most_bodies)
-    : regions_(map), cells_(map, bay_size), most_bodies_(most_bodies) {
+    : regions_(map), cells_(map, cell_size), most_bodies_(most_bodies) {
   index_of_.resize(most_bodies);
   std::iota(index_of_.begin(), index_of_.end(), 0U);
   number_of_ = index_of_;
@@ -58,14 +60,17 @@ Meetings::Meetings(const path::FloorMap& map, std::size_t most_bodies)
     spare_block_ = static_cast<std::uint32_t>(i);
   }
   seen_in_.assign(most_bodies, 0);
-  neighbours_.reserve(8 * most_bodies);
-  new_neighbours_.reserve(8 * most_bodies);
-  merged_.reserve(8 * most_bodies);
-  candidate_.reserve(8 * most_bodies);
+  // A kiosk's few may all be near each other.
+  const std::size_t pairs = most_bodies * (most_bodies + 1) / 2;
+  const std::size_t most_pairs = std::min(pairs, std::max(8 * most_bodies, few_pairs));
+  neighbours_.reserve(most_pairs);
+  new_neighbours_.reserve(most_pairs);
+  merged_.reserve(2 * most_pairs);
+  candidate_.reserve(2 * most_pairs);
   everywhere_.reserve(most_bodies);
   leaver_.resize(most_bodies);
-  found_.reserve(4 * most_bodies);
-  sorted_.reserve(4 * most_bodies);
+  found_.reserve(most_pairs);
+  sorted_.reserve(most_pairs);
   first_found_.resize(most_bodies + 1);
 }
 
@@ -263,7 +268,7 @@ void Meetings::cover(std::uint32_t body, Vec2 end) {
   const double length = way > 0 ? way + std::min(seconds_ahead * speed, most_ahead) : 0;
   if (length + now.radius > longest_reach * cells_.size()) return uncover(body);
   made.length = rounded_up(length);
-  made.tolerance = rounded_up(least_skin + skin_per_metre * made.length);
+  made.tolerance = rounded_up(least_tolerance + tolerance_per_metre * made.length);
   made.radius = rounded_up(now.radius);
   const double clearance = clearance_at(cells_, now.position, most_clear);
   std::uint32_t cell = followed_cell(body, clearance);

@@ -36,8 +36,8 @@ struct Meeting {
 /// What is kept changes the cost of an answer and never the answer. Bodies may be given in any
 /// number up to the one promised, jump, come and go. Those that reach over dozens of cells, or are
 /// off the floor, are compared with everybody. Borrows the map. For one thread; the frame loop may
-/// call it: nothing is allocated while there are at most eight neighbours to a body, on average, or
-/// no more than ever before.
+/// call it: nothing is allocated while there are at most 4096 pairs of neighbours, or eight to a
+/// body on average, or no more than ever before.
 class Meetings {
  public:
   Meetings(const path::FloorMap& map, std::size_t most_bodies);

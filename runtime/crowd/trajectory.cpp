@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/crowd/contact.h"
+
 namespace docent::crowd {
 
 Trajectory standing_trajectory(Vec2 place) {
@@ -16,19 +18,6 @@ Vec2 place_at(const Trajectory& trajectory, double seconds) noexcept {
   if (at >= last) return trajectory.place.back();
   const auto i = static_cast<std::size_t>(at);
   return glm::mix(trajectory.place[i], trajectory.place[i + 1], at - static_cast<double>(i));
-}
-
-std::optional<double> first_impact(Vec2 offset, Vec2 velocity, double distance,
-                                   double seconds) noexcept {
-  const double apart = dot(offset, offset) - distance * distance;
-  if (apart < 0) return 0.0;
-  const double closing = -dot(offset, velocity), square = dot(velocity, velocity);
-  if (closing <= 0) return {};
-  const double root = closing * closing - square * apart;
-  if (root <= 0) return {};
-  const double at = apart / (closing + std::sqrt(root));
-  if (at > seconds) return {};
-  return at;
 }
 
 std::optional<double> first_impact(const Trajectory& a, const Trajectory& b, double distance,
@@ -53,8 +42,8 @@ std::optional<double> first_impact(const Trajectory& a, const Trajectory& b, dou
       continue;
     }
     if (seconds > 1e-9)
-      if (const auto at = first_impact(now, (then - now) / seconds, distance, seconds))
-        return t + *at;
+      if (const auto met = contact(make_approach(now, (then - now) / seconds, distance), seconds))
+        return t + met->first;
     t = next;
     now = then;
   }

@@ -27,9 +27,4 @@ Vec2 place_at(const Trajectory& trajectory, double seconds) noexcept;
 std::optional<double> first_impact(const Trajectory& a, const Trajectory& b, double distance,
                                    double from) noexcept;
 
-/// When two bodies that move straight, from an offset at a relative velocity, are first nearer than
-/// `distance`, within `seconds`.
-std::optional<double> first_impact(Vec2 offset, Vec2 velocity, double distance,
-                                   double seconds) noexcept;
-
 }  // namespace docent::crowd

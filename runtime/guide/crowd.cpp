@@ -10,7 +10,10 @@ namespace {
 constexpr double longest_lead = 2;       // seconds: a plan is never asked for from later than that
 constexpr double go_on_ahead = 1;        // seconds before a stretch ends in which the next is made
 constexpr double standing_lead = 0.1;    // seconds: who stands sets out that much after asking
-constexpr double ask_again = 0.5;        // seconds, while others are in the way
+constexpr double ask_again = 1;          // seconds, while others are in the way
+constexpr double settle = 0.2;           // seconds after an answer before changes are asked about
+constexpr double stagger = 0.02;         // seconds between two who would ask at once ...
+constexpr std::uint32_t staggered = 8;   // ... of so many
 constexpr double ask_room_again = 2.5;   // seconds between two requests to make room
 constexpr double content_after = 6;      // seconds of being held up ...
 constexpr double close_by = 2;           // ... this near to its goal, metres, after which it stays
@@ -22,6 +25,12 @@ constexpr double appear_again = 1.0;     // seconds, while somebody stands where
 
 bool stands(const Avatar& avatar) noexcept {
   return !avatar.next && avatar.seconds >= avatar.plan->seconds();
+}
+
+Crowd::Crowd(const Museum& museum, plan::Planner& planner) : museum_(museum), planner_(planner) {
+  const std::uint32_t floor = museum.kiosk_floor;
+  if (floor < planner.maps().size())
+    proximity_.emplace(*planner.maps()[floor], floor, museum.body_radius, planner.avatars());
 }
 
 std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
@@ -63,6 +72,7 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
   const motion::Walk& walk = avatar.plan->walk;
   order.id = one.last_order = ++last_order_;
   order.avatar = who;
+  one.surroundings = surroundings_of(who);
   order.floor = avatar.floor;
   order.start = avatar.body;
   order.pace = one.pace;
@@ -77,6 +87,7 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
   if (members_.size() > 1) {
     order.previous_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
+    if (proximity_) order.near = proximity_->near(who);
     order.blocked_seconds = one.blocked_seconds;
     order.rank = one.rank + urgency * one.blocked_seconds + 1e-6 * who;
   }
@@ -124,8 +135,9 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     return;
   }
   if (plan->holds) {
-    // Not all at once.
-    one.ask_at = clock_ + ask_again + 0.02 * (who % 8);
+    const double turn = stagger * (who % staggered);
+    one.ask_at = clock_ + ask_again + turn;
+    one.ask_again_at = clock_ + settle + turn;
     return;
   }
   const bool aside = plan->order.makes_room_for.has_value();
@@ -136,6 +148,7 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     one.lead = std::min(2 * one.lead, longest_lead);
     return;  // and asks again
   }
+  ++one.commitments;
   one.is_on_its_way = leads_to_goal;
 }
 
@@ -145,9 +158,10 @@ void Crowd::step(double seconds) noexcept {
   clock_ += seconds;
   for (Agent& one : members_) one.is_answered = false;
   take_answers();
+  for (Agent& one : members_) advance(museum_, one.avatar, seconds);
+  if (proximity_) proximity_->look(members_, seconds);
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];
-    advance(museum_, one.avatar, seconds);
     const bool held = one.goal && !one.has_arrived && stands(one.avatar);
     one.blocked_seconds = held ? one.blocked_seconds + seconds : 0;
     ask_for_next(who);
@@ -161,12 +175,29 @@ bool Crowd::yields(const Agent& one) const noexcept {
   return other.goal && !other.has_arrived && stands(other.avatar);
 }
 
+/// A number that changes when somebody near comes, goes or takes another plan.
+std::uint64_t Crowd::surroundings_of(std::uint32_t who) const noexcept {
+  if (!proximity_) return 0;
+  constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;  // of bits; 2^64 by the golden ratio
+  std::uint64_t sum = 0;
+  for (const std::uint32_t other : proximity_->near(who).agents())
+    sum += (other + 1) * spread ^ members_[other].commitments * (spread >> 1);
+  return sum;
+}
+
+/// Is it time to ask, or has something changed since it asked?
+bool Crowd::may_ask(std::uint32_t who) const noexcept {
+  const Agent& one = members_[who];
+  if (clock_ >= one.ask_at) return true;
+  return one.is_here && clock_ >= one.ask_again_at && surroundings_of(who) != one.surroundings;
+}
+
 /// Asks for what it needs next, if it is time.
 void Crowd::ask_for_next(std::uint32_t who) noexcept {
   Agent& one = members_[who];
   const Avatar& avatar = one.avatar;
   if (members_.size() == 1) one.is_here = true;
-  if (one.awaits_answer || avatar.next || clock_ < one.ask_at || yields(one)) return;
+  if (one.awaits_answer || avatar.next || !may_ask(who) || yields(one)) return;
   if (!one.is_here) {
     plan::WalkOrder order;
     order.enters = true;
@@ -186,11 +217,15 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
     return;
   }
   const double go_on = avatar.plan->handover_frame / avatar.plan->walk.frame_rate;
-  // Who stops on its way looks about when it stands.
+  // Who stops on its way does so because of others.
   const bool stops = avatar.plan->handover_frame + 1 >= motion::frame_count(avatar.plan->walk);
-  if (stops && !stands(avatar)) return;
-  if (go_on - avatar.seconds > go_on_ahead + lead) return;
   order.continues = true;
+  if (stops && !stands(avatar)) {
+    if (clock_ < one.ask_again_at || surroundings_of(who) == one.surroundings) return;
+    one.ask_again_at = clock_ + ask_again;
+    return ask(who, order, avatar.seconds + lead);
+  }
+  if (go_on - avatar.seconds > go_on_ahead + lead) return;
   ask(who, order, std::max(go_on, avatar.seconds + lead));
 }
 

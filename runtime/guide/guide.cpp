@@ -18,7 +18,6 @@ constexpr std::size_t quads_of_a_card = 256;
 constexpr std::size_t most_pieces = 4096;
 constexpr std::size_t most_contacts = 80;
 constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
-constexpr double touching = 0.01;       ///< Metres of the body that may be in a wall unremarked.
 constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
 constexpr float reach_up = 0.3F;        ///< Of a millimetre upwards, what it counts to the side.
 constexpr float refusal_shown_for = 8;  ///< Seconds.
@@ -46,9 +45,6 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   enter_guides();
   strollers_.enter(crowd_);
   take_seats();
-  bodies_.reserve(crowd_.size());
-  if (crowd_.size() > 1 && museum.kiosk_floor < planner.maps().size())
-    meetings_.emplace_back(*planner.maps()[museum.kiosk_floor], crowd_.size());
   list_.avatars.reserve(crowd_.size());
   list_.palette.reserve(crowd_.size() * leader().world.size());
   const auto guides =
@@ -338,25 +334,7 @@ void Guide::step(Seconds dt) noexcept {
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   stage_.advance(state(), leader(), seconds);
-  count_collisions();
-}
-
-void Guide::count_collisions() noexcept {
-  bodies_.clear();
-  const double radius = museum_.body_radius - touching;
-  for (const Agent& one : crowd_.members()) {
-    if (!one.is_here) continue;
-    const Vec2 place = one.avatar.body.position;
-    bodies_.push_back({.position = place, .radius = radius});
-    if (one.avatar.floor < planner_.maps().size() &&
-        path::clearance_at(*planner_.maps()[one.avatar.floor], place) < radius)
-      ++counters_.collisions;
-  }
-  if (bodies_.size() < 2) return;
-  for (crowd::Meetings& meetings : meetings_) {
-    meetings.update(bodies_);
-    counters_.collisions += meetings.find(0).size();
-  }
+  counters_.collisions += crowd_.collisions();
 }
 
 std::span<const LedVisitor> Guide::led_visitors() noexcept {

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "runtime/crowd/meetings.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
@@ -125,7 +124,6 @@ class Guide {
   void follow_territory(std::size_t part) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
-  void count_collisions() noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
   bool is_shared() const noexcept { return sessions_.size() > 1; }
@@ -137,8 +135,6 @@ class Guide {
   Crowd crowd_;
   Strollers strollers_;
   std::vector<Placement> homes_;               ///< Of the guides.
-  std::vector<crowd::Body> bodies_;            ///< Of those who are here, for counting collisions.
-  std::vector<crowd::Meetings> meetings_;      ///< One, of the kiosk's floor.
   std::vector<Session> sessions_;              ///< By part.
   std::vector<scene::ScreenPoint> territory_;  ///< By part: where its visitor touches.
   std::vector<Held> held_;

@@ -56,6 +56,19 @@ std::unique_ptr<Plan> go_on(const MotionGraph& motion, const motion::WalkGraph* 
 
 }  // namespace
 
+void Nearby::add(std::uint32_t other, double when) noexcept {
+  std::size_t at = count;
+  while (at > 0 && seconds[at - 1] > when) --at;
+  if (at == most) return;
+  count = std::min<std::uint32_t>(count + 1, most);
+  for (std::size_t i = count - 1; i > at; --i) {
+    agent[i] = agent[i - 1];
+    seconds[i] = seconds[i - 1];
+  }
+  agent[at] = other;
+  seconds[at] = static_cast<float>(when);
+}
+
 Vec2 point_along(const Plan& plan, double metres) noexcept {
   if (plan.points.empty()) return {};
   const auto after = std::ranges::upper_bound(plan.reach, metres);

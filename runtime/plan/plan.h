@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "runtime/model/museum.h"
@@ -13,6 +15,20 @@
 namespace docent::plan {
 
 struct Plan;
+
+/// A rank from which on nobody is asked to make room.
+inline constexpr double never_yields = 1e6;
+
+/// Who is or soon will be near an agent, soonest first; of more than there is room for, the first.
+struct Nearby {
+  static constexpr std::size_t most = 16;
+  std::array<std::uint32_t, most> agent{};
+  std::array<float, most> seconds{};  ///< From now.
+  std::uint32_t count = 0;
+
+  std::span<const std::uint32_t> agents() const noexcept { return std::span(agent).first(count); }
+  void add(std::uint32_t other, double when) noexcept;
+};
 
 /// What the guide is asked to do.
 struct WalkOrder {
@@ -36,8 +52,9 @@ struct WalkOrder {
   double previous_seconds = 0;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   std::optional<std::uint32_t> makes_room_for{};  ///< Step aside for that avatar, wherever.
-  double blocked_seconds = 0;                     ///< For how long others have been in its way.
-  bool enters = false;                            ///< Appear at `start`, as soon as there is room.
+  Nearby near{};               ///< As the crowd has detected it; the plan looks at them first.
+  double blocked_seconds = 0;  ///< For how long others have been in its way.
+  bool enters = false;         ///< Appear at `start`, as soon as there is room.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.

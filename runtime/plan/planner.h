@@ -45,6 +45,8 @@ class Planner {
   /// Waits until everything asked so far is answered: for runs that must repeat exactly.
   void wait() const noexcept;
 
+  /// For how many avatars it has been made.
+  std::size_t avatars() const noexcept { return orders_.size(); }
   const std::vector<std::shared_ptr<const path::FloorMap>>& maps() const noexcept { return maps_; }
 
  private:

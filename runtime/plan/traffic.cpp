@@ -23,8 +23,12 @@ constexpr double meeting_margin = 1.0;  // seconds before a meeting by which a b
 constexpr double start_seconds = 0.6;   // that a start takes longer than walking on
 constexpr double turning_rate = 1.2;    // radians a second, by steps on the spot
 constexpr double way_behind_reach = 3;  // metres
+constexpr double about_it = 1.5;        // metres: who stands so near may be in the way of a way out
 constexpr double patience = 3;          // seconds before another way round is looked for
 constexpr double wall_spare = 0.008;    // metres by which a circle may be in a wall
+constexpr double endless = 1e9;         // metres
+constexpr double glide_rate = 60;       // frames a second of a body without motion
+constexpr std::size_t frames_apart = 6;  // of the walk behind a body, between looks at its place
 constexpr int most_attempts = 4;
 
 /// Where a plan's walk leads its body, from some seconds of it on.
@@ -98,7 +102,7 @@ std::vector<Vec2> way_behind(const WalkOrder& order) {
       behind.push_back(here);
     }
     if (f == 0 || length > way_behind_reach) break;
-    f -= std::min<std::size_t>(f, 6);
+    f -= std::min(f, frames_apart);
   }
   return behind;
 }
@@ -227,8 +231,8 @@ std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
   members_[order.avatar].line = line;
   for (const crowd::ReservationTable::Entry& entry : reservations_.entries())
     if (entry.body != order.avatar && entry.body != *order.makes_room_for &&
-        entry.trajectory.end() <= *order.seconds && members_[entry.body].rank < 1e6 &&
-        glm::distance(entry.trajectory.place.back(), from.position) < 1.5)
+        entry.trajectory.end() <= *order.seconds && members_[entry.body].rank < never_yields &&
+        glm::distance(entry.trajectory.place.back(), from.position) < about_it)
       plan->in_the_way.push_back(entry.body);
   return plan;
 }
@@ -278,12 +282,37 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
 
 bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done) {
   const WalkOrder& order = plan.order;
+  const std::span<const std::uint32_t> detected = order.near.agents();
+  std::vector<std::uint32_t> near(detected.begin(), detected.end());
+  const auto is_looked_at = [&near](std::uint32_t body) {
+    return std::ranges::find(near, body) != near.end();
+  };
+  for (;;) {
+    const crowd::Passage passage = find_passage(order, from, way, near);
+    members_[order.avatar].line = passage.line;
+    plan.in_the_way = passage.in_the_way;
+    plan.seconds_to_goal = polyline_length(way) / speed_of(order);
+    const std::optional<std::uint32_t> met = walk(plan, {from, way, done, passage, near});
+    if (!met) return true;
+    // Who was far away when it was asked, and is met on the way, is looked at as well.
+    if (*met == order.avatar || is_looked_at(*met)) return false;
+    near.push_back(*met);
+  }
+}
 
+double Traffic::speed_of(const WalkOrder& order) const noexcept {
+  return order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
+}
+
+crowd::Passage Traffic::find_passage(const WalkOrder& order, const Placement& from,
+                                     std::span<const Vec2> way,
+                                     std::span<const std::uint32_t> near) const {
   crowd::PassageQuery query;
   query.body = order.avatar;
   query.seconds = *order.seconds;
   query.way = way;
-  query.speed = order.pace * (walking_ != nullptr ? walking_->speed : 1.0);
+  query.speed = speed_of(order);
+  query.near = near;
   const Vec2 ahead = first_part(way, 0.5).back() - from.position;
   if (stands(order)) {
     const double turn =
@@ -292,16 +321,31 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
   }
   const std::vector<Vec2> behind = way_behind(order);
   query.behind = behind;
-  const std::vector<std::uint32_t> yields_when_asked = this->yields_when_asked(order);
-  query.yields_when_asked = yields_when_asked;
-  const crowd::Passage passage = crowd::find_passage(map_, reservations_, query);
-  members_[order.avatar].line = passage.line;
-  plan.in_the_way = passage.in_the_way;
+  const std::vector<std::uint32_t> yields = yields_when_asked(order);
+  query.yields_when_asked = yields;
+  return crowd::find_passage(map_, reservations_, query);
+}
 
-  // As far as it may go at once; where somebody would be met after all, less far.
+motion::Walk Traffic::walk_to(const WalkOrder& order, const Advance& advance,
+                              std::uint32_t stop) const {
+  const crowd::Passage& passage = advance.passage;
+  const bool arrives = passage.reaches_goal && stop + 1 == passage.points.size();
+  std::vector<Vec2> points = straightened(std::span(passage.points).first(std::size_t{stop} + 1));
+  // On the way itself its own bends are walked and not those of the passage's steps.
+  if (passage.is_straight)
+    points = arrives ? std::vector<Vec2>(advance.way.begin(), advance.way.end())
+                     : first_part(advance.way, passage.along[stop]);
+  std::optional<double> facing;
+  if (arrives) facing = order.goal->heading;
+  return walk_along(walking_, order, advance.from, points, facing);
+}
+
+std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
+  const WalkOrder& order = plan.order;
+  const crowd::Passage& passage = advance.passage;
   const std::vector<double> reach = distances_along(passage.points);
-  const double whole = polyline_length(way);
-  double most = passage.reaches_goal && reach.back() < stretch + least_rest ? 1e9 : stretch;
+  // As far as it may go at once; where somebody would be met after all, less far.
+  double most = passage.reaches_goal && reach.back() < stretch + least_rest ? endless : stretch;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::optional<std::uint32_t> stop;
     for (const std::uint32_t i : passage.stop)
@@ -309,42 +353,39 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     if (!stop) break;
     const bool arrives = passage.reaches_goal && *stop + 1 == passage.points.size();
     if (reach[*stop] < least_advance && !arrives) break;
-    std::vector<Vec2> points =
-        straightened(std::span(passage.points).first(std::size_t{*stop} + 1));
-    // On the way itself its own bends are walked and not those of the passage's steps.
-    if (passage.is_straight)
-      points = arrives ? std::vector<Vec2>(way.begin(), way.end())
-                       : first_part(way, passage.along[*stop]);
-    std::optional<double> facing;
-    if (arrives) facing = order.goal->heading;
-    motion::Walk walk = walk_along(walking_, order, from, points, facing);
-    const std::vector<double> walked =
-        walk.along.empty() ? std::vector<double>{}
-                           : std::vector<double>(walk.along.begin(), walk.along.end());
+    motion::Walk walk = walk_to(order, advance, *stop);
+    const std::vector<double> walked(walk.along.begin(), walk.along.end());
     if (!passage.is_straight)
-      tell_along_way(reach, passage.along, done, walk);
+      tell_along_way(reach, passage.along, advance.done, walk);
     else
-      for (float& along : walk.along) along += static_cast<float>(done);
-    if (const auto meeting = commit(plan, std::move(walk))) {
-      const double seconds = meeting->seconds - meeting_margin - *order.seconds;
-      const auto frame = static_cast<std::size_t>(
-          std::max(0.0, seconds * (walking_ != nullptr ? walking_->frame_rate : 60.0)));
-      most = frame < walked.size() && seconds > 0 ? std::min(walked[frame], reach[*stop] - 0.2)
-                                                  : reach[*stop] * 0.5;
-      continue;
+      for (float& along : walk.along) along += static_cast<float>(advance.done);
+    const std::optional<crowd::Conflict> conflict = commit(plan, std::move(walk));
+    if (!conflict) {
+      end_walk(arrives, plan);
+      return {};
     }
-    plan.is_whole = arrives;
-    if (!arrives) {
-      plan.handover_frame = motion::frame_count(plan.walk) - 1;
-      if (walking_ != nullptr)
-        if (const auto frame = find_handover_frame(museum_.motion, plan.walk))
-          plan.handover_frame = *frame;
-    }
-    plan.seconds_to_goal = arrives ? plan.seconds() : whole / query.speed;
-    return true;
+    if (conflict->body != order.avatar &&
+        std::ranges::find(advance.near, conflict->body) == advance.near.end())
+      return conflict->body;
+    const double seconds = conflict->seconds - meeting_margin - *order.seconds;
+    const auto frame = static_cast<std::size_t>(
+        std::max(0.0, seconds * (walking_ != nullptr ? walking_->frame_rate : glide_rate)));
+    most = frame < walked.size() && seconds > 0 ? std::min(walked[frame], reach[*stop] - 0.2)
+                                                : reach[*stop] * 0.5;
   }
-  plan.seconds_to_goal = whole / query.speed;
-  return false;
+  return order.avatar;
+}
+
+void Traffic::end_walk(bool arrives, Plan& plan) const {
+  plan.is_whole = arrives;
+  if (arrives) {
+    plan.seconds_to_goal = plan.seconds();
+    return;
+  }
+  plan.handover_frame = motion::frame_count(plan.walk) - 1;
+  if (walking_ != nullptr)
+    if (const auto frame = find_handover_frame(museum_.motion, plan.walk))
+      plan.handover_frame = *frame;
 }
 
 }  // namespace docent::plan

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/crowd/find_passage.h"
 #include "runtime/crowd/reservation_table.h"
 #include "runtime/plan/plan.h"
 
@@ -37,6 +38,22 @@ class Traffic {
   /// Gets on along a way, or at least some of it, that begins `done` metres along the plan's; false
   /// where it has to stay.
   bool advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
+  double speed_of(const WalkOrder& order) const noexcept;
+  crowd::Passage find_passage(const WalkOrder& order, const Placement& from,
+                              std::span<const Vec2> way, std::span<const std::uint32_t> near) const;
+  /// A passage along a way, `done` metres of the plan's own before it, found among those near.
+  struct Advance {
+    const Placement& from;
+    std::span<const Vec2> way;
+    double done;
+    const crowd::Passage& passage;
+    std::span<const std::uint32_t> near;
+  };
+  /// Gives the plan a walk along the passage, as far as nobody is met on it. Where there is none:
+  /// who is met that the passage knows nothing of, or the body itself.
+  std::optional<std::uint32_t> walk(Plan& plan, const Advance& advance);
+  motion::Walk walk_to(const WalkOrder& order, const Advance& advance, std::uint32_t stop) const;
+  void end_walk(bool arrives, Plan& plan) const;
   /// When a trajectory leads into a wall.
   std::optional<double> first_wall(const crowd::Trajectory& trajectory, double from) const;
   /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met

@@ -41,7 +41,7 @@ TEST(KioskConfig, TakesWhatAnOperatorWrote) {
   EXPECT_EQ(loaded.value->rotate, 270);
   EXPECT_EQ(loaded.value->width, 1080);
   EXPECT_EQ(loaded.value->height, 1920);
-  EXPECT_EQ(loaded.value->display, "kms");
+  EXPECT_EQ(loaded.value->display, DisplayKind::Kms);
 }
 
 TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {

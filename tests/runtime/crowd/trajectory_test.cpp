@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "runtime/crowd/find_detour.h"
@@ -92,8 +93,10 @@ TEST(ReservationTable, KnowsWhomOneWouldMeetFirst) {
 }
 
 crowd::PassageQuery along(const std::vector<Vec2>& way) {
+  static constexpr std::array<std::uint32_t, 2> everybody{1, 7};
   crowd::PassageQuery query;
   query.way = way;
+  query.near = everybody;
   return query;
 }
 
@@ -119,6 +122,17 @@ TEST(FindPassage, PassesOnTheRightWhoComesTowardsItOnTheirs) {
   for (const Vec2 p : passage.points) lowest = std::min(lowest, p.y);
   EXPECT_LT(lowest, 0.5);
   EXPECT_GE(lowest, radius);
+}
+
+TEST(FindPassage, TakesWhoIsNotSaidToBeNearToBeFarAway) {
+  Hall hall(head_on_in_a_corridor().plan);
+  hall.reservations.put(1, straight_trajectory({8, 0.7}, {1, 0.7}, 0));
+  const std::vector<Vec2> way{{1, 0.7}, {8, 0.7}};
+  crowd::PassageQuery query = along(way);
+
+  EXPECT_FALSE(crowd::find_passage(*hall.map, hall.reservations, query).is_straight);
+  query.near = {};
+  EXPECT_TRUE(crowd::find_passage(*hall.map, hall.reservations, query).is_straight);
 }
 
 TEST(FindPassage, WaitsWhereItIsSafeUntilANarrowPlaceIsFree) {

@@ -86,6 +86,7 @@ class Stage {
       if (part.stays) {
         scene_.arrival[i] = 0;
       } else if (crowd_[i].has_arrived && crowd_[i].goal) {
+        if (next_[i] < part.then.size() && seconds < part.rests) continue;
         if (next_[i] < part.then.size())
           crowd_.send(i, part.then[next_[i]++], part.kind);
         else

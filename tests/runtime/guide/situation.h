@@ -17,7 +17,8 @@ struct Part {
   double pace = 1;
   double rank = 0;
   bool stays = false;             ///< Stands where it is, for ever, whatever others want.
-  std::vector<Placement> then{};  ///< Where it goes after that, one after the other.
+  std::vector<Placement> then{};  ///< Where it goes after that, one after the other, ...
+  double rests = 0;               ///< ... not before so many seconds have passed.
 };
 
 /// Several people on one floor.

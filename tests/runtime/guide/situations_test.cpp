@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "runtime/plan/plan.h"
 #include "tests/runtime/guide/situations.h"
 
 namespace docent::test {
@@ -62,6 +63,31 @@ TEST(OneSpot, IsEnteredByTheSecondWhenTheFirstHasGoneOn) {
   EXPECT_GT(scene.arrival[1], seconds_alone(situation)[1] + 0.5);
   EXPECT_GE(glm::distance(scene.track[0].back().position, scene.track[1].back().position),
             2 * scene.radius);
+}
+
+TEST(WhoIsHeldUp, GoesOnAsSoonAsTheOneInTheWaySetsOut) {
+  Situation situation = head_on_in_a_corridor();
+  HallMaker narrow;
+  narrow.room({0, 0}, {14, 0.8});
+  situation.plan = narrow.plan;
+  situation.parts = {{at(1, 0.4), at(9, 0.4)}, {at(4, 0.4), at(4.6, 0.4)}};
+  situation.parts[1].rank = 2 * plan::never_yields;
+  situation.parts[1].then = {at(12, 0.4)};
+  situation.parts[1].rests = 12;
+
+  const Scene scene = play(situation);
+
+  EXPECT_TRUE(scene.all_arrived());
+  const auto moves_at = [&](std::size_t who) {
+    const auto& track = scene.track[who];
+    const auto frame = static_cast<std::size_t>(11.5 * 60);
+    for (std::size_t f = frame; f < track.size(); ++f)
+      if (glm::distance(track[f].position, track[frame].position) > 0.05)
+        return static_cast<double>(f) / 60;
+    return 1e9;
+  };
+  EXPECT_GT(moves_at(0), moves_at(1));
+  EXPECT_LT(moves_at(0), moves_at(1) + 2.5);
 }
 
 TEST(OneGoal, OfTwoIsHeldByOneAndTheOtherStandsCloseBy) {
