@@ -180,21 +180,25 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-scene::TextureId Renderer::upload_text(std::uint32_t width, std::uint32_t height,
-                                       std::span<const std::uint8_t> coverage) noexcept {
-  return parts_->textures.add_text(width, height, coverage);
+void Renderer::upload_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
+                           std::span<const std::uint8_t> coverage) noexcept {
+  parts_->textures.add_text(id, width, height, coverage);
 }
 
-scene::TextureId Renderer::upload_image(const Pixels& picture) noexcept {
-  return parts_->textures.add_image(picture, Levels::One);
+void Renderer::upload_image(scene::TextureId id, const Pixels& picture) noexcept {
+  parts_->textures.add_image(id, picture, Levels::One);
 }
 
-scene::TextureId Renderer::upload_scenery_image(const Pixels& picture) noexcept {
-  return parts_->textures.add_image(picture, Levels::All);
+void Renderer::upload_scenery_image(scene::TextureId id, const Pixels& picture) noexcept {
+  parts_->textures.add_image(id, picture, Levels::All);
 }
 
-void Renderer::release(scene::TextureId texture) noexcept {
-  parts_->textures.release(texture);
+void Renderer::release(scene::TextureId id) noexcept {
+  parts_->textures.release(id);
+}
+
+void Renderer::release_textures() noexcept {
+  parts_->textures.release_all();
 }
 
 void Renderer::upload_scenery(std::uint32_t floor, const Scenery& scenery,
@@ -220,8 +224,10 @@ void Renderer::draw(const scene::DrawList& list, const RenderTarget& target) noe
 void Renderer::warm_up(const RenderTarget& target) {
   const Pixels dot{1, 1, std::vector<std::byte>(4, std::byte{255})};
   const std::array<std::uint8_t, 1> coverage{255};
-  const scene::TextureId image = upload_image(dot);
-  const scene::TextureId text = upload_text(1, 1, coverage);
+  constexpr auto image = static_cast<scene::TextureId>(Textures::most);
+  constexpr auto text = static_cast<scene::TextureId>(Textures::most - 1);
+  upload_image(image, dot);
+  upload_text(text, 1, 1, coverage);
   scene::DrawList list;
   list.camera.eye = {0, 10, 0};
   list.ribbon_point = {{0, 0}, {1, 0}};

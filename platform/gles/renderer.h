@@ -32,16 +32,18 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Keeps how much of each pixel a set text covers: `width` times `height` bytes, rows from the
-  /// top. None where there is no more room (4096 textures) or no pixel.
-  scene::TextureId upload_text(std::uint32_t width, std::uint32_t height,
-                               std::span<const std::uint8_t> coverage) noexcept;
+  /// Keeps under an id that draw lists will name, 1 to 4096, how much of each pixel a set text
+  /// covers: `width` times `height` bytes, rows from the top. Without a pixel, or with another id,
+  /// nothing is kept, and nothing drawn.
+  void upload_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
+                   std::span<const std::uint8_t> coverage) noexcept;
   /// Keeps a picture that is drawn texel for pixel.
-  scene::TextureId upload_image(const Pixels& picture) noexcept;
+  void upload_image(scene::TextureId id, const Pixels& picture) noexcept;
   /// Keeps a picture of the building, with smaller versions of itself for the distance.
-  scene::TextureId upload_scenery_image(const Pixels& picture) noexcept;
-  /// Gives a texture's memory back; its id may be handed out again.
-  void release(scene::TextureId texture) noexcept;
+  void upload_scenery_image(scene::TextureId id, const Pixels& picture) noexcept;
+  /// Gives a texture's memory back, or that of all.
+  void release(scene::TextureId id) noexcept;
+  void release_textures() noexcept;
 
   /// The building of a floor. `image_of` holds a texture per exhibit (SceneryPart::exhibit).
   void upload_scenery(std::uint32_t floor, const Scenery& scenery,

@@ -150,7 +150,7 @@ void SceneryPass::draw_surface(const Building& building, Surface surface) const 
   if (run.index_count > 0) draw_part(run);
 }
 
-void SceneryPass::draw_solids(std::uint32_t floor, std::int32_t highlighted,
+void SceneryPass::draw_solids(std::uint32_t floor, std::optional<std::uint32_t> highlighted,
                               const Textures& textures) const noexcept {
   const Building* found = building(floor);
   if (!found) return;
@@ -169,11 +169,11 @@ void SceneryPass::draw_solids(std::uint32_t floor, std::int32_t highlighted,
   picture_.use();
   for (const SceneryPart& part : found->scenery.parts) {
     if (part.surface != Surface::Picture) continue;
-    const auto exhibit = static_cast<std::size_t>(part.exhibit);
+    const auto exhibit = static_cast<std::uint32_t>(part.exhibit);
     const auto* image =
         exhibit < found->image_of.size() ? textures.find(found->image_of[exhibit]) : nullptr;
     bind_texture(static_cast<GLuint>(Unit::Image), image ? image->texture.get() : 0);
-    glUniform1f(at_.picture_glow, part.exhibit == highlighted ? 0.30F : 0.0F);
+    glUniform1f(at_.picture_glow, exhibit == highlighted ? 0.30F : 0.0F);
     draw_part(part);
   }
 }

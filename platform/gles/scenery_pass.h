@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,8 @@ class SceneryPass {
   /// Binds the floor's lightmap for every pass.
   void bind_light(std::uint32_t floor) const noexcept;
 
-  /// Walls, cases, pictures; `highlighted` is an exhibit or -1.
-  void draw_solids(std::uint32_t floor, std::int32_t highlighted,
+  /// Walls, cases, pictures; the exhibit that is `highlighted` glows.
+  void draw_solids(std::uint32_t floor, std::optional<std::uint32_t> highlighted,
                    const Textures& textures) const noexcept;
   /// Floors and the table: after what stands on them, so that little is drawn twice.
   void draw_floors(std::uint32_t floor) const noexcept;

@@ -5,8 +5,6 @@
 namespace docent::gles {
 namespace {
 
-constexpr std::size_t most_textures = 4096;
-
 void sample_with(GLint smaller, GLint larger) noexcept {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, smaller);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, larger);
@@ -16,28 +14,17 @@ void sample_with(GLint smaller, GLint larger) noexcept {
 
 }  // namespace
 
-Textures::Textures() {
-  entries_.reserve(most_textures);
-  released_.reserve(most_textures);
+Textures::Textures() : entries_(most) {}
+
+void Textures::keep(scene::TextureId id, GlTexture texture, std::uint32_t width,
+                    std::uint32_t height) noexcept {
+  const auto slot = static_cast<std::size_t>(id) - 1;  // None wraps beyond the end
+  if (slot < entries_.size()) entries_[slot] = {std::move(texture), width, height};
 }
 
-scene::TextureId Textures::keep(GlTexture texture, std::uint32_t width,
-                                std::uint32_t height) noexcept {
-  if (!released_.empty()) {
-    const std::uint32_t slot = released_.back();
-    released_.pop_back();
-    entries_[slot] = {std::move(texture), width, height};
-    return scene::TextureId{slot + 1};
-  }
-  if (entries_.size() == most_textures) return scene::TextureId::None;
-  entries_.push_back({std::move(texture), width, height});
-  return scene::TextureId{static_cast<std::uint32_t>(entries_.size())};
-}
-
-scene::TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
-                                    std::span<const std::uint8_t> coverage) noexcept {
-  if (width == 0 || height == 0 || coverage.size() < std::size_t{width} * height)
-    return scene::TextureId::None;
+void Textures::add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
+                        std::span<const std::uint8_t> coverage) noexcept {
+  if (width == 0 || height == 0 || coverage.size() < std::size_t{width} * height) return;
   GlTexture texture = make_texture();
   bind_texture(0, texture.get());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -46,11 +33,11 @@ scene::TextureId Textures::add_text(std::uint32_t width, std::uint32_t height,
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height),
                   GL_RED, GL_UNSIGNED_BYTE, coverage.data());
   sample_with(GL_NEAREST, GL_NEAREST);
-  return keep(std::move(texture), width, height);
+  keep(id, std::move(texture), width, height);
 }
 
-scene::TextureId Textures::add_image(const Pixels& picture, Levels levels) noexcept {
-  if (picture.rgba.empty()) return scene::TextureId::None;
+void Textures::add_image(scene::TextureId id, const Pixels& picture, Levels levels) noexcept {
+  if (picture.rgba.empty()) return;
   GLsizei count = 1;
   if (levels == Levels::All)
     for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++count;
@@ -64,14 +51,15 @@ scene::TextureId Textures::add_image(const Pixels& picture, Levels levels) noexc
                   picture.rgba.data());
   if (levels == Levels::All) glGenerateMipmap(GL_TEXTURE_2D);
   sample_with(levels == Levels::All ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
-  return keep(std::move(texture), picture.width, picture.height);
+  keep(id, std::move(texture), picture.width, picture.height);
 }
 
 void Textures::release(scene::TextureId id) noexcept {
-  if (find(id) == nullptr) return;
-  const std::uint32_t slot = static_cast<std::uint32_t>(id) - 1;
-  entries_[slot] = {};
-  released_.push_back(slot);
+  keep(id, {}, 0, 0);
+}
+
+void Textures::release_all() noexcept {
+  for (Entry& entry : entries_) entry = {};
 }
 
 const Textures::Entry* Textures::find(scene::TextureId id) const noexcept {

@@ -20,10 +20,14 @@ class Textures {
  public:
   Textures();
 
-  scene::TextureId add_text(std::uint32_t width, std::uint32_t height,
-                            std::span<const std::uint8_t> coverage) noexcept;
-  scene::TextureId add_image(const Pixels& picture, Levels levels) noexcept;
+  /// Keeps a text or a picture under an id, which is the caller's to choose: 1 to `most`, with
+  /// small numbers first. What has no pixels, or another id, is not kept and draws nothing.
+  static constexpr std::size_t most = 4096;
+  void add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
+                std::span<const std::uint8_t> coverage) noexcept;
+  void add_image(scene::TextureId id, const Pixels& picture, Levels levels) noexcept;
   void release(scene::TextureId id) noexcept;
+  void release_all() noexcept;
 
   struct Entry {
     GlTexture texture;
@@ -33,10 +37,10 @@ class Textures {
   const Entry* find(scene::TextureId id) const noexcept;
 
  private:
-  scene::TextureId keep(GlTexture texture, std::uint32_t width, std::uint32_t height) noexcept;
+  void keep(scene::TextureId id, GlTexture texture, std::uint32_t width,
+            std::uint32_t height) noexcept;
 
-  std::vector<Entry> entries_;           // by id - 1
-  std::vector<std::uint32_t> released_;  // room to be used again
+  std::vector<Entry> entries_;  // by id - 1
 };
 
 }  // namespace docent::gles

@@ -78,9 +78,8 @@ void WayPass::prepare(const scene::DrawList& list) noexcept {
 }
 
 void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept {
-  const scene::Colour tone = ribbon.look < 0
-                                 ? scene::route_colour(ribbon.kind)
-                                 : scene::trail_colour(static_cast<std::size_t>(ribbon.look));
+  const scene::Colour tone =
+      ribbon.look ? scene::trail_colour(*ribbon.look) : scene::route_colour(ribbon.kind);
   set(at_.tone, scene::with_opacity(tone, ribbon.opacity));
   glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
               static_cast<float>(scene::ribbon_half_width));
@@ -93,7 +92,7 @@ void WayPass::draw_marker(const scene::MarkerDraw& marker) const noexcept {
   using Kind = scene::MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
   scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.invitation;
-  if (marker.look >= 0) tone = scene::trail_colour(static_cast<std::size_t>(marker.look));
+  if (marker.look) tone = scene::trail_colour(*marker.look);
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float reach =

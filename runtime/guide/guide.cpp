@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers = 512;
 constexpr std::size_t points_of_a_trail = 1024;
 constexpr std::size_t quads_of_a_card = 256;
-constexpr std::size_t most_pieces = 4096;
 constexpr std::size_t most_contacts = 80;
 constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
 constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
@@ -40,8 +39,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
-      stage_(museum),
-      memory_(most_pieces, scene::TextureId::None) {
+      stage_(museum) {
   enter_guides();
   strollers_.enter(crowd_);
   take_seats();
@@ -88,7 +86,7 @@ void Guide::take_seats() {
   sessions_.emplace_back(context, 0, state,
                          shared ? std::nullopt : std::optional<std::uint32_t>(0));
   for (std::size_t seat = 0; shared && seat < seats; ++seat) {
-    state.seat = static_cast<std::int8_t>(seat);
+    state.seat = static_cast<std::uint32_t>(seat + 1);
     sessions_.emplace_back(context, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
   }
   territory_.resize(sessions_.size());
@@ -97,9 +95,9 @@ void Guide::take_seats() {
   speaker_ = shared ? 1 : 0;
 }
 
-std::size_t Guide::part_of(std::uint32_t seat) const noexcept {
-  for (std::size_t part = 1; seat > 0 && part < sessions_.size(); ++part)
-    if (sessions_[part].state().seat + 1 == static_cast<int>(seat)) return part;
+std::size_t Guide::part_of(std::optional<std::uint32_t> seat) const noexcept {
+  for (std::size_t part = 1; seat && part < sessions_.size(); ++part)
+    if (sessions_[part].state().seat == seat) return part;
   return speaker_;
 }
 
@@ -210,14 +208,18 @@ std::size_t Guide::seat_at(float x) const noexcept {
   return part_of(seat + 1);
 }
 
+/// From the left edge to the middle of its seat, in seats' widths.
+float Guide::column_middle(std::size_t part) const noexcept {
+  return static_cast<float>(*sessions_[part].state().seat) - 0.5F;
+}
+
 std::size_t Guide::vacant_seat_near(float x) const noexcept {
   std::size_t nearest = 0;
   float distance = 2;
   for (std::size_t part = 1; part < sessions_.size(); ++part) {
-    const float seat =
-        (static_cast<float>(sessions_[part].state().seat) + 0.5F) / static_cast<float>(seats());
-    if (!sessions_[part].is_vacant() || std::abs(seat - x) >= distance) continue;
-    distance = std::abs(seat - x);
+    const float middle = column_middle(part) / static_cast<float>(seats());
+    if (!sessions_[part].is_vacant() || std::abs(middle - x) >= distance) continue;
+    distance = std::abs(middle - x);
     nearest = part;
   }
   return nearest;
@@ -237,9 +239,8 @@ float Guide::column_millimetres() const noexcept {
 
 scene::ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
   if (part == 0) return {0.5F, 0.5F};
-  const scene::Rect card =
-      interface::card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
-                         static_cast<std::uint32_t>(sessions_[part].state().seat));
+  const scene::Rect card = interface::card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
+                                              *sessions_[part].state().seat);
   return {card.x + card.width / 2, card.y + card.height / 2};
 }
 
@@ -248,8 +249,7 @@ void Guide::follow_territory(std::size_t part) noexcept {
   const std::size_t other = vacant_seat_near(territory_[part].x);
   if (other == 0 || sessions_[part].is_vacant()) return;
   const auto columns_off = [&](std::size_t of) {
-    return std::abs(territory_[part].x * static_cast<float>(seats()) -
-                    static_cast<float>(sessions_[of].state().seat) - 0.5F);
+    return std::abs(territory_[part].x * static_cast<float>(seats()) - column_middle(of));
   };
   if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
   interface::InterfaceState mine = sessions_[part].state(), theirs = sessions_[other].state();
@@ -291,16 +291,6 @@ void Guide::resize(const interface::ScreenShape& shape) noexcept {
   if (shape == settings_.shape) return;
   settings_.shape = shape;
   for (Session& session : sessions_) session.request_view();
-}
-
-void Guide::bind(scene::TextureId piece, scene::TextureId memory) noexcept {
-  const auto i = static_cast<std::size_t>(piece);
-  if (i < memory_.size()) memory_[i] = memory;
-}
-
-scene::TextureId Guide::memory_of(scene::TextureId piece) const noexcept {
-  const auto i = static_cast<std::size_t>(piece);
-  return i < memory_.size() ? memory_[i] : scene::TextureId::None;
 }
 
 void Guide::take_answers() noexcept {
@@ -359,7 +349,6 @@ const scene::DrawList& Guide::draw_list() noexcept {
     session.overlay().draw(static_cast<float>(session.remaining()),
                            names && !stage_.is_flying() ? 1 : 0, list_);
   }
-  for (scene::Quad& quad : list_.quads) quad.texture = memory_of(quad.texture);
   return list_;
 }
 

@@ -73,20 +73,14 @@ class Guide {
   void resize(const interface::ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
-  /// Views name their texts and pictures; this says which texture memory holds one. The draw list
-  /// has the memory's names. TextureId::None: it is gone.
-  void bind(scene::TextureId piece, scene::TextureId memory) noexcept;
-  scene::TextureId memory_of(scene::TextureId piece) const noexcept;
-  /// All texture memory that pieces are bound to.
-  std::span<const scene::TextureId> memory() const noexcept { return memory_; }
 
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.
   std::size_t seats() const noexcept { return is_shared() ? sessions_.size() - 1 : 1; }
-  /// The part of the glass that a seat is, counted from 1 and from the left; 0: the part that was
+  /// The part of the glass that a seat is, counted from the left, from 1; none: the part that was
   /// touched last.
-  std::size_t part_of(std::uint32_t seat) const noexcept;
+  std::size_t part_of(std::optional<std::uint32_t> seat) const noexcept;
   /// Parts of the glass: the whole of it, or the model, is 0; then the sessions at the seats.
   const interface::InterfaceState& state(std::size_t part = 0) const noexcept {
     return sessions_[part].state();
@@ -120,6 +114,7 @@ class Guide {
   std::size_t vacant_seat_near(float x) const noexcept;
   float millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept;
   float column_millimetres() const noexcept;
+  float column_middle(std::size_t part) const noexcept;
   scene::ScreenPoint middle_of_card(std::size_t part) const noexcept;
   void follow_territory(std::size_t part) noexcept;
   void tell_each_other() noexcept;
@@ -143,7 +138,6 @@ class Guide {
   float refusal_seconds_ = 0;  ///< For so long somebody who found no seat is still told so.
   Stage stage_;
   GuideCounters counters_;
-  std::vector<scene::TextureId> memory_;  ///< By piece.
   scene::DrawList list_;
 };
 

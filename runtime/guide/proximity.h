@@ -37,10 +37,10 @@ class Proximity {
   std::uint32_t floor_;
   double body_radius_;
   std::optional<crowd::Meetings> meetings_;  ///< None for one who is alone.
-  std::vector<crowd::Body> bodies_;   ///< Of those who are here.
-  std::vector<std::uint32_t> agent_;  ///< Whose body that is.
-  std::vector<plan::Nearby> near_;    ///< Per agent.
-  std::vector<Vec2> last_;            ///< Per agent: where it was.
+  std::vector<crowd::Body> bodies_;          ///< Of those who are here.
+  std::vector<std::uint32_t> agent_;         ///< Whose body that is.
+  std::vector<plan::Nearby> near_;           ///< Per agent.
+  std::vector<Vec2> last_;                   ///< Per agent: where it was.
   std::vector<bool> was_here_;
   std::size_t collisions_ = 0;
 };

@@ -13,8 +13,8 @@ constexpr float left_for = 0.4F;     ///< Seconds in which a touch is still of w
 constexpr float flick_share = 0.3F;
 
 input::GestureRecogniser recogniser_for(const interface::InterfaceState& state) noexcept {
-  return state.seat < 0 ? input::GestureRecogniser()
-                        : input::GestureRecogniser(flick_share / static_cast<float>(state.seats));
+  return !state.seat ? input::GestureRecogniser()
+                     : input::GestureRecogniser(flick_share / static_cast<float>(state.seats));
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   const std::int32_t control = surface.touch_up(gesture.finger);
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
-  if (state_.seat >= 0 && is_vacant() &&
+  if (state_.seat && is_vacant() &&
       (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
     return true;
   const bool on_own = &surface == &overlay_;
@@ -107,8 +107,7 @@ void Session::press_key(input::Key key) noexcept {
       return;
     case input::Key::Back:
       if (state_.screen == interface::Screen::Choosing)
-        act({state_.exhibit >= 0 ? interface::Action::Kind::Return
-                                 : interface::Action::Kind::Home});
+        act({state_.exhibit ? interface::Action::Kind::Return : interface::Action::Kind::Home});
       else if (state_.screen == interface::Screen::Picking)
         act({interface::Action::Kind::Home});
       else if (!is_vacant())
@@ -124,7 +123,7 @@ void Session::act(interface::Action action) noexcept {
   show(interface::after(state_, action));
   switch (action.kind) {
     case interface::Action::Kind::Pick:
-      if (state_.look != static_cast<int>(action.argument)) break;
+      if (state_.look != action.argument) break;
       guide_ = action.argument;
       set_out();  // where they have touched an exhibit first
       break;
@@ -148,7 +147,7 @@ void Session::act(interface::Action action) noexcept {
 /// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
 void Session::set_out() noexcept {
   const Errand errand{Errand::Kind::ToExhibit, state_.exhibit, state_.kind};
-  if (!guide_ || state_.arrived || errand.exhibit < 0) return;
+  if (!guide_ || state_.arrived || !errand.exhibit) return;
   if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
       errand_.route == errand.route)
     return;
@@ -161,9 +160,8 @@ void Session::order(const Errand& errand) noexcept {
   route_summary_.reset();
   switch (errand.kind) {
     case Errand::Kind::ToExhibit:
-      context_.crowd.send(
-          *guide_, context_.museum.exhibits[static_cast<std::size_t>(errand.exhibit)].viewing_point,
-          errand.route);
+      context_.crowd.send(*guide_, context_.museum.exhibits[*errand.exhibit].viewing_point,
+                          errand.route);
       break;
     case Errand::Kind::Home:
       context_.crowd.send(*guide_, context_.homes[*guide_], errand.route);
@@ -178,7 +176,7 @@ void Session::order(const Errand& errand) noexcept {
 /// At a seat the guide is free from now on, for whoever comes next.
 void Session::go_home() noexcept {
   if (guide_ && is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
-  if (state_.seat < 0) return;
+  if (!state_.seat) return;
   guide_.reset();
   errand_ = {};
   route_summary_.reset();

@@ -19,7 +19,7 @@ namespace docent::guide {
 struct Errand {
   enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
   Kind kind = Kind::None;
-  std::int32_t exhibit = -1;
+  std::optional<std::uint32_t> exhibit{};
   RouteKind route = RouteKind::Shortest;
 };
 

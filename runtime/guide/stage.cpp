@@ -56,7 +56,7 @@ void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcep
       list.ribbons.size() == list.ribbons.capacity())
     return;
   list.ribbons.push_back({.kind = plan.order.kind,
-                          .look = static_cast<std::int32_t>(avatar.look),
+                          .look = avatar.look,
                           .first = static_cast<std::uint32_t>(list.ribbon_point.size()),
                           .count = static_cast<std::uint32_t>(plan.points.size()),
                           .revision = static_cast<std::uint32_t>(plan.order.id),
@@ -103,8 +103,8 @@ void Stage::enter(const interface::InterfaceState& state, const scene::Rect& fre
 scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                                    const Avatar& leader) const noexcept {
   const double height = height_of(museum_, leader.floor);
-  if (state.screen == interface::Screen::Arrived && state.exhibit >= 0) {
-    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
+  if (state.screen == interface::Screen::Arrived && state.exhibit) {
+    const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
     return scene::beside(leader.body, exhibit.placement.position, height, free_, aspect_);
   }
   if (state.screen == interface::Screen::Walking) {
@@ -165,7 +165,7 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
   };
   if (museum_.kiosk_floor == leader.floor)
     mark(scene::MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
-  const auto is_chosen = [&](std::int32_t exhibit) {
+  const auto is_chosen = [&](std::uint32_t exhibit) {
     return exhibit == state.exhibit ||
            std::ranges::any_of(led_visitors,
                                [&](const LedVisitor& one) { return one.exhibit == exhibit; });
@@ -185,8 +185,8 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
 
 void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
                          scene::DrawList& list) const noexcept {
-  if (state.exhibit >= 0) {
-    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(state.exhibit)];
+  if (state.exhibit) {
+    const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
     list.goal = exhibit.viewing_point.position;
     list.goal_radius = 6;
     if (!state.arrived)
@@ -211,12 +211,12 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
                       scene::DrawList& list) const noexcept {
   for (const LedVisitor& one : led_visitors) {
     const Agent& guide = crowd[one.guide];
-    if (one.exhibit < 0 || guide.avatar.floor != list.floor) continue;
+    if (!one.exhibit || guide.avatar.floor != list.floor) continue;
     if (guide.is_on_its_way) draw_trail(guide.avatar, time_ * flow_speed, list);
-    const Placement& view = museum_.exhibits[static_cast<std::size_t>(one.exhibit)].viewing_point;
+    const Placement& view = museum_.exhibits[*one.exhibit].viewing_point;
     if (!one.arrived)
       list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
-                              .look = static_cast<std::int32_t>(guide.avatar.look),
+                              .look = guide.avatar.look,
                               .position = to_world(view.position, height_of(museum_, list.floor)),
                               .radius = 0.35F,
                               .heading = static_cast<float>(view.heading)});

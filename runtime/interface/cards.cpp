@@ -101,11 +101,11 @@ void draw_figure(Sheet& sheet, const scene::Look& look, const PixelBox& box, flo
 /// A band in the guide's colour along the card's upper edge: whose card it is.
 void draw_band(Sheet& sheet, const PixelBox& card) {
   const Measures& m = sheet.measures();
-  const std::int8_t look = sheet.request().state.look;
-  if (look < 0) return;
+  const std::optional<std::uint32_t> look = sheet.request().state.look;
+  if (!look) return;
   draw_stroke(sheet,
               {card.x + m.corner, card.y, card.width - 2 * m.corner, std::round(0.8F * m.unit)},
-              scene::trail_colour(static_cast<std::size_t>(look)), 0, -1);
+              scene::trail_colour(*look), 0, -1);
 }
 
 /// Buttons side by side on the lowest row, those that this state has; returns its top.
@@ -288,7 +288,7 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
   const Measures m = measures_of(shape);
   const float height =
-      card_of(shape, std::max(seats, 1U), 0).height * static_cast<float>(shape.height);
+      card_of(shape, std::max(seats, 1U), 1).height * static_cast<float>(shape.height);
   const float gap = std::round(m.unit / 2);
   const float room = height - 2 * std::round(card_margin * m.unit) -
                      std::round(heading_units * m.unit) - 2 * m.touch - m.gap - gap;

@@ -30,7 +30,7 @@ Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
           .role = role,
           .label = it.title,
           .action = {Action::Kind::Choose, exhibit},
-          .selected = state.exhibit == static_cast<std::int32_t>(exhibit),
+          .selected = state.exhibit == exhibit,
           .rect = {}};
 }
 
@@ -69,7 +69,7 @@ void add_looks(const ControlRequest& request, std::vector<Control>& out) {
     const std::string name(scene::looks[i].name);
     Control control = button(museum, "look:" + name, "look_" + name, {Action::Kind::Pick, i});
     control.role = Role::Choice;
-    control.selected = state.look == static_cast<int>(i);
+    control.selected = state.look == i;
     control.enabled = (state.taken >> i & 1U) == 0;
     out.push_back(std::move(control));
   }
@@ -119,7 +119,7 @@ void add_picking(const ControlRequest& request, std::vector<Control>& out) {
 }
 /// Back to where the visitor is led, or else home.
 void add_back(const ControlRequest& request, std::string_view home_key, std::vector<Control>& out) {
-  if (request.state.exhibit < 0) return add_home(request, home_key, out);
+  if (!request.state.exhibit) return add_home(request, home_key, out);
   out.push_back(button(request.museum, "back", request.state.arrived ? "back_to_exhibit" : "back",
                        {Action::Kind::Return}));
 }
@@ -148,9 +148,8 @@ void add_arrived_on_card(const ControlRequest& request, std::vector<Control>& ou
 }
 void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
-  if (state.exhibit >= 0)
-    for (const std::uint32_t next :
-         neighbours(museum, static_cast<std::uint32_t>(state.exhibit), suggestion_count))
+  if (state.exhibit)
+    for (const std::uint32_t next : neighbours(museum, *state.exhibit, suggestion_count))
       out.push_back(exhibit_control(museum, next, Role::ListItem, state));
   add_choose(request, out);
   add_home(request, "home", out);
@@ -227,13 +226,13 @@ const std::array<ScreenFaces, 5> screens{{
 InterfaceState after(InterfaceState state, Action action) noexcept {
   switch (action.kind) {
     case Action::Kind::Begin:
-      state.screen = state.seat >= 0 && state.look < 0 ? Screen::Picking : Screen::Choosing;
+      state.screen = state.seat && !state.look ? Screen::Picking : Screen::Choosing;
       state.page = 0;
       break;
     case Action::Kind::Pick:
       if ((state.taken >> action.argument & 1U) != 0) break;
-      state.look = static_cast<std::int8_t>(action.argument);
-      state.screen = state.exhibit >= 0 ? Screen::Walking : Screen::Choosing;
+      state.look = action.argument;
+      state.screen = state.exhibit ? Screen::Walking : Screen::Choosing;
       state.page = 0;
       break;
     case Action::Kind::ShowExhibits:
@@ -241,10 +240,10 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.page = 0;
       break;
     case Action::Kind::Choose:
-      state.arrived = state.arrived && state.exhibit == static_cast<std::int32_t>(action.argument);
+      state.arrived = state.arrived && state.exhibit == action.argument;
       state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
-      if (state.seat >= 0 && state.look < 0) state.screen = Screen::Picking;
-      state.exhibit = static_cast<std::int32_t>(action.argument);
+      if (state.seat && !state.look) state.screen = Screen::Picking;
+      state.exhibit = action.argument;
       break;
     case Action::Kind::TurnPage:
       state.page = action.argument;
@@ -256,7 +255,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.kind = static_cast<RouteKind>(action.argument);
       break;
     case Action::Kind::Return:
-      if (state.exhibit < 0)
+      if (!state.exhibit)
         state.screen = Screen::Welcome;
       else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
@@ -264,14 +263,14 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Stop:
       state.screen = Screen::Choosing;
       state.page = 0;
-      state.exhibit = -1;
+      state.exhibit.reset();
       state.arrived = false;
       break;
     case Action::Kind::Home:
-      if (state.seat >= 0) return vacated(state);
+      if (state.seat) return vacated(state);
       state.screen = Screen::Welcome;
       state.page = 0;
-      state.exhibit = -1;
+      state.exhibit.reset();
       state.arrived = false;
       break;
   }
@@ -282,7 +281,7 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
                                  std::uint32_t per_page) {
   std::vector<Control> out;
   const ControlRequest request{museum, state, per_page};
-  if (state.seat >= 0) {
+  if (state.seat) {
     faces_of(state.screen).card.add_controls(request, out);
     return out;
   }
@@ -330,17 +329,17 @@ bool is_control_name(const Museum& museum, std::string_view name) {
     return std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; });
   };
   for (const ScreenFaces& faces : screens)
-    for (const std::int32_t exhibit : {-1, 0}) {
-      if (exhibit >= static_cast<std::int32_t>(museum.exhibits.size())) continue;
+    for (const bool is_led : {false, true}) {
+      if (is_led && museum.exhibits.empty()) continue;
       InterfaceState state;
       state.screen = faces.screen;
-      state.exhibit = exhibit;
+      if (is_led) state.exhibit = 0;
       if (has_it(state)) return true;
     }
   InterfaceState picking;
   picking.screen = Screen::Picking;
   picking.glass = Glass::Busy;
-  picking.seat = 0;
+  picking.seat = 1;
   return has_it(picking);
 }
 

@@ -69,13 +69,12 @@ void lay_out_shared(Sheet& sheet) {
   View& view = sheet.view();
   const ViewRequest& request = sheet.request();
   view.free = {0, 0, 1, strip_of(request.shape).y};
-  if (request.state.seat < 0) {
+  if (!request.state.seat) {
     lay_out_model(sheet);
     add_floor_labels(sheet);
     return;
   }
-  const scene::Rect card =
-      card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+  const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
   lay_out_seat(sheet, {card.x * view.pixel_width, card.y * view.pixel_height,
                        card.width * view.pixel_width, card.height * view.pixel_height});
 }
@@ -104,7 +103,7 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
 }
 
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
-  return state.seat < 0 ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
+  return !state.seat ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
 }
 
 ListShape list_shape(const ScreenShape& shape) noexcept {
@@ -138,9 +137,8 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->unit_px = measures.unit;
 
   Sheet sheet(museum, request, pieces, *view);
-  view->accent = request.state.look < 0
-                     ? sheet.theme().invitation
-                     : scene::trail_colour(static_cast<std::size_t>(request.state.look));
+  view->accent =
+      request.state.look ? scene::trail_colour(*request.state.look) : sheet.theme().invitation;
   if (request.state.glass != Glass::Whole) {
     lay_out_shared(sheet);
     sheet.finish();

@@ -23,9 +23,8 @@ namespace {
 /// A sample of a route kind's ribbon.
 void draw_pattern(Sheet& sheet, RouteKind kind, const PixelBox& box, std::int32_t control) {
   const InterfaceState& state = sheet.request().state;
-  const scene::Colour colour = state.look >= 0
-                                   ? scene::trail_colour(static_cast<std::size_t>(state.look))
-                                   : scene::route_colour(kind);
+  const scene::Colour colour =
+      state.look ? scene::trail_colour(*state.look) : scene::route_colour(kind);
   const LinePattern& pattern = info_of(kind).pattern;
   const float thick = box.height;
   const auto pieces = static_cast<float>(pattern.sample_pieces);

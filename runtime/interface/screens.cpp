@@ -42,11 +42,9 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
 }  // namespace
 
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
-  const std::int32_t exhibit = sheet.request().state.exhibit;
+  const std::optional<std::uint32_t> exhibit = sheet.request().state.exhibit;
   const auto& all = sheet.museum().exhibits;
-  return exhibit >= 0 && static_cast<std::size_t>(exhibit) < all.size()
-             ? &all[static_cast<std::size_t>(exhibit)]
-             : nullptr;
+  return exhibit && *exhibit < all.size() ? &all[*exhibit] : nullptr;
 }
 
 float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {

@@ -29,7 +29,7 @@ scene::Rect strip_of(const ScreenShape& shape) noexcept {
 scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
   const scene::Rect strip = strip_of(shape);
   const float width = 1 / static_cast<float>(seats);
-  return {static_cast<float>(seat) * width, strip.y, width, strip.height};
+  return {static_cast<float>(seat - 1) * width, strip.y, width, strip.height};
 }
 
 scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {

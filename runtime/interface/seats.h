@@ -16,7 +16,8 @@ std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept;
 /// the rest, which is more than 55 %.
 scene::Rect strip_of(const ScreenShape& shape) noexcept;
 
-/// The part of the strip that is seat `seat`'s, counted from the left, and the card in its middle.
+/// The part of the strip that is seat `seat`'s, counted from the left, from 1, and the card in its
+/// middle.
 scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
 scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
 

@@ -61,18 +61,21 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   return exhibition;
 }
 
+/// Pictures of the building have the first ids; the planner's pieces follow.
+scene::TextureId scenery_texture(std::size_t image) noexcept {
+  return static_cast<scene::TextureId>(1 + image);
+}
+
 void upload(Exhibition& exhibition, gles::Renderer& renderer) {
-  std::vector<scene::TextureId>& memory = exhibition.scenery_memory;
-  for (const Pixels& picture : exhibition.scenery_pictures)
-    memory.push_back(renderer.upload_scenery_image(picture));
+  for (std::size_t i = 0; i < exhibition.scenery_pictures.size(); ++i)
+    renderer.upload_scenery_image(scenery_texture(i), exhibition.scenery_pictures[i]);
   exhibition.scenery_pictures = {};
 
   const Museum& museum = exhibition.museum;
   std::vector<scene::TextureId> picture_of;
   picture_of.reserve(museum.exhibits.size());
   for (const Exhibit& exhibit : museum.exhibits)
-    picture_of.push_back(exhibit.image < memory.size() ? memory[exhibit.image]
-                                                       : scene::TextureId::None);
+    picture_of.push_back(scenery_texture(exhibit.image));
   for (std::uint32_t i = 0; i < museum.scenery.size(); ++i)
     renderer.upload_scenery(i, museum.scenery[i], picture_of);
   renderer.upload_avatar(museum.avatar);
@@ -82,23 +85,14 @@ void upload(Exhibition& exhibition, gles::Renderer& renderer) {
   exhibition.museum.avatar.indices = {};
 }
 
-void release(const Exhibition& exhibition, gles::Renderer& renderer) noexcept {
-  for (const std::span<const scene::TextureId> all :
-       {exhibition.guide->memory(), std::span<const scene::TextureId>(exhibition.scenery_memory)})
-    for (const scene::TextureId memory : all)
-      if (memory != scene::TextureId::None) renderer.release(memory);
-}
-
 void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
   while (const std::unique_ptr<interface::PieceChanges> changes = guide.take_pieces()) {
-    for (const scene::TextureId piece : changes->retired) {
-      renderer.release(guide.memory_of(piece));
-      guide.bind(piece, scene::TextureId::None);
-    }
+    for (const scene::TextureId piece : changes->retired) renderer.release(piece);
     for (const auto& [piece, text, picture] : changes->uploads)
-      guide.bind(piece, picture.rgba.empty()
-                            ? renderer.upload_text(text.width, text.height, text.coverage)
-                            : renderer.upload_image(picture));
+      if (picture.rgba.empty())
+        renderer.upload_text(piece, text.width, text.height, text.coverage);
+      else
+        renderer.upload_image(piece, picture);
   }
 }
 

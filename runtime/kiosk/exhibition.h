@@ -18,8 +18,7 @@ struct Exhibition {
   Museum museum;
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
-  std::vector<Pixels> scenery_pictures;          ///< By image, until they are in texture memory.
-  std::vector<scene::TextureId> scenery_memory;  ///< By image: where they are from then on.
+  std::vector<Pixels> scenery_pictures;  ///< By image, until they are in texture memory.
 
   Exhibition() = default;
   Exhibition(const Exhibition&) = delete;
@@ -32,9 +31,6 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 
 /// Carries the building with its pictures and the body into texture memory. Frame thread.
 void upload(Exhibition& exhibition, gles::Renderer& renderer);
-
-/// Gives the memory of its texts and pictures back. Frame thread.
-void release(const Exhibition& exhibition, gles::Renderer& renderer) noexcept;
 
 /// Applies what the worker's cache of pieces changed. Frame thread; does not allocate.
 void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept;

@@ -307,7 +307,7 @@ void Kiosk::take_up_content() {
     say(next.error());
     return;
   }
-  release(*exhibition_, renderer_);
+  renderer_.release_textures();
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
   tell_seats();

@@ -184,7 +184,7 @@ class LineReader {
             fmt::format("seats are counted from the left, 1 to {}", interface::most_seats));
       return false;
     }
-    command.seat = *seat;
+    command.seat = seat;
     return true;
   }
 

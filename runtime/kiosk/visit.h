@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,9 +21,9 @@ struct VisitCommand {
   input::Contact contact;  ///< Tap, Down, Move, Up.
   input::InputEvent key;   ///< Press.
   std::string name;        ///< TapNamed: the control's name without "@". Shot: the file.
-  /// TapNamed, on a shared glass: the seat from which it is reached, 1 being the leftmost. 0: where
-  /// somebody touched last.
-  std::uint32_t seat = 0;
+  /// TapNamed, on a shared glass: the seat from which it is reached, 1 being the leftmost; none:
+  /// where somebody touched last.
+  std::optional<std::uint32_t> seat{};
   std::uint32_t line = 0;
 };
 

@@ -76,10 +76,10 @@ void VisitPlayer::tap(float x, float y, double time, guide::Guide& guide) {
 Result<void> VisitPlayer::continue_named_tap(double time, guide::Guide& guide) {
   if (named_.empty() || !lifts_.empty()) return {};
   const VisitCommand& wanted = named_.front();
-  if (wanted.seat > guide.seats())
+  if (wanted.seat && *wanted.seat > guide.seats())
     return std::unexpected(
         Error{Errc::InvalidInput, fmt::format("line {}: this glass has {} seats, and no seat {}",
-                                              wanted.line, guide.seats(), wanted.seat)});
+                                              wanted.line, guide.seats(), *wanted.seat)});
   const std::size_t part = guide.part_of(wanted.seat);
   if (!guide.shows_its_state(part)) return {};
   const interface::InterfaceState& state = guide.state(part);

@@ -9,7 +9,6 @@ namespace {
 
 /// At 1080 lines: all texts of a visit in one language, and the pictures of the views last seen.
 constexpr std::size_t piece_budget = 2 << 20;
-constexpr std::uint32_t first_piece = 1;  // 0 is TextureId::None
 
 /// Puts an answer into the queue; while the queue is full, the frame thread is behind and gets
 /// time.
@@ -19,12 +18,17 @@ void send(SingleProducerQueue<T, n>& queue, std::unique_ptr<T> answer,
   while (!queue.put(answer) && !stop.load(std::memory_order_relaxed)) std::this_thread::yield();
 }
 
+/// Ids of textures: 0 is none, then come the pictures of the building.
+std::uint32_t first_piece_of(const Museum& museum) noexcept {
+  return static_cast<std::uint32_t>(1 + museum.images.size());
+}
+
 }  // namespace
 
 Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_t avatars,
                  std::size_t parts)
     : museum_(museum),
-      cache_(std::move(makers), first_piece, piece_budget),
+      cache_(std::move(makers), first_piece_of(museum), piece_budget),
       traffic_(museum.floors.size()),
       orders_(avatars),
       requests_(parts),

@@ -132,7 +132,7 @@ int measure(const std::string& database, int frames) {
   const Vec2 leader = to_floor(walking.avatars.front().centre);
   compare("walking, all within 14 m by 14 m", *renderer, **display, walking,
           with_company(walking, leader - Vec2{7, 7}, 14, 14), frames);
-  kiosk::release(exhibition, *renderer);
+  renderer->release_textures();
   return 0;
 }
 

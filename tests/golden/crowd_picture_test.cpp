@@ -29,7 +29,7 @@ guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const Po
   plan::WalkOrder order;
   order.id = look + 1;
   order.kind = errand.kind;
-  order.goal = exhibit->view;
+  order.goal = exhibit->viewing_point;
   order.start = errand.start;
   exhibition.planner->ask(order);
   exhibition.planner->wait();

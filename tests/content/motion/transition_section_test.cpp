@@ -18,9 +18,9 @@ bool stops(const MotionGraph& graph, std::uint32_t clip) {
   return graph.clips[clip].role == ClipRole::Stop;
 }
 
-std::vector<motion::offline::Passage> passages_from(
+std::vector<motion::offline::PassedTransition> passable_from(
     const MotionGraph& graph, const motion::offline::TransitionSections& sections, ClipFrame at) {
-  std::vector<motion::offline::Passage> passages;
+  std::vector<motion::offline::PassedTransition> passages;
   for (std::uint32_t t = 0; t < graph.transitions.size(); ++t)
     if (graph.transitions[t].from.clip == at.clip)
       if (const auto radius = motion::offline::section_radius(graph, sections, t, at.frame))
@@ -59,10 +59,11 @@ RC_GTEST_PROP(TransitionSection, NeverRunsBackwardsAndNeverLosesItsExits, ()) {
   RC_PRE(sections.last_exit[at.clip].has_value());
 
   for (int step = 0; step < 40; ++step) {
-    const std::vector<motion::offline::Passage> passages = passages_from(graph, sections, at);
+    const std::vector<motion::offline::PassedTransition> passages =
+        passable_from(graph, sections, at);
     if (stops(graph, at.clip) && passages.empty()) return;
     RC_ASSERT(!passages.empty());
-    const motion::offline::Passage passage = *rc::gen::elementOf(passages);
+    const motion::offline::PassedTransition passage = *rc::gen::elementOf(passages);
     const Transition& way = graph.transitions[passage.transition];
     RC_ASSERT(way.from.frame >= at.frame + passage.radius);
     RC_ASSERT(way.to.frame >= passage.radius);

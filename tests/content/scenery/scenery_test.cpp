@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "content/scenery/furniture.h"
+#include "runtime/model/geometry/polygon.h"
 #include "tests/support/halls.h"
 
 namespace docent::scenery {

@@ -150,7 +150,8 @@ class Rendering : public ::testing::Test {
     vase.place = ExhibitPlace::InCase;
     const float square = 1;
     Pixels red{1, 1, {std::byte{200}, std::byte{30}, std::byte{30}, std::byte{255}}};
-    const scene::TextureId image = renderer_->upload_scenery_image(red);
+    const auto image = scene::TextureId{1};
+    renderer_->upload_scenery_image(image, red);
     renderer_->upload_scenery(0, scenery::make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {}),
                               {&image, 1});
     renderer_->upload_avatar(box_body());
@@ -257,7 +258,7 @@ TEST_F(Rendering, DrawsSeveralGuidesEachInItsOwnLookWithItsOwnTrail) {
   add_guide(list, {6, 2}, look_named("saffron"));
   add_guide(list, {9, 2}, look_named("rose"));
   add_way(list, RouteKind::Shortest, {{2, 3.4}, {10, 3.4}}, 8);
-  list.ribbons.back().look = static_cast<std::int32_t>(look_named("sky"));
+  list.ribbons.back().look = look_named("sky");
   const auto seen = [&](const Pixels& picture, Vec2 at, double height) {
     const auto [x, y] = pixel_of(list.camera, to_world(at, height), small);
     return pixel(picture, x, y);
@@ -364,7 +365,8 @@ TEST_F(Rendering, SetsTextTexelForPixelAndBlendsItInLinearLight) {
   scene::DrawList list = paper_only();
   scene::Quad text;
   text.fill = scene::QuadFill::Text;
-  text.texture = renderer_->upload_text(3, 2, coverage);
+  text.texture = scene::TextureId{2};
+  renderer_->upload_text(text.texture, 3, 2, coverage);
   text.rect = {100.3F / 320, 49.7F / 180, 0.5F, 0.5F};  // only its place counts
   text.colour = {0, 0, 0, 1};
   list.quads.push_back(text);
@@ -442,15 +444,30 @@ TEST_F(Rendering, LeavesOutWhatWasNeverUploaded) {
   expect_near(pixel(picture, 2, 2), paper, 1, "the text covers nothing");
 }
 
-TEST_F(Rendering, HandsAReleasedTexturesRoomOutAgain) {
+TEST_F(Rendering, DrawsNothingOfATextureThatIsReleasedOrWasNeverKept) {
   const std::array<std::uint8_t, 1> coverage{255};
-  const scene::TextureId first = renderer_->upload_text(1, 1, coverage);
-  renderer_->release(first);
-  renderer_->release(first);
+  scene::DrawList list = paper_only();
+  scene::Quad text;
+  text.rect = {2.0F / 320, 2.0F / 180, 0.5F, 0.5F};  // only its place counts
+  text.fill = scene::QuadFill::Text;
+  text.colour = {0, 0, 0, 1};
+  const auto drawn_with = [&](scene::TextureId id) {
+    text.texture = id;
+    list.quads = {text};
+    return pixel(drawn(list), 2, 2).r;
+  };
+  const int bare = drawn_with(scene::TextureId::None);
+  renderer_->upload_text(scene::TextureId{7}, 1, 1, coverage);
 
-  EXPECT_EQ(renderer_->upload_text(1, 1, coverage), first);
-  EXPECT_NE(renderer_->upload_text(1, 1, coverage), first);
-  EXPECT_EQ(renderer_->upload_text(0, 1, coverage), scene::TextureId::None);
+  EXPECT_NE(drawn_with(scene::TextureId{7}), bare);
+  EXPECT_EQ(drawn_with(scene::TextureId{8}), bare);
+  EXPECT_EQ(drawn_with(scene::TextureId{1'000'000}), bare);
+  renderer_->release(scene::TextureId{7});
+  renderer_->release(scene::TextureId{7});
+  EXPECT_EQ(drawn_with(scene::TextureId{7}), bare);
+  renderer_->upload_text(scene::TextureId{7}, 1, 1, coverage);
+  renderer_->release_textures();
+  EXPECT_EQ(drawn_with(scene::TextureId{7}), bare);
 }
 
 TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {

@@ -111,7 +111,7 @@ TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
   session.tap("exhibit:" + museum().exhibits.back().id, interface::Role::Spot);
 
   EXPECT_EQ(session.guide().state().exhibit,
-            static_cast<std::int32_t>(museum().exhibits.size()) - 1);
+            museum().exhibits.size() - 1);
 }
 
 TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
@@ -210,7 +210,7 @@ TEST(ATrail, HasTheColourOfItsGuideAndIsAsLongAsTheWay) {
 
   ASSERT_EQ(list.ribbons.size(), 1U);
   const scene::RibbonDraw& trail = list.ribbons.front();
-  EXPECT_EQ(trail.look, static_cast<std::int32_t>(guide.look));
+  EXPECT_EQ(trail.look, guide.look);
   EXPECT_EQ(trail.first, 7U);
   EXPECT_EQ(trail.first + trail.count, list.ribbon_point.size());
   EXPECT_FLOAT_EQ(trail.length, static_cast<float>(guide.plan->reach.back()));
@@ -240,7 +240,7 @@ TEST(Guide, AloneHasAWayInTheColourThatThePanelGivesItsKind) {
   session.tap(first_exhibit());
   session.run(1);
 
-  EXPECT_LT(session.guide().draw_list().ribbons.front().look, 0);
+  EXPECT_FALSE(session.guide().draw_list().ribbons.front().look);
 }
 
 TEST(Guide, CanBeUsedByKeysAlone) {
@@ -252,7 +252,7 @@ TEST(Guide, CanBeUsedByKeysAlone) {
   session.key(input::Key::Down);
   session.key(input::Key::Enter);
   session.run(0.5);
-  EXPECT_EQ(session.guide().state().exhibit, 1);
+  EXPECT_EQ(session.guide().state().exhibit, 1U);
 
   session.key(input::Key::Back);
   session.run(0.5);

@@ -21,7 +21,8 @@ constexpr double radius = 0.25;
 const path::FloorMap& hall() {
   static const Floor floor = [] {
     test::HallMaker maker;
-    const Vec2 outline[] = {{0, 0}, {10, 0}, {10, 4}, {10.2, 4}, {10.2, 0}, {20, 0}, {20, 6}, {0, 6}};
+    const Vec2 outline[] = {{0, 0},    {10, 0}, {10, 4}, {10.2, 4},
+                            {10.2, 0}, {20, 0}, {20, 6}, {0, 6}};
     maker.ring(outline);
     return test::floor_of(maker.plan, {radius});
   }();

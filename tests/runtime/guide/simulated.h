@@ -26,9 +26,7 @@ inline void run(plan::Planner& planner, guide::Guide& guide, double seconds) {
   for (long i = 0; i < std::lround(seconds * 60); ++i) {
     planner.wait();
     guide.step(frame);
-    while (const auto pieces = guide.take_pieces())
-      for (const interface::PieceUpload& upload : pieces->uploads)
-        guide.bind(upload.texture, upload.texture);
+    while (guide.take_pieces() != nullptr) continue;
     guide.draw_list();
   }
 }

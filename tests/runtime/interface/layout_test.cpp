@@ -58,7 +58,8 @@ ViewRequest any_request() {
   request.state.screen =
       *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
   request.state.language = *rc::gen::inRange(0U, 3U);
-  request.state.exhibit = *rc::gen::inRange(0, static_cast<int>(museum().exhibits.size()));
+  request.state.exhibit =
+      *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().exhibits.size()));
   request.state.page = *rc::gen::inRange(0U, 2U);
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
@@ -77,10 +78,9 @@ ViewRequest any_card() {
                                            Screen::Walking, Screen::Arrived);
   request.state.glass = *rc::gen::element(Glass::Quiet, Glass::Busy);
   request.state.seats = static_cast<std::uint8_t>(seats);
-  request.state.seat = static_cast<std::int8_t>(*rc::gen::inRange(0U, seats));
+  request.state.seat = 1 + *rc::gen::inRange(0U, seats);
   request.state.taken = static_cast<std::uint8_t>(*rc::gen::inRange(0, 256));
-  if (request.state.screen > Screen::Picking)
-    request.state.look = static_cast<std::int8_t>(*rc::gen::inRange(0, 8));
+  if (request.state.screen > Screen::Picking) request.state.look = *rc::gen::inRange(0U, 8U);
   return request;
 }
 
@@ -164,8 +164,7 @@ TEST(Card, KeepsItsControlsApartAndFingertipsWide) {
   EXPECT_TRUE(rc::check("inside, apart, 15 mm", [] {
     const ViewRequest request = any_card();
     const auto view = laid_out(request);
-    const scene::Rect card =
-        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
     const float mm =
         std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
     for (std::size_t i = 0; i < view->controls.size(); ++i) {
@@ -185,8 +184,7 @@ TEST(Card, KeepsItsTextsInside) {
   EXPECT_TRUE(rc::check("no text leaves its card", [] {
     const ViewRequest request = any_card();
     const auto view = laid_out(request);
-    const scene::Rect card =
-        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
     for (const Element& element : view->elements) {
       if (element.quad.fill != scene::QuadFill::Text) continue;
       const scene::Rect& r = element.quad.rect;
@@ -202,7 +200,7 @@ TEST(Card, SetsNoTextOverAnother) {
     request.shape.text_scale = *rc::gen::element(1.0F, 1.4F, 2.0F);
     request.state.seats = static_cast<std::uint8_t>(seats_on(request.shape, request.state.seats));
     RC_PRE(request.state.seats > 1);
-    request.state.seat = static_cast<std::int8_t>(request.state.seat % request.state.seats);
+    request.state.seat = 1 + *request.state.seat % request.state.seats;
     const auto view = laid_out(request);
     std::vector<scene::Rect> texts;
     for (const Element& element : view->elements)
@@ -230,8 +228,7 @@ TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
     const auto english = laid_out(request);
     request.state.language = 2;
     const auto arabic = laid_out(request);
-    const scene::Rect card =
-        card_of(request.shape, request.state.seats, static_cast<std::uint32_t>(request.state.seat));
+    const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
     for (std::size_t i = 0; i < english->controls.size(); ++i) {
       const Control &e = english->controls[i], &a = arabic->controls[i];
       if (e.rect.width <= 0 || e.action.kind == Action::Kind::Speak) continue;

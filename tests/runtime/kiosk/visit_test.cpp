@@ -40,7 +40,7 @@ TEST(Visit, MaySayFromWhichSeatOfASharedGlassAControlIsReached) {
   ASSERT_THAT(visit.mistakes, IsEmpty());
   EXPECT_EQ(visit.commands[0].name, "look:rose");
   EXPECT_EQ(visit.commands[0].seat, 3U);
-  EXPECT_EQ(visit.commands[1].seat, 0U);
+  EXPECT_FALSE(visit.commands[1].seat);
   for (const char* line : {"1 tap @home seat 0", "1 tap @home seat 9", "1 tap @home seat",
                            "1 tap @home seat x", "1 tap @home at 3"})
     EXPECT_THAT(parse_visit(line, "v.visit").mistakes, SizeIs(1)) << line;

@@ -10,7 +10,7 @@ namespace docent::plan {
 namespace {
 
 interface::ViewRequest welcome(std::uint64_t id) {
-  return {.id = id, .state = {}, .shape = {.width = 640, .height = 360}, .trip = {}};
+  return {.id = id, .state = {}, .shape = {.width = 640, .height = 360}, .route_summary = {}};
 }
 
 TEST(APlanner, WhoseTypeSetterRunsOutOfMemoryOnceGoesOnWithTheNextView) {
