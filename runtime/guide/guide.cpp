@@ -1,8 +1,6 @@
 #include "runtime/guide/guide.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "runtime/guide/waiting_places.h"
@@ -17,10 +15,7 @@ constexpr std::size_t points_of_a_trail = 1024;
 constexpr std::size_t quads_of_a_card = 256;
 constexpr std::size_t most_contacts = 80;
 constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
-constexpr float arms_reach = 600;       ///< Millimetres of glass that one visitor covers.
-constexpr float reach_up = 0.3F;        ///< Of a millimetre upwards, what it counts to the side.
 constexpr float refusal_shown_for = 8;  ///< Seconds.
-constexpr float strays_columns = 1.5F;  ///< A territory that far from its card draws it along.
 
 std::size_t guides_on(const GuideSettings& settings) noexcept {
   return interface::seats_on(settings.shape, settings.visitors) > 1 ? scene::guide_look_count : 1;
@@ -89,16 +84,16 @@ void Guide::take_seats() {
     state.seat = static_cast<std::uint32_t>(seat + 1);
     sessions_.emplace_back(context, static_cast<std::uint32_t>(seat + 1), state, std::nullopt);
   }
-  territory_.resize(sessions_.size());
+  if (shared) seating_.emplace(sessions_, settings_.shape);
   held_.reserve(most_contacts);
   led_visitors_.reserve(sessions_.size());
   speaker_ = shared ? 1 : 0;
 }
 
 std::size_t Guide::part_of(std::optional<std::uint32_t> seat) const noexcept {
-  for (std::size_t part = 1; seat && part < sessions_.size(); ++part)
-    if (sessions_[part].state().seat == seat) return part;
-  return speaker_;
+  const std::optional<std::size_t> part =
+      seat && seating_ ? seating_->part_of(*seat) : std::nullopt;
+  return part.value_or(speaker_);
 }
 
 bool Guide::shows_its_state(std::size_t part) const noexcept {
@@ -138,7 +133,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
     case input::InputEvent::Kind::KeyUp:
       return;
     case input::InputEvent::Kind::KeyDown:
-      if (sessions_[speaker_].is_vacant()) territory_[speaker_] = middle_of_card(speaker_);
+      if (seating_) seating_->press_key(speaker_);
       sessions_[speaker_].press_key(event.key);
       return tell_each_other();
     case input::InputEvent::Kind::Down:
@@ -165,11 +160,11 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const scene::ScreenPoint at{event.contact.x, event.contact.y};
   std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
-  if (!is_shared()) {
+  if (!seating_) {
     held_.push_back({event.contact.id, 0, 0});
     return;
   }
-  const std::size_t visitor = visitor_at(at);
+  const std::size_t visitor = seating_->visitor_at(at);
   if (visitor == 0) {
     refusal_seconds_ = refusal_shown_for;
     Overlay& model = sessions_[0].overlay();
@@ -177,85 +172,9 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
     model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
     return;
   }
-  const bool on_model = at.y < interface::strip_of(settings_.shape).y;
   speaker_ = visitor;
-  scene::ScreenPoint& territory = territory_[visitor];
-  territory = sessions_[visitor].is_vacant() ? at
-                                             : scene::ScreenPoint{std::midpoint(territory.x, at.x),
-                                                                  std::midpoint(territory.y, at.y)};
-  if (on_model) follow_territory(visitor);
-  held_.push_back({event.contact.id, visitor, on_model ? 0 : visitor});
-}
-
-/// The part whose visitor touches there; 0 where that is somebody for whom there is no seat.
-std::size_t Guide::visitor_at(scene::ScreenPoint at) const noexcept {
-  if (at.y >= interface::strip_of(settings_.shape).y) return seat_at(at.x);
-  std::size_t nearest = 0;
-  const std::size_t vacant = vacant_seat_near(at.x);
-  float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres()) : arms_reach;
-  for (std::size_t part = 1; part < sessions_.size(); ++part) {
-    const float mm = millimetres(territory_[part], at);
-    if (sessions_[part].is_vacant() || mm > distance) continue;
-    distance = mm;
-    nearest = part;
-  }
-  return nearest > 0 ? nearest : vacant;
-}
-
-std::size_t Guide::seat_at(float x) const noexcept {
-  const auto seats = static_cast<float>(this->seats());
-  const auto seat = static_cast<std::uint32_t>(std::clamp(x * seats, 0.0F, seats - 1));
-  return part_of(seat + 1);
-}
-
-/// From the left edge to the middle of its seat, in seats' widths.
-float Guide::column_middle(std::size_t part) const noexcept {
-  return static_cast<float>(*sessions_[part].state().seat) - 0.5F;
-}
-
-std::size_t Guide::vacant_seat_near(float x) const noexcept {
-  std::size_t nearest = 0;
-  float distance = 2;
-  for (std::size_t part = 1; part < sessions_.size(); ++part) {
-    const float middle = column_middle(part) / static_cast<float>(seats());
-    if (!sessions_[part].is_vacant() || std::abs(middle - x) >= distance) continue;
-    distance = std::abs(middle - x);
-    nearest = part;
-  }
-  return nearest;
-}
-
-/// Who stands before a glass reaches up further than to the side.
-float Guide::millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept {
-  const float across = (a.x - b.x) * static_cast<float>(settings_.shape.width);
-  const float down = (a.y - b.y) * static_cast<float>(settings_.shape.height);
-  return std::hypot(across, reach_up * down) / interface::measures_of(settings_.shape).mm;
-}
-
-float Guide::column_millimetres() const noexcept {
-  return static_cast<float>(settings_.shape.width) / static_cast<float>(seats()) /
-         interface::measures_of(settings_.shape).mm;
-}
-
-scene::ScreenPoint Guide::middle_of_card(std::size_t part) const noexcept {
-  if (part == 0) return {0.5F, 0.5F};
-  const scene::Rect card = interface::card_of(settings_.shape, static_cast<std::uint32_t>(seats()),
-                                              *sessions_[part].state().seat);
-  return {card.x + card.width / 2, card.y + card.height / 2};
-}
-
-/// The card of a visitor who has gone on along the glass comes after them, if there is a seat.
-void Guide::follow_territory(std::size_t part) noexcept {
-  const std::size_t other = vacant_seat_near(territory_[part].x);
-  if (other == 0 || sessions_[part].is_vacant()) return;
-  const auto columns_off = [&](std::size_t of) {
-    return std::abs(territory_[part].x * static_cast<float>(seats()) - column_middle(of));
-  };
-  if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
-  interface::InterfaceState mine = sessions_[part].state(), theirs = sessions_[other].state();
-  std::swap(mine.seat, theirs.seat);
-  sessions_[part].show(mine);
-  sessions_[other].show(theirs);
+  seating_->touch(visitor, at);
+  held_.push_back({event.contact.id, visitor, seating_->is_on_model(at) ? 0 : visitor});
 }
 
 /// Which guides are taken, and whether there is room for more visitors.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
@@ -77,7 +78,7 @@ class Guide {
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.
-  std::size_t seats() const noexcept { return is_shared() ? sessions_.size() - 1 : 1; }
+  std::size_t seats() const noexcept { return seating_ ? seating_->seats() : 1; }
   /// The part of the glass that a seat is, counted from the left, from 1; none: the part that was
   /// touched last.
   std::size_t part_of(std::optional<std::uint32_t> seat) const noexcept;
@@ -109,19 +110,11 @@ class Guide {
   void enter_guides();
   void take_seats();
   void put_down(const input::InputEvent& event) noexcept;
-  std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
-  std::size_t seat_at(float x) const noexcept;
-  std::size_t vacant_seat_near(float x) const noexcept;
-  float millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept;
-  float column_millimetres() const noexcept;
-  float column_middle(std::size_t part) const noexcept;
-  scene::ScreenPoint middle_of_card(std::size_t part) const noexcept;
-  void follow_territory(std::size_t part) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
-  bool is_shared() const noexcept { return sessions_.size() > 1; }
+  bool is_shared() const noexcept { return seating_.has_value(); }
   const Avatar& leader() const noexcept { return crowd_[0].avatar; }
 
   const Museum& museum_;
@@ -129,9 +122,9 @@ class Guide {
   GuideSettings settings_;
   Crowd crowd_;
   Strollers strollers_;
-  std::vector<Placement> homes_;               ///< Of the guides.
-  std::vector<Session> sessions_;              ///< By part.
-  std::vector<scene::ScreenPoint> territory_;  ///< By part: where its visitor touches.
+  std::vector<Placement> homes_;    ///< Of the guides.
+  std::vector<Session> sessions_;   ///< By part.
+  std::optional<Seating> seating_;  ///< Of a shared glass.
   std::vector<Held> held_;
   std::vector<LedVisitor> led_visitors_;
   std::size_t speaker_ = 0;    ///< The part whose visitor touched last.

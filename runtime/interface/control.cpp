@@ -51,15 +51,8 @@ void add_languages(const ControlRequest& request, std::vector<Control>& out) {
 }
 
 void add_routes(const ControlRequest& request, std::vector<Control>& out) {
-  const auto& [museum, state, per_page] = request;
-  for (const RouteKindInfo& info : route_kinds) {
-    const std::string name(info.name);
-    Control control = button(museum, "route:" + name, "route_" + name,
-                             {Action::Kind::TakeRoute, static_cast<std::uint32_t>(info.kind)});
-    control.role = Role::Choice;
-    control.selected = state.kind == info.kind;
+  for (Control& control : route_controls(request.museum, request.state.kind))
     out.push_back(std::move(control));
-  }
 }
 
 /// The guides, of whom those that others have cannot be picked.
@@ -275,6 +268,20 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
   }
   return state;
+}
+
+std::vector<Control> route_controls(const Museum& museum, RouteKind selected,
+                                    std::span<const RouteKindInfo> kinds) {
+  std::vector<Control> out;
+  for (const RouteKindInfo& info : kinds) {
+    const std::string name(info.name);
+    Control control = button(museum, "route:" + name, "route_" + name,
+                             {Action::Kind::TakeRoute, static_cast<std::uint32_t>(info.kind)});
+    control.role = Role::Choice;
+    control.selected = selected == info.kind;
+    out.push_back(std::move(control));
+  }
+  return out;
 }
 
 std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,

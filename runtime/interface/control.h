@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "runtime/model/museum.h"
-#include "runtime/path/way.h"
+#include "runtime/model/route_kind.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::interface {
@@ -98,6 +98,10 @@ struct Control {
 /// exhibits a page of the list shows. Spots come last.
 std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
                                  std::uint32_t per_page);
+
+/// The choice of a kind of route: one control each, in the order of the table.
+std::vector<Control> route_controls(const Museum& museum, RouteKind selected,
+                                    std::span<const RouteKindInfo> kinds = route_kinds);
 
 /// Exhibits that could follow the one at `exhibit`: the nearest on the same floor by straight line
 /// between viewing points, nearest first.

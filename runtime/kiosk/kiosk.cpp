@@ -18,6 +18,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
+#include "runtime/kiosk/frame_watch.h"
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
@@ -103,6 +104,7 @@ class Kiosk {
   guide::Seconds since_last_frame() noexcept;
   void take_input() noexcept;
   void make_frame(guide::Seconds passed) noexcept;
+  void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
   bool is_seen() const noexcept;
   void tell_seats();
   Result<void> frame();
@@ -228,47 +230,32 @@ bool Kiosk::is_seen() const noexcept {
          (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
 }
 
-/// Allocations while drawing, but for a software driver's that compiles a shader: its calls come
-/// from its own libraries, and while those run, inline functions of the standard library that it
-/// shares with this program look like ours. So such a frame's drawing is not counted; all others'
-/// is.
-std::uint64_t own_allocations_since(const Allocations& before) noexcept {
-  const Allocations now = allocations_on_this_thread();
-  const bool driver_allocated = now.all - before.all != now.own - before.own;
-  return driver_allocated ? 0 : now.own - before.own;
-}
-
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
 void Kiosk::make_frame(guide::Seconds passed) noexcept {
   const RenderTarget target = target_of(edges_);
-  const Allocations before = allocations_on_this_thread();
-  const auto begun = thread_cpu_now();
+  FrameWatch watch;
   take_input();
   guide().resize(shape_of(target.size, config_));
   if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
   guide().step(passed);
-  const auto stepped = thread_cpu_now();
+  watch.stepped();
   apply_pieces(guide(), renderer_);
-  const auto applied = thread_cpu_now();
+  watch.uploaded();
   const scene::DrawList& list = guide().draw_list();
-  const auto listed = thread_cpu_now();
-  const Allocations made = allocations_on_this_thread();
+  watch.listed();
   const bool seen = is_seen();
-  if (seen) {
-    gpu_timer_.begin();
-    renderer_.draw(list, target);
-    gpu_timer_.end();
-    edges_.display->present();
-  }
-  while (const auto gpu = gpu_timer_.take()) statistics_.gpu.add(*gpu);
-
-  statistics_.frame_cpu.add(stepped - begun + (listed - applied));
-  if (seen) statistics_.gl.add(applied - stepped + (thread_cpu_now() - listed));
+  if (seen) show(list, target);
   // The first frame of a view may take memory.
   const std::uint64_t views = guide().counters().views;
-  if (views == view_)
-    statistics_.allocations_in_frames += made.all - before.all + own_allocations_since(made);
-  view_ = views;
+  watch.end(seen, views == std::exchange(view_, views), statistics_);
+}
+
+void Kiosk::show(const scene::DrawList& list, const RenderTarget& target) noexcept {
+  gpu_timer_.begin();
+  renderer_.draw(list, target);
+  gpu_timer_.end();
+  edges_.display->present();
+  while (const auto gpu = gpu_timer_.take()) statistics_.gpu.add(*gpu);
 }
 
 Result<void> Kiosk::record() {

@@ -30,6 +30,20 @@ TEST(KioskConfig, IsThatOfANewDeviceWhereThereIsNoFile) {
   EXPECT_EQ(loaded.value->content, "/var/lib/docent/museum.db");
 }
 
+TEST(KioskConfig, KnowsEveryDisplayByItsNameAndSaysAllNamesOfAnother) {
+  std::string names;
+  for (const auto& [name, kind] : display_kinds) {
+    const auto loaded = loaded_from("display = \"" + std::string(name) + "\"\n");
+    ASSERT_TRUE(loaded.value.has_value()) << name;
+    EXPECT_EQ(loaded.value->display, kind);
+    names += names.empty() ? "" : ", ";
+    names += name;
+  }
+  const auto loaded = loaded_from("display = \"wayland\"\n");
+  ASSERT_EQ(loaded.diagnostics.size(), 1U);
+  EXPECT_THAT(loaded.diagnostics[0].message, testing::HasSubstr(names));
+}
+
 TEST(KioskConfig, TakesWhatAnOperatorWrote) {
   const auto loaded = loaded_from(
       "idle_reset = 90\ntext_scale = 1.5\nrotate = 270\nsize = \"1080x1920\"\ndisplay = \"kms\"\n");

@@ -110,8 +110,7 @@ TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
   session.run(2);
   session.tap("exhibit:" + museum().exhibits.back().id, interface::Role::Spot);
 
-  EXPECT_EQ(session.guide().state().exhibit,
-            museum().exhibits.size() - 1);
+  EXPECT_EQ(session.guide().state().exhibit, museum().exhibits.size() - 1);
 }
 
 TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {

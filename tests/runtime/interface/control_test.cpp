@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "runtime/interface/face.h"
 #include "tests/support/sample_museum.h"
 
 namespace docent::interface {
@@ -72,6 +73,33 @@ TEST(ControlGraph, DoesNotSendTheGuideAwayOnTheWayToARouteKind) {
 
   EXPECT_THAT(names(touches_to(museum, {}, 8, "route:offset")),
               ElementsAre("begin", "route:offset"));
+}
+
+TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
+  const Museum museum = test::sample_museum_without_walls();
+  std::vector<RouteKindInfo> kinds(route_kinds.begin(), route_kinds.end());
+  kinds.push_back({.kind = RouteKind{3}, .name = "wandering"});
+
+  const std::vector<Control> controls = route_controls(museum, RouteKind{3}, kinds);
+
+  EXPECT_THAT(names(controls),
+              ElementsAre("route:shortest", "route:skeleton", "route:offset", "route:wandering"));
+  EXPECT_TRUE(controls.back().selected);
+  EXPECT_EQ(after({}, controls.back().action).kind, RouteKind{3});
+}
+
+TEST(Screens, AreInTheOrderOfTheirNumbersAndHaveControlsOnAGlassAndOnACard) {
+  const Museum museum = test::sample_museum_without_walls();
+  for (std::size_t i = 0; i < screens.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(screens[i].screen), i);
+    InterfaceState state;
+    state.screen = screens[i].screen;
+    state.exhibit = 0;
+    EXPECT_FALSE(controls_of(museum, state, 8).empty()) << i;
+    state.glass = Glass::Busy;
+    state.seat = 1;
+    EXPECT_FALSE(controls_of(museum, state, 4).empty()) << i;
+  }
 }
 
 TEST(ControlGraph, KnowsWhichNamesExist) {

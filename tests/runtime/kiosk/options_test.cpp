@@ -35,6 +35,14 @@ TEST(Options, HoldWhatTheCommandLineSays) {
   EXPECT_FALSE(options.config.has_value());
 }
 
+TEST(Options, KnowEveryDisplayByItsName) {
+  for (const auto& [name, kind] : config::display_kinds) {
+    Options options;
+    EXPECT_EQ(run(options, {"--display", name.data()}), 42);
+    EXPECT_EQ(options.display, kind);
+  }
+}
+
 TEST(Options, OfNonsenseAreRefused) {
   for (const auto& [name, value] : {std::pair{"--seconds", "nan"},
                                     {"--seconds", "-1"},

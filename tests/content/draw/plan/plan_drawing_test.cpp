@@ -12,6 +12,7 @@
 #include "content/content_error.h"
 #include "content/draw/picture_file.h"
 #include "content/draw/plan/plan_labels.h"
+#include "content/draw/plan/plan_style.h"
 #include "content/draw/svg.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
@@ -76,6 +77,16 @@ TEST(PlanDrawing, TellsTheThreeKindsOfWaysApart) {
   EXPECT_THAT(way(RouteKind::Shortest), HasSubstr(std::string(draw::ink::vermilion)));
   EXPECT_THAT(way(RouteKind::Skeleton), HasSubstr(std::string(draw::ink::teal)));
   EXPECT_THAT(way(RouteKind::Offset), HasSubstr(std::string(draw::ink::ochre)));
+}
+
+TEST(PlanDrawing, DrawsAFurtherKindInItsOwnColourAndPattern) {
+  const RouteKindInfo wandering{.kind = RouteKind{3},
+                                .name = "wandering",
+                                .colour = 0x123456,
+                                .pattern = {.period = 1, .drawn_piece = 2, .drawn_gap = 5}};
+  const std::string stroke = draw::way_stroke(wandering, 10);
+  EXPECT_THAT(stroke, HasSubstr("#123456"));
+  EXPECT_THAT(stroke, HasSubstr("stroke-dasharray=\"20.0 50.0\""));
 }
 
 TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "runtime/guide/session.h"
+#include "runtime/interface/layout.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent::guide {
+
+/// Whose touch is whose at a shared glass. Every visitor has a territory, the place about which
+/// they touch, and a seat, where their card is.
+///
+/// Parts are those of the glass: 0 is the model, then the sessions at the seats. Borrows the
+/// sessions and the shape. For the frame thread; after construction nothing allocates.
+class Seating {
+ public:
+  Seating(std::span<Session> sessions, const interface::ScreenShape& shape)
+      : sessions_(sessions), shape_(shape), territory_(sessions.size()) {}
+
+  std::size_t seats() const noexcept { return sessions_.size() - 1; }
+  /// The part of a seat, counted from the left, from 1; none where there is no such seat.
+  std::optional<std::size_t> part_of(std::uint32_t seat) const noexcept;
+  /// The part whose visitor touches there; 0 where that is somebody for whom there is no seat.
+  std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
+  bool is_on_model(scene::ScreenPoint at) const noexcept;
+
+  /// Its visitor has touched there.
+  void touch(std::size_t part, scene::ScreenPoint at) noexcept;
+  /// Its visitor has used a key: their place is before their card.
+  void press_key(std::size_t part) noexcept;
+
+ private:
+  std::size_t seat_at(float x) const noexcept;
+  std::size_t vacant_seat_near(float x) const noexcept;
+  float millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept;
+  float column_millimetres() const noexcept;
+  float column_middle(std::size_t part) const noexcept;
+  void follow_territory(std::size_t part) noexcept;
+
+  std::span<Session> sessions_;
+  const interface::ScreenShape& shape_;
+  std::vector<scene::ScreenPoint> territory_;  ///< By part.
+};
+
+}  // namespace docent::guide
