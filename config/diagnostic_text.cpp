@@ -109,14 +109,14 @@ std::string to_json(const Diagnostic& d) {
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void tell(std::span<const Diagnostic> diagnostics, Form form) {
+void tell(std::span<const Diagnostic> diagnostics, DiagnosticForm form) {
   constexpr std::size_t most_on_terminal = 20;
-  const bool shortens = form == Form::Text && terminal::is_terminal(stderr);
+  const bool shortens = form == DiagnosticForm::Text && terminal::is_terminal(stderr);
   const auto shown = diagnostics.first(shortens ? std::min(diagnostics.size(), most_on_terminal)
                                                 : diagnostics.size());
   const terminal::ColourUse colour = terminal::colour_use_of(stderr);
   for (const Diagnostic& d : shown)
-    fmt::print(stderr, "{}", form == Form::Json ? to_json(d) + "\n" : to_text(d, colour));
+    fmt::print(stderr, "{}", form == DiagnosticForm::Json ? to_json(d) + "\n" : to_text(d, colour));
   if (shown.size() < diagnostics.size())
     fmt::print(stderr, "... and {} more; all of them with 2>FILE\n",
                diagnostics.size() - shown.size());

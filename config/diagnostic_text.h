@@ -23,9 +23,9 @@ std::string to_text(const Diagnostic& diagnostic,
 /// The same as one JSON object on one line: file line column code severity message hint.
 std::string to_json(const Diagnostic& diagnostic);
 
-enum class Form : std::uint8_t { Text, Json };
+enum class DiagnosticForm : std::uint8_t { Text, Json };
 
 /// Writes diagnostics to standard error. A terminal sees the first 20 as text and then the count.
-void tell(std::span<const Diagnostic> diagnostics, Form form = Form::Text);
+void tell(std::span<const Diagnostic> diagnostics, DiagnosticForm form = DiagnosticForm::Text);
 
 }  // namespace docent::config

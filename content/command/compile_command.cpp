@@ -84,8 +84,8 @@ std::vector<Diagnostic> missing_sources(const compile::CompileOptions& options) 
   return missing;
 }
 
-config::Form form_of(const CompileRequest& request) {
-  return request.json ? config::Form::Json : config::Form::Text;
+config::DiagnosticForm form_of(const CompileRequest& request) {
+  return request.json ? config::DiagnosticForm::Json : config::DiagnosticForm::Text;
 }
 
 /// Only people are told of progress and success.

@@ -11,13 +11,14 @@ namespace {
 
 /// Did the user ask for JSON? Known before the command line is understood, so that every failure is
 /// told as asked.
-docent::config::Form form_of(std::span<const char* const> arguments) {
+docent::config::DiagnosticForm form_of(std::span<const char* const> arguments) {
   const bool json = std::ranges::any_of(
       arguments, [](const char* argument) { return std::string_view(argument) == "--json"; });
-  return json ? docent::config::Form::Json : docent::config::Form::Text;
+  return json ? docent::config::DiagnosticForm::Json : docent::config::DiagnosticForm::Text;
 }
 
-int fail(const docent::Diagnostic& diagnostic, docent::Errc kind, docent::config::Form form) {
+int fail(const docent::Diagnostic& diagnostic, docent::Errc kind,
+         docent::config::DiagnosticForm form) {
   docent::config::tell({&diagnostic, 1}, form);
   return docent::exit_code(kind);
 }

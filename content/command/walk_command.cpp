@@ -124,7 +124,8 @@ void report_early_end(const motion::offline::PaperWalk& found, double path_lengt
           found.length, path_length, found.walk.search_seconds),
       .hint =
           "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
-  config::tell({&warning, 1}, options.json ? config::Form::Json : config::Form::Text);
+  config::tell({&warning, 1},
+               options.json ? config::DiagnosticForm::Json : config::DiagnosticForm::Text);
 }
 
 motion::Walk walk_by_paper(const motion::WalkGraph& graph, const std::vector<Vec2>& path,

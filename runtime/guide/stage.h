@@ -22,7 +22,7 @@ void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcep
 /// A guide who leads a visitor to an exhibit.
 struct LedVisitor {
   std::uint32_t guide = 0;
-  std::optional<std::uint32_t> exhibit;
+  std::optional<std::uint32_t> exhibit{};
   bool arrived = false;
 };
 

@@ -36,17 +36,17 @@ enum class Glass : std::uint8_t {
 /// the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
   Screen screen = Screen::Welcome;
-  std::uint32_t language = 0;            ///< Index into Museum::languages.
-  std::uint32_t page = 0;                ///< Of the list of exhibits, on the choosing screen.
-  std::optional<std::uint32_t> exhibit;  ///< Where the visitor is going or has arrived.
+  std::uint32_t language = 0;              ///< Index into Museum::languages.
+  std::uint32_t page = 0;                  ///< Of the list of exhibits, on the choosing screen.
+  std::optional<std::uint32_t> exhibit{};  ///< Where the visitor is going or has arrived.
   RouteKind kind = RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
   Glass glass = Glass::Whole;
   std::uint8_t seats = 0;  ///< Of a shared glass.
   /// Whose card this is, counted from the left, from 1; none: no card, but the model.
-  std::optional<std::uint32_t> seat;
-  std::optional<std::uint32_t> look;  ///< Of `looks`: the guide that was picked.
-  std::uint8_t taken = 0;             ///< A bit for each guide that others have.
+  std::optional<std::uint32_t> seat{};
+  std::optional<std::uint32_t> look{};  ///< Of `looks`: the guide that was picked.
+  std::uint8_t taken = 0;               ///< A bit for each guide that others have.
 
   bool operator==(const InterfaceState&) const = default;
 };

@@ -73,7 +73,7 @@ struct AvatarDraw {
 struct RibbonDraw {
   RouteKind kind = RouteKind::Shortest;
   /// Whose trail it is: the colour of that look; none: that of the kind.
-  std::optional<std::uint32_t> look;
+  std::optional<std::uint32_t> look{};
   std::uint32_t first = 0, count = 0;
   std::uint32_t revision =
       0;  ///< Changes when the points do, so that the renderer rebuilds its strip only then.
@@ -87,7 +87,7 @@ struct RibbonDraw {
 struct MarkerDraw {
   enum class Kind : std::uint8_t { YouAreHere, Goal, Exhibit, SelectedExhibit };
   Kind kind = Kind::Goal;
-  std::optional<std::uint32_t> look;  ///< Whose it is: the colour of that look; none: vermilion.
+  std::optional<std::uint32_t> look{};  ///< Whose it is: the colour of that look; none: vermilion.
   Vec3 position{};
   float radius = 0.3F;
   float heading = 0;  ///< Radians, floor frame; YouAreHere shows it.
@@ -105,7 +105,7 @@ struct DrawList {
   float focus_radius = 1e3F;  ///< Metres within which nothing fades.
   Vec2 goal{};                ///< The goal's gallery is a little brighter round here.
   float goal_radius = 0;      ///< 0: no goal.
-  std::optional<std::uint32_t> highlighted_exhibit;
+  std::optional<std::uint32_t> highlighted_exhibit{};
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
   std::vector<RibbonDraw> ribbons;
