@@ -5,6 +5,7 @@
 
 #include "tests/acceptance/run.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/sample_database.h"
 #include "tests/support/temporary_folder.h"
 
 namespace docent::test {

@@ -5,9 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 
-#include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
 namespace docent::test {
@@ -39,19 +37,6 @@ std::string read_file(const std::filesystem::path& file) {
 
 void write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
-}
-
-const std::filesystem::path& sample_database() {
-  static const TemporaryFolder folder;
-  static const std::filesystem::path file = [] {
-    const auto database = folder.path() / "museum.db";
-    const Outcome outcome =
-        run(program("docent-content"), {"compile", (source_dir() / "config/museum").string(), "-o",
-                                        database.string(), "--no-motion", "--quiet"});
-    if (outcome.exit_code != 0) throw std::runtime_error(outcome.err);
-    return database;
-  }();
-  return file;
 }
 
 }  // namespace docent::test

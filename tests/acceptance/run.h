@@ -18,7 +18,4 @@ Outcome run(const std::filesystem::path& program, const std::vector<std::string>
 std::string read_file(const std::filesystem::path& file);
 void write_file(const std::filesystem::path& file, const std::string& text);
 
-/// The sample museum without its motion, compiled once per test program.
-const std::filesystem::path& sample_database();
-
 }  // namespace docent::test

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "platform/sqlite/content_reader.h"
-#include "tests/acceptance/run.h"
 #include "tests/runtime/path/oracles.h"
+#include "tests/support/sample_database.h"
 
 namespace docent::test {
 namespace {

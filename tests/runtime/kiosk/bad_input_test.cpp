@@ -92,13 +92,13 @@ TEST(AHangUp, WhileTheSettingsAreReadDoesNotEndTheProgram) {
   const TemporaryFolder folder;
   const std::string pipe = (folder.path() / "kiosk.toml").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const StartedProgram run(
-      "docent", {"--content", sample_database().string(), "--display", "headless", "--size",
-                 "64x64", "--seconds", "0.1", "--config", pipe});
+  StartedProgram run(program("docent"),
+                     {"--content", sample_database().string(), "--display", "headless", "--size",
+                      "64x64", "--seconds", "0.1", "--config", pipe});
 
   const int settings = open(pipe.c_str(), O_WRONLY | O_CLOEXEC);  // waits until it is being read
   ASSERT_GE(settings, 0);
-  kill(run.process(), SIGHUP);
+  run.signal(SIGHUP);
   close(settings);
 
   EXPECT_EQ(run.wait(), 0);

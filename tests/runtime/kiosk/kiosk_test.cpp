@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -7,8 +8,8 @@
 
 #include "platform/sqlite/content_reader.h"
 #include "runtime/path/route.h"
-#include "tests/support/sample_database.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/kiosk_run.h"
+#include "tests/support/started_program.h"
 
 namespace docent::kiosk {
 namespace {
@@ -229,30 +230,71 @@ TEST(Docent, LeavesWithTwoWhereTheCommandLineIsWrong) {
   EXPECT_EQ(test::run_program("docent", "--help").exit_code, 0);
 }
 
+/// docent without a screen, until it is stopped. It records a picture of every second frame, by
+/// which a test sees how far it is.
+class RunningKiosk : public test::StartedProgram {
+ public:
+  explicit RunningKiosk(const test::TemporaryFolder& folder, const std::string& content)
+      : StartedProgram(
+            test::program("docent"),
+            {"--display", "headless", "--size", "128x72", "--content", content, "--record",
+             folder.path() / "record", "--stats", folder.path() / "stats.json"},
+            folder.path() / "said"),
+        folder_(folder) {}
+
+  std::size_t pictures() const {
+    while (std::filesystem::exists(picture(pictures_))) ++pictures_;
+    return pictures_;
+  }
+  bool makes_another_picture() const {
+    return runs_until([this, before = pictures()] { return pictures() > before; });
+  }
+  std::string said() const { return test::text_of(folder_.path() / "said"); }
+  double frames() const {
+    return test::number_in(test::text_of(folder_.path() / "stats.json"), "frames");
+  }
+
+ private:
+  std::filesystem::path picture(std::size_t number) const {
+    return folder_.path() / "record" / fmt::format("frame-{:06}.png", number);
+  }
+
+  const test::TemporaryFolder& folder_;
+  mutable std::size_t pictures_ = 0;
+};
+
 TEST(Docent, EndsWithinASecondOfSigterm) {
-  const std::string command =
-      "timeout --preserve-status -k 1 -s TERM 3 '" + test::program("docent").string() +
-      "' --display headless --size 128x72 --content '" + test::sample_database().string() + "'";
+  using namespace std::chrono_literals;
+  const test::TemporaryFolder folder;
+  RunningKiosk kiosk(folder, test::sample_database());
+  ASSERT_TRUE(kiosk.makes_another_picture());
+  ASSERT_TRUE(kiosk.halt());
+  const std::size_t pictures = kiosk.pictures();
+  const auto spent = kiosk.processor_time();
 
-  const int status = std::system(command.c_str());  // NOLINT(bugprone-command-processor)
+  kiosk.signal(SIGTERM);
+  kiosk.signal(SIGCONT);
 
-  ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 0);  // 137 where it had to be killed
+  EXPECT_EQ(kiosk.wait(), 0);
+  EXPECT_LE(kiosk.frames(), static_cast<double>(2 * pictures + 1)) << "no further frame is begun";
+  EXPECT_LT(kiosk.processor_time() - spent, 1s);
 }
 
 TEST(Docent, KeepsItsMuseumWhenTheNewDatabaseCannotBeRead) {
   const test::TemporaryFolder folder;
-  const std::string db = (folder.path() / "museum.db").string();
-  std::filesystem::copy_file(test::sample_database(), db);
-  const std::string command =
-      "'" + test::program("docent").string() + "' --display headless --size 128x72 --content '" +
-      db + "' 2>'" + db + ".err' & pid=$!; sleep 2; echo broken >'" + db + ".new'; mv '" + db +
-      ".new' '" + db + "'; kill -HUP $pid; sleep 1; kill -TERM $pid; wait $pid";
+  const std::string content = folder.path() / "museum.db", broken = folder.path() / "broken.db";
+  std::filesystem::copy_file(test::sample_database(), content);
+  std::ofstream(broken) << "broken\n";
+  RunningKiosk kiosk(folder, content);
+  ASSERT_TRUE(kiosk.makes_another_picture());
 
-  const int status = std::system(command.c_str());  // NOLINT(bugprone-command-processor)
+  std::filesystem::rename(broken, content);
+  kiosk.signal(SIGHUP);
 
-  EXPECT_EQ(WEXITSTATUS(status), 0);
-  EXPECT_THAT(test::text_of(db + ".err"), HasSubstr("museum.db"));
+  EXPECT_TRUE(kiosk.runs_until([&] { return kiosk.said().contains("museum.db"); }));
+  EXPECT_TRUE(kiosk.makes_another_picture());
+  kiosk.signal(SIGTERM);
+  EXPECT_EQ(kiosk.wait(), 0);
 }
 
 }  // namespace

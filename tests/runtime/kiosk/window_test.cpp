@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
 #include "tests/support/kiosk_run.h"
+#include "tests/support/started_program.h"
 
 namespace docent::test {
 namespace {
@@ -13,34 +15,73 @@ bool is_installed(const char* program) {
          0;  // NOLINT(bugprone-command-processor)
 }
 
-/// A virtual X server of this test's own; the mouse is moved and pressed as a person would, the
-/// window closed by its manager's message.
+/// A virtual X server of this test's own, on which the mouse is moved and pressed as a person
+/// would.
+class VirtualDesktop {
+ public:
+  VirtualDesktop() {
+    int ends[2];
+    if (pipe(ends) != 0) return;
+    server_.emplace("Xvfb", std::vector<std::string>{"-displayfd", std::to_string(ends[1]),
+                                                     "-screen", "0", "640x360x24", "-nolisten",
+                                                     "tcp", "-fbdir", folder_.path()});
+    close(ends[1]);
+    char digit = 0;  // the server says its number when it is ready, and then a new line
+    while (read(ends[0], &digit, 1) == 1 && digit != '\n') number_ += digit;
+    close(ends[0]);
+    setenv("DISPLAY", fmt::format(":{}", number_).c_str(), 1);
+    unsetenv("WAYLAND_DISPLAY");
+  }
+
+  bool is_there() const { return !number_.empty(); }
+  bool xdotool(const std::string& what) const {
+    return std::system(("xdotool " + what + " >'" + (folder_.path() / "answer").string() + "' 2>&1")
+                           .c_str()) == 0;  // NOLINT(bugprone-command-processor)
+  }
+  /// What is on its screen.
+  std::string picture() const { return text_of(folder_.path() / "Xvfb_screen0"); }
+
+ private:
+  TemporaryFolder folder_;
+  std::optional<StartedProgram> server_;
+  std::string number_;
+};
+
+/// Waits until the picture has changed so often: a frame after the first has seen all that came
+/// before.
+bool shows_pictures(const StartedProgram& kiosk, const VirtualDesktop& desktop, int count) {
+  for (; count > 0; --count)
+    if (!kiosk.runs_until([&, before = desktop.picture()] { return desktop.picture() != before; }))
+      return false;
+  return true;
+}
+
 TEST(AWindow, OnAVirtualDesktopTakesTheMouseForAFinger) {
   if (!is_installed("Xvfb") || !is_installed("xdotool"))
     GTEST_SKIP() << "needs the packages xvfb and xdotool";
   const TemporaryFolder folder;
-  const std::string stats = (folder.path() / "stats.json").string();
-  std::ofstream(folder.path() / "desktop.sh")
-      << "set -u\nexec 6>'" << (folder.path() / "display").string() << "'\n"
-      << "Xvfb -displayfd 6 -screen 0 800x600x24 -nolisten tcp 2>/dev/null &\nserver=$!\n"
-      << "for i in $(seq 100); do [ -s '" << (folder.path() / "display").string()
-      << "' ] && break; sleep 0.1; done\n"
-      << "export DISPLAY=:$(cat '" << (folder.path() / "display").string() << "')\n"
-      << "unset WAYLAND_DISPLAY\n'" << program("docent").string() << "' --content '"
-      << sample_database().string() << "' --display window --size 640x360 --stats '" << stats
-      << "' &\nkiosk=$!\n"
-      << "for i in $(seq 200); do xdotool search --name '^docent$' >/dev/null 2>&1 && break; sleep "
-         "0.1; done\n"
-      << "sleep 3\nfor i in 1 2 3; do xdotool mousemove 320 180 mousedown 1; sleep 0.3; xdotool "
-         "mouseup 1; "
-         "sleep 0.7; done\nxdotool key Down\nsleep 1\nkill -TERM $kiosk\nwait $kiosk\ncode=$?\n"
-      << "kill $server\nwait $server 2>/dev/null\nexit $code\n";
+  const std::string stats = folder.path() / "stats.json";
+  const VirtualDesktop desktop;
+  ASSERT_TRUE(desktop.is_there());
+  StartedProgram kiosk(program("docent"), {"--content", sample_database(), "--display", "window",
+                                           "--size", "640x360", "--stats", stats});
+  ASSERT_TRUE(
+      kiosk.runs_until([&] { return desktop.xdotool("search --onlyvisible --name '^docent$'"); }));
+  ASSERT_TRUE(shows_pictures(kiosk, desktop, 3));
 
-  const std::string command = "bash '" + (folder.path() / "desktop.sh").string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0);  // NOLINT(bugprone-command-processor)
-  const std::string written = text_of(stats);
-  EXPECT_GT(number_in(written, "frames"), 20);
-  EXPECT_GE(number_in(written, "touches"), 3);
+  for (int touch = 0; touch < 3; ++touch) {
+    EXPECT_TRUE(desktop.xdotool("mousemove 320 180 mousedown 1"));
+    EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
+    EXPECT_TRUE(desktop.xdotool("mouseup 1"));
+    EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
+  }
+  EXPECT_TRUE(desktop.xdotool("key Down"));
+  EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
+  kiosk.signal(SIGTERM);
+
+  EXPECT_EQ(kiosk.wait(), 0);
+  EXPECT_GT(number_in(text_of(stats), "frames"), 20);
+  EXPECT_EQ(number_in(text_of(stats), "touches"), 3);
 }
 
 }  // namespace
