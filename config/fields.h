@@ -29,12 +29,13 @@ enum class Form : std::uint8_t {
   Paving,      ///< oak or stone.
 };
 
-/// What a number has to lie in, ends included. An infinite most is known elsewhere.
+/// The range that a number has to lie in, ends included. Where `most` is infinite, the
+/// content compiler knows the limit.
 struct Limits {
   double least = -1e5, most = 1e5;
 };
 
-/// A field of the section T: where its value goes says of which type it is.
+/// A field of the section T. The type of `member`, where its value goes, is the field's type.
 template <typename T>
 struct Field {
   std::string_view key;
@@ -70,7 +71,7 @@ class SectionReader {
   [[nodiscard]] Place place(SourceRange range) const { return {file_, range}; }
 
  private:
-  /// What the rest of a field's description says of any value of its type.
+  /// A field's key and what its value must keep to, whatever its type.
   struct Rules {
     std::string_view key;
     Limits limits;

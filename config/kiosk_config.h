@@ -14,11 +14,11 @@ struct KioskConfig {
   std::chrono::seconds idle_reset{60};  ///< 10 to 600. Back to the welcome screen after this.
   double text_scale = 1.0;  ///< 1 to 2. Larger letters for every visitor, not only on request.
   double screen_inches =
-      24;  ///< 5 to 120. The screen's diagonal: letters have their size on the glass.
+      24;  ///< 5 to 120. The screen's diagonal, so that letters have their size on the glass.
   /// 1 to 8. How many visitors may use the glass at the same time. Not said: 1, or 8 on a screen of
   /// 42 inches and more.
   int visitors = 1;
-  int rotate = 0;  ///< Degrees by which the screen hangs turned: 0, 90, 180 or 270.
+  int rotate = 0;  ///< Degrees clockwise by which the screen hangs turned: 0, 90, 180, 270.
   DisplayKind display = DisplayKind::Auto;
   int width = 0, height = 0;  ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
 };

@@ -14,7 +14,7 @@
 
 namespace docent::config {
 
-/// A file of those that were read, by its place in their list.
+/// A file's index in the list of the files that were read.
 enum class FileIndex : std::uint32_t {};
 
 /// Where a value was written.
@@ -38,7 +38,7 @@ using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
 /// One point or several.
 using LocatedPoints = std::vector<Located<Vec2>>;
 
-/// From the least to the most, both included.
+/// The values from `least` to `most`, both included.
 struct Range {
   double least = 0, most = 0;
 };

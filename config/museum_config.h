@@ -25,10 +25,10 @@ struct FloorSection {
 struct KioskSection {
   Located<std::string> floor;
   Located<Vec2> position;
-  Located<double> facing;  ///< Degrees, as written.
+  Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
 };
 struct AvatarSection {
-  Located<double> radius{0.25, {}, false};
+  Located<double> radius{0.25, {}, false};  ///< Metres.
 };
 struct AmbientSection {
   Located<std::int64_t> count;
@@ -56,7 +56,7 @@ struct ExhibitSection {
   Place place;
   Located<std::string> id, floor;
   Located<Vec2> position;
-  Located<double> facing;  ///< Degrees, as written.
+  Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
   Located<Vec2> view;
   Located<std::string> image;
   Located<LocatedTexts> title, text;

@@ -19,17 +19,18 @@ struct SourceRange {
 
 struct TomlEntry;
 
-/// A value of a TOML file with its place. Keeps toml++ out of everyone else's headers.
+/// A value of a TOML file with its place. Only the member for its kind holds something. Keeps
+/// toml++ out of everyone else's headers.
 struct TomlNode {
   enum class Kind : std::uint8_t { Table, Array, Text, Integer, Number, Boolean, Date };
   Kind kind = Kind::Table;
   SourceRange range;
-  std::string text;                ///< Text.
-  std::int64_t integer = 0;        ///< Integer.
-  double number = 0;               ///< Integer and Number.
-  bool boolean = false;            ///< Boolean.
-  std::vector<TomlNode> items;     ///< Array.
-  std::vector<TomlEntry> entries;  ///< Table: in the order of the file.
+  std::string text;                ///< Of a Text.
+  std::int64_t integer = 0;        ///< Of an Integer.
+  double number = 0;               ///< Of an Integer or a Number.
+  bool boolean = false;            ///< Of a Boolean.
+  std::vector<TomlNode> items;     ///< Of an Array.
+  std::vector<TomlEntry> entries;  ///< Of a Table, in the order of the file.
 };
 
 struct TomlEntry {

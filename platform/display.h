@@ -15,19 +15,19 @@ enum class Encoding : std::uint8_t {
   Plain,  ///< It keeps what it is given: the window system's own framebuffers.
 };
 
-/// Clockwise, as the panel is mounted.
+/// How far the panel is turned clockwise as it is mounted.
 enum class Rotation : std::uint8_t { None, Quarter, Half, ThreeQuarters };
 
 /// Where the renderer draws a frame. `size` is what the visitor sees, after rotation.
 struct RenderTarget {
-  std::uint32_t framebuffer = 0;  ///< OpenGL's name; 0 is the window's own.
+  std::uint32_t framebuffer = 0;  ///< Its OpenGL name; 0 is the window's own.
   PixelSize size;
   Encoding encoding = Encoding::Plain;
   Rotation rotation = Rotation::None;  ///< Only of a Plain target.
 };
 
 /// Where frames go: a screen, a window, or memory. Its OpenGL context is current on the thread that
-/// made it, and only that thread may call it.
+/// made the display, and only that thread may call the display.
 class Display {
  public:
   Display() = default;
@@ -36,7 +36,7 @@ class Display {
   virtual ~Display() = default;
 
   /// Waits until the last frame is shown and the next may be drawn. False when the display has gone
-  /// for good: its window was closed.
+  /// for good: its window was closed, or it takes no more frames.
   virtual bool wait_for_page_flip() noexcept = 0;
   /// Where to draw the next frame; ask again each frame, since a window may have been resized.
   virtual RenderTarget target() const noexcept = 0;

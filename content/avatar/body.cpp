@@ -3,7 +3,8 @@
 namespace docent::avatar {
 namespace {
 
-/// From hem to neck, for a stature of 1.70 m; the shoulders' width is the skeleton's own.
+/// From hem to neck: metres on a person of 1.70 m, shaped for this avatar and scaled by `s`.
+/// Heights and the shoulders' width follow the skeleton's own joints.
 std::array<Girth, 8> girths_of(const Body& body) {
   const float s = body.scale;
   const float hip = body.hip_height;

@@ -7,9 +7,9 @@
 
 namespace docent::avatar {
 
-/// An elliptic cross-section of the coat's trunk.
+/// An elliptic cross-section of the coat's trunk. Model frame, metres.
 struct Girth {
-  float height = 0;      ///< Metres.
+  float height = 0;      ///< Along y.
   float half_width = 0;  ///< Along x.
   float half_depth = 0;  ///< Along z.
   float middle = 0;      ///< z of its centre.
@@ -19,7 +19,7 @@ struct Girth {
 /// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
 struct Body {
   Stance stance;
-  float scale = 1;   ///< Stature over the 1.70 m that all measures are written for.
+  float scale = 1;   ///< Stature over the 1.70 m of the person that the body*.cpp measure.
   Vec3 skull{};      ///< Middle of the head, between chin and crown.
   Vec3 neck_base{};  ///< Where the neck leaves the shoulders.
   float hip_height = 0, shoulder_height = 0;
@@ -32,9 +32,12 @@ struct Body {
 
 Body body_of(Stance stance);
 
-/// Outside of the coat's trunk and skirt, without sleeves, grown by `ease` metres.
+// What follows are the solids as distance fields (distance_field.h): metres from `p` to the
+// surface, negative inside. `p` is in the model frame.
+
+/// The coat's trunk and skirt, without sleeves, grown by `ease` metres.
 float coat_trunk(const Body& body, Vec3 p, float ease);
-/// Outside of one sleeve.
+/// One sleeve.
 float coat_sleeve(const Body& body, Vec3 p, Side side);
 /// The whole coat as a solid, before its openings are cut.
 float coat_solid(const Body& body, Vec3 p);

@@ -2,6 +2,8 @@
 
 #include "content/avatar/body.h"
 
+// Measures with `s` are metres on a person of 1.70 m, shaped for this avatar; `s` scales them.
+
 namespace docent::avatar {
 namespace {
 

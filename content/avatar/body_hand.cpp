@@ -6,7 +6,8 @@ namespace docent::avatar {
 namespace {
 
 /// The hand's own frame: `down` along the fingers, `thumb` forward across the palm, `palm` out of
-/// its inner face, towards the body.
+/// its inner face, towards the body. Measures in it are metres on a person of 1.70 m, shaped for
+/// this avatar; `s` scales them.
 struct HandFrame {
   Vec3 wrist, down, thumb, palm;
   float s;
@@ -26,7 +27,8 @@ HandFrame hand_frame(const Body& body, Side side) {
   return {limb.wrist, down, cross.z > 0 ? cross : -cross, palm, body.scale};
 }
 
-/// A finger of three bones that bends towards the palm by `curl` radians at each knuckle.
+/// A finger of three bones that bends towards the palm by `curl` radians at each knuckle and goes
+/// `spread` to the side for each metre of its length. Forefinger first; metres, hand frame.
 struct Finger {
   float across, knuckle, length, radius, curl, spread;
 };

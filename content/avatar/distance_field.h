@@ -77,7 +77,7 @@ inline float rounded_box(Vec3 p, Vec3 centre, const glm::mat3& axes, Vec3 half,
   return glm::length(glm::max(q, Vec3{0})) + std::min(std::max({q.x, q.y, q.z}), 0.0F) - rounding;
 }
 
-/// The side of a plane that `normal` points away from.
+/// All that lies on the side of a plane that `normal` points away from.
 inline float half_space(Vec3 p, Vec3 point, Vec3 normal) noexcept {
   return glm::dot(p - point, normal);
 }

@@ -1,5 +1,7 @@
 #include "content/avatar/layers.h"
 
+// Measures with `s` are metres on a person of 1.70 m, shaped for this avatar; `s` scales them.
+
 namespace docent::avatar {
 namespace {
 
@@ -37,7 +39,7 @@ float coat(const Body& body, const Neckline& neckline, Vec3 p) {
 
 /// A point on the coat's front, `x` from the middle.
 Vec3 on_front(const Body& body, float x, float height) {
-  float z = 0.35F;  // Sphere tracing from before the body.
+  float z = 0.35F;  // Metres: sphere tracing from before the body.
   for (int step = 0; step < 24; ++step) z -= coat_solid(body, {x, height, z});
   return {x, height, z};
 }

@@ -17,7 +17,7 @@ struct Layer {
   Box3 box{};
   float cell = 0.02F;    ///< Metres: the finest detail.
   float error = 0.001F;  ///< Metres that simplification may take off or put on.
-  /// What is deeper than a margin inside this is covered by other layers and left out; may be
+  /// A solid of the layers above this one: what lies deep inside it is covered and left out. May be
   /// empty.
   DistanceField covered;
 };

@@ -3,7 +3,7 @@
 namespace docent::avatar {
 namespace {
 
-/// Rays: the normal and four that lean 55 degrees away from it; lengths in metres.
+/// Rays: the normal and four that lean 55 degrees away from it; lengths in metres, on any body.
 constexpr float lean_cosine = 0.5736F, lean_sine = 0.8192F;
 constexpr std::array<float, 5> reach{0.025F, 0.05F, 0.09F, 0.15F, 0.24F};
 /// Creases never go quite black: cloth passes light on.

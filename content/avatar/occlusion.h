@@ -12,9 +12,10 @@ namespace docent::avatar {
 /// scenes"). Distances are sampled once on a coarse grid, since light is soft.
 class Occlusion {
  public:
+  /// `cell` is the grid's, metres.
   Occlusion(const std::vector<Layer>& layers, const Box3& box, float cell);
 
-  /// 255 open, 0 buried.
+  /// 255 where all of it is seen; 64 where nothing is, since creases never go quite black.
   std::uint8_t at(Vec3 p, Vec3 normal) const;
 
  private:

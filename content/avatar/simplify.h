@@ -7,7 +7,7 @@ namespace docent::avatar {
 /// How far a surface may be simplified.
 struct SimplifyLimits {
   float error = 0.001F;  ///< Metres from the planes of the triangles that a vertex stands for.
-  float edge = 0.05F;    ///< Longest new edge: bends and shades need vertices.
+  float edge = 0.05F;    ///< Metres: longest new edge, since bends and shades need vertices.
 };
 
 /// Collapses edges of a closed surface, cheapest first, while the limits allow (Garland and

@@ -10,9 +10,11 @@
 namespace docent::avatar {
 namespace {
 
-/// Heights of joints as shares of stature (Drillis and Contini 1966, in Winter 2009, figure 4.1).
+/// Heights of joints as shares of an adult's stature (Drillis and Contini 1966, in Winter 2009,
+/// figure 4.1).
 constexpr float hip_share = 0.530F, shoulder_share = 0.818F;
-/// Height of the ball joint of the foot over the sole, as a share of stature.
+/// Height of the ball joint of the foot over the sole, as a share of stature: that of the walker of
+/// 1.70 m (content/gait/gait_skeleton.h).
 constexpr float ball_share = 0.0147F;
 
 /// A bone to be aimed: the joint that turns, the joint it points at, and where to.

@@ -20,8 +20,8 @@ struct LimbPoints {
 struct Stance {
   std::vector<Mat4> world;  ///< Joint to model frame, one per joint.
   std::array<LimbPoints, 2> limb;
-  Vec3 neck, head;  ///< Joints; `head` is at the base of the skull.
-  float stature = 1.7F;
+  Vec3 neck, head;       ///< Joints; `head` is at the base of the skull.
+  float stature = 1.7F;  ///< Metres, judged from the heights of hips and shoulders.
 };
 
 /// Lets the legs and arms of a skeleton hang and its feet point forward; the spine stays as it is.

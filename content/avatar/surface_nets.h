@@ -7,11 +7,12 @@
 
 namespace docent::avatar {
 
+/// Model frame, metres.
 struct Box3 {
   Vec3 low, high;
 };
 
-/// A closed surface of triangles, counter-clockwise seen from outside.
+/// A closed surface of triangles, counter-clockwise seen from outside. Model frame, metres.
 struct TriangleSurface {
   std::vector<Vec3> position;
   std::vector<std::uint32_t> indices;

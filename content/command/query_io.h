@@ -11,12 +11,12 @@
 
 namespace docent::command {
 
-/// What the commands that question a database share. All throw ContentError.
+// What the commands that question a database share. What can fail throws ContentError.
 
 /// The index of the floor of that name; the kiosk's floor where the name is empty.
 std::uint32_t floor_named(const Museum& museum, std::string_view name);
 
-/// The exhibit of that id.
+/// The exhibit of that id, which came from this option of the command line.
 const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option);
 
 /// X,Y of the command line.

@@ -16,7 +16,7 @@ namespace docent::compile {
 /// What is to be compiled, and how.
 struct CompileOptions {
   std::vector<std::string> sources;  ///< One museum folder, or GeoJSON files of one floor.
-  std::vector<std::string> clips;    ///< Folders of recordings; empty: the museum's or the shipped.
+  std::vector<std::string> clips;    ///< Folders of recordings; empty: the museum's or else ours.
   motion::offline::Enrichment enrichment{};  ///< Clips to be made of those recorded.
   import::Coordinates coordinates = import::Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.

@@ -9,14 +9,14 @@
 
 namespace docent::compile {
 
-/// The kiosk's floor, where strolling visitors would be.
+/// The kiosk's floor, where strollers would be.
 struct AmbientFloor {
   const path::FloorMap& map;
-  std::optional<Vec2> kiosk;  ///< If somebody can stand there.
+  std::optional<Vec2> kiosk;  ///< Empty where nobody can stand there.
   double body_radius = 0.25;
 };
 
-/// The strolling visitors as staff want them. Into the report: more than there is room for, and
+/// The strollers as staff want them. Into the report go more strollers than there is room for, and
 /// entrances where nobody can stand or from where nobody gets to the kiosk.
 Ambient compile_ambient(const config::MuseumConfig& config, const AmbientFloor& floor,
                         Report& report);

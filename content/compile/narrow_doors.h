@@ -10,7 +10,8 @@
 
 namespace docent::compile {
 
-/// A passage that is too narrow for a body, between two parts of a floor that have room for it.
+/// A doorway or gap that is too narrow for a body, between two parts of a floor that have room for
+/// it.
 struct NarrowDoor {
   Vec2 position{};   ///< Where it is narrowest. Floor frame.
   double width = 0;  ///< Metres, there.
@@ -29,9 +30,9 @@ struct ComingBody {
 };
 
 /// The doors that keep a body from rooms, and from the places in `wanted` that have room for it. A
-/// room is kept from it where it gets to no part of the room. Where several doors lie one after
-/// another or side by side, all of them are named; those beyond which nobody wants to go are not,
-/// and narrow places inside a room only where no wider way leads round them.
+/// body is kept from a room where it gets to no part of it. Where several doors lie one after
+/// another or side by side, all of them are named. Doors beyond which nobody wants to go are not
+/// named; narrow places inside a room are named only where no wider way leads round them.
 std::vector<NarrowDoor> narrow_doors(const ComingBody& body, std::span<const Vec2> wanted);
 
 }  // namespace docent::compile

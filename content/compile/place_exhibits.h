@@ -26,11 +26,11 @@ struct PlacingFloor {
 /// What somebody wants to stand somewhere.
 struct WantedPlace {
   Vec2 position{};
-  double heading = 0;        ///< Radians: where the object looks.
+  double heading = 0;        ///< Radians, counter-clockwise from east: where the object looks.
   std::optional<Vec2> view;  ///< Where a visitor should stand, if staff said so.
 };
 
-/// A place that cannot be: what is wrong with it, in words for a diagnostic.
+/// Why a place cannot be used, in words for a diagnostic.
 struct PlaceProblem {
   enum class Kind : std::uint8_t { Outside, NoView, ViewBlocked, Unreachable };
   Kind kind = Kind::Outside;
@@ -54,11 +54,11 @@ PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted
 std::optional<PlaceProblem> why_nobody_stands(const path::FloorMap& map, Vec2 point,
                                               double body_radius);
 
-/// Is there a way for a body?
+/// Is there a way for a body of this radius (metres)?
 bool can_walk(const path::FloorMap& map, Vec2 from, Vec2 to, double body_radius);
 
-/// The nearest point that is clear of walls by `clearance`, in whole centimetres; empty where there
-/// is none within 20 m.
+/// The nearest point that is clear of walls by `clearance` metres, in whole centimetres; empty
+/// where there is none within 20 m.
 std::optional<Vec2> nearest_free_point(const path::FloorMap& map, Vec2 point, double clearance);
 
 /// "[12.40, 3.45]"

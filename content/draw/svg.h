@@ -22,7 +22,7 @@ inline constexpr std::string_view teal = "#1D7874";
 inline constexpr std::string_view ochre = "#C0841A";
 }  // namespace ink
 
-/// A part of `to` mixed into `from` (both "#RRGGBB"), 0 to 1.
+/// A colour between `from` (`part` 0) and `to` (`part` 1); all are "#RRGGBB".
 std::string mixed(std::string_view from, std::string_view to, double part);
 
 /// The data of an SVG path, in pixels.

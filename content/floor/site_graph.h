@@ -11,9 +11,9 @@ namespace docent::floor {
 
 /// Three sites that a disc touches which holds no part of any other: a Voronoi vertex.
 ///
-/// Site i is wall i; site plan.vertex.size() + i is the corner at vertex i. Of corners in one place
-/// the reflex one names them all, or else the last. `none` is a point behind walls that is there to
-/// keep their backs apart, and no site of the plan.
+/// Site i is wall i; site plan.vertex.size() + i is the corner at vertex i. Where several corners
+/// lie in one place, the reflex one stands for all of them, or else the last. `none` is a point
+/// behind walls that is there to keep their backs apart, and no site of the plan.
 struct SiteTriangle {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

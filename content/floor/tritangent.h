@@ -25,12 +25,12 @@ struct TritangentDisc {
 /// numbers the sites of a Voronoi vertex. Computed in long double about a point near it and rounded
 /// once. Three corners give a positive radius.
 ///
-/// The unknowns are x, y and the signed radius r. A wall with left normal n gives the plane n (x,
-/// y)
-/// - r = const in that space, a corner gives a cone, two corners the plane between them. So all but
-/// one of the equations are planes, and the last is a plane or a quadratic equation. A wall next to
-/// its own corner, and two walls that share one, are nearly parallel where the corner is flat; they
-/// are replaced by the line that the disc's centre must lie on, which is known exactly.
+/// The unknowns are x, y and the signed radius r. A wall with left normal n gives in their space
+/// the plane dot(n, (x, y)) - r = const, a corner gives a cone, two corners the plane between them.
+/// So all but one of the equations are planes, and the last is a plane or a quadratic equation. A
+/// wall next to its own corner, and two walls that share one, are nearly parallel where the corner
+/// is flat; they are replaced by the line that the disc's centre must lie on, which is known
+/// exactly.
 TritangentDisc tritangent_disc(const std::array<TangentSite, 3>& sites);
 
 }  // namespace docent::floor

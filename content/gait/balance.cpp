@@ -9,7 +9,8 @@ namespace docent::gait {
 namespace {
 
 constexpr double far_away = 500;  ///< Seconds; beyond it lies a foot's "always".
-/// Under the ankle's own place: where pressure begins and ends on a foot, and rests in standing.
+/// Metres forward of the ankle, on the walker of 1.70 m: where pressure begins and ends on a foot,
+/// and where it rests in standing.
 constexpr double heel_pressure = -0.020, ball_pressure = 0.105, standing_pressure = 0.035;
 /// Seconds of the last weight shift, from the last strike to standing on both feet.
 constexpr double last_shift = 0.36;
@@ -26,7 +27,7 @@ GroundPoint mix(GroundPoint a, GroundPoint b, double share) {
   return a + (b - a) * share;
 }
 
-/// How far weight has come onto step k at a time, from the foot before.
+/// Share of the weight that has come onto step k at a time, from the foot before.
 double taken_over(std::span<const Footstep> steps, std::size_t k, double time) {
   const Footstep& step = steps[k];
   if (stands_from_the_start(step)) {
@@ -115,7 +116,7 @@ std::vector<GroundPoint> centre_of_pressure(std::span<const Footstep> steps,
 /// one pass forwards and one backwards of a first-order filter.
 std::vector<GroundPoint> balanced_mass(std::span<const GroundPoint> pressure, double rate) {
   constexpr double gravity = 9.81;
-  constexpr double height = 0.94;  // Of the body's mass.
+  constexpr double height = 0.94;  // Of the mass over the floor, metres, for the walker of 1.70 m.
   const double keep = std::exp(-std::sqrt(gravity / height) / rate);
   std::vector<GroundPoint> mass(pressure.begin(), pressure.end());
   for (std::size_t f = 1; f < mass.size(); ++f) mass[f] = mix(mass[f], mass[f - 1], keep);

@@ -14,9 +14,9 @@ namespace docent::gait {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
-/// Of the heel at the end of a full swing, metres a second (Winter 1992: 0.4 to 1).
+/// Speed of the heel at the end of a full swing, metres a second (adults; Winter 1992: 0.4 to 1).
 constexpr double strike_speed = 0.55;
-/// By how much of a stride the foot is ahead of a smooth way, at most.
+/// By how much of a stride the foot is ahead of the smoothest motion, at most.
 constexpr double early_progress = 0.085;
 
 /// Seconds of a whole cycle, for the shares of stance: stance takes 60 % of it.
@@ -42,8 +42,8 @@ double settle(double value, double rate, double share) {
   return value * (1 - t3 * (10 - 15 * t + 6 * t * t)) + rate * (t - t3 * (6 - 8 * t + 3 * t * t));
 }
 
-/// Ankle of a foot that turns about a point of the ground `forward` of the ankle's own place, at
-/// `height` over the floor.
+/// Ankle of a foot that turns about a point `forward` metres ahead of the ankle's own place and
+/// `height` metres over the floor.
 glm::dvec3 ankle_about(GroundPoint ankle, double yaw, double pitch, double forward, double height) {
   const double along = -forward;  // From the pivot to the ankle, flat.
   const double up = walker::ankle_height - height;
@@ -85,7 +85,7 @@ glm::dvec3 ball_of(const FootPose& pose) {
   return pose.ankle + glm::dvec3{forward.x * z, y, forward.y * z};
 }
 
-/// A pose and how fast it changes, a second.
+/// Place and pitch of a foot, and how fast they change: metres, radians, seconds.
 struct MovingFoot {
   glm::dvec3 ball{}, velocity{};
   double pitch = 0, pitch_rate = 0;
@@ -165,7 +165,8 @@ FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
   const GroundPoint ahead = forward_of(to.yaw) * (strike_speed * full);
   const glm::dvec3 arrival = on.velocity + glm::dvec3{ahead.x, 0, ahead.y};
   glm::dvec3 ball = quintic(off.ball, off.velocity * duration, on.ball, arrival * duration, u);
-  // The hip's pull-off brings the foot forward early in swing, more than the smoothest way would.
+  // The hip's pull-off brings the foot forward early in swing, more than the smoothest motion
+  // would.
   const double rest = 1 - u;
   ball += (on.ball - off.ball) * (early_progress * u * u * u * rest * rest * rest * rest / 0.00839);
   ball.y = swing_height(off, on, duration, full, u);

@@ -11,7 +11,7 @@ namespace docent::gait {
 /// A foot at a moment: x left, y up, z forward (of heading 0), metres and radians.
 struct FootPose {
   glm::dvec3 ankle{};
-  double yaw = 0;
+  double yaw = 0;        ///< Left positive.
   double pitch = 0;      ///< Of the foot against the floor, toe up positive.
   double toe_pitch = 0;  ///< Of the toes against the floor.
 };

@@ -29,20 +29,21 @@ constexpr double radians = std::numbers::pi / 180;
 constexpr double always = 1e3;  ///< Seconds: beyond either end of any clip.
 constexpr std::int64_t steps_each_way = 11;
 
-/// Ankles from the line they walk on: half the stride width, and half the distance in which one
-/// stands at ease. Toes point out a little.
+/// Metres of the ankles from the line they walk on, for the walker of 1.70 m: half the stride
+/// width, and half the distance in which one stands at ease. Toes point out a little (radians).
 constexpr double walking_half_width = 0.055, standing_half_width = 0.085;
 constexpr double walking_toe_out = 6 * radians, standing_toe_out = 8 * radians;
 
 /// Variation from step to step: standard figures for healthy adults are 2 to 3 % of step length,
-/// 2 % of step time, 2 cm of width (Hausdorff 2005); these are half ranges of a flat distribution.
+/// 2 % of step time, 2 cm of width (Hausdorff 2005). These are half ranges of a flat distribution:
+/// shares of length and time, metres of width.
 constexpr double length_variation = 0.03, time_variation = 0.02, width_variation = 0.008;
 constexpr double yaw_variation = 1.6 * radians;
 
 enum Purpose : std::uint32_t { Length, Time, Width, Yaw };
 
-/// The line of a plan's way: straight, a bend round s = 0 whose curvature comes and goes softly,
-/// straight.
+/// The line that a plan walks along, `s` in metres: straight, a bend round s = 0 whose curvature
+/// comes and goes softly, straight.
 struct Way {
   const GaitPlan& plan;
 
@@ -63,7 +64,7 @@ struct Way {
   }
 };
 
-/// Where along the way and when the feet come down.
+/// Where along the line (metres) and when (seconds) a foot comes down.
 struct Beat {
   double s = 0, strike = 0, half_width = walking_half_width, toe_out = walking_toe_out;
   double length = 1;  ///< Of the step that ends here, as a share of a full step.
@@ -76,14 +77,14 @@ double varied_duration(const GaitPlan& plan, double speed, std::int64_t step) {
   return step_duration(speed) * (1 + time_variation * variation(plan.seed, step, Time));
 }
 
-/// Beat 0 is at the middle of the way; the others follow from it both ways.
+/// The middle beat is at s = 0 and time 0; the others follow from it in both directions.
 std::vector<Beat> walking_beats(const Way& way) {
   std::vector<Beat> beats(2 * steps_each_way + 1);
   for (const std::int64_t direction : {-1, 1})
     for (std::int64_t k = direction; std::abs(k) <= steps_each_way; k += direction) {
       const Beat& from = beats[static_cast<std::size_t>(steps_each_way + k - direction)];
       const double speed = way.speed(from.s + 0.3 * static_cast<double>(direction));
-      const std::int64_t step = direction > 0 ? k : k + 1;  // The step that ends at its later beat.
+      const std::int64_t step = direction > 0 ? k : k + 1;  // It ends at the later beat.
       Beat& beat = beats[static_cast<std::size_t>(steps_each_way + k)];
       beat.s = from.s + static_cast<double>(direction) * varied_length(way.plan, speed, step);
       beat.strike =
@@ -208,7 +209,7 @@ std::vector<Footstep> plan_footsteps(const GaitPlan& plan) {
     const double side = sign_of(step.foot);
     const double ahead = 0.25 * beat.length * step_length(plan.speed);
     step.heading = way.heading(beat.s);
-    // Where the way bends towards this foot its toes lead; away from it, they follow.
+    // Where the line bends towards this foot its toes lead; away from it, they follow.
     step.yaw = way.heading(beat.s + ahead) + side * beat.toe_out +
                yaw_variation * variation(plan.seed, number, Yaw);
     const double width = beat.half_width + width_variation * variation(plan.seed, number, Width);

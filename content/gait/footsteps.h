@@ -19,34 +19,35 @@ GroundPoint left_of_heading(double heading) noexcept;
 struct Footstep {
   Side foot = Side::Left;
   GroundPoint ankle{};    ///< Under the ankle while the foot is flat.
-  double yaw = 0;         ///< Where the foot points.
-  double heading = 0;     ///< Where the body goes, halfway through the step that ends here.
-  double strike = 0;      ///< Before all time for the feet that stand at the start.
-  double toe_off = 0;     ///< After all time for those that stand at the end.
+  double yaw = 0;         ///< Heading in which the foot points.
+  double heading = 0;     ///< In which the body goes, halfway through the step that ends here.
+  double strike = 0;      ///< Long before any clip for feet that stand at the start.
+  double toe_off = 0;     ///< Long after any clip for feet that stand at the end.
   double length_in = 0;   ///< Of the step that ends here, as a share of a full step.
   double length_out = 0;  ///< Of the step that this foot takes next, likewise.
 };
 
-/// What a clip is asked to do. The plan's clock is 0 where the way is: in the middle of the turn,
-/// when the first step is begun, or when the last foot comes down.
+/// What a clip is asked to do. Time 0 of the plan's clock is the middle of the turn (Walking), when
+/// the weight begins to shift for the first step (FromStanding), or when the last foot comes down
+/// (ToStanding).
 struct GaitPlan {
   double speed = 1.1;       ///< Metres a second on the straight.
   double turn = 0;          ///< Radians, left positive; begins and ends straight.
   double turn_speed = 1.1;  ///< Metres a second in the middle of the turn.
-  double turn_length = 1;   ///< Metres of way that the turn takes.
+  double turn_length = 1;   ///< Metres walked in the turn.
   enum class Kind : std::uint8_t { Walking, FromStanding, ToStanding } kind = Kind::Walking;
-  Side first = Side::Left;  ///< Which foot is placed at (or nearest before) time 0.
-  std::uint32_t seed = 1;   ///< Of the variation from step to step.
+  Side first = Side::Left;  ///< Is placed at time 0; from standing, steps first.
+  std::uint32_t seed = 1;   ///< For the variation from step to step.
 };
 
 /// The footsteps of a plan, by time of strike, from well before to well after any clip's frames.
 ///
 /// Feet fall on both sides of a line; on a bend the inner foot's steps are therefore shorter and
-/// its toes turn further. Speed, step length and cadence keep the walk ratio. From standing the
-/// first step is short, to standing the last ones are and the feet end side by side.
+/// its toes turn further. Speed, step length and cadence keep the walk ratio (gait_figures.h). From
+/// standing the first step is short; to standing the last ones are, and the feet end side by side.
 std::vector<Footstep> plan_footsteps(const GaitPlan& plan);
 
-/// Seconds that a step takes at a speed, and its length, in metres.
+/// Seconds that an adult's step takes at a speed (metres a second), and its length in metres.
 double step_duration(double speed) noexcept;
 double step_length(double speed) noexcept;
 

@@ -16,7 +16,7 @@ std::size_t index(WalkerJoint joint) {
   return static_cast<std::size_t>(joint);
 }
 
-/// Writes a limb's rotations, each in the room, relative to their parents.
+/// Writes a limb's rotations, which are given in the world frame, relative to their parents.
 void write_chain(const glm::dquat& base, std::span<const WalkerJoint> joints,
                  std::span<const glm::dquat> in_room, std::span<Quat> local) {
   glm::dquat parent = base;

@@ -17,8 +17,8 @@ struct GaitRecipe {
 };
 
 /// Makes a walking clip of `gait_skeleton()`. World frame: metres, y up, ground at y = 0; it begins
-/// over the origin and heads along +z where its plan's way begins. `plants` says in which frames a
-/// foot is flat on the ground. The same recipe gives the same clip.
+/// over the origin and heads along +z where its plan begins. `plants` says in which frames a foot
+/// is flat on the ground. The same recipe gives the same clip.
 MotionClip make_gait_clip(const GaitRecipe& recipe);
 
 /// The seven clips of the sample museum, as many frames long as those of the project's founding

@@ -9,6 +9,8 @@ namespace docent::gait {
 namespace gait_figures {
 namespace {
 
+// Of healthy adults, from the sources in the header: degrees by share of the cycle (loading,
+// release) or of swing (pitch). `rise` is in metres, of the walker of 1.70 m, by share of swing.
 constexpr std::array<Knot, 7> loading{
     {{0.00, 1}, {0.04, 7}, {0.09, 13.5}, {0.135, 15}, {0.20, 12}, {0.30, 6}, {0.42, 0}}};
 constexpr std::array<Knot, 6> release{

@@ -10,7 +10,8 @@ struct Row {
   double x, y, z;
 };
 
-/// Offsets from the parent, metres; x to the left.
+/// Offsets from the parent, metres, of the walker of 1.70 m: x to the left, y up, z forward. Where
+/// they come from is in the header.
 constexpr std::array<Row, static_cast<std::size_t>(WalkerJoint::Count)> rows{{
     {WalkerJoint::Hips, WalkerJoint::Hips, BodyPart::Hips, "hips", 0, 0, 0},
     {WalkerJoint::Spine, WalkerJoint::Hips, BodyPart::Spine, "spine", 0, 0.085, -0.012},

@@ -4,8 +4,9 @@
 
 namespace docent::gait {
 
-/// The measures of the walker, metres: a person of 1.70 m with the segment lengths of Drillis and
-/// Contini (1966; Winter 2009, figure 4.1).
+/// The measures of the walker, metres: an adult of 1.70 m. Thigh, shin, upper arm, forearm and the
+/// ankle's height are the shares of stature of Drillis and Contini (1966; in Winter 2009, figure
+/// 4.1); the other measures are our own, chosen for this body.
 namespace walker {
 inline constexpr double stature = 1.70;
 inline constexpr double thigh = 0.245 * stature;
@@ -51,8 +52,8 @@ enum class WalkerJoint : std::uint8_t {
   Count
 };
 
-/// The skeleton of the project's own clips. Its rest pose stands upright with hanging arms, facing
-/// +z; the root is between the hips.
+/// The skeleton of the project's own clips, the walker's. Metres. Its rest pose stands upright with
+/// hanging arms, facing +z; the root is between the hips.
 Skeleton gait_skeleton();
 
 }  // namespace docent::gait

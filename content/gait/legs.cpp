@@ -12,7 +12,8 @@ namespace docent::gait {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
-/// Distance from hip to ankle with the knee at its straightest, 3.5 degrees: it never locks.
+/// Metres from the walker's hip to the ankle with the knee at its straightest, 3.5 degrees: it
+/// never locks.
 const double longest_reach = std::sqrt(walker::thigh * walker::thigh + walker::shin * walker::shin +
                                        2 * walker::thigh * walker::shin * std::cos(3.5 * degree));
 
@@ -37,7 +38,7 @@ const Footstep& placing_at(std::span<const Footstep> placings, double time) {
   return placings[k];
 }
 
-/// Heights of the root that a leg holds it at and that it cannot go beyond.
+/// Metres over the floor: where a leg holds the root, and beyond which it cannot reach.
 struct Support {
   double held, highest;
 };
@@ -87,7 +88,7 @@ LegRotations reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_he
   const double knee = std::acos(std::clamp(knee_cosine, -1.0, 1.0));
   const double lead = std::atan2(shin * std::sin(knee), thigh + shin * std::cos(knee));
 
-  // The hinge of the knee lies across the way it points: between pelvis and toes.
+  // The hinge of the knee lies across the knee's direction, which is between pelvis' and toes'.
   const double yaw = pelvis_heading + 0.55 * (foot.yaw - pelvis_heading);
   const glm::dvec3 down = line / glm::length(line);
   const glm::dvec3 forward{std::sin(yaw), 0, std::cos(yaw)};
@@ -106,7 +107,8 @@ LegRotations reach(const glm::dvec3& hip, const FootPose& foot, double pelvis_he
 
 std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace& pace,
                                     std::uint32_t seed) {
-  // Standing, the body's mass is a little before the hips; a walker holds the hips ahead of it.
+  // Standing, the body's mass is a little before the hips; walking, the hips are ahead of it.
+  // Metres, of the walker of 1.70 m.
   constexpr double mass_ahead_standing = 0.020, mass_ahead_walking = -0.038;
   const FrameTimes& times = pace.times;
   const std::vector<GroundPoint> mass = balanced_mass(centre_of_pressure(steps, times), times.rate);

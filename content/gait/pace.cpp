@@ -35,7 +35,8 @@ std::vector<double> sampled(const KnottedCurve& track, const FrameTimes& times, 
   return values;
 }
 
-/// Into the bend, by as much of the centripetal force as the trunk takes; the legs take the rest.
+/// Into the bend, radians, by as much of the centripetal force as the trunk takes; the legs take
+/// the rest. Speed and gravity in metres and seconds.
 std::vector<double> lean_of(const std::vector<double>& heading, double rate) {
   constexpr double share_of_trunk = 0.55, speed = 0.95, gravity = 9.81;
   std::vector<double> lean(heading.size());

@@ -23,7 +23,8 @@ glm::dquat about_z(double angle) {
   return glm::angleAxis(angle, glm::dvec3{0, 0, 1});
 }
 
-/// Degrees: front down, left side up, left side forward.
+/// A part of the trunk in the world frame. `heading` in radians; the others in degrees: front down,
+/// left side up, left side forward.
 glm::dquat held(double heading, double tilt, double obliquity, double rotation) {
   return about_y(heading - rotation * degree) * about_x(tilt * degree) *
          about_z(obliquity * degree);
@@ -49,7 +50,7 @@ double at_frame(const std::vector<double>& track, std::size_t frame, double ahea
   return track[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(moved, 0, last))];
 }
 
-/// In 0 to 1, about a quarter of a second longer out than in, fifteen breaths a minute.
+/// How far the chest is filled, 0 to 1: fifteen breaths a minute.
 double breath(double time) {
   const double phase = 2 * std::numbers::pi * 0.25 * time;
   return 0.5 - 0.5 * std::cos(phase + 0.25 * std::sin(phase));
@@ -107,7 +108,7 @@ UpperBody upper_body_at(const Pace& pace, std::size_t frame, std::uint32_t seed)
                     swung(thorax_obliquity, cycle, vigour) - lean + 0.25 * wander(seed, 2, time),
                     swung(thorax_rotation, cycle, vigour) + 0.6 * still * wander(seed, 3, time));
   body.spine = glm::slerp(body.pelvis, body.chest, 0.5);
-  // The head looks where the way goes, ahead of the body, and keeps level (Pozzo et al. 1990).
+  // The head looks where the body will go and keeps level (Pozzo et al. 1990).
   body.head = held(heading(0.24), 1.5 + 0.5 * wander(seed, 4, time), -0.25 * lean,
                    1.6 * wander(seed, 5, time) + 0.15 * swung(thorax_rotation, cycle, vigour));
   body.neck = glm::slerp(body.chest, body.head, 0.45);

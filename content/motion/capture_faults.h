@@ -12,13 +12,13 @@ namespace docent::motion::offline {
 struct CaptureFault {
   std::uint32_t first = 0, last = 0;  ///< Frames, both included.
   std::size_t joint = 0;              ///< The joint that is thrown farthest.
-  double metres = 0;                  ///< How far it leaves its course from one frame to the next.
+  double metres = 0;                  ///< How far it leaves its course within one frame.
 };
 
-/// Finds them, in order. A joint's place should be close to the middle of the frames before and
-/// after; what departs from it faster than any muscle moves a hand (800 m/s2; a pitcher's hand
-/// reaches about half of that) is a fault, and the frames between two such leaps with it. A leap
-/// within a tenth of a second of an end of the clip parts that end from the rest.
+/// Finds the faults of a clip, in order. A joint's place should be close to the middle of the
+/// frames before and after; what departs from it faster than any muscle moves a hand (800 m/s2; a
+/// pitcher's hand reaches about half of that) is a fault, and so are the frames between two such
+/// leaps. A leap within a tenth of a second of an end of the clip parts that end from the rest.
 std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const MotionClip& clip,
                                               const JointPositions& track);
 

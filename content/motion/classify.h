@@ -10,7 +10,7 @@ struct ClipMeasures {
   double typical_speed = 0;                ///< m/s, the median while the body moves.
   double turned = 0;                       ///< Radians from first to last, counter-clockwise.
   double airborne = 0;                     ///< Share of the moving frames without a planted foot.
-  double astray = 0;                       ///< Share of them that moves aside or backwards.
+  double astray = 0;                       ///< Share of them in which it goes aside or back.
   double lowest_hips = 0;                  ///< Hips' least height over the leg's length.
   double typical_hips = 0;                 ///< The same, the median while the body moves.
 };
@@ -20,13 +20,13 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,
 
 /// The role that the measures speak for: a start stands first and moves last, a stop the other way
 /// round; a turn changes the heading by more than 20 degrees. What stands throughout, jumps,
-/// dances, crouches, walks backwards or is of no class (motion_class_of) is Other. `size` is the
-/// body's, against an adult.
+/// dances, crouches, walks backwards or is of no class (motion_class_of) is Other. `size` is
+/// size_of the body.
 ClipRole classify(const ClipMeasures& measures, double size);
 
 /// The class of motion that the measures speak for, by how fast it is, whether it flies and how
 /// deep the hips are carried: "walk", "brisk-walk", "jog", "run", "stealthy-walk" or "other"
-/// (stands, moves aside, crouches, climbs). `size` is the body's, against an adult.
+/// (stands, moves aside, crouches, climbs). `size` is size_of the body.
 const char* motion_class_of(const ClipMeasures& measures, double size);
 
 /// "turn-left", as reports and clips.toml write it.

@@ -16,14 +16,14 @@ struct Enrichment {
   bool turns = false;     ///< Turns by angles between those recorded.
 };
 
-/// Makes them, turns first. Mirrored is what has no counterpart yet: a clip of that role and class
-/// that turns as far, to 12 degrees, on the same foot. So starts and stops get one for the other
-/// foot, turns one for the other side or foot, and straight walks, which come by both feet, none.
-/// Only the part of a clip is kept in which it starts, stops or turns, and half a second round it
-/// for blends.
+/// Makes these clips, turns first. A clip is mirrored where `clips` lack the result: none has its
+/// role and class and turns as far, to 12 degrees, on the same foot. So starts and stops
+/// get one for the other foot, turns one for the other side or foot, and straight walks, which come
+/// by both feet, none. Only the part of a clip is kept in which it starts, stops or turns, and half
+/// a second round it for blends.
 ///
 /// `clips` have roles and plants, and `cloud` has an entry for each. A skeleton that cannot be
-/// mirrored is said in `warnings`, about `folder`.
+/// mirrored gives a warning about `folder`.
 std::vector<MotionClip> enrich(const Skeleton& skeleton, const std::vector<MotionClip>& clips,
                                const std::vector<PoseCloud>& cloud, Enrichment enrichment,
                                const std::string& folder, std::vector<Diagnostic>& warnings);

@@ -9,7 +9,7 @@
 
 namespace docent::motion::offline {
 
-/// How alike two passages must be, and how long a blend is.
+/// How alike two poses must be, and how long a blend is.
 struct TransitionOptions {
   /// Seconds to each side of a transition's middle: the comparison's window and the blend. Kovar,
   /// Gleicher and Pighin blend over a third of a second.
@@ -21,7 +21,7 @@ struct TransitionOptions {
   /// Seconds round a transition within which no other between the same clips is kept.
   double apart = 0.06;
   /// Time is cut into windows of `radius` seconds; of the transitions that leave a clip in the same
-  /// window, so many are kept, those of the least distance.
+  /// window, this many are kept, those of the least distance.
   std::size_t per_window = 8;
   /// Frames, of all clips together, up to which every pair of frames is compared. Of more motion
   /// only what an index of poses takes for alike is (see find_transitions).
@@ -42,18 +42,17 @@ struct StudiedClips {
 std::vector<double> alike_thresholds(const std::vector<MotionClip>& clips,
                                      const StudiedClips& studied, const TransitionOptions& options);
 
-/// Finds the passages between clips, and within a clip, that can be blended into each other: local
-/// minima of the pose distance where the same feet are planted, below the larger of the two clips'
-/// `threshold`. Both directions of each are judged by themselves, and returned sorted as
-/// MotionGraph wants them.
+/// Finds the transitions between clips, and within a clip: local minima of the pose distance where
+/// the same feet are planted, below the larger of the two clips' `threshold`. Both directions of
+/// each are judged by themselves, and returned sorted as MotionGraph wants them.
 ///
 /// A blend's radius is shortened where it would reach over the end of a clip (section 3.1.3 of the
-/// paper), down to half; windows that touch a fault of capture are left out.
+/// founding paper), down to half; windows that touch a fault of capture are left out.
 ///
 /// Of much motion, only pieces of the distance matrix are measured in which an index of poses
 /// (alike_tiles) finds a pair that is alike. What is found there is exactly what the whole matrix
-/// has there; some transitions of a crowd are missed. Works on `jobs` threads; the result does not
-/// depend on how many.
+/// has there; where very many poses are alike, some transitions are missed. Works on `jobs`
+/// threads; the result does not depend on how many.
 std::vector<Transition> find_transitions(const std::vector<MotionClip>& clips,
                                          const StudiedClips& studied,
                                          std::span<const double> threshold,

@@ -22,8 +22,8 @@ double planted_height(const Skeleton& skeleton, const JointPositions& track,
 /// y = 0. `heights` has each clip's planted_height.
 ///
 /// The recordings' own floor is right on average (a laboratory is calibrated), so the clips are
-/// levelled to the median of their planted heights. Where that is no height for a toe joint the
-/// floor was elsewhere, and the toes are put where toes are: 2.5 cm up.
+/// levelled to the median of their planted heights. Where that is no height for a toe joint, the
+/// recordings' floor was wrong, and the toe joints are put 2.5 cm up, times size_of the body.
 double rest_height(const Skeleton& skeleton, std::span<const double> heights);
 
 /// Moves a clip up by so many metres, unless that is less than can be measured.

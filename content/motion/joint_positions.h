@@ -18,8 +18,8 @@ struct JointPositions {
 
 JointPositions joint_positions(const Skeleton& skeleton, const MotionClip& clip);
 
-/// Lengths and speeds of a body, against the adult whose leg (hip to ankle) is 0.83 m: figures
-/// stated for adults are multiplied by it, so that a child's or a giant's motion is judged alike.
+/// How large a body is: its leg (hip to ankle) over an adult's, 0.83 m. Lengths and speeds stated
+/// for adults are multiplied by it, so that a child's or a giant's motion is judged alike.
 double size_of(const Skeleton& skeleton);
 
 /// Frames in a span of time, at least one.

@@ -17,9 +17,9 @@ namespace docent::motion::offline {
 /// with one leg longer, or one that rests askew.
 std::vector<std::size_t> find_counterparts(const Skeleton& skeleton, const std::string& folder);
 
-/// The motion in that mirror: what turned left turns right, by the same angle, and plants change
-/// sides. `counterpart` is what find_counterparts found. Mirrored twice, a clip is what it was, but
-/// for its name.
+/// The motion in the mirror of find_counterparts: what turned left turns right, by the same angle,
+/// and plants change sides. `counterpart` is what find_counterparts found. Mirrored twice, a clip
+/// is what it was, but for its name.
 MotionClip mirrored(const std::vector<std::size_t>& counterpart, const MotionClip& clip);
 
 }  // namespace docent::motion::offline

@@ -8,11 +8,11 @@
 namespace docent::motion::offline {
 
 /// The classes of some clips of one body, with the coefficients between them (section 3.2 of the
-/// paper): how unlike their basic gaits are (gait_cycle.h).
+/// founding paper): how unlike their basic gaits are (gait_cycle.h).
 ///
 /// The basic gait is found among a class's first hundred strides. Because the scale is measured on
-/// the first of two bodies, the larger value of both orders is taken. What has no stride is as
-/// unlike to another class as a body that is nowhere.
+/// the first of two bodies, the larger value of both orders is taken. A class without a stride is
+/// compared as a body whose joints are all in one point.
 std::vector<MotionClass> find_motion_classes(const Skeleton& skeleton,
                                              std::span<const MotionClip> clips);
 

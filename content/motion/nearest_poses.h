@@ -18,13 +18,14 @@ class NearestPoses {
   explicit NearestPoses(std::span<const PoseFeatures::Point> points);
 
   struct Neighbour {
-    float square = 0;  ///< Of the distance.
+    float square = 0;  ///< Of the distance, m2.
     std::uint32_t index = 0;
     auto operator<=>(const Neighbour&) const = default;
   };
 
   /// The `count` points that are closest to `point`, itself included where it is one of them, and
-  /// not farther than `within`; closest first, of equally close ones the one with the lower index.
+  /// not farther than `within` metres; closest first, of equally close ones the one with the lower
+  /// index.
   void find(const PoseFeatures::Point& point, std::size_t count, float within,
             std::vector<Neighbour>& nearest) const;
 

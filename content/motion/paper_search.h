@@ -9,9 +9,10 @@
 
 namespace docent::motion::offline {
 
-/// The search that the founding paper prints (Wang, Meng, Yang, Zhang, section 3.1.2), to compare
-/// with: incremental depth-first search with a stack, which tries every way of the next `lookahead`
-/// metres and keeps the first part of the best. The symbols of the paper stand beside the names.
+/// The search that the founding paper prints (Wang, Meng, Yang, Zhang, section 3.1.2), for
+/// comparison: incremental depth-first search with a stack, which tries every way of the next
+/// `lookahead` metres and keeps the first part of the best. The symbols of the paper stand beside
+/// the names.
 ///
 /// What the paper leaves open is decided so:
 ///  - a vertex is a frame at which a section begins (or the walker has just arrived by one); its
@@ -33,12 +34,12 @@ struct PaperRequest {
   double lookahead = 1.0;      ///< L_step, metres; positive.
   double use_rate = 0.25;      ///< R_use, in (0, 1].
   double time_limit = std::numeric_limits<double>::infinity();  ///< Seconds.
-  /// As printed, a candidate is judged when it is long enough. On the way, one that is already
-  /// worse than the best is given up, which finds the same track sooner.
+  /// AsPrinted: a candidate is judged when it is long enough. OnTheWay: one that is already worse
+  /// than the best is given up, which finds the same track sooner.
   enum class Bound : std::uint8_t { AsPrinted, OnTheWay } bound = Bound::AsPrinted;
 };
 
-/// A transition and the radius that it is passed with.
+/// A transition and the radius, in frames, that it is passed with.
 struct PassedTransition {
   std::uint32_t transition = 0;
   std::uint32_t radius = 0;

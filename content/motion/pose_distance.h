@@ -38,7 +38,7 @@ PoseMatch compare_poses(const PoseCloud& a, std::size_t frame_a, const PoseCloud
 
 /// A piece of the matrix of all distances between two clips: `rows` frames of the first that follow
 /// each other, each with frames of the second on `diagonals` diagonals side by side. Pieces lie
-/// along diagonals because a pair of passages that are alike does, too, and because there a
+/// along diagonals because the pairs of two motions that are alike do, too, and because there a
 /// window's sums differ from the next one's by the frame that comes and the one that goes.
 struct DistanceTile {
   static constexpr std::size_t rows = 64, diagonals = 32;

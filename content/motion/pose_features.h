@@ -13,9 +13,9 @@ namespace docent::motion::offline {
 /// points is close to the pose distance of their frames, and mostly a little less.
 ///
 /// A point is made of the window round its frame, laid onto the mean of all windows by the rigid
-/// motion on the floor that fits best, so that windows that are alike come to lie alike; of that,
-/// the directions in which windows differ most (principal components). Only closeness is promised:
-/// whoever needs the distance measures it.
+/// motion on the floor that fits best, so that windows that are alike come to lie alike; of this,
+/// only the directions in which windows differ most are kept (principal components). Only closeness
+/// is promised: whoever needs the distance measures it.
 struct PoseFeatures {
   static constexpr std::size_t dimensions = 24;
   using Point = std::array<float, dimensions>;  ///< Metres.

@@ -13,12 +13,13 @@ inline constexpr double quantise_tolerance = 0.001;
 /// already is not changed by writing and reading it, so whatever is worked out from a clip is
 /// worked out after this.
 ///
-/// Rotations become unit quaternions first, and no rotation stays none. The tolerance is kept for
-/// bodies of up to a hundred metres; what is larger lies on the finest grid. Deterministic.
+/// Rotations become unit quaternions first, and the identity stays the identity. The tolerance is
+/// kept for bodies of up to a hundred metres; what is larger lies on the finest grid.
+/// Deterministic.
 void quantise(const Skeleton& skeleton, MotionClip& clip);
 
-/// How far the joint that differs most is in one of two motions of a body from where it is in the
-/// other, metres, over all frames. They have as many frames and joints.
+/// The largest distance, metres, between the places of one joint in two motions of a body, over all
+/// frames and joints. Both have as many frames and joints.
 double largest_difference(const Skeleton& skeleton, const MotionClip& a, const MotionClip& b);
 
 }  // namespace docent::motion::offline

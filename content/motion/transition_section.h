@@ -8,9 +8,9 @@
 
 namespace docent::motion::offline {
 
-/// How far a graph's transitions may reach (Wang et al., section 3.1.3). A transition is no point
-/// but a section of radius L round its two middles: one leaves the source clip at `from - L` and is
-/// in the destination clip from `to + L`. Two things ask for a smaller radius:
+/// How far a graph's transitions may reach (founding paper, section 3.1.3). A transition is no
+/// point but a section of radius L round its two middles: one leaves the source clip at `from - L`
+/// and is in the destination clip from `to + L`. Two things ask for a smaller radius:
 ///
 ///  - the walker has come into the source clip after `from - L`: the section would begin in its
 ///    past, and the motion would run backwards;
@@ -22,8 +22,8 @@ namespace docent::motion::offline {
 /// then is not passable. All figures are in frames; all arrays have one entry per transition or
 /// clip of the graph.
 struct TransitionSections {
-  /// The radius in front of the last exit; 0 where the transition is not passable: its destination
-  /// (unless that is a stop, which may be played to its end) cannot be left.
+  /// The largest radius in front of the last exit; 0 where the transition is not passable: its
+  /// destination (unless that is a stop, which may be played to its end) cannot be left.
   std::vector<std::uint32_t> longest;
   std::vector<std::uint32_t> shortest;  ///< At least 1 and at most the graph's own radius.
   /// Per clip: the last frame at which a section can begin; empty where the clip has no exit.

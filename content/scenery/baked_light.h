@@ -20,12 +20,12 @@ struct Light {
   float sun = 1;  ///< Of the sun's disc.
 };
 
-/// The light at a point of a face `height` above the floor. `normal` is in the world frame.
+/// The light at a point of a face, `height` metres above the floor. `normal` is in the world frame.
 Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double height,
                Vec3 normal) noexcept;
 
 /// Fills the scenery's lightmap: on every texel the sky and sun of the floor there, and how high
-/// the shade stands above it.
+/// the shade reaches above it.
 void bake_lightmap(const HeightField& field, const Sun& sun, Scenery& scenery);
 
 }  // namespace docent::scenery

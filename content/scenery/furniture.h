@@ -15,10 +15,11 @@ enum class HoleKind : std::uint8_t {
   Wall,      ///< A partition or a block of building: as high as the walls.
   Column,    ///< Round or square, cut like a wall.
   Pedestal,  ///< Open, with an object on it.
-  Case,      ///< A body with glass on it.
+  Case,      ///< A closed base with glass on it.
 };
 
-/// One per ring, by size, shape and what stands in it; rings that are no holes count as Wall.
+/// One kind per ring, by its size, shape and what stands in it; rings that are no holes count as
+/// Wall.
 std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit> exhibits);
 
 /// Something that keeps light away: everything over `outline` up to `height` metres.
@@ -27,7 +28,7 @@ struct Blocker {
   double height = 0;
 };
 
-/// What stands in a room: adds its faces to `mesh` and what they keep light away with to
+/// Builds what stands in a room: adds its faces to `mesh`, and the shapes that keep light away to
 /// `blockers`.
 void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers);

@@ -8,8 +8,8 @@
 
 namespace docent::scenery {
 
-/// What stands on the floor, seen from above: the height over each texel of a grid. Floor frame;
-/// texel (0, 0) is in the south-west corner. Beyond the grid nothing stands.
+/// What stands on the floor, seen from above: the height (metres) over each texel of a grid. Floor
+/// frame; texel (0, 0) is in the south-west corner. Beyond the grid nothing stands.
 class HeightField {
  public:
   HeightField(Vec2 low, Vec2 high, double texel);

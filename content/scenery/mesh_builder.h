@@ -16,23 +16,24 @@ using Outline = std::vector<Vec2>;
 /// Gathers triangles by surface and exhibit. Heights are metres above the floor.
 class MeshBuilder {
  public:
-  /// What the following faces are made of, and whose.
+  /// What the following faces are made of, and the exhibit that they belong to; -1: none.
   void use(Surface surface, std::int32_t exhibit = -1);
 
   /// A flat four-sided face, corners counter-clockwise seen from outside, world frame.
   void quad(const std::array<Vec3, 4>& corners, const std::array<std::array<float, 2>, 4>& uv = {});
-  /// The same with a normal of its own and opacities for glass (SceneryVertex::sky of glass).
+  /// A triangle, corners counter-clockwise seen from outside, with the given normal at all three.
   void triangle(const std::array<Vec3, 3>& corners, Vec3 normal);
-  /// A vertical face from `a` to `b` (left to right as it is seen), cut at the given heights.
+  /// A vertical face from `a` to `b` (left to right as it is seen), from the first of the ascending
+  /// `heights` to the last, with an edge at each.
   void wall(Vec2 a, Vec2 b, std::span<const double> heights);
-  /// The sides of a prism; smooth where the outline is round.
+  /// The sides of a prism, each as `wall` makes it; `smooth` shades them as one round face.
   void sides(const Outline& outline, std::span<const double> heights, bool smooth = false);
   /// A slope from one outline to another with as many corners: a bevel, a step.
   void slope(const Outline& low, double low_height, const Outline& high, double high_height);
   /// A level face that looks up; the outline is convex.
   void lid(const Outline& convex, double height);
 
-  /// Opacity of the glass made from now on, of 255.
+  /// Opacity, of 255, of the glass made from now on (SceneryVertex::sky).
   void glass_opacity(std::uint8_t opacity) { opacity_ = opacity; }
 
   /// Everything gathered, in the order of surface and exhibit.
@@ -47,7 +48,7 @@ class MeshBuilder {
   std::uint8_t opacity_ = 255;
 };
 
-/// The outline with every side moved inwards by `distance`; outwards where it is negative.
+/// The outline with every side moved inwards by `distance` metres; outwards where it is negative.
 Outline inset(const Outline& outline, double distance);
 
 /// A rectangle about `centre`: `half` across and along `heading`.

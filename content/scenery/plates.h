@@ -17,8 +17,8 @@ enum class PlateKind : std::uint8_t {
   Hole,     ///< Something that stands in the room: a case, a column.
 };
 
-/// A triangle of the plane, counter-clockwise in the floor frame. `area` is 1 + the paved area that
-/// a Floor or Hole lies in; 0: none.
+/// A triangle of the plane, counter-clockwise in the floor frame. `area` is 1 + the index of the
+/// paved area that a Floor or Hole lies in; 0: none.
 struct Plate {
   std::array<Vec2, 3> corner{};
   PlateKind region = PlateKind::Outside;

@@ -28,8 +28,9 @@ struct DestroySurface {
 };
 using EglSurface = std::unique_ptr<void, DestroySurface>;
 
-/// Opens EGL on a platform: EGL_PLATFORM_SURFACELESS_MESA with nothing, EGL_PLATFORM_GBM_KHR with a
-/// gbm_device, EGL_PLATFORM_XCB_EXT with an xcb_connection_t. `native` must outlive the display.
+/// Opens EGL on a platform: EGL_PLATFORM_SURFACELESS_MESA with a null `native`,
+/// EGL_PLATFORM_GBM_KHR with a gbm_device, EGL_PLATFORM_XCB_EXT with an xcb_connection_t. `native`
+/// must outlive the display.
 Result<EglDisplay> open_egl(EGLenum platform, void* native);
 
 /// What a window needs of a framebuffer configuration.

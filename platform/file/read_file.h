@@ -8,7 +8,7 @@
 
 namespace docent::file {
 
-/// No file that people write, and no database, is larger: what is has been taken for another.
+/// Bytes. No database and no file that people write is larger: a larger file is the wrong one.
 constexpr std::size_t largest_file = std::size_t{4} << 30U;
 
 /// The bytes of a file, a pipe or a node of sysfs, to its end.

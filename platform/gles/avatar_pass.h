@@ -9,21 +9,21 @@
 
 namespace docent::gles {
 
-/// Draws the avatars and what they take from the floor's light: an instance each, in batches of as
-/// many as one uniform block holds, and with fewer triangles the smaller they appear.
+/// Draws the avatars and their shadows on the floor: an instance each, in batches of as many as one
+/// uniform block holds, and with fewer triangles the smaller they appear.
 class AvatarPass {
  public:
   /// More avatars than this are not drawn.
   static constexpr std::size_t most_avatars = 64;
-  static constexpr std::size_t level_count = 5;  ///< Of detail.
+  static constexpr std::size_t level_count = 5;  ///< Levels of detail.
 
   Result<void> compile();
   void upload(const SkinnedMesh& mesh);
 
   /// Chooses who is in the picture and how detailed, sends the palettes and throws the bodies'
-  /// shadows into the atlas. Before any strip; leaves its own framebuffer bound.
+  /// shadows into the atlas. Called before the first strip; leaves its own framebuffer bound.
   void prepare(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept;
-  /// Those that reach into these rows of the picture.
+  /// Draw the avatars or shadows that reach into these rows of the picture.
   void draw_bodies(SceneBuffer::Rows rows) const noexcept;
   void draw_shadows(SceneBuffer::Rows rows) const noexcept;
 
@@ -36,8 +36,8 @@ class AvatarPass {
   struct Seen {
     std::uint32_t avatar = 0;  ///< Of the draw list.
     std::uint32_t level = 0;
-    float pixels = 0;                ///< How tall the body appears.
-    Vec4 window{};                   ///< Floor square that its shadow fits in.
+    float pixels = 0;                ///< How tall the body appears; 0: only its shadow does.
+    Vec4 window{};                   ///< Square about its shadow: world x, z, half a side.
     SceneBuffer::Rows body, shadow;  ///< Where they are in the picture.
   };
   void choose(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept;
@@ -62,7 +62,7 @@ class AvatarPass {
   std::size_t record_size_ = 0;  ///< Vec4s of an avatar.
   std::size_t capacity_ = 0;     ///< Avatars that `records_` has room for.
   float stature_ = 1;
-  std::array<Seen, most_avatars> seen_{};  ///< The coarser later, in a level from below upwards.
+  std::array<Seen, most_avatars> seen_{};  ///< Finest level first, then from below upwards.
   std::size_t seen_count_ = 0;
   Program body_, shadow_, soften_, decal_;
   struct {

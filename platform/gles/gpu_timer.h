@@ -9,8 +9,9 @@
 namespace docent::gles {
 
 /// How long the GPU works on a frame (EXT_disjoint_timer_query). The answer comes a few frames
-/// later and is never waited for. Where the driver keeps no time there is none. Frame thread, with
-/// its context current from construction to destruction; does not allocate after construction.
+/// later and is never waited for. Where the driver has no timers, no answer comes. For the frame
+/// thread, with its context current from construction to destruction; does not allocate after
+/// construction.
 class GpuTimer {
  public:
   GpuTimer();

@@ -10,7 +10,7 @@
 
 namespace docent::gles {
 
-/// Texture units that samplers of a name are bound to, once, when a program is linked.
+/// Texture units. Each sampler is bound to the unit of its name, once, when its program is linked.
 enum class Unit : GLuint { Image, LightMap, ShadowAtlas };
 
 /// Binding points of the uniform blocks.
@@ -23,7 +23,7 @@ class Program {
   explicit Program(GlProgram program) noexcept : program_(std::move(program)) {}
 
   void use() const noexcept { glUseProgram(program_.get()); }
-  /// Where a uniform is; -1, which setting ignores, where the shader does without it.
+  /// The location of a uniform; -1, which `set` ignores, where the shader does without it.
   GLint operator[](const char* uniform) const noexcept {
     return glGetUniformLocation(program_.get(), uniform);
   }

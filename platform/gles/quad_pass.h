@@ -10,7 +10,7 @@
 
 namespace docent::gles {
 
-/// Draws the interface: rectangles in order, as few calls as their textures allow.
+/// Draws the interface: rectangles in order, in as few draw calls as their textures allow.
 class QuadPass {
  public:
   Result<void> compile();

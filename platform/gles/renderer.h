@@ -15,9 +15,10 @@
 namespace docent::gles {
 
 struct RendererOptions {
-  std::uint32_t samples = 4;  ///< A pixel of the model; 0 or 1: jagged edges, half the time.
-  /// The model is drawn in horizontal strips so that its multisampled buffers take no more than
-  /// this. A GPU is quicker with all of the screen in one strip.
+  std::uint32_t samples = 4;  ///< For each pixel of the model; 0 or 1: jagged, in half the time.
+  /// The model (building, avatars and way) is drawn in horizontal strips, so that its multisampled
+  /// buffers take no more bytes than this, or than 64 rows do. A GPU is quicker with all of the
+  /// screen in one strip.
   std::size_t buffer_bytes = std::size_t{5} << 20;
 };
 
@@ -32,16 +33,16 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Keeps under an id that draw lists will name, 1 to 4096, how much of each pixel a set text
-  /// covers: `width` times `height` bytes, rows from the top. Without a pixel, or with another id,
-  /// nothing is kept, and nothing drawn.
+  /// Keeps a set text under an id, 1 to 4096, that draw lists will name. `coverage` says how much
+  /// of each pixel the text covers: `width` times `height` bytes, rows from the top. Without a
+  /// pixel, or with another id, nothing is kept, and nothing drawn.
   void upload_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
                    std::span<const std::uint8_t> coverage) noexcept;
   /// Keeps a picture that is drawn texel for pixel.
   void upload_image(scene::TextureId id, const Pixels& picture) noexcept;
   /// Keeps a picture of the building, with smaller versions of itself for the distance.
   void upload_scenery_image(scene::TextureId id, const Pixels& picture) noexcept;
-  /// Gives a texture's memory back, or that of all.
+  /// Give back the memory of one texture, or of all.
   void release(scene::TextureId id) noexcept;
   void release_textures() noexcept;
 

@@ -12,6 +12,7 @@ namespace docent::gles {
 /// time.
 class SceneBuffer {
  public:
+  /// `samples` and `most_bytes` are as in RendererOptions.
   SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept;
 
   /// Makes the buffers fit the picture; nothing happens while its size stays.
@@ -37,7 +38,7 @@ class SceneBuffer {
   GlFramebuffer framebuffer_, resolved_framebuffer_;
 };
 
-/// A picture that encodes sRGB and can be read as a texture, for panels that can do neither.
+/// A picture that encodes sRGB and can be read as a texture, for targets that can do neither.
 class Picture {
  public:
   void fit(PixelSize size) noexcept;

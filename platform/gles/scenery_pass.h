@@ -28,9 +28,10 @@ class SceneryPass {
   /// Walls, cases, pictures; the exhibit that is `highlighted` glows.
   void draw_solids(std::uint32_t floor, std::optional<std::uint32_t> highlighted,
                    const Textures& textures) const noexcept;
-  /// Floors and the table: after what stands on them, so that little is drawn twice.
+  /// Floors and the table that the model stands on (Surface::Ground): after what stands on them, so
+  /// that little is drawn twice.
   void draw_floors(std::uint32_t floor) const noexcept;
-  /// Over everything that stands behind it.
+  /// After everything else, since it is drawn over what stands behind it.
   void draw_glass(std::uint32_t floor) const noexcept;
 
  private:

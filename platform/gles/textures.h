@@ -14,15 +14,15 @@ namespace docent::gles {
 /// ones for the distance, which take a third more.
 enum class Levels : std::uint8_t { One, All };
 
-/// The textures that draw lists name by TextureId: texts and pictures. Its room is fixed, so that
-/// an upload between frames does not allocate.
+/// The textures that draw lists name by TextureId: texts and pictures. Their table has a fixed
+/// size, so that an upload between frames does not allocate.
 class Textures {
  public:
   Textures();
 
-  /// Keeps a text or a picture under an id, which is the caller's to choose: 1 to `most`, with
-  /// small numbers first. What has no pixels, or another id, is not kept and draws nothing.
-  static constexpr std::size_t most = 4096;
+  static constexpr std::size_t most = 4096;  ///< The largest id.
+  /// Keep a text or a picture under an id, which is the caller's to choose: 1 to `most`. What has
+  /// no pixels, or another id, is not kept and draws nothing.
   void add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
                 std::span<const std::uint8_t> coverage) noexcept;
   void add_image(scene::TextureId id, const Pixels& picture, Levels levels) noexcept;

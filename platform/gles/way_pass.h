@@ -16,7 +16,8 @@ class WayPass {
   static constexpr std::size_t most_ribbons = 8;
 
   Result<void> compile();
-  /// Rebuilds the strips of ribbons whose revision has changed. Before any strip of the picture.
+  /// Rebuilds the triangle strips of ribbons whose revision has changed. Called before the first
+  /// strip of the picture.
   void prepare(const scene::DrawList& list) noexcept;
   void draw(const scene::DrawList& list) const noexcept;
 

@@ -8,8 +8,9 @@
 
 namespace docent::hid {
 
-/// What the journal is told about devices that cannot be used: each reason once, and not before it
-/// has lasted, because a device that is being plugged in may refuse for a moment.
+/// Decides what the journal is told about devices that cannot be used: each reason once, and not
+/// before it has lasted for `patience`, because a device that is being plugged in may refuse for a
+/// moment.
 class DeviceLog {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -17,7 +18,7 @@ class DeviceLog {
 
   /// A device cannot be used because of `reason`. Gives the sentence to say now, if any.
   std::optional<std::string> failed(const std::string& path, const std::string& reason, Time now);
-  /// It can be used: the next failure is news again.
+  /// The device can be used: its next failure is news again.
   void works(const std::string& path);
   /// Forgets the devices that are no longer present.
   void keep(std::span<const std::string> present);

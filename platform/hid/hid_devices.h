@@ -33,7 +33,7 @@ bool is_for_visitors(const HidDevice& device) noexcept;
 std::vector<HidDevice> list_hid_devices();
 
 /// The report descriptor of a hidraw node, from sysfs; needs no permission on the node itself.
-/// A device that goes meanwhile is a sentence: its files fail between opening and reading.
+/// Fails with a sentence where the device is unplugged meanwhile, even between opening and reading.
 Result<std::vector<std::byte>> read_report_descriptor(
     const std::string& path, const std::filesystem::path& sysfs = "/sys/class/hidraw");
 

@@ -10,7 +10,8 @@ namespace docent::hid {
 /// needs no udev daemon.
 class Uevents {
  public:
-  /// Fails with a sentence where the socket is not allowed (a unit without AF_NETLINK, say).
+  /// Fails with a sentence where the socket is not allowed (say by a systemd unit whose
+  /// RestrictAddressFamilies lacks AF_NETLINK).
   static Result<Uevents> open();
   Uevents(Uevents&& other) noexcept;
   Uevents& operator=(Uevents&&) = delete;

@@ -25,23 +25,23 @@ Result<Pixels> decode_image(std::span<const std::byte> file, const ImageLimits& 
 Result<Pixels> read_image_size(std::span<const std::byte> file, const ImageLimits& limits = {});
 
 /// The picture made smaller, so that no side is longer than `longest_side`: every pixel is the mean
-/// of the light on its area. A picture that is small enough comes back as it is.
+/// (in linear light) of its area. A picture that is small enough comes back as it is.
 Pixels shrink(Pixels picture, std::uint32_t longest_side);
 
-/// The largest middle part of the picture that has the shape of `width` by `height`, made that
-/// small. Nothing is made larger: a part with fewer pixels keeps them.
+/// The largest middle part of the picture that has the shape of `width` by `height`, shrunk to that
+/// size. Nothing is made larger: a part with fewer pixels keeps them.
 Pixels fill(const Pixels& picture, std::uint32_t width, std::uint32_t height);
 
 /// The bytes of a PNG file: 8-bit RGBA, or RGB where every pixel is opaque. The same pixels always
 /// give the same bytes.
 Result<std::vector<std::byte>> encode_png(const Pixels& picture);
 
-/// Is no pixel clear, not even in part?
+/// Is every pixel fully opaque?
 bool is_opaque(const Pixels& picture);
 
 /// The bytes of a JPEG file of such quality (92 of 100, colours at full resolution) that nobody
-/// sees a difference on a kiosk: a fifth of a PNG's of the same drawing. Opacity is lost. The same
-/// pixels always give the same bytes.
+/// sees a difference on a kiosk: a fifth of what the same drawing takes as a PNG. Opacity is lost.
+/// The same pixels always give the same bytes.
 Result<std::vector<std::byte>> encode_jpeg(const Pixels& picture);
 
 /// Writes a PNG file whole or not at all: a temporary file beside it, then a rename.

@@ -37,22 +37,22 @@ struct PipeProperties {
   std::uint32_t plane_crtc_x = 0, plane_crtc_y = 0, plane_crtc_w = 0, plane_crtc_h = 0;
 };
 
-/// The way of a picture to the glass: plane, CRTC, connector and its mode.
+/// How a picture gets to the glass: plane, CRTC, connector and its mode.
 struct Pipe {
   std::uint32_t connector = 0, crtc = 0, plane = 0;
   drmModeModeInfo mode{};
   PipeProperties properties;
 };
 
-/// A graphics card of which this program is the master, and the pipe it drives.
+/// A graphics card of which this program is the DRM master, and the pipe that the program drives.
 struct GraphicsCard {
   std::string path;
   FileDescriptor fd;
   Pipe pipe;
 };
 
-/// Opens the first card that drives a connected screen and takes the master's place. The mode is
-/// the preferred one, or that nearest to `wanted`.
+/// Opens the first card that drives a connected screen and becomes its DRM master. The mode is the
+/// preferred one, or that nearest to `wanted`, where that is not 0 by 0.
 Result<GraphicsCard> open_graphics_card(PixelSize wanted);
 
 }  // namespace docent::kms

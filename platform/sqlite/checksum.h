@@ -10,9 +10,9 @@ namespace docent::sqlite {
 /// BLAKE2b-256, as row 0 of table `checksum` holds it.
 using Checksum = std::array<std::byte, 32>;
 
-/// The checksum of a database file whose checksum lies at `place`: of all its bytes, those 32 taken
-/// as zero. So every byte of the file is covered, the checksum's own by being compared.
-/// `place` + 32 must lie within the file.
+/// The checksum of a database file that holds its checksum at byte `place`: of all bytes, with
+/// those 32 taken as zero. So every byte of the file is covered; the checksum's own are when they
+/// are compared. `place` + 32 must lie within the file.
 Checksum checksum_of(std::span<const std::byte> file, std::size_t place);
 
 /// Where the value lies in the file; empty unless it does exactly once.

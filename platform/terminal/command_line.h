@@ -18,7 +18,7 @@ namespace docent::terminal {
 /// How often an option is given.
 enum class Times : std::uint8_t { AtMostOnce, Once, AnyNumber, AtLeastOnce };
 
-/// An option, or what stands without one: a line of a table.
+/// An option, or a value that stands without one: a line of a table.
 struct Option {
   std::string_view names;  ///< "--json"; "-o,--output"; "SOURCE"; a flag with its contrary:
                            ///< "--turns,!--no-turns".
@@ -59,9 +59,10 @@ bool is_positional(const Option& option) noexcept;
 bool is_needed(const Option& option) noexcept;
 bool may_repeat(const Option& option) noexcept;
 
-/// Reads a command line, without the program's own name, and stores what it says. What is left to
-/// do is the function that comes back: the command's own, or one that prints the help or the
-/// version. Else what is wrong, for exit code 2. Throws nothing but what a full memory throws.
+/// Reads a command line, without the program's own name, and stores what it says. The function that
+/// comes back does the rest: it is the command's own, or one that prints the help or the version.
+/// Where the line is wrong, a diagnostic comes back instead, for exit code 2. Throws nothing but
+/// std::bad_alloc.
 std::expected<std::function<int()>, Diagnostic> parse(const Command& program,
                                                       std::span<const char* const> arguments);
 

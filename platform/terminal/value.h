@@ -28,11 +28,11 @@ struct Value {
   /// Stores the words that were given, at least one; returns a sentence where it cannot, else
   /// nothing. A flag's words are "true" and "false".
   std::function<std::string(Words)> take{};
-  std::vector<std::string_view> choices{};  ///< The only words there are; empty: any.
+  std::vector<std::string_view> choices{};  ///< The only words that may be given; empty: any.
   Offers offers = Offers::Nothing;
 };
 
-/// What a number has to lie in.
+/// The range that a number has to lie in.
 struct Limits {
   enum class Of : std::uint8_t { Numbers, WholeNumbers } of = Of::Numbers;
   double least = -std::numeric_limits<double>::infinity();
@@ -50,7 +50,8 @@ std::optional<double> finite_number(std::string_view text) noexcept;
 
 /// Reads numbers; returns a sentence about the first that is none or lies outside.
 std::string read_numbers(Words words, Limits limits, std::vector<double>& numbers);
-/// Reads so many numbers with commas between.
+/// Reads as many numbers as `numbers` holds, with commas between; returns a sentence where the word
+/// is anything else.
 std::string read_list(const std::string& word, std::span<double> numbers);
 /// Where a word is among the choices; else a sentence.
 std::expected<std::size_t, std::string> find_choice(std::string_view word,
@@ -75,7 +76,7 @@ inline Value flag(bool& target) {
   }};
 }
 
-/// Any text: of a string, a path, one of these that may be empty, or a vector of strings.
+/// Any text. The target is a string, a path, an optional of these, or a vector of strings.
 template <typename Target>
 Value text(std::string_view name, Target& target, Offers offers = Offers::Nothing) {
   return {.name = std::string(name),
@@ -98,7 +99,8 @@ Value folder(std::string_view name, Target& target) {
 /// Texts with commas between.
 Value list(std::string_view name, std::vector<std::string>& target);
 
-/// A number within limits: of any arithmetic type, one that may be empty, or a vector of doubles.
+/// A number within limits. The target is of an arithmetic type, an optional of one, or a vector of
+/// doubles.
 template <typename Target>
 Value number(std::string_view name, Limits limits, Target& target) {
   return {.name = std::string(name), .take = [limits, &target](Words words) {
@@ -109,7 +111,7 @@ Value number(std::string_view name, Limits limits, Target& target) {
           }};
 }
 
-/// So many numbers with commas between, such as X,Y.
+/// `n` numbers with commas between, such as X,Y.
 template <std::size_t n>
 Value numbers(std::string_view name, std::optional<std::array<double, n>>& target) {
   return {.name = std::string(name), .take = [&target](Words words) {

@@ -4,11 +4,11 @@
 
 namespace docent::crowd {
 
-/// What one avatar takes up of the floor: a disc, and where it is going.
+/// An agent as detection and planning see it: a disc on the floor with a velocity.
 ///
-/// Frame: floor (metres, seconds).
+/// Frame: floor.
 struct Body {
-  Vec2 position{};
+  Vec2 position{};    ///< Of the centre, metres.
   Vec2 velocity{};    ///< Metres a second.
   double radius = 0;  ///< Metres, not negative.
 };

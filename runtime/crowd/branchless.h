@@ -4,8 +4,8 @@
 
 namespace docent::crowd {
 
-/// Conditions taken together without a jump between them: where each is cheap and none foreseeable,
-/// that is quicker than && and ||.
+/// "And" and "or" of conditions without a branch between them. Quicker than && and || where every
+/// condition is cheap and the processor cannot predict it.
 template <std::same_as<bool>... Conditions>
 constexpr bool all_hold(Conditions... condition) noexcept {
   return (static_cast<unsigned>(condition) & ...) != 0;

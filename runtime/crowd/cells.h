@@ -14,17 +14,17 @@ namespace docent::crowd {
 
 /// A floor cut into cells: pieces of it, a step or two wide, that no wall divides.
 ///
-/// A Voronoi region is the open side of one wall, so whoever knows the region knows on which side
-/// of every wall a point is. But regions are of any size, slivers at a column, a quarter of a hall
-/// at its wall. So squares of one size are laid over the floor and each region is cut along them;
-/// pieces in one square are joined again where their regions are neighbours there. What is on two
-/// sides of a wall stays apart, unless one can walk round the wall within the square, or through
-/// the eight about it: where there is a door every few steps walls part nobody for long. Two cells
-/// are next to each other if their squares share a side and one region is in both.
+/// A Voronoi region lies on the open side of its wall, so the region of a point tells on which side
+/// of the walls about it the point is. But regions are of any size: slivers at a column, a quarter
+/// of a hall at its wall. So squares of one size are laid over the floor and cut each region into
+/// pieces; the pieces in one square are joined again where their regions are neighbours there. The
+/// two sides of a wall stay in different cells, unless one can walk round the wall within the
+/// square or the eight squares about it. Two cells are next to each other if their squares share a
+/// side and one region is in both.
 ///
-/// In doubt (within a micrometre of a square) pieces are joined: cells may be larger and have more
-/// neighbours than need be, never fewer. Every way on the floor leads from cell to neighbouring
-/// cell. Frame: floor. Borrows the map. Immutable, so any thread may ask.
+/// In doubt (within a micrometre of a square's border) pieces are joined: cells may be larger, and
+/// have more neighbours, than need be; never smaller or fewer. Every way on the floor leads from
+/// cell to neighbouring cell. Frame: floor. Borrows the map. Immutable, so any thread may ask.
 class WalkableCells {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -53,7 +53,7 @@ class WalkableCells {
   std::span<const std::uint32_t> next_to(std::uint32_t cell) const noexcept {
     return std::span(next_).subspan(next_first_[cell], next_first_[cell + 1] - next_first_[cell]);
   }
-  /// The squares of a box.
+  /// The squares that a box touches: columns left to right, rows bottom to top, both included.
   struct Squares {
     std::uint32_t left = 0, bottom = 0, right = 0, top = 0;
   };
@@ -65,7 +65,7 @@ class WalkableCells {
   std::uint32_t square(std::uint32_t column, std::uint32_t row) const noexcept {
     return row * static_cast<std::uint32_t>(columns_) + column;
   }
-  /// The cell of a square, if it has just one.
+  /// The cell of a square that has just one; else `none`.
   std::uint32_t only_cell_of(std::uint32_t square) const noexcept { return only_cell_[square]; }
   std::uint32_t square_of(std::uint32_t cell) const noexcept { return square_[cell]; }
   Vec2 centre_of(std::uint32_t cell) const noexcept { return centre_[cell]; }
@@ -75,8 +75,8 @@ class WalkableCells {
     return origin_ + size_ * Vec2{x + 0.5, y + 0.5};
   }
 
-  /// Every wall that reaches into the box, and perhaps some more, perhaps several times; until
-  /// `visit` says false.
+  /// Calls `visit` for every wall that reaches into the box until it returns false; perhaps for
+  /// some other walls too, and for some more than once.
   template <class Visitor>
   void visit_walls(Vec2 low, Vec2 high, Visitor visit) const {
     const auto columns = static_cast<std::uint32_t>(columns_ * tiles);
@@ -90,7 +90,7 @@ class WalkableCells {
     }
   }
 
-  /// Every reflex corner in the box, and perhaps some more.
+  /// Calls `visit` for every reflex corner in the box, and perhaps for some others.
   template <class Visitor>
   void visit_corners(Vec2 low, Vec2 high, Visitor visit) const {
     const auto columns = static_cast<std::uint32_t>(columns_ * tiles);

@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-/// When two moving discs touch: the one kernel of detection and of planning.
+/// When two moving discs touch. Detection and planning use the same functions.
 namespace docent::crowd {
 
 /// From when to when two discs overlap or touch if both keep their velocity; seconds from now.
@@ -15,14 +15,15 @@ struct Collision {
   double last = 0;   ///< At most the horizon.
 };
 
-/// Two discs as one that comes towards the other, which stands.
+/// Two moving discs seen as one that moves towards another that stands. Metres and seconds.
 struct Approach {
   double beyond = 0;   ///< Distance squared less reach squared: positive where they are apart.
-  double nearing = 0;  ///< Half of how fast the squared distance falls.
+  double nearing = 0;  ///< Half the rate at which the squared distance falls.
   double speed_squared = 0;
-  double square = 0;  ///< Negative where the line of the drift passes outside of the reach.
+  double square = 0;  ///< Negative where the moving centre's line passes outside the reach.
 };
-/// `apart`: from one centre to the other; `drift`: how that changes a second; `reach`: both radii.
+/// `apart`: from one centre to the other, metres; `drift`: how that changes, metres a second;
+/// `reach`: the sum of the radii, metres.
 inline Approach make_approach(Vec2 apart, Vec2 drift, double reach) noexcept {
   const double speed_squared = dot(drift, drift);
   // No difference of squares of distances here: a near miss is decided by how far the line passes.
@@ -30,15 +31,15 @@ inline Approach make_approach(Vec2 apart, Vec2 drift, double reach) noexcept {
   return {dot(apart, apart) - reach * reach, -dot(apart, drift), speed_squared,
           speed_squared * reach * reach - beside * beside};
 }
-/// Do the discs surely not touch within the horizon? Without a branch, since most do not.
+/// Do the discs surely not touch within the horizon (seconds)? Has no branch: most pairs miss.
 inline bool surely_miss(const Approach& approach, double horizon) noexcept {
   const bool is_apart = approach.beyond > 0;
   const bool is_slow = approach.beyond > 2 * horizon * approach.nearing;
   return is_apart & (is_slow | (approach.square < 0));
 }
 
-/// When the discs touch, walls or no walls. Touching with no speed to spare counts. The same seen
-/// from either, to the last bit.
+/// When the discs touch, whether or not a wall is between them. A graze counts. The result is the
+/// same to the last bit whichever of the two comes first.
 inline std::optional<Collision> contact(const Approach& approach, double horizon) noexcept {
   if (surely_miss(approach, horizon)) return {};
   const auto [beyond, nearing, speed_squared, square] = approach;

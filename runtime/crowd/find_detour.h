@@ -7,8 +7,8 @@
 
 namespace docent::crowd {
 
-/// A way that passes nobody who stands at a moment, by a place of the roadmap that the way asked
-/// for does not lead to; the shortest such, or a way whose status says that there is none.
+/// A way round all bodies that stand at `seconds` (the crowd's clock) and stay there: the shortest
+/// found that leads over one node of the roadmap. Its status says where there is none.
 path::Way find_detour(const path::FloorMap& map, const ReservationTable& reservations,
                       std::uint32_t body, const path::RouteQuery& query, double seconds);
 

@@ -14,8 +14,9 @@ struct Refuge {
   std::vector<Vec2> way;  ///< The shortest way there.
 };
 
-/// Places near a body where it would stand out of the way of a line that another wants to go along,
-/// clear of walls and of where others will stand; the nearest to walk to first, at most `most`.
+/// Refuges for a body that stands at `from`: places where it is clear of the line that another
+/// wants to go along, of walls, and of where others will stand. At most `most`, the shortest way
+/// first. Frame: floor.
 std::vector<Refuge> find_refuges(const path::FloorMap& map, const ReservationTable& reservations,
                                  std::uint32_t body, Vec2 from, std::span<const Vec2> line,
                                  std::size_t most);

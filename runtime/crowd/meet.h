@@ -11,13 +11,13 @@
 
 namespace docent::crowd {
 
-/// Numbers beyond this are no places on a floor; who has any, or one that is not finite, or a
-/// radius below 0, takes no part and meets nobody. Metres, or metres a second.
+/// The largest coordinate, speed or radius that counts. Metres, or metres a second. A body with a
+/// larger number, one that is not finite, or a negative radius takes no part and meets nobody.
 inline constexpr double largest_number = 1e9;
 /// A horizon is at most this, at least 0; one that is not a number is 0. Seconds.
 inline constexpr double largest_horizon = 1e6;
 
-/// Are these numbers of a body?
+/// Are all numbers of this body ones that count?
 inline bool takes_part(const Body& body) noexcept {
   const auto is_number = [](double value) { return std::abs(value) <= largest_number; };
   return is_number(body.position.x) && is_number(body.position.y) && is_number(body.velocity.x) &&
@@ -28,43 +28,42 @@ double clamp_horizon(double horizon) noexcept;
 inline Approach approach_of(const Body& a, const Body& b) noexcept {
   return make_approach(b.position - a.position, b.velocity - a.velocity, a.radius + b.radius);
 }
-/// When the circles of two bodies touch, walls or no walls (contact.h).
+/// When the circles of two bodies touch, whether or not a wall is between them (contact.h).
 inline std::optional<Collision> contact_of_circles(const Body& a, const Body& b,
                                                    double horizon) noexcept {
   return contact(approach_of(a, b), horizon);
 }
 
-/// When two bodies meet: the first time t, now or within the horizon, at which their circles touch
-/// and the way from one centre to the other is open, both keeping their velocity. The way is three
-/// straight lines: with the first body to where it is at t, from there to where the other is at t,
-/// and back to where that one is now; it is open if no part of it leaves the floor (along a wall
-/// and round a corner is on the floor).
+/// When two bodies meet if both keep their velocity: the first time t from now to the horizon
+/// (seconds) at which their circles touch and the line from one centre to the other is open. That
+/// line has three straight parts: from where the first body is now to where it is at t, from there
+/// to where the other is at t, and from there to where the other is now. It is open if no part of
+/// it leaves the floor; touching a wall or a corner is not leaving.
 ///
-/// So a wall drops a pair only if, at every moment at which the circles would touch, it has stopped
-/// one of the centres on its way there, or stands between the centres. Circles that are wholly on
-/// the floor cannot touch then: together they cover the line between their centres. Nothing is
-/// assumed about the discs' own clearance, which may be less than their radius.
+/// So a wall keeps two bodies apart only if, at every moment at which the circles would touch, it
+/// has stopped one of the centres on its way there, or stands between the centres. Circles that are
+/// wholly on the floor cannot touch then: together they cover the line between their centres.
+/// Nothing is assumed about the clearance of the centres, which may be less than the radius.
 ///
-/// A body whose centre is off the floor, where nobody should be, is held by no wall: there only the
-/// circles count. Where more than 64 corners pass between two bodies they count from the first
-/// touch. The same for (b, a), but for rounding of the time. Does not allocate.
+/// A body whose centre is off the floor, where nobody should be, is held by no wall: for it only
+/// the circles count. Two bodies between which more than 64 corners pass meet at their first touch.
+/// (a, b) and (b, a) give the same answer, but for rounding of the time. Does not allocate.
 std::optional<double> time_of_impact(const WalkableCells& floor, const Body& a, const Body& b,
                                      double horizon) noexcept;
 
-/// The same for bodies that take part and stand on the floor, with their contact at hand.
+/// The same for bodies that take part and are on the floor, whose `contact` is known already.
 std::optional<double> time_in_sight(const WalkableCells& floor, const Body& a, const Body& b,
                                     const Collision& contact) noexcept;
 
-/// From a point to the nearest wall, metres, if that is less than `most`; perhaps a little less.
+/// Distance from a point to the nearest wall, metres; perhaps a little less. At most `most`.
 double clearance_at(const WalkableCells& floor, Vec2 point, double most) noexcept;
 
-/// Where a centre is, and where it will be up to the horizon: no further than `tolerance` from a
-/// line.
+/// A straight piece from which a centre is no further than `tolerance`, now and up to the horizon.
 struct SweptLine {
   Vec2 from{}, to{};
   double tolerance = 0;  ///< Metres.
 };
-/// What `time_in_sight` says of any two who are each in their stretch.
+/// What `time_in_sight` says of any two bodies that keep to their swept lines.
 enum class Sight : std::uint8_t {
   Unknown,  ///< Not asked yet.
   Open,     ///< No wall comes between them: they meet when their circles touch.

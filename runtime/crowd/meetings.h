@@ -26,27 +26,27 @@ struct Meeting {
 /// Who meets whom, step after step: all pairs for which `time_of_impact` (meet.h) has an answer,
 /// and no others, found without comparing everybody with everybody.
 ///
-/// Every body is known by its Voronoi region, followed from neighbour to neighbour, and by the
-/// cells that its circle covers on its way up to the horizon, as far as one can walk to them under
-/// it. Who meet share a cell: the point where the circles touch is on the open line between the
-/// centres. What a body covers is made a little larger than it need be, and kept, with the
-/// neighbours found in it, until the body leaves it. So a step compares each with the few that it
-/// may meet, and only those that have come to the end of their cover look about them.
+/// For every body its Voronoi region is known, followed from neighbour to neighbour, and its cover:
+/// the cells that its circle passes over up to the horizon, as far as one can walk to them under
+/// the circle. Two bodies that meet share a cell: the point where their circles touch is on the
+/// open line between the centres. A cover is made a little larger than need be and kept, with the
+/// neighbours found in it, until the body leaves it. So a step compares each body with the few that
+/// it may meet, and only a body that has left its cover looks for neighbours again.
 ///
-/// What is kept changes the cost of an answer and never the answer. Bodies may be given in any
-/// number up to the one promised, jump, come and go. Those that reach over dozens of cells, or are
-/// off the floor, are compared with everybody. Borrows the map. For one thread; the frame loop may
-/// call it: nothing is allocated while there are at most 4096 pairs of neighbours, or eight to a
-/// body on average, or no more than ever before.
+/// What is kept changes the cost of an answer and never the answer. There may be any number of
+/// bodies up to `most_bodies`, and they may jump, come and go. Those that reach over dozens of
+/// cells, or are off the floor, are compared with everybody. Borrows the map. For one thread; the
+/// frame loop may call it: nothing is allocated while there are at most 4096 pairs of neighbours,
+/// or eight to a body on average, or no more than ever before.
 class Meetings {
  public:
   Meetings(const path::FloorMap& map, std::size_t most_bodies);
 
-  /// Where everybody is now. More than promised are left out, the last ones.
+  /// Where everybody is now. Those beyond `most_bodies` are left out.
   void update(std::span<const Body> bodies) noexcept;
 
-  /// All meetings from now to the horizon (seconds; see meet.h), by a, then by b. Valid until the
-  /// next call. One horizon in every step is quickest.
+  /// All meetings from now to the horizon (seconds; see meet.h), sorted by a, then b. Valid until
+  /// the next call. Quickest where the horizon is the same in every step.
   std::span<const Meeting> find(double horizon);
 
   /// The Voronoi region (site) that a body is in; Regions::none off the floor.
@@ -65,15 +65,15 @@ class Meetings {
     std::uint32_t region = Regions::none;
   };
   /// What a body covers: all cells under a capsule that one can walk to from the body's cell
-  /// without leaving the cells under it. Holds while body and destination are within `tolerance` of
-  /// the axis. The body has been at the clear place, and no wall is within its radius: who is there
-  /// has passed none. On one line of the cache.
+  /// without leaving the cells under the capsule. Holds while the body, now and at the horizon, is
+  /// within `tolerance` of the capsule's axis. The body has been at the clear place, and no wall is
+  /// within `clear_radius` of that: a body within it has passed no wall. Fills one cache line.
   struct alignas(64) CachedCover {
-    Vec2 from{}, along{};  ///< The axis begins here; a unit vector, or none.
-    float length = 0;      ///< Of the axis, metres as all of these.
+    Vec2 from{}, along{};  ///< Where the axis begins; its unit vector, or (0, 0) for a point.
+    float length = 0;      ///< Of the axis. All lengths here are metres.
     float tolerance = 0;
     float radius = -1;               ///< Of the body, or a little more.
-    float clear_x = 0, clear_y = 0;  ///< The clear place, from the axis' beginning.
+    float clear_x = 0, clear_y = 0;  ///< The clear place, relative to `from`.
     float clear_radius = 0;
     std::uint32_t cells = 0;  ///< How many; 0 for a body without a cover.
 
@@ -95,8 +95,8 @@ class Meetings {
     void clear(Vec2 place, double clearance) noexcept;
   };
   static constexpr std::uint32_t occupants_a_block = 14;
-  /// Who is in a cell, on one line of the cache; cell i begins with block i. All behind it are
-  /// full.
+  /// Who is in a cell, in one cache line. Cell i begins with block i; the blocks that follow it by
+  /// `next` are full.
   struct alignas(64) OccupantBlock {
     std::uint32_t next = none;
     std::uint32_t count = 0;
@@ -104,10 +104,10 @@ class Meetings {
   };
   struct Mover {
     Body now;
-    std::uint32_t version = 1;  ///< One more for every cover.
+    std::uint32_t version = 1;  ///< Grows with every new cover.
     bool takes_part = false;
   };
-  /// Two whose capsules come near each other, while both covers are those of these versions.
+  /// Two bodies whose capsules come near each other; valid while both covers have these versions.
   struct Neighbours {
     std::uint32_t a = 0, b = 0;    ///< The one that looked first.
     std::uint32_t versions = 0;    ///< The sum of both; 0 for two who need no comparing.
@@ -145,8 +145,8 @@ class Meetings {
   std::size_t most_bodies_;
   std::uint32_t count_ = 0;  ///< Of the bodies given.
   std::uint64_t steps_ = 0;
-  /// Who stand together are kept together, for the caches: a body has one number here and an index
-  /// for those who ask. All that follow are by that number, unless said otherwise.
+  /// Bodies that are near each other get numbers near each other, for the caches: a body has a
+  /// number in here and an index for the caller. What follows is by number, unless said otherwise.
   std::uint32_t numbers_ = 0;  ///< In use.
   std::vector<std::uint32_t> index_of_;
   std::vector<std::uint32_t> number_of_;  ///< By index.
@@ -159,7 +159,7 @@ class Meetings {
   std::vector<CachedCover> cover_;
   std::vector<std::uint32_t> covered_;  ///< Cells, `most_cells` per body.
   std::vector<OccupantBlock> blocks_;
-  std::uint32_t spare_block_ = none;    ///< The first of those that no cell uses.
+  std::uint32_t spare_block_ = none;    ///< The first block that no cell uses.
   std::vector<std::uint64_t> seen_in_;  ///< Per body: the last look that met it.
   std::uint64_t looks_ = 0;
   std::vector<Neighbours> neighbours_;  ///< By a.

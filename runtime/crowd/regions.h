@@ -10,7 +10,8 @@
 
 namespace docent::crowd {
 
-/// The Voronoi regions of a floor as neighbours, for following what moves from one to the next.
+/// The Voronoi regions of a floor and their neighbours, to follow a moving point from one region to
+/// the next.
 ///
 /// Frame: floor. Borrows the map. Immutable, so any thread may ask.
 class Regions {
@@ -22,31 +23,34 @@ class Regions {
   /// Where a point is.
   struct Place {
     std::uint32_t region = none;  ///< Its site; `none` for a point off the floor.
-    double clearance = 0;         ///< Metres to the nearest wall, no less than that.
-    /// A point nearer to this one than that is on the same floor in the same region. Metres,
-    /// perhaps less than it could be, never more.
+    double clearance = 0;         ///< Metres to the nearest wall; perhaps a little less.
+    /// Every point nearer to this one than `slack` is in the same region. Metres; perhaps less than
+    /// it could be, never more.
     double slack = 0;
   };
-  /// Looks everywhere.
+  /// Looks on the whole floor.
   Place find(Vec2 point) const noexcept;
   /// The same, beginning in a region: goes to the neighbour that is nearest to the point, until
-  /// none is nearer. A point that is on the border of regions may be said to be in any of them.
+  /// none is nearer. For a point on a border the answer may be any of the regions that meet there.
   Place follow(Vec2 point, std::uint32_t region) const noexcept;
 
  private:
   /// A wall from a to b, or a corner, where both are the same.
   struct SiteShape {
-    Vec2 a{}, b{}, along{};     ///< `along` is a unit vector.
-    double length = 0;          ///< Metres.
-    std::uint32_t at_a = none;  ///< Of a wall: the site of its corner there, if that is reflex.
-    std::uint32_t at_b = none;  ///< Of a corner: the walls that end and begin there, likewise.
+    Vec2 a{}, b{}, along{};  ///< `along` is a unit vector.
+    double length = 0;       ///< Metres.
+    /// Of a wall: the sites of its corners at a and b, where those are reflex. Of a corner: the
+    /// sites of the walls that end and begin there.
+    std::uint32_t at_a = none;
+    std::uint32_t at_b = none;
     bool is_wall = false;
   };
   std::span<const std::uint32_t> next_to(std::uint32_t region) const noexcept {
     return std::span(next_).subspan(next_first_[region],
                                     next_first_[region + 1] - next_first_[region]);
   }
-  /// Distance to a site, squared, and how far along its wall the foot is, beyond its ends too.
+  /// Distance to a site, squared, and how far along its wall the foot of the perpendicular is; that
+  /// may lie beyond the wall's ends. Metres.
   struct Foot {
     double distance_squared = 0, at = 0;
   };

@@ -9,15 +9,15 @@
 
 namespace docent::crowd {
 
-/// A body that would be come too near to.
+/// The first body that a trajectory would come too near to.
 struct Conflict {
-  double seconds = 0;
+  double seconds = 0;      ///< When; crowd's clock.
   std::uint32_t body = 0;  ///< The other one.
 };
 
-/// The trajectories to which all bodies of a floor are committed. Whoever wants to go somewhere is
-/// free to do so where no other's trajectory is: so nobody ever walks into anybody (prioritised
-/// planning, Erdmann and Lozano-Perez 1987; every trajectory ends standing, which is always safe).
+/// The trajectories to which all bodies of a floor are committed. A body may be committed only to a
+/// trajectory that comes near no other's, so nobody ever walks into anybody (prioritised planning,
+/// Erdmann and Lozano-Perez 1987). Every trajectory ends standing, so it is safe for ever.
 class ReservationTable {
  public:
   explicit ReservationTable(double body_radius) : radius_(body_radius) {}
@@ -28,11 +28,11 @@ class ReservationTable {
   void put(std::uint32_t body, Trajectory trajectory);
   void remove(std::uint32_t body) noexcept;
 
-  /// Null for a body that is not here.
+  /// Null for a body that is not in the table.
   const Trajectory* trajectory_of(std::uint32_t body) const noexcept;
 
-  /// Of all others, whom a body on this trajectory would first come nearer than two radii and
-  /// `spare`, and when.
+  /// The first other body to which this one, on this trajectory, would come nearer than two radii
+  /// and `spare` (metres), not before `from` (crowd's clock); none where it meets nobody.
   std::optional<Conflict> first_conflict(std::uint32_t body, const Trajectory& trajectory,
                                          double spare, double from) const noexcept;
 

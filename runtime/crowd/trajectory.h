@@ -12,7 +12,7 @@ namespace docent::crowd {
 struct Trajectory {
   static constexpr double step = 1.0 / 30;  ///< Seconds between places.
 
-  double start = 0;         ///< When the body is at the first place; before that it stands there.
+  double start = 0;         ///< When the body leaves the first place; before that it stands there.
   std::vector<Vec2> place;  ///< Never empty.
 
   double end() const noexcept { return start + step * static_cast<double>(place.size() - 1); }

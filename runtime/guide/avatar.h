@@ -13,26 +13,26 @@ namespace docent::guide {
 /// What an avatar does, as states.csv names it.
 enum class AvatarState : std::uint8_t { Idle, Turn, Walk, Wait, Look, Gesture };
 
-/// Someone who walks: the plan being walked, and the pose at this moment.
+/// A body that is drawn: the plan that it walks, and its pose at this moment.
 struct Avatar {
   std::uint32_t floor = 0;
   std::uint32_t look = 0;            ///< Of `looks` (runtime/scene/look.h).
-  std::unique_ptr<plan::Plan> plan;  ///< Never empty; standing at its last frame when it is over.
-  std::unique_ptr<plan::Plan> next;  ///< Takes over at next->order.previous_frame of plan.
+  std::unique_ptr<plan::Plan> plan;  ///< Never empty; once over, it stands at the last frame.
+  std::unique_ptr<plan::Plan> next;  ///< Takes over at frame next->order.previous_frame of `plan`.
   double seconds = 0;                ///< Since the first frame of plan's walk.
   double standing = 0;     ///< Seconds that it has stood; keeps its value while it sets out...
   double idle_weight = 1;  ///< ... and this fades the idle motion out.
   Placement body;
   double along = 0;  ///< Metres of the plan's way behind it.
   motion::Gait gait = motion::Gait::Idle;
-  double gaze = 0, gaze_rate = 0;  ///< Radians that the head looks aside of the body, a second.
+  double gaze = 0, gaze_rate = 0;  ///< Turn of the head from the body: radians; radians a second.
 
   std::vector<Quat> rotation, still;   ///< One per joint.
   std::vector<Mat4> world;             ///< One per joint, world frame.
   float ankle_rest = 0, toe_rest = 0;  ///< World y of the joints when standing flat.
 };
 
-/// An avatar that stands at the given place. Sizes all that it will need.
+/// An avatar that stands as the plan `standing` does. Allocates all that it will ever need.
 Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing);
 
 /// Is it at the end of its plan?
@@ -41,8 +41,8 @@ bool has_finished(const Avatar& avatar) noexcept;
 /// The frame of the plan's walk from which a new plan can take over, `lead` seconds from now.
 std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept;
 
-/// Hands it the plan that was made from `frame_ahead`. False where that frame has passed already:
-/// then it has to be asked for again.
+/// Hands the avatar a plan that takes over at a frame of the one before (see frame_ahead). False
+/// where that frame has passed already: then a plan has to be asked for again.
 bool take_plan(Avatar& avatar, std::unique_ptr<plan::Plan> plan) noexcept;
 
 /// One step of time: follows the plan, changes to the next at its frame, poses the body.

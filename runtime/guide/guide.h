@@ -29,7 +29,7 @@ struct GuideSettings {
   std::uint32_t visitors = 1;  ///< Who may use the glass at the same time; 1 to most_seats.
 };
 
-/// What a planner has to be made for: avatars, and parts of the glass.
+/// How many avatars and parts of the glass a planner has to serve.
 struct PlannerSize {
   std::size_t avatars = 1, parts = 1;
 };
@@ -51,11 +51,11 @@ struct GuideCounters {
 
 /// The kiosk's whole state, without the edges: touches and time in, a draw list out.
 ///
-/// One visitor has the whole glass and a camera that goes along. On a shared glass each has a seat
-/// at its lower edge, and the model above belongs to all: a contact there is that of the visitor
-/// whose territory, the place about which they touch, is nearest; beyond an arm's reach it is
-/// somebody new. The card follows when its visitor's territory has moved on. Each has one of the
-/// guides, who wait about the kiosk and are told apart by their looks.
+/// A single visitor has the whole glass and a camera that follows the guide. On a shared glass each
+/// visitor has a seat at its lower edge, and the model above the seats belongs to all: a touch of
+/// the model is taken for that of the visitor whose territory (the place about which they touch) is
+/// nearest, or for somebody new beyond an arm's reach. A card follows its visitor's territory. Each
+/// visitor has one of the guides, who wait about the kiosk and are told apart by their looks.
 ///
 /// Called by the frame thread alone. After construction its functions do not throw, allocate or
 /// wait: what takes long is asked of the planner, whose answers are taken at the next step. Borrows
@@ -66,8 +66,8 @@ class Guide {
 
   void touch(const input::InputEvent& event) noexcept;
   void step(Seconds dt) noexcept;
-  /// What to draw of the state after the last step, in the names of texture memory: so the pieces
-  /// that step() let go have to be applied before.
+  /// What to draw of the state after the last step. It names textures, so the changes that
+  /// take_pieces() gives after that step have to be applied before it is drawn.
   const scene::DrawList& draw_list() noexcept;
 
   /// The screen has another size: a view is laid out for it.
@@ -79,10 +79,10 @@ class Guide {
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.
   std::size_t seats() const noexcept { return seating_ ? seating_->seats() : 1; }
-  /// The part of the glass that a seat is, counted from the left, from 1; none: the part that was
-  /// touched last.
+  /// The part of the glass that belongs to a seat (counted from the left, from 1); without a seat,
+  /// the part that was touched last.
   std::size_t part_of(std::optional<std::uint32_t> seat) const noexcept;
-  /// Parts of the glass: the whole of it, or the model, is 0; then the sessions at the seats.
+  /// Part 0 is the whole glass, or the model of a shared one; the sessions at the seats follow.
   const interface::InterfaceState& state(std::size_t part = 0) const noexcept {
     return sessions_[part].state();
   }
@@ -92,9 +92,9 @@ class Guide {
   }
   /// Does the screen show the state that the visitor asked for?
   bool shows_its_state(std::size_t part = 0) const noexcept;
-  /// And does nothing fly or fade any more?
+  /// Does it, and has every flight and fade ended?
   bool is_settled(std::size_t part = 0) const noexcept;
-  /// Nobody is there.
+  /// Is nobody using the glass?
   bool is_vacant() const noexcept;
   /// All who walk; the guides come first.
   const Crowd& crowd() const noexcept { return crowd_; }
@@ -128,7 +128,7 @@ class Guide {
   std::vector<Held> held_;
   std::vector<LedVisitor> led_visitors_;
   std::size_t speaker_ = 0;    ///< The part whose visitor touched last.
-  float refusal_seconds_ = 0;  ///< For so long somebody who found no seat is still told so.
+  float refusal_seconds_ = 0;  ///< How much longer the glass says that no seat is free.
   Stage stage_;
   GuideCounters counters_;
   scene::DrawList list_;

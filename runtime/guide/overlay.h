@@ -27,7 +27,7 @@ class Overlay {
   std::int32_t control_at(float x, float y) const noexcept;
   /// A finger came down: answers with a ring and holds the control under it.
   void touch_down(const input::Finger& finger) noexcept;
-  /// A finger left; the control that it pressed, if it left the one it came down on.
+  /// A finger left: returns the control that it pressed, -1 unless it left the one it came down on.
   std::int32_t touch_up(const input::Finger& finger) noexcept;
 
   /// Moves the keypad's focus by `step` in focus order; nothing has it before the first key.
@@ -38,14 +38,14 @@ class Overlay {
   const interface::View* view() const noexcept { return view_.get(); }
   bool is_fading() const noexcept { return age_ < fade_seconds; }
 
-  /// Appends the quads of the interface. `remaining`: metres to go; `away`: the camera still flies,
-  /// so what is written on the model waits.
+  /// Appends the quads of the interface. `remaining`: metres that the guide still has to walk;
+  /// `labels_opacity`: of what is written on the model.
   void draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept;
 
  private:
   static constexpr float fade_seconds = 0.26F;
   static constexpr float ring_seconds = 0.45F;
-  static constexpr std::size_t most_presses = 40;  ///< All hands at a shared glass.
+  static constexpr std::size_t most_presses = 40;  ///< Of all fingers at a shared glass.
 
   struct Ring {
     float x = 0, y = 0, age = ring_seconds;

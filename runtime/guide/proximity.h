@@ -12,12 +12,13 @@ namespace docent::guide {
 
 struct Agent;
 
-/// Who is or soon will be near whom among the agents of one floor, step by step
-/// (runtime/crowd/meetings.h). A plan looks at those, whoever is blocked tries again when something
-/// has changed about them, and who touches is counted.
+/// Which agents of one floor are near each other, step by step (runtime/crowd/meetings.h). A plan
+/// looks at the agents near its own, a blocked agent tries again when something has changed about
+/// them, and overlaps are counted.
 ///
-/// Near is who comes within `near_reach` of another in the next `near_horizon` seconds if both go
-/// straight on, with no wall between. Borrows the map. Does not allocate in a step.
+/// Two agents are near each other if they come within `near_reach` in the next `near_horizon`
+/// seconds when both go straight on, with no wall between. Borrows the map. Does not
+/// allocate in a step.
 class Proximity {
  public:
   static constexpr double near_reach = 1.2;  ///< Metres between two centres.
@@ -36,9 +37,9 @@ class Proximity {
   const path::FloorMap& map_;
   std::uint32_t floor_;
   double body_radius_;
-  std::optional<crowd::Meetings> meetings_;  ///< None for one who is alone.
-  std::vector<crowd::Body> bodies_;          ///< Of those who are here.
-  std::vector<std::uint32_t> agent_;         ///< Whose body that is.
+  std::optional<crowd::Meetings> meetings_;  ///< None where there is one agent at most.
+  std::vector<crowd::Body> bodies_;          ///< Of the agents that are here.
+  std::vector<std::uint32_t> agent_;         ///< Per body: its agent.
   std::vector<plan::Nearby> near_;           ///< Per agent.
   std::vector<Vec2> last_;                   ///< Per agent: where it was.
   std::vector<bool> was_here_;

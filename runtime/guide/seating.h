@@ -12,8 +12,8 @@
 
 namespace docent::guide {
 
-/// Whose touch is whose at a shared glass. Every visitor has a territory, the place about which
-/// they touch, and a seat, where their card is.
+/// Which visitor a touch of a shared glass belongs to. Every visitor has a territory, the place
+/// about which they touch, and a seat, where their card is.
 ///
 /// Parts are those of the glass: 0 is the model, then the sessions at the seats. Borrows the
 /// sessions and the shape. For the frame thread; after construction nothing allocates.
@@ -25,13 +25,13 @@ class Seating {
   std::size_t seats() const noexcept { return sessions_.size() - 1; }
   /// The part of a seat, counted from the left, from 1; none where there is no such seat.
   std::optional<std::size_t> part_of(std::uint32_t seat) const noexcept;
-  /// The part whose visitor touches there; 0 where that is somebody for whom there is no seat.
+  /// The part whose visitor touches there; 0 where it is somebody new and no seat is free.
   std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
   bool is_on_model(scene::ScreenPoint at) const noexcept;
 
-  /// Its visitor has touched there.
+  /// The part's visitor has touched there.
   void touch(std::size_t part, scene::ScreenPoint at) noexcept;
-  /// Its visitor has used a key: their place is before their card.
+  /// The part's visitor has used a key: a new visitor's territory is then their card.
   void press_key(std::size_t part) noexcept;
 
  private:

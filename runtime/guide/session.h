@@ -23,11 +23,11 @@ struct Errand {
   RouteKind route = RouteKind::Shortest;
 };
 
-/// What the sessions of a kiosk have in common; borrowed from it.
+/// What the sessions of a kiosk have in common. Borrowed.
 struct SessionContext {
   const Museum& museum;
   plan::Planner& planner;
-  Crowd& crowd;  ///< Its first are the guides; guide i waits at home i.
+  Crowd& crowd;  ///< Its first agents are the guides; guide i waits at homes[i].
   const interface::ScreenShape& shape;
   std::span<const Placement> homes;
 };
@@ -39,21 +39,23 @@ struct SessionContext {
 /// After construction its functions do not throw, allocate or wait.
 class Session {
  public:
-  /// Of a part of the glass (ViewRequest::part). `guide`: who leads it; none before one is picked.
+  /// `part`: of the glass (ViewRequest::part). `guide`: who leads the visitor; none until one is
+  /// picked.
   Session(const SessionContext& context, std::uint32_t part, const interface::InterfaceState& state,
           std::optional<std::uint32_t> guide);
 
-  /// An event of the glass on this part of it; `surface` is the overlay that was touched, which may
-  /// be that of the model. True unless a finger left the glass where nothing is.
+  /// A touch by this session's visitor; `surface` is the overlay that was touched: the session's
+  /// own or that of the model. False where a finger left the glass and there was nothing to press.
   bool touch(const input::InputEvent& event, Overlay& surface) noexcept;
   void press_key(input::Key key) noexcept;
   void act(interface::Action action) noexcept;
-  /// Another state without anybody's asking.
+  /// Goes to another state without a touch or a key.
   void show(const interface::InterfaceState& state) noexcept;
   void request_view() noexcept;
-  /// The planner's answer; true where it is now on the glass.
+  /// Takes the planner's answer. True where the view is now on the glass.
   bool take_view(std::unique_ptr<interface::View> view) noexcept;
-  /// After the crowd's step. `absent_after`: seconds without a touch.
+  /// Called after the crowd's step. `absent_after`: seconds without a touch or a key after which
+  /// the visitor counts as gone.
   void step(float seconds, float absent_after) noexcept;
 
   const interface::InterfaceState& state() const noexcept { return state_; }
@@ -67,7 +69,7 @@ class Session {
   bool is_vacant() const noexcept { return state_.screen == interface::Screen::Welcome; }
   /// Metres that the guide still has to walk.
   double remaining() const noexcept;
-  /// Ways that were begun so far.
+  /// How many ways were begun so far.
   std::uint64_t routes() const noexcept { return routes_; }
 
  private:

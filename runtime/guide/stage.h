@@ -12,11 +12,11 @@
 
 namespace docent::guide {
 
-/// Does it guide somebody, and not stroll?
+/// Does it have a guide's look, and not a stroller's?
 bool leaves_a_trail(const Agent& one) noexcept;
 
-/// Appends the way of someone who guides as a trail in the colour of their look, `flow` metres on;
-/// nothing where the list has no more capacity. Does not allocate.
+/// Appends a guide's way as a trail in the colour of its look, its pattern moved on by `flow`
+/// metres; nothing where the list has no capacity left. Does not allocate.
 void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcept;
 
 /// A guide who leads a visitor to an exhibit.
@@ -26,20 +26,20 @@ struct LedVisitor {
   bool arrived = false;
 };
 
-/// The model on its table: the camera, the way on the floor, the marks. Everything that is drawn
-/// below the interface except the bodies.
+/// The model as a view shows it: the camera, the ways on the floor, the marks. Everything that is
+/// drawn below the interface except the bodies.
 class Stage {
  public:
   explicit Stage(const Museum& museum);
 
-  /// A view is entered: which part of the screen it leaves free. The camera flies where it must.
+  /// A view is entered that leaves `free` of the screen to the model. The camera flies if need be.
   void enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
              const Avatar& leader) noexcept;
   void advance(const interface::InterfaceState& state, const Avatar& leader,
                float seconds) noexcept;
-  /// Fills in camera, light, ways and marks. The crowd's first is the leader. On a glass of one
-  /// visitor the way has the colour of its kind, which the panel explains; on a shared one each way
-  /// has its guide's, and the pattern alone tells the kind.
+  /// Fills in camera, light, ways and marks. The crowd's first agent is the leader. On the glass of
+  /// one visitor the way has the colour of its kind, which the panel explains; on a shared glass
+  /// each way has the colour of its guide, and the pattern alone tells the kind.
   void draw(const interface::InterfaceState& state, const Crowd& crowd,
             std::span<const LedVisitor> led_visitors, scene::DrawList& list) const noexcept;
   /// The leader follows another way: its points go into the draw list.
@@ -59,15 +59,15 @@ class Stage {
   const Museum& museum_;
   std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
   scene::CameraRig rig_, from_;
-  double flight_ = 1;          ///< Share of the flight from `from_`.
-  double flight_seconds_ = 1;  ///< What a flight takes.
+  double flight_ = 1;          ///< Share of the flight from `from_` that is done.
+  double flight_seconds_ = 1;  ///< How long the flight takes.
   interface::Screen screen_ = interface::Screen::Welcome;
   bool entered_ = false;
   scene::Rect free_{0, 0, 1, 1};
   float aspect_ = 16.0F / 9;
   double yaw_ = 0;             ///< Of the walking camera; turns slower than the guide.
   double distance_ = 9;        ///< Of the walking camera.
-  scene::CameraRig overview_;  ///< Of the free part.
+  scene::CameraRig overview_;  ///< The whole floor in the free part.
   float time_ = 0;
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;

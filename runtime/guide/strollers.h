@@ -8,14 +8,14 @@
 
 namespace docent::guide {
 
-/// Visitors on their own: they stroll from exhibit to exhibit by any kind of way, sometimes just
-/// somewhere, stand and look, and go on. What they do depends on the museum alone, so runs repeat
-/// exactly.
+/// The strollers: each walks from exhibit to exhibit by ways of any kind, sometimes to some other
+/// place, stands and looks, and goes on. Their random choices depend on the museum alone, so runs
+/// repeat exactly.
 class Strollers {
  public:
   explicit Strollers(const Museum& museum) : museum_(museum) {}
 
-  /// They join a crowd; allocates.
+  /// Adds the strollers to a crowd. Allocates.
   void enter(Crowd& crowd);
   void step(Crowd& crowd) noexcept;
 
@@ -23,8 +23,8 @@ class Strollers {
   struct Stroller {
     std::uint32_t who = 0;
     std::uint64_t chance = 0;  ///< State of its random numbers.
-    double goes_on_at = 0;     ///< Crowd's clock; while it looks.
-    bool looks = true;
+    double goes_on_at = 0;     ///< Crowd's clock: until when it looks.
+    bool looks = true;         ///< It stands and looks.
   };
   double random(Stroller& stroller) const noexcept;
   void choose(Stroller& stroller, Crowd& crowd) const noexcept;

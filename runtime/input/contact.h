@@ -4,10 +4,10 @@
 
 namespace docent::input {
 
-/// A finger on the glass. Screen frame after rotation.
+/// A finger on the glass. Screen frame; a decoder gives it as the device lies, before rotation.
 struct Contact {
   std::uint32_t id = 0;  ///< Stays with the finger while it is down.
-  float x = 0, y = 0;    ///< [0, 1] of the logical range.
+  float x = 0, y = 0;    ///< [0, 1].
 };
 
 /// Keys that the kiosk understands beside letters, digits and F1...

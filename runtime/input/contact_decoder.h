@@ -21,7 +21,7 @@ struct ContactFields {
 };
 
 /// How a touch screen reports its contacts: parallel (all in one report), serial (one a report) or
-/// hybrid (a few a report), as in "Digitizer Drivers" of the Windows 7 and 8 touch specifications.
+/// hybrid (a few a report): the modes of the Windows 7 and 8 touch specifications.
 struct TouchLayout {
   /// A pad reports contacts like a screen, but lies beside the picture: the kiosk does not use it.
   enum class Surface : std::uint8_t { Screen, Pad };
@@ -29,12 +29,12 @@ struct TouchLayout {
   std::uint8_t report_id = 0;
   std::vector<ContactFields> slots;
   std::optional<ReportField> count;      ///< Contact count: in the first report of a frame.
-  std::optional<ReportField> scan_time;  ///< The same in all reports of a frame.
+  std::optional<ReportField> scan_time;  ///< Has one value in all reports of a frame.
   bool single_touch = false;  ///< A mouse with absolute axes: one contact, button 1 is the tip.
 };
 
 /// The touch screen in a descriptor: a Touch Screen application, or else a pointer with absolute
-/// axes; empty when there is none. A mouse that a touch screen also offers is left alone.
+/// axes; empty when there is none. Where a touch screen also offers a mouse, the mouse is ignored.
 std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor);
 
 /// Turns input reports into the set of contacts that are down. One per device; does not allocate.
@@ -71,14 +71,14 @@ class ContactDecoder {
   TouchLayout layout_;
   std::array<Reading, max_contacts> frame_{};  ///< Readings of the frame being collected.
   std::size_t frame_count_ = 0;
-  std::size_t expected_ = 0;  ///< Contacts that the frame promised and did not deliver yet.
+  std::size_t expected_ = 0;  ///< Contacts of the frame that are still to come.
   struct Held {
     Contact contact;
     std::uint32_t missed = 0;  ///< Frames since it was last mentioned.
   };
   std::array<Held, max_contacts> down_{};
   std::size_t down_count_ = 0;
-  std::array<Contact, max_contacts> contacts_{};  ///< Of down_, for contacts().
+  std::array<Contact, max_contacts> contacts_{};  ///< The contacts of down_, for contacts().
 };
 
 /// Compares two sets of contacts and appends Down, Move and Up events; returns how many were

@@ -19,7 +19,7 @@ struct Finger {
 /// What a finger meant when it left the glass.
 struct Gesture {
   enum class Kind : std::uint8_t {
-    Release,    ///< It moved a little or stayed long: whatever it left is pressed.
+    Release,    ///< It moved little or stayed long: the control where it left is pressed.
     SwipeLeft,  ///< It flicked; in screen directions, whatever the language.
     SwipeRight,
   };
@@ -30,15 +30,15 @@ struct Gesture {
 /// Follows every finger on its own: two contacts are two fingers, each with its own gesture.
 class GestureRecogniser {
  public:
-  /// A finger more than these is not followed.
+  /// Fingers beyond these are not followed.
   static constexpr std::size_t most_fingers = 10;
 
-  /// A flick goes at least that share of the glass sideways.
+  /// A flick goes sideways by at least that share of the glass's width.
   explicit GestureRecogniser(float flick_distance = 0.08F) noexcept
       : flick_distance_(flick_distance) {}
 
-  /// Takes an event of the glass; the gesture that it ended, if any. Keys and contacts that never
-  /// came down are passed over.
+  /// Takes an event of the glass; returns the gesture that it ended, if any. Passes over keys, and
+  /// contacts that never came down.
   std::optional<Gesture> take(const InputEvent& event) noexcept;
   void advance(float seconds) noexcept;
 

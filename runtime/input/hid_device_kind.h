@@ -9,7 +9,7 @@
 
 namespace docent::input {
 
-/// What a HID device is taken for, from its report descriptor alone.
+/// What the kiosk takes a HID device for, from its report descriptor alone.
 struct HidDeviceKind {
   std::optional<TouchLayout> touch;  ///< A touch screen, or a touch pad (then `ignored` says so).
   std::vector<ReportField>

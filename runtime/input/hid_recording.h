@@ -10,15 +10,15 @@
 
 namespace docent::input {
 
-/// What a HID device said, in the text form of hid-recorder: `R:` descriptor, `N:` name, `I:` bus,
-/// vendor and product, `E:` time, size and bytes of each report.
+/// What a HID device sent, as the program hid-recorder writes it: `R:` descriptor, `N:` name, `I:`
+/// bus, vendor and product, `E:` time, size and bytes of each report.
 struct HidRecording {
   std::string name;
   std::vector<std::byte> descriptor;
   std::vector<std::vector<std::byte>> reports;
 };
 
-/// Reads a recording; `file` names it in errors. Fails with line and sentence on text that is none.
+/// Reads a recording; `file` names it in errors. Fails with a line and a sentence on other text.
 Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view file);
 
 }  // namespace docent::input

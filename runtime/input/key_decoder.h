@@ -57,7 +57,7 @@ class KeyDecoder {
 
   bool numbered_;
   std::vector<ReportField> fields_;
-  /// What each report says is down: a report speaks only for its own keys.
+  /// Per report id, the keys that are down: a report tells only of its own keys.
   std::array<std::bitset<key_slots>, 256> down_by_report_{};
 };
 

@@ -74,7 +74,7 @@ constexpr bool holds(const ReportField& field, std::span<const std::byte> payloa
   return static_cast<std::uint64_t>(field.bit_offset) + field.bit_size <= payload.size() * 8;
 }
 
-/// A report without its id. `id` is 0 where reports are not numbered.
+/// A report split into its id and the rest. `id` is 0 where reports are not numbered.
 struct ReportBytes {
   std::uint8_t id = 0;
   std::span<const std::byte> payload;

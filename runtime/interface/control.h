@@ -13,27 +13,27 @@
 
 namespace docent::interface {
 
-/// The faces of the kiosk.
+/// The screens that the kiosk can show.
 enum class Screen : std::uint8_t {
-  Welcome,   ///< The whole model and a greeting. Of a seat: nobody is there.
+  Welcome,   ///< The whole model and a greeting. At a seat: nobody is there.
   Picking,   ///< The guides, of whom a visitor at a shared glass picks one.
   Choosing,  ///< The model, its exhibits marked, and the list of them.
   Walking,   ///< Behind the guide.
   Arrived,   ///< Beside the guide, in front of the exhibit.
 };
 
-/// Who uses the glass. On a shared one every visitor has a seat, a card at its lower edge, and the
-/// rest of it, the model, belongs to all of them.
+/// Who uses the glass. On a shared glass every visitor has a seat with a card at the lower edge;
+/// the rest of the glass, the model, belongs to all of them.
 enum class Glass : std::uint8_t {
   Whole,       ///< One visitor, who has all of it.
   Quiet,       ///< Shared; nobody is there.
   Busy,        ///< Shared; somebody is there, and there is room for more.
   Full,        ///< Shared; every seat is taken.
-  TurnedAway,  ///< And somebody has just asked for one in vain.
+  TurnedAway,  ///< Shared and full; somebody has just asked for a seat in vain.
 };
 
-/// What of the guide's state decides which controls there are and what they say. The rest (where
-/// the avatar is, how far a blend has come) only moves things.
+/// The part of the guide's state that decides which controls there are and what they say. The rest
+/// (where the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
   Screen screen = Screen::Welcome;
   std::uint32_t language = 0;              ///< Index into Museum::languages.
@@ -42,10 +42,10 @@ struct InterfaceState {
   RouteKind kind = RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
   Glass glass = Glass::Whole;
-  std::uint8_t seats = 0;  ///< Of a shared glass.
-  /// Whose card this is, counted from the left, from 1; none: no card, but the model.
+  std::uint8_t seats = 0;  ///< How many a shared glass has.
+  /// The seat whose card this is, counted from the left, from 1; none: no card, but the model.
   std::optional<std::uint32_t> seat{};
-  std::optional<std::uint32_t> look{};  ///< Of `looks`: the guide that was picked.
+  std::optional<std::uint32_t> look{};  ///< Index into `looks`: the guide that was picked.
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
 
   bool operator==(const InterfaceState&) const = default;
@@ -54,7 +54,7 @@ struct InterfaceState {
 /// What pressing a control asks for.
 struct Action {
   enum class Kind : std::uint8_t {
-    Begin,         ///< From the welcome to the list; at a seat, to the guides.
+    Begin,         ///< From the welcome to the list of exhibits; at a seat, to the guides.
     Pick,          ///< The guide with look `argument`.
     Choose,        ///< Go to exhibit `argument`.
     TurnPage,      ///< Show page `argument` of the list.
@@ -114,9 +114,9 @@ inline constexpr std::size_t suggestion_count = 2;
 /// How many pages the list has; at least 1.
 std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept;
 
-/// The touches by which a visitor in `state` gets to press the control `name`, that press included;
-/// empty where more than `most` would be needed. List items are preferred to spots: pages are
-/// turned where that is near enough.
+/// The controls that a visitor in `state` has to touch to press the control `name`, that one
+/// included; empty where more than `most` touches would be needed. List items are preferred to
+/// spots: pages are turned where few enough touches do it.
 std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
                                 std::uint32_t per_page, std::string_view name,
                                 std::size_t most = 3);
@@ -124,7 +124,7 @@ std::vector<Control> touches_to(const Museum& museum, const InterfaceState& stat
 /// Does any view of this museum have a control of that name?
 bool is_control_name(const Museum& museum, std::string_view name);
 
-/// The interface's word for `key` in a language: falls back to the first language, then to the key.
+/// The interface's text for `key` in a language: falls back to the first language, then to `key`.
 std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept;
 /// `text` in a language, with the same fallbacks; empty where there is none at all.
 std::string_view in_language(const Museum& museum, std::uint32_t language,

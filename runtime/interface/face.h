@@ -16,14 +16,14 @@ struct ControlRequest {
   std::uint32_t per_page = 1;  ///< Exhibits on a page of the list.
 };
 
-/// One way of showing a screen: what can be pressed, in focus order, and where everything lies in
-/// the content of a panel or a card.
+/// How a screen is shown: what can be pressed, in focus order, and where everything lies in the
+/// content of a panel or a card.
 struct Face {
   void (*add_controls)(const ControlRequest& request, std::vector<Control>& out);
   void (*lay_out)(Sheet& sheet, const PixelBox& content);
 };
-/// A screen has two: on a glass of one's own and on the card of a seat. A further screen is a row
-/// of `screens`.
+/// A screen has two faces: on the glass of one visitor and on the card of a seat. A further screen
+/// is a row of `screens`.
 struct ScreenFaces {
   Screen screen;
   Face whole, card;

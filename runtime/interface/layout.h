@@ -26,12 +26,13 @@ struct ViewRequest {
   InterfaceState state;
   ScreenShape shape;
   std::optional<RouteSummary> route_summary;  ///< Absent while the way is still being planned.
-  std::uint32_t part = 0;  ///< Of the glass: the whole of it, or the model, is 0; then the seats.
+  std::uint32_t part = 0;  ///< Of the glass: 0 is the whole of it, or the model; then the seats.
 };
 
-/// Lays out one view: where everything stands on the glass, in which words. One panel, at the side
-/// where text begins in landscape (so Arabic is the mirror image), along the lower edge in
-/// portrait. Pure but for the pieces it adds to the cache; runs on the worker.
+/// Lays out one view: what it says, and where everything lies on the glass. On the glass of one
+/// visitor there is one panel: in landscape at the side where lines of text begin (so Arabic is the
+/// mirror image), in portrait along the lower edge. Pure but for the pieces it adds to the cache;
+/// runs on the worker.
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
                                 PieceCache& pieces);
 
@@ -40,7 +41,8 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
 /// The same for a state, which may be that of a card.
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept;
 
-/// The panel and what it leaves free, left to right; a share of the screen.
+/// The panel as it lies for a language that runs from left to right, and the part of the screen
+/// that the panel leaves free. Screen frame.
 scene::Rect panel_of(const ScreenShape& shape) noexcept;
 scene::Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept;
 

@@ -22,7 +22,7 @@ constexpr float aspect_ratio(const ScreenShape& shape) noexcept {
   return static_cast<float>(shape.width) / static_cast<float>(shape.height);
 }
 
-/// The house's lengths on one screen, in its pixels.
+/// The interface's lengths on one screen, in pixels.
 struct Measures {
   float unit = 8;     ///< 1/135 of the shorter side.
   float mm = 3.6F;    ///< A millimetre of glass.

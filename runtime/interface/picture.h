@@ -7,10 +7,10 @@
 
 namespace docent::interface {
 
-/// Makes an image of the museum ready to be drawn `width` by `height` pixels large: its largest
-/// middle part of that shape, made smaller. An image with too few pixels keeps those it has; one
-/// that cannot be decoded, or is not there, has none. Given to the layout by whoever can decode;
-/// called on the worker, never in a frame.
+/// Makes an image of the museum (an index into Museum::images) ready to be drawn `width` by
+/// `height` pixels large: the largest part of that shape about its middle, scaled down. An image
+/// with too few pixels is not scaled up; one that cannot be decoded, or does not exist, gives no
+/// pixels. Given to the layout by whoever can decode; called on the worker, never in a frame.
 using SetPicture =
     std::function<Pixels(std::uint32_t image, std::uint32_t width, std::uint32_t height)>;
 

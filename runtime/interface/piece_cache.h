@@ -19,7 +19,7 @@ struct TextPiece {
   scene::TextureId texture = scene::TextureId::None;
   float width = 0, height = 0;  ///< Pixels.
   std::uint32_t lines = 0;
-  bool cut = false;
+  bool cut = false;  ///< It ended in an ellipsis.
 };
 
 /// Who makes the pieces of a view. A view without pictures is made by leaving `set_picture` empty.
@@ -35,15 +35,15 @@ struct PieceMakers {
 class PieceCache {
  public:
   /// Hands out textures from `first` upwards, the lowest free one first. Once all pieces together
-  /// exceed `budget` bytes, those are retired that neither the `kept_views` views last made use nor
-  /// the last ones of any part of the glass, of which there are at most `most_parts`.
+  /// exceed `budget` bytes, those are retired that are neither in the `kept_views` views made last
+  /// nor in the last few of any part of the glass. There are at most `most_parts` parts.
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
-  /// The middle of an image of the museum, `width` by `height` pixels.
+  /// An image of the museum, `width` by `height` pixels, as SetPicture makes it.
   scene::TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
 
-  /// Ends a view of a part of the glass: what changed since the last one, or nothing.
+  /// Ends a view of a part of the glass. Returns what changed since the last view; null: nothing.
   std::unique_ptr<PieceChanges> end_view(std::uint32_t part = 0);
 
   static constexpr std::uint32_t most_parts = 16;
@@ -53,8 +53,9 @@ class PieceCache {
     TextPiece piece;
     std::size_t bytes = 0;
     std::uint64_t used = 0;  ///< The view that last used it.
-    /// A bit for each part that shows it: in its last view, in the one before, and so on. One of
-    /// them is on the screen, one may still be fading, and some were out of date before they came.
+    /// A bit for each part of the glass that shows it: in the part's last view, in the one before,
+    /// and so on. One of these views is on the screen, one may still be fading, and some were out
+    /// of date before they were shown.
     std::array<std::uint16_t, 4> shown_by{};
   };
   const TextPiece* find(std::string_view key);

@@ -9,7 +9,7 @@ namespace docent::interface {
 
 enum class Align : std::uint8_t { Start, Centre, End };
 
-/// How letters are used, each with its size on the glass (millimetres of capitals).
+/// What letters are used for, each with the height of its capitals on the glass in millimetres.
 enum class Letters : std::uint8_t {
   Small,    ///< Names of galleries, numbers: 4.
   Body,     ///< What an exhibit has to say: 5.
@@ -32,7 +32,7 @@ struct PixelBox {
 };
 
 /// What a view is drawn on while it is laid out, as if every language ran from left to right;
-/// finish() turns it over for those that do not.
+/// finish() mirrors it for those that do not. Coordinates are pixels of the screen.
 class Sheet {
  public:
   Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
@@ -56,13 +56,13 @@ class Sheet {
   void shadow(const PixelBox& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
   void image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control = -1);
-  /// Shows the whole picture at the box's start, as large as fits; at most a tenth of its height is
-  /// given up for width. Returns its height.
+  /// Shows the whole picture at the box's start, as large as fits; up to a tenth of its height may
+  /// be cut off to make it wider. Returns its height.
   float whole_image(const PixelBox& box, std::uint32_t image, float corner);
-  /// Draws a piece with its top at `y`; returns its bottom.
+  /// Draws a piece with its top at `y`, aligned within `width` from `x`; returns its bottom.
   float piece(const TextPiece& piece, float x, float y, float width, Align align,
               scene::Colour colour, std::int32_t control = -1);
-  /// Sets and draws; returns the bottom.
+  /// Sets a text and draws it; returns its bottom.
   float text(Letters letters, std::string_view text, float x, float y, float width,
              scene::Colour colour, std::uint16_t max_lines = 1);
 
@@ -75,12 +75,12 @@ class Sheet {
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
   scene::Rect share_of(const PixelBox& box) const noexcept;
-  /// Marks what is drawn from now on as the panel's own.
+  /// Draws the panel itself: its elements are marked as the panel's.
   void draw_panel(const PixelBox& box);
-  /// All is drawn inside this card, anew, with letters of that share of their size: finish() turns
-  /// it over in place.
+  /// Begins anew: all is drawn inside this card, with letters of that share of their size, and
+  /// finish() mirrors the card in place.
   void lie_on(const PixelBox& card, float letters);
-  /// Does a text stand on another?
+  /// Does a text overlap another?
   bool is_crowded() const;
   /// Mirrors everything where the language runs from right to left.
   void finish();
@@ -96,18 +96,18 @@ class Sheet {
   scene::Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
-  scene::Rect turned_{0, 0, 1, 1};  ///< What finish() turns over.
+  scene::Rect turned_{0, 0, 1, 1};  ///< What finish() mirrors.
   float letters_ = 1;
 };
 
-/// Fills in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
+/// Fill in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
 /// its margins.
 void lay_out_welcome(Sheet& sheet, const PixelBox& content);
 void lay_out_choosing(Sheet& sheet, const PixelBox& content);
 void lay_out_walking(Sheet& sheet, const PixelBox& content);
 void lay_out_arrived(Sheet& sheet, const PixelBox& content);
 
-/// The same on the card of a seat; of the welcome, which nobody has answered yet, the whole card.
+/// The same on the card of a seat. The welcome, which nobody has answered yet, gets the whole card.
 void lay_out_welcome_card(Sheet& sheet, const PixelBox& card);
 void lay_out_picking_card(Sheet& sheet, const PixelBox& content);
 void lay_out_choosing_card(Sheet& sheet, const PixelBox& content);
@@ -120,7 +120,7 @@ void lay_out_seat(Sheet& sheet, const PixelBox& card);
 /// How many exhibits a page of a card's list shows.
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
 
-/// "Follow me to", the name, and how far it is, from `y`; returns its bottom.
+/// "Follow me to", the exhibit's name, and how far it is; returns the bottom.
 float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
 /// What the visitor goes to or is at; null where there is nothing.
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
@@ -134,11 +134,11 @@ struct ListShape {
 };
 ListShape list_shape(const ScreenShape& shape) noexcept;
 
-/// A stroke in a way's colour, outlined where paper would swallow it.
+/// A stroke in a way's colour, outlined where it would hardly show on the paper colour.
 void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control);
 
-/// Exhibit `i` on a card: its picture, title and gallery.
+/// The exhibit of a list item: its picture, title and gallery.
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box);
 /// The three route kinds, side by side or one above the other.
 enum class Along : std::uint8_t { Row, Column, NarrowColumn };

@@ -14,7 +14,7 @@ enum class Family : std::uint8_t { Sans, Serif };
 struct TextStyle {
   Family family = Family::Sans;
   std::uint16_t weight = 400;   ///< 400 regular, 500 medium, 600 semibold.
-  float size = 24;              ///< Pixels from descender to ascender of the em square.
+  float size = 24;              ///< Pixels: the height of the em square.
   float line_height = 1.4F;     ///< Of the size.
   std::uint16_t max_lines = 1;  ///< What does not fit ends in an ellipsis.
   bool right_to_left = false;
@@ -32,9 +32,9 @@ struct TextBitmap {
   std::vector<std::uint8_t> coverage;  ///< width * height, row by row from the top.
 };
 
-/// Sets text at most `width` pixels wide; 0: on one line as long as it gets. Right-to-left text
-/// stands at the right end of its lines. Given to the layout by whoever has a type setter; called
-/// on the worker, never in a frame.
+/// Sets text in lines of at most `width` pixels; 0: in one line of any length. Right-to-left text
+/// stands at the right end of its lines. Given to the layout by whoever can set type; called on the
+/// worker, never in a frame.
 using SetText =
     std::function<TextBitmap(const TextStyle& style, std::string_view text, std::uint32_t width)>;
 

@@ -11,10 +11,10 @@
 
 namespace docent::interface {
 
-/// A piece of a view that goes into texture memory under `texture` before the next frame is drawn.
+/// A piece that goes into texture memory under `texture` before the next frame is drawn.
 struct PieceUpload {
   scene::TextureId texture = scene::TextureId::None;
-  TextBitmap text;  ///< One of the two is empty.
+  TextBitmap text;  ///< Of `text` and `picture` one is empty.
   Pixels picture;
 };
 
@@ -27,23 +27,23 @@ struct PieceChanges {
 /// A rectangle of a view, in the order to be drawn.
 struct Element {
   scene::Quad quad;
-  std::int32_t control = -1;  ///< Index of the control it belongs to: it is pressed with it.
+  std::int32_t control = -1;  ///< The control that it belongs to and is pressed with; -1: none.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
-  bool stays = false;  ///< Also in the view before or after this one: the frame thread's note.
+  bool stays = false;         ///< Set by the frame thread: also in the view before or after.
 };
 
-/// A text that stands where something is on the model: a gallery's name, an exhibit's number.
+/// A text at a place of the model: a gallery's name, an exhibit's number.
 struct FloorLabel {
   Vec2 position{};   ///< Floor frame.
   float height = 0;  ///< Metres above the floor.
   scene::TextureId texture = scene::TextureId::None;
   float width_px = 0, height_px = 0;
-  std::int32_t control = -1;  ///< The spot it marks; -1: it only names.
+  std::int32_t control = -1;  ///< The spot that it marks; -1: none.
   bool on_disc = false;       ///< Drawn on a small disc.
-  scene::Rect rect;           ///< Screen frame, where it was projected last; follows the camera.
+  scene::Rect rect;           ///< Screen frame: where it is seen now; follows the camera.
 };
 
-/// A text out of a row of prepared ones: shown while at most `metres` remain.
+/// One of several prepared texts: shown while at most `metres` of the way remain.
 struct CountedText {
   float metres = 0;
   scene::Quad quad;
@@ -58,10 +58,10 @@ struct View {
   std::vector<Control> controls;
   std::vector<Element> elements;
   std::vector<FloorLabel> labels;
-  std::vector<CountedText> remaining;  ///< Ascending metres; empty where nothing is counted.
+  std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
   scene::Rect panel;                   ///< Screen frame.
   scene::Rect free{0, 0, 1, 1};        ///< What is left to the model; at least 55 % of the screen.
-  float pixel_width = 1, pixel_height = 1;  ///< Of the screen, for texel for pixel labels.
+  float pixel_width = 1, pixel_height = 1;  ///< Of the screen: labels are drawn texel for pixel.
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.
   scene::Colour accent;                     ///< Of the rings that answer touches.

@@ -14,8 +14,8 @@
 
 namespace docent::kiosk {
 
-/// The screen and the glass, whichever they are. `headless` and `window` point into `display` where
-/// it is one of those.
+/// The screen and the input devices. `headless` or `window` points to `display` where it is one of
+/// those.
 struct Edges {
   std::unique_ptr<Display> display;
   headless::HeadlessDisplay* headless = nullptr;
@@ -24,7 +24,7 @@ struct Edges {
   Rotation rotation = Rotation::None;
 };
 
-/// What was asked for, command line before kiosk.toml.
+/// What was asked for; the command line overrides kiosk.toml.
 struct EdgeSettings {
   config::DisplayKind kind = config::DisplayKind::Auto;
   PixelSize size;  ///< 0 by 0: what the display prefers.
@@ -39,10 +39,10 @@ Result<Edges> open_edges(const EdgeSettings& settings);
 /// Where and how the next frame is drawn: the display's own target, turned.
 RenderTarget target_of(const Edges& edges) noexcept;
 
-/// Writes what happened since the last call, in the visitor's screen frame; returns how many.
+/// Writes the events since the last call, in the visitor's screen frame; returns how many.
 std::size_t arrived(Edges& edges, std::span<input::InputEvent> out) noexcept;
 
-/// A contact of the panel's frame as the visitor sees it.
+/// A contact in the frame of the display as it is mounted, turned to the visitor's screen frame.
 input::Contact turned(input::Contact contact, Rotation rotation) noexcept;
 
 }  // namespace docent::kiosk

@@ -12,8 +12,8 @@
 
 namespace docent::kiosk {
 
-/// A museum with everything that runs it: changed as one when a new database is taken up. Neither
-/// copied nor moved, because its parts borrow each other.
+/// A museum with everything that runs it: replaced as a whole by a new database. Neither copied nor
+/// moved, because its parts borrow each other.
 struct Exhibition {
   Museum museum;
   std::unique_ptr<plan::Planner> planner;
@@ -25,7 +25,7 @@ struct Exhibition {
   Exhibition& operator=(const Exhibition&) = delete;
 };
 
-/// Reads a database and makes all of it ready; takes a while, so not on the frame thread.
+/// Reads a database and makes all of it ready. Takes a while, so do not call on the frame thread.
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const guide::GuideSettings& settings);
 

@@ -16,7 +16,8 @@ class FrameWatch {
   void stepped() noexcept;   ///< Touches are taken, the guide's state is advanced.
   void uploaded() noexcept;  ///< Texture memory is as the draw list needs it.
   void listed() noexcept;    ///< The draw list is made.
-  /// All is done. `is_drawn`: the frame was drawn. `is_usual`: it may take no memory.
+  /// All is done. `is_drawn`: the frame was drawn. `is_usual`: it entered no view, so that its
+  /// allocations count.
   void end(bool is_drawn, bool is_usual, Statistics& statistics) noexcept;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace docent::kiosk {
 
-/// From here on SIGHUP asks for a new database. The first thing in main(): a hang-up of the console
-/// comes as soon as another program takes it, and must not end this one without a word.
+/// From here on SIGHUP asks for a new database instead of ending the program. The first thing in
+/// main(): a console sends SIGHUP too, as soon as another program takes it.
 void expect_reloads() noexcept;
 
 /// Runs the guide on the screen and glass that the options name until it is told to stop (SIGTERM,

@@ -13,15 +13,15 @@
 
 namespace docent::kiosk {
 
-/// Writes what happened into a folder: docent(1)'s frame-000000.png... and states.csv.
+/// Writes what happens into a folder: frame-000000.png... and states.csv, as docent(1) says.
 class Recorder {
  public:
   /// Makes the folder. states.csv takes its name when the recording is finished.
   static Result<Recorder> open(const std::filesystem::path& folder);
 
-  /// A row per avatar of this frame.
+  /// Adds a row for each avatar. `time`: seconds since the first frame.
   void add_states(double time, const guide::Guide& guide);
-  /// Is a picture due at this time? 30 are, every second.
+  /// Is a picture due at this time? There are 30 a second.
   bool wants_frame(double time) const noexcept;
   Result<void> add_frame(const Pixels& picture);
   Result<void> finish();

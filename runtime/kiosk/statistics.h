@@ -10,7 +10,7 @@
 
 namespace docent::kiosk {
 
-/// How often a duration was how long, in bins of 2 %: takes no memory as it fills.
+/// A histogram of durations; a bin is 2 % wider than the one before. Filling it does not allocate.
 class Durations {
  public:
   void add(std::chrono::nanoseconds duration) noexcept;
@@ -35,7 +35,7 @@ struct Statistics {
 
 std::string to_json(const Statistics& statistics);
 
-/// Writes a file whole or not at all.
+/// Writes a file completely or not at all.
 Result<void> write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// CPU time of this thread.

@@ -16,19 +16,19 @@ namespace docent::kiosk {
 /// One command of a scripted visit.
 struct VisitCommand {
   enum class Kind : std::uint8_t { Tap, TapNamed, Down, Move, Up, Press, Shot, Quit };
-  double time = 0;  ///< Seconds.
+  double time = 0;  ///< Seconds since the first frame.
   Kind kind = Kind::Quit;
   input::Contact contact;  ///< Tap, Down, Move, Up.
   input::InputEvent key;   ///< Press.
   std::string name;        ///< TapNamed: the control's name without "@". Shot: the file.
-  /// TapNamed, on a shared glass: the seat from which it is reached, 1 being the leftmost; none:
-  /// where somebody touched last.
+  /// TapNamed, on a shared glass: the seat that taps, counted from the left, from 1; none: the part
+  /// that was touched last.
   std::optional<std::uint32_t> seat{};
   std::uint32_t line = 0;
 };
 
-/// A form in which a command is written after its time: the table that is read by, and that the
-/// manual is made of.
+/// How a command is written after its time. Visits are read by the table of these forms, and the
+/// manual is made of it.
 struct VisitForm {
   std::string_view verb;
   /// Words: X Y ID KEY NUMBER FILE.png, @NAME for a name with its "@", and "seat" as it stands.

@@ -13,8 +13,9 @@
 
 namespace docent::kiosk {
 
-/// Plays a visit: the hand of a visitor and the keypad, one step before the guide. Named taps look
-/// for their control as a visitor would: on this screen or up to three touches away.
+/// Plays a visit: gives the guide the touches and keys of a visitor, before each of its steps.
+/// Named taps look for their control as a visitor would: on this screen or up to three touches
+/// away.
 class VisitPlayer {
  public:
   explicit VisitPlayer(Visit visit) : visit_(std::move(visit)) {}
@@ -48,7 +49,7 @@ class VisitPlayer {
   bool quit_ = false;
 };
 
-/// Mistakes that need the museum to be seen: names of controls that no view has.
+/// Mistakes that only the museum shows: names of controls that no view has.
 std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
                                       std::string_view file);
 

@@ -7,7 +7,7 @@ namespace docent {
 
 enum class Severity : std::uint8_t { Error, Warning };
 
-/// One mistake in something that people wrote, as they are told of it.
+/// One mistake in something that people wrote, as it is shown to them.
 struct Diagnostic {
   std::string file{};        ///< As the author named it, so that an editor can open it.
   std::uint32_t line = 0;    ///< From 1; 0 where the problem is the whole file.

@@ -28,8 +28,8 @@ bool guarded(std::string_view what, auto&& work) noexcept {
   return false;
 }
 
-/// Calls `work` until it ends by itself or the thread is asked to stop; what it throws is said, and
-/// a second later the work is begun again.
+/// Calls `work` until it ends by itself or the thread is asked to stop. What it throws becomes a
+/// line in the journal, and a second later the work is begun again.
 void keep_running(std::string_view what, const std::stop_token& stop, auto&& work) noexcept {
   constexpr auto step = std::chrono::milliseconds(50);  // how long a stop may be overlooked
   constexpr int steps = 20;

@@ -24,21 +24,21 @@ struct EncodedImage {
 /// A language the kiosk speaks.
 struct Language {
   std::string tag;   ///< BCP 47.
-  std::string name;  ///< In itself: "English", "中文", "العربية".
+  std::string name;  ///< In the language itself: "English", "中文", "العربية".
   bool right_to_left = false;
   std::map<std::string, std::string, std::less<>> words;  ///< The interface's words by key.
 };
 
-/// Strolling visitors: they walk about on the kiosk's floor and look at what they like.
+/// The strollers: they walk about on the kiosk's floor and look at exhibits.
 struct Ambient {
-  static constexpr std::uint32_t most = 56;    ///< With eight guides, as many as are drawn.
+  static constexpr std::uint32_t most = 56;    ///< With eight guides 64: no more are drawn.
   static constexpr double longest_look = 600;  ///< Seconds.
 
   std::uint32_t count = 0;  ///< At most `most`. A quiet museum has none.
-  /// Where they come from: clear of walls by the body's radius, and joined to the kiosk by a way
-  /// for it. Empty: they are there already, spread over the viewing points of the exhibits.
+  /// Where they come from, floor frame: points that have room for a body, each with a way to the
+  /// kiosk. Empty: they are there already, spread over the viewing points of the exhibits.
   std::vector<Vec2> entrances;
-  /// Seconds that one stands and looks. 0 < least <= most <= longest_look.
+  /// Seconds that one stands and looks. 0 < look_least <= look_most <= longest_look.
   double look_least = 6, look_most = 20;
 };
 

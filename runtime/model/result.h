@@ -21,7 +21,7 @@ struct Error {
   std::string what;
 };
 
-/// An error's sentence without the file it begins with, for where the file is named apart.
+/// An error's sentence without the file that it begins with, for where the file is named already.
 inline std::string without_file(const Error& error, const std::string& file) {
   return error.what.starts_with(file + ": ") ? error.what.substr(file.size() + 2) : error.what;
 }

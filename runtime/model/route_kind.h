@@ -7,7 +7,7 @@
 
 namespace docent {
 
-/// By which kind of way a guide leads.
+/// The kinds of route: by which kind of way a guide leads.
 enum class RouteKind : std::uint8_t { Shortest, Skeleton, Offset };
 
 /// The pattern of a kind's line, which tells kinds apart without colours too. Pieces have round
@@ -15,7 +15,7 @@ enum class RouteKind : std::uint8_t { Shortest, Skeleton, Offset };
 struct LinePattern {
   float period = 0, piece = 0;  ///< On the floor, metres: from piece to piece, and its length.
   double drawn_piece = 0, drawn_gap = 0;  ///< On a drawn plan, in widths of the line.
-  int sample_pieces = 1;                  ///< So many make a sample beside the kind's name.
+  int sample_pieces = 1;                  ///< How many are shown beside the kind's name.
 
   bool is_solid() const noexcept { return period == 0; }
 };

@@ -49,8 +49,8 @@ struct Scenery {
   std::vector<std::uint32_t> indices;  ///< Triangles, counter-clockwise seen from outside.
   std::vector<SceneryPart> parts;
   /// Light on the floor, three bytes a texel, row by row from the south-west corner: the share of
-  /// sky, the share of sun, and up to which height the shade stands (of 255 in shade_range), which
-  /// lights what moves.
+  /// the sky that is seen, that of the sun, and the height up to which there is shade (255 is
+  /// shade_range), by which moving bodies are lit.
   static constexpr std::uint32_t lightmap_channels = 3;
   static constexpr float shade_range = 2.0F;  ///< Metres above the floor.
   std::uint32_t lightmap_width = 0, lightmap_height = 0;

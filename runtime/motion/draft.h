@@ -9,8 +9,8 @@
 
 namespace docent::motion {
 
-/// A stretch of walk in the making: poses, and beside them where each foot shall be. The legs of
-/// the poses are only nearly right until place_feet().
+/// A part of a walk in the making: poses, and beside them where each foot shall be. The legs of the
+/// poses are only nearly right until place_feet().
 struct Draft {
   Walk walk;
   std::array<std::vector<Foot>, 2> foot;    ///< Per frame.
@@ -20,7 +20,7 @@ struct Draft {
 
 Draft empty_draft(const WalkGraph& graph);
 
-/// How a body is at a moment and how it moves: what the next stretch takes over.
+/// The pose of a body at a moment and how it moves: what the next part of a walk takes over.
 struct Momentum {
   Vec3 root{};
   std::vector<Quat> rotation;
@@ -36,11 +36,11 @@ struct Momentum {
 /// Over how many frames a velocity is measured: one frame's noise must not become a swing.
 std::uint32_t velocity_frames(double rate) noexcept;
 
-/// At a frame of a walk. Velocities are those of the frames after it, or before its end: what goes
-/// on from there mostly plays the same clip, and noise that both have cancels out.
+/// At a frame of a walk. Velocities are measured over the frames after it, or at the end over those
+/// before it: what goes on from there mostly plays the same clip, so noise cancels out.
 Momentum momentum_at(const WalkGraph& graph, const Walk& walk, std::uint32_t frame);
 
-/// At a stand.
+/// Of a body that stands at `body`.
 Momentum momentum_of(const WalkGraph& graph, const Stand& stand, const Placement& body);
 
 /// The pose of a frame, borrowed.
@@ -56,8 +56,8 @@ void lower_hips(const WalkGraph& graph, Draft& draft);
 /// Bends the legs so that every foot is where it shall be.
 void place_feet(const WalkGraph& graph, Draft& draft);
 
-/// Adds a finished draft, or becomes it; its first frame is the walk's last again and is left out,
-/// unless the walk has none.
+/// Appends a finished draft to a walk. Its first frame repeats the walk's last one and is left out,
+/// unless the walk is empty.
 void append(Draft draft, Walk& walk);
 
 }  // namespace docent::motion

@@ -15,17 +15,17 @@
 
 namespace docent::motion {
 
-/// What a search knows of a body on its way along a track: how far it is, how it misses the track,
-/// and what that costs.
+/// Followers: what a search knows of a body on its way along a track, which is how far it has come,
+/// how it misses the track, and what that costs. Headings in radians, floor frame.
 
-/// Follows a track that will be warped: `progress` is effort and the heading error fades over the
-/// distance in which a warp takes it up.
+/// Follows a track that the motion will be warped onto: `progress` is metres of effort, and the
+/// heading error fades over the distance in which a warp takes it up.
 struct WarpedFollower {
   static constexpr std::size_t beam_width = 6;
   static constexpr double same_moment = 0.1;  ///< Seconds within which clips go on alike.
   static constexpr std::size_t slice = warped_slice;
   static constexpr double forgetting = 0.7;  ///< Metres.
-  static constexpr double fair_cost = 0.03;  ///< A metre: the heading is off by 10 degrees.
+  static constexpr double fair_cost = 0.03;  ///< Per metre, as with the heading off by 10 degrees.
 
   double progress = 0;
   double heading_error = 0;
@@ -38,7 +38,7 @@ struct WarpedFollower {
 
   void enter(const Placement&) noexcept {}
 
-  /// From one frame of a clip to another; says what the misfit on the way costs.
+  /// Goes from one frame of a clip to another; returns what the misfit on the way costs.
   double advance(const PathTrack& track, const ClipPath& clip, std::size_t from,
                  std::size_t to) noexcept {
     const double step = clip.effort[to] - clip.effort[from];
@@ -54,7 +54,7 @@ struct WarpedFollower {
   static double progress_at(const PathTrack& track, std::size_t sample) noexcept {
     return track.effort[sample];
   }
-  /// What stands at the end is judged by its progress alone.
+  /// A motion that stands at the end is judged by its progress alone.
   static constexpr double gap_cost = 0;
   double end_gap(const PathTrack&, const ClipPath&) const noexcept { return 0; }
   std::uint32_t likeness() const noexcept { return 0; }
@@ -62,7 +62,7 @@ struct WarpedFollower {
   static const std::vector<std::uint16_t>& table(const Foresight& foresight) noexcept {
     return foresight.warped;
   }
-  /// What a table of foresight is asked for.
+  /// Where to look in a table of foresight.
   struct Misfit {
     GridAxis::Place turn;
     double foreseen(const std::uint16_t* of_bend) const noexcept { return value_at(of_bend, turn); }
@@ -77,8 +77,8 @@ struct RawFollower {
   static constexpr std::size_t slice = raw_slice;
   static constexpr double side_weight = 6.0;     ///< Square radians per square metre.
   static constexpr double heading_weight = 0.3;  ///< Of square radians.
-  static constexpr double fair_cost = 0.15;      ///< A metre: it runs 16 cm to the side.
-  static constexpr double look_ahead = 0.3;      ///< Metres: what is nearest is not farther on.
+  static constexpr double fair_cost = 0.15;      ///< Per metre, as when 16 cm to the side.
+  static constexpr double look_ahead = 0.3;      ///< Metres: the nearest sample is not farther on.
 
   double progress = 0;
   Placement clip_to_floor;  ///< Lays the present clip onto the floor.
@@ -150,7 +150,8 @@ struct RawFollower {
   static double progress_at(const PathTrack& track, std::size_t sample) noexcept {
     return track.spacing * static_cast<double>(sample);
   }
-  /// A track that runs past the path's end shows no further progress: what counts is where it ends.
+  /// A motion that runs past the path's end makes no further progress: what counts is where it
+  /// ends.
   static constexpr double gap_cost = 8.0;  ///< Per square metre.
   double end_gap(const PathTrack& track, const ClipPath& clip) const noexcept {
     return glm::distance(on_floor(clip.body[clip.last]).position, track.position.back());

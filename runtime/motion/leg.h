@@ -44,13 +44,13 @@ struct LegPose {
 
 LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 
-/// Where its hip joint is in a pose.
+/// Where the leg's hip joint is in a pose, world frame.
 Vec3 hip_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 
 /// Where the foot is in a pose.
 Foot foot_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 
-/// Where the ankle must be for the foot to be there.
+/// Where the ankle is when the foot is there.
 Vec3 ankle_of(const Leg& leg, const Foot& foot) noexcept;
 
 /// Turns hip, knee and ankle so that the foot is where it should be (two-bone inverse kinematics in
@@ -58,7 +58,7 @@ Vec3 ankle_of(const Leg& leg, const Foot& foot) noexcept;
 void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
                 PoseView& pose) noexcept;
 
-/// The heading (floor frame, radians) across the line of the hip joints.
+/// The heading (floor frame, radians) of the hips: square to the line between the hip joints.
 double facing(const Skeleton& skeleton, const Legs& legs, const PoseView& pose) noexcept;
 
 }  // namespace docent::motion

@@ -9,8 +9,9 @@
 
 namespace docent::motion {
 
-/// Passages: what a walker can do after a transition, a run of frames and then one of the next
-/// transitions. The searches follow them, and so does whoever works out what they will cost.
+/// Passages of the motion graph: what a walker can do after a transition, which is a run of frames
+/// and then one of the next transitions. The searches and the making of foresight follow them.
+/// (crowd::Passage is another thing.)
 
 constexpr double least_seconds = 0.4;  ///< Of plain clip between two blends.
 constexpr double look_seconds = 0.1;   ///< Between two looks at the path.
@@ -22,7 +23,7 @@ inline double cost_of(const Transition& way) noexcept {
   return blend_cost + distance_cost * static_cast<double>(way.distance * way.distance);
 }
 
-/// Goes through frames of a clip in even strides: `step(from, to)`.
+/// Goes through frames of a clip in steps of `look_seconds`: calls `step(from, to)` for each.
 template <class Step>
 void walk_through(const WalkGraph& graph, std::size_t from, std::size_t to, Step step) {
   const auto look = static_cast<std::size_t>(look_seconds * graph.frame_rate) + 1;
@@ -33,8 +34,8 @@ void walk_through(const WalkGraph& graph, std::size_t from, std::size_t to, Step
   }
 }
 
-/// Which transitions are taken: those of a scope that lead to a stand; or of them only those that a
-/// narrower scope does not take.
+/// Which transitions are taken: those of `scope` that lead to a stand, less those that the narrower
+/// scope `beyond` takes too.
 struct Choice {
   static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t scope = 0, beyond = nothing;
@@ -75,7 +76,8 @@ std::size_t walk_from_start(const WalkGraph& graph, const Choice& choice, ClipFr
   return walk_passages(graph, choice, at, at.frame, step, leave);
 }
 
-/// After a transition some plain clip comes first, or less where the clip leaves no room.
+/// The same after a transition: first comes `least_seconds` of plain clip, or less where that
+/// leaves no next transition.
 template <class Step, class Leave>
 std::size_t walk_from_transition(const WalkGraph& graph, const Choice& choice,
                                  std::uint32_t transition, Step step, Leave leave) {

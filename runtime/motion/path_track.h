@@ -12,15 +12,15 @@ namespace docent::motion {
 struct TrackPace {
   double speed = 1.0;         ///< Metres a second, of the clips' ordinary walk.
   double turning_rate = 2.4;  ///< Radians a second that a walker turns at most.
-  double first_share = 0;     ///< Share of the ordinary speed at the track's beginning that cannot
-                              ///< be shed at once; 0 from standing.
+  double first_share = 0;     ///< Share of the ordinary speed that a walker has at the track's
+                              ///< beginning and cannot shed at once; 0 from standing.
   double most_share = 1;      ///< Share of the ordinary speed that is walked at most.
   double first_turn = 0;      ///< Radians between how the body moves and how the track begins.
 };
 
 /// Where the body's circle goes along a path, and which way it faces: the polyline with its corners
-/// rounded (by at most 7 cm at a right angle and 8 cm at a full turn; a circle of 0.5 m radius is
-/// left by 1 cm), its two ends kept.
+/// rounded (by at most 7 cm at a right angle and 8 cm at a full turn; a path along a circle of 0.5
+/// m radius is missed by 1 cm), its two ends kept.
 ///
 /// A walker takes shorter and slower strides where the heading turns quickly. `effort` measures the
 /// track in metres of the clips' own stride: walking one metre of effort covers `stride` metres.

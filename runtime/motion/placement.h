@@ -6,14 +6,14 @@
 
 namespace docent::motion {
 
-/// A placement seen as the rigid motion of the floor that takes the origin, facing east, to it.
+/// A placement taken as a rigid motion of the floor: it carries the origin, facing east, to there.
 
 inline Vec2 turned(Vec2 v, double angle) noexcept {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-/// `inner` first, then `outer`.
+/// The motion `inner` first, then `outer`.
 inline Placement compose(const Placement& outer, const Placement& inner) noexcept {
   return {outer.position + turned(inner.position, outer.heading), outer.heading + inner.heading};
 }
@@ -27,7 +27,7 @@ inline Quat world_rotation(double heading) noexcept {
   return glm::angleAxis(static_cast<float>(heading), Vec3(0, 1, 0));
 }
 
-/// A point of the world carried along; its height stays.
+/// A world point carried along by a motion of the floor; its height stays.
 inline Vec3 moved(const Placement& motion, Vec3 point) noexcept {
   const Vec2 p = motion.position + turned(Vec2(point.x, -point.z), motion.heading);
   return to_world(p, point.y);

@@ -23,9 +23,9 @@ void sample(const MotionClip& clip, double seconds, PoseView& pose) noexcept;
 /// World transforms of all joints: `world` holds one matrix per joint. Does not allocate.
 void to_world_space(const Skeleton& skeleton, const PoseView& pose, std::span<Mat4> world) noexcept;
 
-/// Lets a standing body live: adds breathing and slow shifts of weight to a standing pose, over
-/// planted feet. `seconds` counts from when it began to stand; nothing is added at 0 and the motion
-/// never repeats exactly. Smooth in time; moves the hips by at most 2 cm. Does not allocate.
+/// Adds breathing and slow shifts of weight to a standing pose, over planted feet. `seconds` counts
+/// from when it began to stand; nothing is added at 0 and the motion never repeats exactly. Smooth
+/// in time; moves the hips by at most 2 cm. Does not allocate.
 void add_idle(const Skeleton& skeleton, double seconds, PoseView& pose) noexcept;
 
 /// Turns the head by `angle` radians about the world's vertical, counter-clockwise from above; neck

@@ -6,7 +6,7 @@
 
 namespace docent::motion {
 
-/// The rotation as an axis times an angle in (-pi, pi].
+/// A rotation as an axis times an angle in [0, pi], radians.
 inline Vec3 rotation_vector(Quat q) noexcept {
   if (q.w < 0) q = -q;
   const Vec3 axis(q.x, q.y, q.z);
@@ -15,7 +15,7 @@ inline Vec3 rotation_vector(Quat q) noexcept {
   return axis * (2 * std::atan2(sine, q.w) / sine);
 }
 
-/// The rotation that such a vector means.
+/// The rotation of such a vector.
 inline Quat rotation_of(Vec3 vector) noexcept {
   const float angle = glm::length(vector);
   if (angle < 1e-7f)

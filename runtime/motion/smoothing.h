@@ -7,25 +7,26 @@
 
 namespace docent::motion {
 
-/// Weights of a bell of 2 * radius + 1 samples that add up to one: a Gaussian of the given
-/// deviation (in samples), cut at three of them.
+/// Weights of a Gaussian that add up to one. `deviation` is the standard deviation in samples; the
+/// Gaussian is cut at three deviations.
 std::vector<double> gaussian_kernel(double deviation);
 
 /// Weights of a Hann window of 2 * radius + 1 samples that add up to one.
 std::vector<double> hann_kernel(std::size_t radius);
 
-/// Convolves evenly spaced values; beyond the ends the end values go on.
+/// Convolves evenly spaced values; beyond the ends the end values repeat.
 std::vector<double> smooth_held(std::span<const double> values, std::span<const double> kernel);
 
 /// Convolves evenly spaced points; beyond an end the curve goes on as its own image through the end
 /// point, so that both ends stay where they are.
 std::vector<Vec2> smooth_pinned(std::span<const Vec2> points, std::span<const double> kernel);
 
-/// The same with equal weights over `count` (odd) samples, in a time that does not depend on it.
+/// The same with equal weights over `count` (odd) samples, in a time that does not depend on
+/// `count`.
 std::vector<double> box_held(std::span<const double> values, std::size_t count);
 std::vector<Vec2> box_pinned(std::span<const Vec2> points, std::size_t count);
 
-/// The least smooth curve on or above evenly spaced values: the running maximum over 2 * radius + 1
+/// A smooth curve on or closely above evenly spaced values: the running maximum over 2 * radius + 1
 /// samples, then a Hann window as wide.
 std::vector<double> smooth_above(std::span<const double> values, std::size_t radius);
 

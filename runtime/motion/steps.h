@@ -21,7 +21,7 @@ std::vector<Step> plan_turn(const Placement& from, double angle, const Momentum&
 /// Small steps along a short track, for ways that are too short for a start and a stop.
 std::vector<Step> plan_short_walk(const PathTrack& track, const Momentum& momentum);
 
-/// Makes the steps, from a moment at which the body is about still to a stand at the last station.
+/// Makes the steps, from a moment at which the body hardly moves to a stand at the last station.
 /// The body turns and shifts its weight over the standing foot; the head leads.
 Draft make_steps(const WalkGraph& graph, const Momentum& momentum, std::span<const Step> steps,
                  const Stand& goal, Gait gait);

@@ -10,11 +10,10 @@
 
 namespace docent::motion {
 
-/// What the avatar is doing in a frame, as states.csv reports it.
+/// What the body does in a frame.
 enum class Gait : std::uint8_t { Idle, Turn, Walk };
 
-/// A walk made to measure: a motion clip in the floor's own place, ready to be sampled by the frame
-/// loop.
+/// A walk made to measure: motion laid onto the floor, ready to be sampled by the frame loop.
 ///
 /// World frame, metres (floor (x, y) is world (x, height, -y) with height 0 here). All arrays have
 /// one entry per frame, `rotation` has joint_count per frame, as in MotionClip.
@@ -26,14 +25,13 @@ struct Walk {
   std::vector<FootPlants> plants;
   std::vector<Placement> body;  ///< Where the body's circle stands and faces: the root with the
                                 ///< sway of the gait taken out.
-  std::vector<float> along;     ///< Metres along the path that was asked for; 0 on the way to it.
+  std::vector<float> along;     ///< Metres along the path asked for; 0 before it is reached.
   std::vector<Gait> gait;
   std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
   std::uint32_t transitions = 0;  ///< How many blends it holds.
   std::uint32_t expanded = 0;     ///< Search nodes expanded.
-  std::uint32_t considered =
-      0;                    ///< Transitions that the search looked at, each as often as it was.
-  std::uint32_t scope = 0;  ///< The widest that was searched (walk_graph.h).
+  std::uint32_t considered = 0;   ///< Transitions that the search looked at, counted each time.
+  std::uint32_t scope = 0;        ///< The widest that was searched (walk_graph.h).
   double search_seconds = 0;
 };
 
@@ -41,7 +39,7 @@ inline std::uint32_t frame_count(const Walk& walk) noexcept {
   return static_cast<std::uint32_t>(walk.root.size());
 }
 
-/// Raw is the graph's own track; Exact warps it onto the path and pins the planted feet.
+/// Raw is the motion of the clips as it is; Exact warps it onto the path and pins planted feet.
 enum class Fidelity : std::uint8_t { Exact, Raw };
 
 /// What is asked of a walk.

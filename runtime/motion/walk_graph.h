@@ -18,12 +18,12 @@ struct ClipPath {
   std::vector<Placement> body;  ///< Per frame: the root with the gait's sway taken out.
   std::vector<double> effort;   ///< Per frame: metres walked forwards since the first frame.
   std::uint32_t rank = 0;       ///< Of its class: the smallest scope that holds it.
-  /// Per scope and frame: the least metres to a standing end by transitions of the scope, infinite
-  /// where there is none.
+  /// Per scope and frame: the least metres to a standing end by transitions of the scope; infinite
+  /// where no way leads to one.
   std::vector<std::vector<double>> to_stand;
   std::uint32_t first = 0;  ///< Where its motion begins (a start clip stands for a while).
   std::uint32_t last = 0;   ///< Where its motion has ended.
-  std::uint32_t first_transition = 0, last_transition = 0;  ///< Its range of the graph's.
+  std::uint32_t first_transition = 0, last_transition = 0;  ///< Those from it, in the graph.
 };
 
 /// A standing body, placed at the origin of the floor and facing east.
@@ -36,10 +36,10 @@ struct Stand {
 /// A motion graph made ready to walk: made once, shared by all walks. Borrows the motion graph,
 /// which must outlive it. Immutable, so any thread may read it.
 ///
-/// A scope is what a search looks at. Scope 0 is the class "walk"'s own graph, or that of the class
-/// with the most frames where no clip of that walks on. Each next scope adds a class's graph and
-/// what joins it to the others, the most like the first one of those left
-/// (MotionClass::coefficient); the last is the whole graph.
+/// A scope is the part of the graph that a search looks at. Scope 0 is the own graph of the class
+/// "walk"; where no clip of that walks on, of the class with the most frames. Each further scope
+/// adds the graph of one class, and what joins it to the others: of the classes left, the one most
+/// like the first (MotionClass::coefficient). The last scope is the whole graph.
 struct WalkGraph {
   const MotionGraph* motion = nullptr;
   Legs legs;
@@ -55,7 +55,7 @@ struct WalkGraph {
   std::vector<std::vector<float>> left_after;
   std::vector<std::uint32_t> starts, stops;  ///< Clips that begin, or end, standing; by rank. Every
                                              ///< start leads to a stand.
-  QuickestMotion quickest;                   ///< Of its clips.
+  QuickestMotion quickest;                   ///< In its clips.
   double turning_rate = 2.4;            ///< Radians a second that a walking body turns at most.
   std::array<float, 2> toe_height{};    ///< Of a planted foot's toe joint, metres.
   std::array<float, 2> ankle_height{};  ///< Of a planted foot's ankle joint, metres.

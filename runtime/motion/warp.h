@@ -7,16 +7,16 @@
 namespace docent::motion {
 
 /// Lays a sequence onto a track (motion path editing: Gleicher 2001): the body's circle runs along
-/// the track, strides stretch evenly so that it ends with the track, and slow down where the track
-/// says. Feet are then replanted: in each contact a toe stays at one place and heading, and
-/// in between the foot's own motion is bent smoothly from one to the next.
+/// the track, strides stretch evenly so that the motion ends where the track does, and are slower
+/// where the track says. Feet are then replanted: in each foot plant the toe stays at one place and
+/// heading, and in between the foot's own motion is bent smoothly from one to the next.
 ///
 /// The first frame takes over `momentum`: position and heading of the body, and both feet where
 /// they are.
 Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const PathTrack& track,
                 const Momentum& momentum);
 
-/// The sequence as it is.
+/// The sequence as it is, not warped.
 Draft as_it_is(const WalkGraph& graph, const ClipSequence& sequence);
 
 }  // namespace docent::motion

@@ -12,8 +12,8 @@
 
 namespace docent::path {
 
-/// Everything that `route.h` asks of a floor. Immutable as seen from outside; inside, what makes
-/// radii fast that the compiler did not precompute is made in the background and kept.
+/// Everything that `route.h` asks of a floor. Any thread may ask. Its answers do not change; but
+/// the maps of radii that the compiler did not precompute are made in the background and kept.
 class FloorMap {
  public:
   explicit FloorMap(const Floor& floor);
@@ -24,7 +24,7 @@ class FloorMap {
   const WallGrid& walls() const noexcept { return walls_; }
   const MedialAxisMap& medial_axis() const noexcept { return axis_; }
 
-  /// The side of the nearest wall decides; a point on a wall is inside.
+  /// Is the point on the open side of its nearest wall? A point on a wall is inside.
   bool is_inside(Vec2 point) const noexcept { return walls_.is_inside(point); }
   double clearance_at(Vec2 point) const noexcept { return walls_.nearest_wall(point).distance; }
   /// The site whose region holds the point, or is nearest to it.
@@ -34,7 +34,7 @@ class FloorMap {
   /// May the centre of a disc be here: inside, and no nearer to a wall than the radius?
   bool has_room(Vec2 point, double radius) const noexcept;
 
-  /// The maps of shortest ways by radius, and how to do without one.
+  /// The maps of shortest ways by radius, and the search for where there is none.
   const RadiusMaps& shortest_ways() const noexcept { return shortest_ways_; }
   const TangentSearchMap& search() const noexcept { return search_; }
 

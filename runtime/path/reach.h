@@ -13,12 +13,12 @@ namespace docent::path {
 /// One of many places, and how far it is to walk there.
 struct Reached {
   std::uint32_t place = 0;  ///< Its index among those asked about.
-  double length = 0;        ///< Metres, of the shortest way of the disc.
+  double length = 0;        ///< Metres of the disc's shortest way there.
 };
 
 /// The places that a disc of `radius` reaches from a point by walking `limit` metres at most,
 /// nearest first; of equally near ones the first one asked about. Empty where the point itself is
-/// blocked; blocked places are reached by nobody. Frame: floor.
+/// blocked; a blocked place is not reached. Frame: floor.
 ///
 /// Costs a shortest way for each place whose straight distance is within the limit.
 std::vector<Reached> places_in_reach(const FloorMap& map, Vec2 from, std::span<const Vec2> places,

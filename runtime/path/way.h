@@ -15,7 +15,7 @@ enum class RouteStatus : std::uint8_t {
   NoRoute,
 };
 
-/// Which hand the wall is on when walking along it.
+/// Which hand the wall is on when walking along it. Shorter: whichever makes the shorter way.
 enum class Hand : std::uint8_t { Shorter, Left, Right };
 
 /// What is asked: a way for a disc from one point of a floor to another. Frame: floor, metres.
@@ -23,13 +23,13 @@ struct RouteQuery {
   RouteKind kind = RouteKind::Shortest;
   Vec2 from{}, to{};
   double radius = 0;          ///< Of the disc.
-  double offset = 1;          ///< Offset only: distance kept to the wall.
+  double offset = 1;          ///< Offset only: distance kept from the wall.
   Hand hand = Hand::Shorter;  ///< Offset only.
   bool widest =
       false;  ///< Skeleton only: maximise the smallest clearance, then minimise the length.
   bool smooth = false;  ///< Skeleton and offset only: round the corners (see round_corners.h).
-  /// Shortest only: how wide a straight way is takes longer to find than the way. Without, its
-  /// `clearance_min` is the radius, as on a way with bends.
+  /// Shortest only: find the `clearance_min` of a straight way, which takes longer than the way
+  /// itself. Without, it is the radius, as on a way with bends.
   bool tell_clearance = true;
 };
 

@@ -14,7 +14,7 @@ class FillOrder {
  public:
   explicit FillOrder(std::size_t buffers) : listed_(buffers), ring_(buffers + 1) {}
 
-  /// True where the buffer was not yet listed.
+  /// Lists a buffer. True where it was not listed yet.
   bool add(std::size_t buffer) noexcept {
     if (listed_[buffer].exchange(true, std::memory_order_acq_rel)) return false;
     const std::size_t end = end_.load(std::memory_order_relaxed);

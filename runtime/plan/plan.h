@@ -16,10 +16,10 @@ namespace docent::plan {
 
 struct Plan;
 
-/// A rank from which on nobody is asked to make room.
+/// Whoever has this rank or a higher one is not asked to make room.
 inline constexpr double never_yields = 1e6;
 
-/// Who is or soon will be near an agent, soonest first; of more than there is room for, the first.
+/// The agents that are near an agent, soonest first; of more than `most`, the first ones.
 struct Nearby {
   static constexpr std::size_t most = 16;
   std::array<std::uint32_t, most> agent{};
@@ -30,13 +30,13 @@ struct Nearby {
   void add(std::uint32_t other, double when) noexcept;
 };
 
-/// What the guide is asked to do.
+/// What an avatar is asked to do.
 struct WalkOrder {
   std::uint64_t id = 0;
   std::uint32_t floor = 0;
   RouteKind kind = RouteKind::Shortest;
   std::optional<Placement> goal;  ///< Empty: stop as soon as is natural.
-  Placement start;                ///< Where it stands, where there is no plan in progress.
+  Placement start;                ///< Where the avatar stands if no plan is in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
   /// keeps that plan until the answer to its latest order has come.
   const Plan* previous = nullptr;
@@ -45,23 +45,23 @@ struct WalkOrder {
   double pace = 1;         ///< Share of the ordinary speed, in (0, 1].
   std::uint32_t avatar = 0;
 
-  /// Only where others walk too: when the new plan takes over, on the crowd's clock, and when
-  /// that is on the clock of `previous` (which may have ended). Without, it takes over as soon as
-  /// it can.
+  /// Only where others walk too: when the new plan takes over, on the crowd's clock; and the same
+  /// moment in seconds since the beginning of `previous`, which may have ended by then. Without,
+  /// the others are not looked at.
   std::optional<double> seconds{};
   double previous_seconds = 0;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
-  std::optional<std::uint32_t> makes_room_for{};  ///< Step aside for that avatar, wherever.
-  Nearby near{};               ///< As the crowd has detected it; the plan looks at them first.
+  std::optional<std::uint32_t> makes_room_for{};  ///< Step aside to any refuge for that avatar.
+  Nearby near{};               ///< As the crowd has found them; the plan looks at them first.
   double blocked_seconds = 0;  ///< For how long others have been in its way.
   bool enters = false;         ///< Appear at `start`, as soon as there is room.
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.
 ///
-/// A long way is walked in stretches, so that the guide sets out at once and memory does not grow
-/// with the way: the walk then ends standing after some metres, and before that, at
-/// `handover_frame`, the next stretch takes over (an order that `continues`), with the same way.
+/// A long way is walked in stretches, so that the avatar sets out at once and memory does not grow
+/// with the way. The walk of a stretch ends standing after some metres, but before that, at
+/// `handover_frame`, the next stretch of the same way takes over (an order that `continues`).
 struct Plan {
   WalkOrder order;
   path::RouteStatus status = path::RouteStatus::NoRoute;
@@ -70,11 +70,11 @@ struct Plan {
   std::vector<double> reach;         ///< Metres along the way of each point.
   motion::Walk walk;                 ///< At least one frame unless status says there is no way.
   bool is_whole = true;              ///< Does the walk lead to the goal?
-  std::uint32_t handover_frame = 0;  ///< Where it does not.
-  double seconds_to_goal = 0;        ///< From the walk's beginning; where it goes on, at its pace.
+  std::uint32_t handover_frame = 0;  ///< Where the next stretch takes over, unless is_whole.
+  double seconds_to_goal = 0;        ///< From the walk's beginning; of later stretches a guess.
   bool is_new_way = false;           ///< `points` are not those of the plan before.
-  bool holds = false;  ///< Others are in the way: there is no walk now, the one before is kept.
-  std::vector<std::uint32_t> in_the_way;  ///< Who could make room.
+  bool holds = false;  ///< Others are in the way: there is no new walk, the old one goes on.
+  std::vector<std::uint32_t> in_the_way;  ///< Avatars that should be asked to make room.
 
   double seconds() const noexcept {
     return walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
@@ -90,7 +90,7 @@ Vec2 point_along(const Plan& plan, double metres) noexcept;
 std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* walking,
                                 const path::FloorMap& map, const WalkOrder& order);
 
-/// Standing at a place: a plan of one frame.
+/// A plan of one frame: standing at a place.
 std::unique_ptr<Plan> make_standing(const motion::WalkGraph* walking, const Placement& place);
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
 

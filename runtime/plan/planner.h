@@ -45,12 +45,12 @@ class Planner {
   /// Waits until everything asked so far is answered: for runs that must repeat exactly.
   void wait() const noexcept;
 
-  /// For how many avatars it has been made.
+  /// How many avatars there may be.
   std::size_t avatars() const noexcept { return orders_.size(); }
   const std::vector<std::shared_ptr<const path::FloorMap>>& maps() const noexcept { return maps_; }
 
  private:
-  /// Longer than there are avatars: who waits for the worker does not empty the queues meanwhile.
+  /// More than there are avatars and parts: nobody empties the queues during wait().
   static constexpr std::size_t queue_length = 512;
 
   void work();
@@ -63,7 +63,7 @@ class Planner {
   const Museum& museum_;
   std::optional<motion::WalkGraph> walking_;  ///< None where the museum's motion cannot walk.
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
-  interface::PieceCache cache_;                              ///< The worker's.
+  interface::PieceCache cache_;                              ///< Used by the worker only.
   std::vector<std::unique_ptr<Traffic>> traffic_;            ///< Per floor, made when it is needed.
   std::vector<TripleBuffer<WalkOrder>> orders_;              ///< Per avatar.
   std::vector<TripleBuffer<interface::ViewRequest>> requests_;  ///< Per part of the glass.

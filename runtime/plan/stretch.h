@@ -9,32 +9,33 @@
 
 namespace docent::plan {
 
-/// The parts that plans are made of, for a guide alone (make_plan.cpp) and among others
-/// (traffic.cpp).
+/// The parts that plans are made of, for a body alone (make_plan.cpp) and among others
+/// (traffic.cpp). Frame: floor.
 
-/// The place of a walk's frame.
+/// The placement of the body in a walk's frame; `otherwise` where the walk is empty.
 Placement last_place(const motion::Walk& walk, std::uint32_t frame,
                      const Placement& otherwise) noexcept;
 
 /// What is left of a plan's way at one of its frames.
 std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame);
 
-/// The way from where the guide is, with room for walking. Where that is too much, or a body in
-/// mid-step stands nearer to a wall than its circle may, a thinner one goes.
+/// The way of a body from where it is to the order's goal, with Museum::walking_room to spare.
+/// Where that is too much, or a body in mid-step is nearer to a wall than its radius, the way is
+/// that of a thinner body.
 path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOrder& order,
                    Vec2 from);
 
 /// Notes the way in the plan, simplified to what the ribbon and the camera need.
 void keep_way(std::span<const Vec2> points, Plan& plan);
 
-/// The walk along some points, going on from what the order goes on from.
+/// The walk along some points. It goes on from the order's previous plan, if there is one.
 motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order,
                         const Placement& from, std::span<const Vec2> points,
                         std::optional<double> final_heading);
 
-/// Where a walk that ends on its way is best taken over: soon after its last transition before the
-/// one that leads to the stand, when every other that the clip offers is still ahead. None where
-/// that is too near to the beginning.
+/// The frame at which the next stretch best takes over from a walk: soon after the last transition
+/// before the one that leads to the stand, while all others that the clip offers are still ahead.
+/// None where that is too near to the walk's beginning.
 std::optional<std::uint32_t> find_handover_frame(const MotionGraph& motion,
                                                  const motion::Walk& walk);
 

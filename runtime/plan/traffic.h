@@ -12,7 +12,7 @@
 
 namespace docent::plan {
 
-/// Everybody who walks on a floor, as the worker knows it: makes plans that nobody is met on.
+/// All bodies of a floor, as the worker knows them. Makes plans on which no body meets another.
 ///
 /// A plan is given only where the circle of its walk, frame by frame, stays clear of all
 /// trajectories to which others are committed, until the last of them stands; otherwise a shorter
@@ -21,7 +21,7 @@ class Traffic {
  public:
   Traffic(const Museum& museum, const motion::WalkGraph* walking, const path::FloorMap& map);
 
-  /// Answers an order that has `seconds`.
+  /// Answers an order. Its `seconds` must be set.
   std::unique_ptr<Plan> plan(const WalkOrder& order);
 
   const crowd::ReservationTable& reservations() const noexcept { return reservations_; }
@@ -35,13 +35,14 @@ class Traffic {
   std::unique_ptr<Plan> stop(const WalkOrder& order);
   std::unique_ptr<Plan> make_room(const WalkOrder& order);
   std::unique_ptr<Plan> get_on(const WalkOrder& order);
-  /// Gets on along a way, or at least some of it, that begins `done` metres along the plan's; false
-  /// where it has to stay.
+  /// Gives the plan a walk along a way, or some of it; the way begins `done` metres along the
+  /// plan's own. False where the body has to stay.
   bool advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
   double speed_of(const WalkOrder& order) const noexcept;
   crowd::Passage find_passage(const WalkOrder& order, const Placement& from,
                               std::span<const Vec2> way, std::span<const std::uint32_t> near) const;
-  /// A passage along a way, `done` metres of the plan's own before it, found among those near.
+  /// A passage along a way that begins `done` metres along the plan's own, and the bodies that were
+  /// looked at to find it.
   struct Advance {
     const Placement& from;
     std::span<const Vec2> way;
@@ -49,15 +50,15 @@ class Traffic {
     const crowd::Passage& passage;
     std::span<const std::uint32_t> near;
   };
-  /// Gives the plan a walk along the passage, as far as nobody is met on it. Where there is none:
-  /// who is met that the passage knows nothing of, or the body itself.
+  /// Gives the plan a walk along the passage, as far as nobody is met on it, and returns nothing.
+  /// Where there is no such walk: returns a body met that was not looked at, or the body itself.
   std::optional<std::uint32_t> walk(Plan& plan, const Advance& advance);
   motion::Walk walk_to(const WalkOrder& order, const Advance& advance, std::uint32_t stop) const;
   void end_walk(bool arrives, Plan& plan) const;
-  /// When a trajectory leads into a wall.
+  /// When a trajectory first leads into a wall, not before `from` (crowd's clock).
   std::optional<double> first_wall(const crowd::Trajectory& trajectory, double from) const;
-  /// Commits a plan to its walk, if nobody (and no wall, which is told as the body itself) is met
-  /// on it; else when that is.
+  /// Commits the plan's body to a walk if it meets nobody and no wall; else returns the first
+  /// conflict. A wall counts as a conflict with the body itself.
   std::optional<crowd::Conflict> commit(Plan& plan, motion::Walk walk);
   std::vector<std::uint32_t> yields_when_asked(const WalkOrder& order) const;
 

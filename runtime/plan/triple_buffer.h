@@ -7,9 +7,9 @@
 
 namespace docent::plan {
 
-/// Holds the latest value from one writer to one reader: a newer one replaces one not yet read. The
-/// three buffers change hands by one atomic exchange, so neither side waits or allocates. `T` is
-/// copied and must not throw.
+/// Carries the latest value from one writer to one reader: a newer one replaces one not yet read.
+/// The three buffers change hands by one atomic exchange, so neither side waits or allocates. `T`
+/// is copied and must not throw.
 template <typename T>
 class TripleBuffer {
  public:

@@ -8,7 +8,7 @@
 
 namespace docent::scene {
 
-/// How the long lens stands: what it looks at, from where, and where on the screen that appears.
+/// How the camera stands: what it looks at, from where, and where on the screen that appears.
 /// Blending two of these component by component is a smooth flight above the walls.
 struct CameraRig {
   Vec3 target{};         ///< World frame.
@@ -19,8 +19,8 @@ struct CameraRig {
   float vertical_fov = 0.5236F;            ///< Radians, of the whole screen's height.
 };
 
-/// The long lens: the part of the screen that is left to the model sees 30 degrees of height, and
-/// the whole screen accordingly more.
+/// The vertical field of view of the whole screen, radians, such that `free`, the part left to the
+/// model, sees 30 degrees of height, as through a long lens.
 float field_of_view(const Rect& free) noexcept;
 
 /// Nothing that the camera looks over is higher than this, metres: walls are cut at shoulder
@@ -32,13 +32,13 @@ CameraView view_of(const CameraRig& rig, float aspect) noexcept;
 /// The rig `share` of the way from one to the other, turning by the shorter way.
 CameraRig blend(const CameraRig& from, const CameraRig& to, double share) noexcept;
 
-/// Where a world point appears, screen frame; nothing behind the eye.
+/// Where a world point appears, screen frame; none for a point behind the eye.
 struct ScreenPoint {
   float x = 0, y = 0;
 };
 std::optional<ScreenPoint> project(const CameraView& view, Vec3 point) noexcept;
 
-/// The whole floor, seen with `yaw` up, as large as fits into `free` (screen frame).
+/// The whole floor, with the direction `yaw` up, as large as fits into `free` (screen frame).
 CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, const Rect& free,
                       float aspect) noexcept;
 
@@ -62,8 +62,8 @@ double yaw_towards(const Walker& walker, double otherwise) noexcept;
 CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect& free,
                  float aspect) noexcept;
 
-/// `current` moved towards `wanted` like a critically damped spring: at most `max_rate` radians a
-/// second.
+/// The angle `current` moved towards `wanted`, exponentially with `time_constant` (seconds), by at
+/// most `max_rate` radians a second.
 double turn_smoothly(double current, double wanted, double seconds, double time_constant,
                      double max_rate) noexcept;
 

@@ -10,7 +10,7 @@
 
 namespace docent::scene {
 
-/// Linear RGB and opacity, premultiplied nowhere: the renderer does that.
+/// Linear RGB and opacity. Not premultiplied: the renderer does that.
 struct Colour {
   float r = 0, g = 0, b = 0, a = 1;
 };
@@ -24,8 +24,8 @@ constexpr bool contains(const Rect& r, float x, float y) noexcept {
   return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
 }
 
-/// A picture or a set text that the renderer holds in texture memory; handed out by the kiosk's
-/// texture table.
+/// A picture or a set text in texture memory. The kiosk numbers the building's pictures from 1; the
+/// planner's cache of pieces hands out the numbers after those.
 enum class TextureId : std::uint32_t { None = 0 };
 
 /// How a rectangle of the interface is filled.
@@ -49,7 +49,7 @@ struct Quad {
   float softness = 0;  ///< As a share of the screen's shorter side.
 };
 
-/// A long lens looking at the model.
+/// A camera that looks at the model.
 struct CameraView {
   Vec3 eye{};
   Vec3 target{};
@@ -68,7 +68,7 @@ struct AvatarDraw {
   Vec3 centre{};           ///< World frame: the hips.
 };
 
-/// A route on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
+/// A way on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
 /// follow the kind.
 struct RibbonDraw {
   RouteKind kind = RouteKind::Shortest;
@@ -94,17 +94,16 @@ struct MarkerDraw {
   float opacity = 1;
 };
 
-/// Everything that one frame shows, in the order to be drawn. Its vectors are reserved when a view
-/// is entered, so filling it does not allocate.
+/// Everything that one frame shows, in the order to be drawn. The guide reserves its vectors when
+/// it is made, so filling it does not allocate.
 struct DrawList {
   std::uint32_t floor = 0;
   CameraView camera;
-  /// Parts of the building further from the lit galleries fade towards the paper colour: spheres of
-  /// light, floor frame.
+  /// Parts of the building further than a radius from the focus fade towards the paper colour.
   Vec2 focus{};               ///< Where the attention is, floor frame.
   float focus_radius = 1e3F;  ///< Metres within which nothing fades.
-  Vec2 goal{};                ///< The goal's gallery is a little brighter round here.
-  float goal_radius = 0;      ///< 0: no goal.
+  Vec2 goal{};                ///< Floor frame: it is a little brighter about the goal.
+  float goal_radius = 0;      ///< Metres. 0: no goal.
   std::optional<std::uint32_t> highlighted_exhibit{};
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;

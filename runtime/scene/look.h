@@ -27,21 +27,21 @@ enum class CoatPattern : std::uint8_t {
 /// upright from the floor, so that a planted sole stays where the walk has planted it.
 struct Look {
   std::string_view name;               ///< Stable, the same in every language.
-  std::uint32_t coat = 0, second = 0;  ///< `second` is that of the pattern.
+  std::uint32_t coat = 0, second = 0;  ///< `second` is the pattern's colour.
   CoatPattern pattern = CoatPattern::Plain;
   std::uint32_t trousers = 0, shoes = 0, shirt = 0, hair = 0, skin = 0;
-  float height = 1;               ///< Of the skeleton's; its stride stays.
-  float shoulders = 1, hips = 1;  ///< Widths and depths there.
+  float height = 1;               ///< Share of the skeleton's height; the stride stays.
+  float shoulders = 1, hips = 1;  ///< Shares of the mesh's width and depth there.
   float hair_volume = 0;          ///< Metres that the hair stands out further.
   float hair_length = 0;          ///< Metres that it hangs down further behind.
 };
 
-/// How many of `looks` are guides': each in one saturated colour, which is its trail's too. They
-/// come first; the others are the museum's own quiet colours, for visitors who stroll.
+/// How many of `looks` are for guides: each in one saturated colour, which its trail has too. They
+/// come first; the others, in quiet colours, are for strollers.
 inline constexpr std::size_t guide_look_count = 8;
 
-/// Guides' colours lie at least 15 apart (CIE 1976 Lab) for everybody, whatever cones they have,
-/// and as far from oak and stone (tests/runtime/scene/look_test.cpp).
+/// The coats of guides lie at least 15 apart (CIE 1976 Lab), also for eyes that lack a kind of
+/// cone, and as far from oak and stone (tests/runtime/scene/look_test.cpp).
 inline constexpr std::array<Look, 12> looks{{
     {.name = "teal",
      .coat = 0x1D7874,

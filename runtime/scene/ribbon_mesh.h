@@ -22,8 +22,8 @@ constexpr double ribbon_rim = 0.035;
 
 /// Appends a triangle strip along `points` (floor frame) to `strip`: corners rounded, half a width
 /// longer at both ends for the round caps, `length` metres from the first point to the last. Stops
-/// early when `strip` has no more capacity; does not allocate. Gives back how many were appended; 0
-/// where there are not two different points.
+/// early when `strip` has no more capacity; `rounded` is working space; does not allocate. Returns
+/// how many vertices were appended; 0 where there are not two different points.
 std::size_t append_ribbon(std::span<const Vec2> points, double length, std::vector<Vec2>& rounded,
                           std::vector<RibbonVertex>& strip) noexcept;
 

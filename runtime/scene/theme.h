@@ -21,7 +21,7 @@ inline Colour srgb(std::uint32_t hex, float opacity = 1) noexcept {
   return {channel(16), channel(8), channel(0), opacity};
 }
 
-/// The house colours. Linear light; the model and the interface share them.
+/// The colours that the model and the interface share. Linear light.
 struct Theme {
   Colour paper = srgb(0xF5F1E8);
   Colour plaster = srgb(0xE9E3D7);

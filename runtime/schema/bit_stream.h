@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// Bits in bytes, the high one of a byte first.
+/// Bits in bytes, the high bit of a byte first.
 namespace docent::schema {
 
 class BitWriter {
@@ -16,7 +16,7 @@ class BitWriter {
   /// Goes on after these bytes.
   explicit BitWriter(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
 
-  /// Writes the low `count` bits, at most 64, the high one first.
+  /// Writes the low `count` bits of `value`, at most 64, the highest of them first.
   void put(std::uint64_t value, int count) {
     for (int i = count - 1; i >= 0; --i) {
       if (used_ == 8) {
@@ -36,7 +36,7 @@ class BitWriter {
   int used_ = 8;  ///< Bits of the last byte.
 };
 
-/// Past the end there are zeros, and has_overrun() says that somebody read them.
+/// Past the end it reads zeros, and has_overrun() tells that this has happened.
 class BitReader {
  public:
   explicit BitReader(std::span<const std::byte> bytes) : bytes_(bytes) { fill(); }
@@ -51,7 +51,7 @@ class BitReader {
   bool take_flag() noexcept { return take(1) != 0; }
 
   /// How many ones follow, at most `most` (which is at most 32). Takes them and the zero behind
-  /// them, which is not there after `most`.
+  /// them; after `most` ones no zero follows.
   int take_ones(int most) noexcept {
     const int ones = std::min(std::countl_one(window_), most);
     drop(ones < most ? ones + 1 : ones);
@@ -59,7 +59,7 @@ class BitReader {
   }
 
   bool has_overrun() const noexcept { return place() > 8 * bytes_.size(); }
-  /// Is the end reached but for zeros that fill the last byte?
+  /// Is nothing left but zeros that fill the last byte?
   bool is_at_end() const noexcept {
     return place() + 8 > 8 * bytes_.size() && !has_overrun() && window_ == 0;
   }

@@ -30,11 +30,12 @@
 ///                    3 numbers a frame: the other parts, in order
 ///   to the end of the last byte, zeros.
 ///
-/// A number is what is left of a part's steps when twice its last value less the one before is
-/// taken off (at the first frame nothing has moved: what came before is the rotation of no angle or
-/// a root at 0): r >= 0 as 2r, r < 0 as -2r - 1 =: u. Rice's code: u >> k ones and a zero, then the
-/// low k bits; 24 ones and then 64 bits where u >> k is 24 or more. k is the bit width of level >>
-/// 4, where each part has its level, 256 at first and then level - (level >> 3) + min(u, 2^20).
+/// A number is the remainder r of a part's steps less their prediction, which is twice the last
+/// value less the one before (before the first frame the rotation has no angle and the root is at
+/// 0). It is written as u = 2r where r >= 0, else u = -2r - 1. Rice's code: u >> k ones and a zero,
+/// then the low k bits; 24 ones and then 64 bits where u >> k is 24 or more. k is the bit width of
+/// level >> 4, where each part has its level, 256 at first and then level - (level >> 3) + min(u,
+/// 2^20).
 ///
 /// Sources: Rice and Plaunt 1971 (the code); Weinberger, Seroussi, Sapiro 2000 (LOCO-I: a parameter
 /// that follows the data); Shoemake 1985 (quaternions).

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-/// What a docent database is known by. Its tables are described in schema.sql, next to this file.
+/// The numbers by which a docent database is recognised. Its tables are described in schema.sql,
+/// next to this file.
 namespace docent::schema {
 
 /// "doct", in SQLite's header.

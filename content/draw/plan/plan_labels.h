@@ -15,7 +15,8 @@ struct Label {
 };
 
 /// Puts each label beside its mark, where it hides no mark and no label placed before it; where
-/// there is no such place, where it hides the least. `letter` is the type's size.
+/// there is no such place, where it hides the least. `letter` is the letters' size and `page` the
+/// size of the drawing, in pixels.
 void place_labels(std::vector<Label>& labels, double letter, Vec2 page);
 
 }  // namespace docent::draw

@@ -16,12 +16,12 @@ std::string region_colour(std::size_t tint);
 /// is wider.
 std::string axis_stroke(double wide);
 
-/// Attributes of a way: its colour and its pattern, which tell the kinds apart without colours,
-/// too.
+/// Attributes of a way: its colour and its pattern, which tells the kinds apart without colours,
+/// too. `width` in pixels.
 std::string way_stroke(const RouteKindInfo& kind, double width);
 
-/// Attributes of the edge of all that is at least so far from the walls, when there are that many
-/// such areas one within another: each darkens what lies below a little.
+/// Attributes of an area whose edge is a line of equal clearance, where `levels` such areas lie one
+/// within another: each darkens what lies below a little.
 std::string level_style(std::size_t levels);
 
 }  // namespace docent::draw

@@ -14,7 +14,7 @@ namespace docent::import {
 /// 8-9 and 8-10).
 class LocalProjection {
  public:
-  /// `origin`: degrees, longitude then latitude; it becomes (0, 0).
+  /// `origin_degrees`: longitude, then latitude; it becomes (0, 0).
   explicit LocalProjection(Vec2 origin_degrees);
 
   /// Degrees, longitude then latitude, to metres east and north of the origin.

@@ -27,8 +27,8 @@ struct AcclaimBone {
 /// An ASF file: the body that the AMC files beside it move.
 struct AcclaimSkeleton {
   std::vector<AcclaimBone> bone;
-  double length_unit = 1;  ///< Header's `length`: an inch has this many file units.
-  bool degrees = true;
+  double length_unit = 1;  ///< The header's `length`: file units in an inch.
+  bool degrees = true;     ///< The header's `angle`; false: radians.
 };
 
 /// Reads an Acclaim skeleton. Limits, masses and documentation are skipped. Throws ContentError,
@@ -38,11 +38,11 @@ AcclaimSkeleton parse_asf(std::string_view text, const std::string& file);
 
 /// What an AMC file does not say.
 struct AcclaimOptions {
-  double frame_rate = 120;                  ///< CMU's; the format has no place for it.
+  double frame_rate = 120;                  ///< CMU's frames a second: the format has none.
   std::optional<double> metres_per_unit{};  ///< Otherwise the ASF header's.
 };
 
-/// Reads the motion of an Acclaim skeleton. Every frame must be there and say every moving bone.
+/// Reads the motion of an Acclaim skeleton. Every frame must be there and name every moving bone.
 /// Throws ContentError, with line and column.
 RecordedMotion read_amc(const std::filesystem::path& path, const AcclaimSkeleton& skeleton,
                         const AcclaimOptions& options = {});

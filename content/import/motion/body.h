@@ -13,15 +13,16 @@ namespace docent::import {
 /// poses to judge by. Parts that the skeleton does not have stay None; the hips are always joint 0.
 void find_body_parts(Skeleton& skeleton, const MotionClip& clip);
 
-/// Do these names call the same part of the two sides, or both the same part of neither? So do
-/// "LeftUpLeg" and "RightUpLeg", and "Spine" and "Spine1"; digits do not count.
+/// Do these names mean the same part on the two sides ("LeftUpLeg" and "RightUpLeg"), or both the
+/// same part of the middle ("Spine" and "Spine1")? Digits do not count.
 bool are_counterparts(std::string_view name, std::string_view other);
 
 /// Length of the leg from hip to ankle in the skeleton's units, 0 where no leg was found.
 double leg_length(const Skeleton& skeleton);
 
-/// The unit that makes this skeleton (in file units, parts found) an adult: millimetres,
-/// centimetres, inches, CMU's units or metres. Throws ContentError about `file` where none does.
+/// The unit, in metres, with which this skeleton (in file units, parts found) has an adult's size:
+/// millimetres, centimetres, inches, CMU's units or metres. Throws ContentError about `file` where
+/// none does.
 double judge_metres_per_unit(const Skeleton& skeleton, const std::string& file);
 
 /// Scales skeleton and motion to metres.

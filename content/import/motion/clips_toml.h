@@ -14,7 +14,7 @@ struct StatedClip {
   std::optional<double> metres_per_unit{};
   std::optional<double> frame_rate{};  ///< Of AMC files, which do not say theirs.
   std::optional<ClipRole> role{};
-  std::string motion_class{};
+  std::string motion_class{};  ///< Empty where nothing is stated.
 };
 
 /// A clips.toml, beside the clips:

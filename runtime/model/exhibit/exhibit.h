@@ -20,7 +20,7 @@ struct Exhibit {
   std::string id;           ///< Stable, lower case with hyphens: names it in visits and routes.
   std::uint32_t floor = 0;  ///< Index into Museum::floors.
   std::uint32_t room = 0;   ///< Index into Museum::rooms.
-  Placement placement;      ///< Where the object is, and where it looks.
+  Placement placement;      ///< Where the object is, and the way that it faces.
   Placement viewing_point;  ///< Where a visitor stands to look at it, facing it.
   ExhibitPlace place = ExhibitPlace::OnFloor;
   LocalText title;
@@ -33,8 +33,8 @@ struct Room {
   std::string id;
   std::uint32_t floor = 0;
   LocalText title;
-  Vec2 label{};               ///< Where its name stands on the plan.
-  std::vector<Vec2> outline;  ///< Counter-clockwise polygon; may be empty.
+  Vec2 label{};               ///< Floor frame: where its name stands.
+  std::vector<Vec2> outline;  ///< Floor frame, counter-clockwise polygon; may be empty.
 };
 
 }  // namespace docent

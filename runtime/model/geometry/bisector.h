@@ -13,7 +13,7 @@ namespace docent {
 /// The points equally far from a focus and a line (the directrix).
 ///
 /// At signed distance u along the directrix from the foot of the focus it is (u^2 + p^2) / (2 p)
-/// away from the directrix, p being the focus's own distance: the parabola's clearance, too.
+/// away from the directrix, p being the distance of the focus from it. That is its clearance too.
 struct Parabola {
   Vec2 foot{};    ///< Of the perpendicular from the focus to the directrix.
   Vec2 along{};   ///< Unit vector of the directrix.
@@ -55,7 +55,7 @@ inline Vec2 control_point(const Parabola& parabola, double from, double to) noex
   return parabola.foot + (from + to) / 2 * parabola.along + height * parabola.across;
 }
 
-/// The parabola of a Voronoi edge that is one.
+/// The parabola of a Voronoi edge that is an arc of one.
 inline Parabola parabola_of(const FloorPlan& plan, const VoronoiDiagram& diagram,
                             const VoronoiEdge& edge) noexcept {
   const Site left = diagram.site[edge.left], right = diagram.site[edge.right];
@@ -74,8 +74,8 @@ inline double length_of(const FloorPlan& plan, const VoronoiDiagram& diagram,
   return arc_length(parabola, parameter_at(parabola, from), parameter_at(parabola, to));
 }
 
-/// The smallest clearance along a Voronoi edge: at an end, or where it passes between its two
-/// sites, one of which is a corner then.
+/// The smallest clearance along a Voronoi edge, metres: at an end, or where the edge passes
+/// straight between its two sites, of which at least one is a corner then.
 inline double least_clearance(const FloorPlan& plan, const VoronoiDiagram& diagram,
                               const VoronoiEdge& edge) noexcept {
   const Vec2 from = diagram.vertex[edge.from], to = diagram.vertex[edge.to];

@@ -25,11 +25,9 @@ struct Door {
 ///
 /// Frame: floor (metres, x east, y north).
 /// Invariants, made by the content compiler and checked once on load:
-///  - wall i runs from vertex i to the next vertex of its ring, so walls and vertices share an
-///  index;
+///  - wall i runs from vertex i to the next vertex of its ring: one index for walls and vertices;
 ///  - the interior lies to the left of every wall (outer rings counter-clockwise, holes clockwise);
-///  - rings do not cross themselves or each other; two vertices of a ring are at least 0.1 mm
-///  apart.
+///  - rings cross neither themselves nor each other; vertices of a ring are at least 0.1 mm apart.
 /// Immutable once loaded, so any thread may read it.
 struct FloorPlan {
   std::string name;
@@ -47,7 +45,7 @@ inline Vec2 wall_end(const FloorPlan& plan, std::uint32_t wall) noexcept {
   return plan.vertex[plan.next[wall]];
 }
 
-/// Of the box about all walls. No straight line on the floor is longer. Metres.
+/// The diagonal of the box about all walls, metres. No straight line on the floor is longer.
 inline double diagonal(const FloorPlan& plan) noexcept {
   if (plan.vertex.empty()) return 0;
   Vec2 low = plan.vertex.front(), high = low;

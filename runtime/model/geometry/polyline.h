@@ -18,7 +18,7 @@ inline double polyline_length(std::span<const Vec2> line) noexcept {
   return length;
 }
 
-/// For each point, how far along the line it is.
+/// How far along the line each of its points is.
 inline std::vector<double> distances_along(std::span<const Vec2> line) {
   std::vector<double> along(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i)
@@ -26,7 +26,7 @@ inline std::vector<double> distances_along(std::span<const Vec2> line) {
   return along;
 }
 
-/// From a point to the nearest place of the line; infinite where that has no point.
+/// Distance from a point to the nearest place of the line; infinite where the line is empty.
 inline double distance_to_polyline(Vec2 point, std::span<const Vec2> line) noexcept {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < line.size(); ++i)
@@ -35,7 +35,7 @@ inline double distance_to_polyline(Vec2 point, std::span<const Vec2> line) noexc
   return std::sqrt(nearest);
 }
 
-/// The point so far along the line, clamped to its ends.
+/// The point `along` metres along the line, clamped to its ends.
 inline Vec2 point_along(std::span<const Vec2> line, double along) noexcept {
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double length = glm::distance(line[i - 1], line[i]);
@@ -46,7 +46,7 @@ inline Vec2 point_along(std::span<const Vec2> line, double along) noexcept {
   return line.empty() ? Vec2{} : line.back();
 }
 
-/// The line up to the point so far along it, and from there on.
+/// The line up to the point `along` metres along it, and the line from that point on.
 inline std::vector<Vec2> first_part(std::span<const Vec2> line, double along) {
   std::vector<Vec2> out;
   double walked = 0;

@@ -23,7 +23,7 @@ struct RoadmapEdge {
 /// Immutable once loaded. Node i is Voronoi vertex voronoi_vertex[i].
 struct Roadmap {
   std::vector<Vec2> position;
-  std::vector<double> clearance;
+  std::vector<double> clearance;  ///< Metres.
   std::vector<std::uint32_t> voronoi_vertex;
   std::vector<RoadmapEdge> edges;
 };

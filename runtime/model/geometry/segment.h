@@ -6,10 +6,10 @@
 
 namespace docent {
 
-/// Distance from `p` to the segment a b, squared, and the place on it.
+/// The place of a segment a b that is nearest to a point, and its distance, squared.
 struct NearestOnSegment {
   double distance_squared = 0;
-  double t = 0;  ///< In [0, 1]: 0 at a, 1 at b. A segment without length has all of it at a.
+  double t = 0;  ///< In [0, 1]: 0 at a, 1 at b. 0 for a segment without length.
 };
 inline NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
   const Vec2 along = b - a;

@@ -9,15 +9,15 @@
 
 namespace docent {
 
-/// What the reflex corners of a floor see: each other, and the cells of a grid. It holds for every
-/// radius, because a disc that goes straight from a point to the circle about a corner (or from one
-/// such circle to another) leaves the straight line to the corner itself free of walls.
+/// What the reflex corners of a floor see: each other, and the cells of a grid. It serves discs of
+/// every radius: where a disc can go straight from a point to the circle about a corner (or from
+/// one such circle to another), the straight line to the corner itself is free of walls too.
 ///
 /// Frame: floor. `corner` lists the vertices that may be reflex, ascending; corner i sees the
 /// corners pair_other[pair_first[i] .. pair_first[i + 1]), and cell c may hold a point that sees
-/// the corners cell_corner[cell_first[c] .. cell_first[c + 1]), perhaps some more; all lists
-/// ascend and count corners, not vertices. Cells are numbered row by row from `origin`, the lower
-/// left; a point off the grid is on no floor. Made by the content compiler. Immutable once loaded.
+/// the corners cell_corner[cell_first[c] .. cell_first[c + 1]), perhaps some more; all lists ascend
+/// and hold indices into `corner`. Cells are numbered row by row from `origin`, the lower left; a
+/// point off the grid is on no floor. Made by the content compiler. Immutable once loaded.
 struct SightMap {
   std::vector<std::uint32_t> corner;
   std::vector<std::uint32_t> pair_first{0}, pair_other;

@@ -7,22 +7,22 @@
 
 namespace docent {
 
-/// A part of the circle about a reflex corner along which the centre of a disc can go: every point
-/// of it keeps the radius from all walls.
+/// A part of the circle about a reflex corner along which the centre of a disc can go: no point of
+/// it is nearer to a wall than the radius.
 ///
 /// Angles are measured from the normal of the wall that begins at the corner, counter-clockwise,
 /// and reach at most pi (the normal of the wall that ends there).
 struct TangentArc {
   std::uint32_t vertex = 0;   ///< The reflex corner: a vertex of the FloorPlan.
-  double begin = 0, end = 0;  ///< Radians, 0 <= begin <= end < pi. The radius may be 0.
+  double begin = 0, end = 0;  ///< Radians, 0 <= begin <= end < pi, also where the radius is 0.
 };
 
 /// A straight way from one arc to another, tangent to both circles and clear of every wall. It is
 /// directed: the way back is a tangent of its own.
 struct Tangent {
   Vec2 leave{};             ///< Where it leaves the circle of its own side.
-  double leave_angle = 0;   ///< Of that point, on the arc of its own side.
-  double arrive_angle = 0;  ///< Of its other end, on the arc of `arrive_side`.
+  double leave_angle = 0;   ///< Radians: of that point, on the arc of its own side.
+  double arrive_angle = 0;  ///< Radians: of its other end, on the arc of `arrive_side`.
   double length = 0;        ///< Metres.
   std::uint32_t arrive_side = 0;
   std::uint32_t onward = 0;  ///< The first tangent that leaves `arrive_side` at or after the

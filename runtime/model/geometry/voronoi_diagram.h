@@ -15,7 +15,7 @@ struct Site {
   std::uint32_t index = 0;  ///< Of the wall, or of the vertex, in the FloorPlan.
 };
 
-/// A piece of the locus of points equally far from two sites and nearer to no other.
+/// A piece of a bisector: points equally far from two sites, and nearer to no other.
 ///
 /// Wall and wall, or corner and corner: a line. Wall and corner: an arc of the parabola with the
 /// corner as its focus and the wall's line as its directrix; it degenerates to a line where the

@@ -17,10 +17,10 @@ struct GridAxis {
     return first + static_cast<double>(i) * step;
   }
   constexpr double last() const noexcept { return value(count - 1); }
-  /// Between which two values something lies; beyond the ends, at the end.
+  /// Between which two values a number lies; beyond the ends of the axis it counts as the end.
   struct Place {
     std::size_t low;
-    double share;  ///< Of the next one.
+    double share;  ///< Of the value after `low`, in [0, 1].
   };
   Place place(double value) const noexcept {
     const double at = std::clamp((value - first) * (1 / step), 0.0, static_cast<double>(count - 1));
@@ -29,21 +29,22 @@ struct GridAxis {
   }
 };
 
-/// Signed roots of how the track turns, in radians a metre: gentle bends are told apart best.
+/// Bend of the track: the square root of how it turns (radians a metre) with the sign of the turn,
+/// so that gentle bends are told apart best.
 constexpr GridAxis bend_axis{13, 0.21, -1.26};
 constexpr GridAxis turn_axis{15, 0.1, -0.7};   ///< Radians that the body faces to its left.
 constexpr GridAxis side_axis{13, 0.05, -0.3};  ///< Metres that the body stands to its left.
-constexpr GridAxis room_axis{71, 0.1, -1.0};   ///< Metres left of it.
+constexpr GridAxis room_axis{71, 0.1, -1.0};   ///< Metres of the track that are left.
 
 constexpr std::size_t warped_slice = turn_axis.count;
 constexpr std::size_t raw_slice = side_axis.count * turn_axis.count;
 
 /// What it is likely to cost to walk on after each transition of a motion graph: the value
 /// functions of the searches in runtime/motion, made by the content compiler.
-/// runtime/motion/make_foresight.h tells what is counted. Each is empty where none was made; then a
-/// search sees no farther than it has walked.
+/// runtime/motion/make_foresight.h tells what is counted. A table that was not made is empty; then
+/// its search knows only the cost of what it has walked.
 struct Foresight {
-  static constexpr double unit = 1.0 / 8192;  ///< What a number of the tables stands for.
+  static constexpr double unit = 1.0 / 8192;  ///< What 1 in the tables stands for.
 
   std::vector<std::uint16_t> warped;  ///< [transition][bend][turn], radians squared times metres.
   std::vector<std::uint16_t> raw;     ///< [transition][bend][side][turn], the same.
@@ -51,7 +52,7 @@ struct Foresight {
                                       ///< misses the end.
 };
 
-/// A value of a table's row.
+/// The value at a place of a table's row, interpolated.
 template <class Number>
 double value_at(const Number* row, const GridAxis::Place& at) noexcept {
   const auto low = static_cast<double>(row[at.low]);
@@ -61,7 +62,8 @@ template <class Number>
 double value_at(const Number* row, const GridAxis& axis, double at) noexcept {
   return value_at(row, axis.place(at));
 }
-/// Costs in square radians times metres, of one transition and one bend.
+/// Costs of one transition and one bend, in numbers of the table (Foresight::unit). `turn` in
+/// radians, `side` in metres.
 template <class Number>
 double foreseen_warped(const Number* slice, double turn) noexcept {
   return value_at(slice, turn_axis, turn);

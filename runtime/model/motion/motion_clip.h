@@ -28,7 +28,7 @@ struct MotionClip {
   std::string motion_class;  ///< "walk" unless classified otherwise.
   double frame_rate = 120;   ///< Frames a second.
   std::uint32_t joint_count = 0;
-  std::vector<Vec3> root;  ///< Position of the hips.
+  std::vector<Vec3> root;  ///< Position of the hips, metres.
   std::vector<Quat> rotation;
   std::vector<FootPlants> plants;
 };

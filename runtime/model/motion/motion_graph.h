@@ -29,21 +29,21 @@ struct Transition {
                         ///< source clip.
 };
 
-/// A class of motion, such as "walk" or "jog". It has a graph of its own, in which a walk never
-/// runs into a dead end; transitions between clips of two classes join these graphs.
+/// A class of motion, such as "walk" or "jog". It has a graph of its own, in which no walk comes to
+/// a dead end; transitions between clips of two classes join these graphs.
 struct MotionClass {
   std::string name;  ///< As MotionClip::motion_class has it.
-  /// How unlike its gait is to that of each class, itself among them, in the order of
-  /// MotionGraph::classes: metres, summed over the poses of a stride. Symmetric; 0 for its own.
+  /// How its gait differs from that of each class, itself included, in the order of
+  /// MotionGraph::classes: metres, summed over the poses of a stride. Symmetric; 0 for itself.
   std::vector<float> coefficient;
-  /// Of its own graph, ascending: those among its clips that lie in their largest strongly
-  /// connected part, lead into it from a start, or out of it to a stop.
+  /// The transitions of its own graph, ascending: those between its clips that lie in the largest
+  /// strongly connected part, lead into it from a start, or out of it to a stop.
   std::vector<std::uint32_t> transition{};
 };
 
 /// What the avatar can do: its clips and the transitions between them. Only the largest strongly
-/// connected part (and what leads into it from a start, or out of it to a stop) is kept, so a walk
-/// never runs into a dead end.
+/// connected part (and what leads into it from a start, or out of it to a stop) is kept, so no walk
+/// comes to a dead end.
 struct MotionGraph {
   Skeleton skeleton;
   std::vector<MotionClip> clips;

@@ -16,10 +16,10 @@
 namespace docent::motion_grid {
 
 inline constexpr double root_steps = 16384;                             ///< A metre.
-inline constexpr std::int64_t most_root_steps = std::int64_t{1} << 60;  ///< Either way.
+inline constexpr std::int64_t most_root_steps = std::int64_t{1} << 60;  ///< Of either sign.
 
-/// How fine rotations may be. The coarsest moves a hand by a centimetre; the finest is a float's
-/// own.
+/// How many bits a part of a rotation may have. The fewest may move a hand by a centimetre; the
+/// most are as fine as a float.
 inline constexpr int least_bits = 8, most_bits = 22;
 
 /// Steps of one part of a rotation from 0 to 1.
@@ -27,7 +27,7 @@ constexpr std::int64_t steps_of(int bits) noexcept {
   return std::int64_t{1} << (bits - 1);
 }
 
-/// The float at so many steps.
+/// The place of a root (metres), and the part of a rotation, at so many steps.
 inline float root_at(std::int64_t steps) noexcept {
   return static_cast<float>(static_cast<double>(steps) / root_steps);
 }
@@ -38,8 +38,8 @@ inline float part_at(std::int64_t steps, int bits) noexcept {
 /// The parts of a rotation in steps, in the order x, y, z, w.
 using RotationSteps = std::array<std::int64_t, 4>;
 
-/// The size of the derived part in steps, not rounded; negative where the other three are longer
-/// than a unit quaternion, which no rotation is.
+/// The size of the derived part in steps, not rounded; negative where the other three parts are too
+/// long for a unit quaternion.
 inline double derived_steps(const RotationSteps& steps, std::size_t derived, int bits) noexcept {
   std::int64_t left = steps_of(bits) * steps_of(bits);  // at most 2^42: exact in a double
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -47,7 +47,7 @@ inline double derived_steps(const RotationSteps& steps, std::size_t derived, int
   return left < 0 ? -1 : std::sqrt(static_cast<double>(left));
 }
 
-/// The derived part of so many steps as a float.
+/// The derived part, of so many steps, as a float.
 inline float derived_at(double steps, int bits) noexcept {
   return static_cast<float>(steps / static_cast<double>(steps_of(bits)));
 }

@@ -55,8 +55,8 @@ enum class BodyPart : std::uint8_t {
 };
 
 /// A tree of joints, parents before children; joint 0 is the root (the hips). Model frame: metres,
-/// y up, the body faces +z when every rotation is the identity as far as the recording allows. End
-/// sites are joints too: they have no channels (`has_rotation` false) and close a bone.
+/// y up; in the rest pose, when every rotation is the identity, the body faces +z as nearly as the
+/// recording allows. The ends of limbs are joints too, without a rotation (`has_rotation` false).
 struct Skeleton {
   std::vector<Joint> joint;
   std::vector<bool> has_rotation;

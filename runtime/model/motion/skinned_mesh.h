@@ -18,7 +18,7 @@ struct SkinnedVertex {
   std::array<std::uint8_t, 4> joint{};
   std::array<std::uint8_t, 4> weight{};  ///< Of 255; they add up to 255.
   Material material = Material::Skin;
-  std::uint8_t occlusion = 255;  ///< 255: open to the sky; 0: buried.
+  std::uint8_t occlusion = 255;  ///< Share of open space about it, of 255; 0: wholly enclosed.
 };
 
 /// The avatar's body, bound to a skeleton of at most 64 joints. Triangles are counter-clockwise

@@ -10,7 +10,7 @@
 
 namespace docent::path {
 
-/// An upright rectangle.
+/// A rectangle with sides along x and y.
 struct Box {
   Vec2 low{}, high{};
 };
@@ -20,15 +20,15 @@ inline double squared_distance(const Box& box, Vec2 point) noexcept {
   return dot(apart, apart);
 }
 
-/// Boxes in a balanced tree, for meeting the things in them nearest first. Immutable.
+/// Things, each in a box, in a balanced tree, to meet those nearest to a point first. Immutable.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(std::span<const Box> boxes);
 
   /// Meets things in the order of their distance from `point`, as long as `go_on(thing)` says so.
-  /// `squared_distance_of(thing)` tells a thing's own, which is at least that of its box. Expected
-  /// cost: logarithmic in the number of boxes, linear in the number of things met.
+  /// `squared_distance_of(thing)` is the thing's own distance, squared: at least that of its box.
+  /// Expected cost: logarithmic in the number of boxes, linear in the number of things met.
   template <class Distance, class GoOn>
   void meet_nearest_first(Vec2 point, Distance squared_distance_of, GoOn go_on) const;
 
@@ -36,7 +36,7 @@ class BoxTree {
   static constexpr std::uint32_t leaf_size = 4;
   struct Node {
     Box box;
-    std::uint32_t first = 0;  ///< Leaf: of its places in `thing_`. Else: its two children follow.
+    std::uint32_t first = 0;  ///< Leaf: first place in `thing_`. Else: children first, first + 1.
     std::uint32_t count = 0;  ///< Of things; 0 for a node with children.
   };
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);

@@ -12,9 +12,8 @@ struct Interval {
   bool contains(double x) const noexcept { return low <= x && x < high; }
 };
 
-/// Intervals in a tree, for meeting all that contain a number: in time logarithmic in their number
-/// and linear in how many there are to meet (de Berg et al., "Computational Geometry", 10.1).
-/// Immutable.
+/// Intervals in a tree, to find all that contain a number: in time logarithmic in their number and
+/// linear in how many are found (de Berg et al., "Computational Geometry", 10.1). Immutable.
 class IntervalTree {
  public:
   IntervalTree() = default;

@@ -12,7 +12,7 @@ namespace docent::path {
 /// floating-point arithmetic and fast robust geometric predicates").
 int exact_orientation(Vec2 a, Vec2 b, Vec2 c) noexcept;
 
-/// The same. Plain arithmetic decides wherever its rounding cannot matter, which is nearly always.
+/// The same, quicker: plain arithmetic decides where its rounding cannot matter, as nearly always.
 inline int orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);

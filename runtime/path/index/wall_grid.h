@@ -10,9 +10,8 @@
 
 namespace docent::path {
 
-/// How far two figures may be from exact before they count as different: a disc that is nearer to a
-/// wall than its radius by no more than this still touches it and is free. So a disc fits through
-/// a door of exactly twice its radius. Metres.
+/// A disc that is nearer to a wall than its radius by no more than this only touches it and is
+/// free: so a disc fits through a door of exactly twice its radius. Metres.
 inline constexpr double touching = 1e-9;
 
 /// The walls of a floor sorted into square cells, for discs of one radius.
@@ -29,7 +28,7 @@ class WallGrid {
   /// Walls that end at p or q do not block what leaves them into the interior.
   bool segment_clear(Vec2 p, Vec2 q) const noexcept;
 
-  /// The same for a disc of any radius above the grid's: looks at all walls about the segment.
+  /// The same for a disc of a radius above the grid's: looks at all walls about the segment.
   bool capsule_clear(Vec2 p, Vec2 q, double radius) const noexcept;
 
   /// Every wall that a disc of the grid's radius may touch while its centre is within `reach` of
@@ -45,19 +44,19 @@ class WallGrid {
   };
   Nearest nearest_wall(Vec2 p) const noexcept;
 
-  /// The side of the nearest wall decides; a point on a wall is inside.
+  /// Is the point on the open side of its nearest wall? A point on a wall is inside.
   bool is_inside(Vec2 p) const noexcept { return is_inside(p, nearest_wall(p)); }
   bool is_inside(Vec2 p, const Nearest& nearest) const noexcept;
 
-  /// The cells, and which of them holds a point: none off the grid.
+  /// How many cells there are, and which of them holds a point; none off the grid.
   std::size_t cells() const noexcept { return cell_first_.size() - 1; }
   std::optional<std::size_t> cell_at(Vec2 p) const noexcept;
   Vec2 centre_of(std::size_t cell) const noexcept;
   /// Does every point of the cell keep the grid's radius from every wall?
   bool is_clear(std::size_t cell) const noexcept { return walls_in(cell).empty(); }
 
-  /// The smallest distance from any point of the segment to a wall, given that its ends keep
-  /// `at_most`; that is also the most it answers.
+  /// The smallest distance from any point of the segment to a wall, metres; at most `at_most`,
+  /// which is no more than the clearance of either end.
   double segment_clearance(Vec2 p, Vec2 q, double at_most) const noexcept;
 
   double radius() const noexcept { return radius_; }

@@ -31,8 +31,8 @@ class EdgeCurve {
   double nearest_place(Vec2 point) const noexcept;
   /// The place, between the ends, where the clearance is smallest.
   double lowest_place() const noexcept;
-  /// The place between a and b where the clearance is `level`, given that it changes monotonically
-  /// from one side of it to the other.
+  /// The place between a and b where the clearance is `level`, given that the clearance only grows
+  /// or only falls from a to b, from one side of `level` to the other.
   double place_of_clearance(double level, double a, double b) const noexcept;
   /// Appends points from place a to place b, both included, within `flatness` of the curve.
   void append_points(double a, double b, std::vector<Vec2>& points) const;
@@ -54,8 +54,8 @@ class EdgeCurve {
   double begin_ = 0, end_ = 0;
   Parabola parabola_;                       ///< Parabola only.
   Vec2 origin_{}, along_{1, 0};             ///< Lines only.
-  double middle_ = 0;                       ///< Corners: the place between them.
-  double half_distance_ = 0;                ///< Corners: half of theirs.
+  double middle_ = 0;                       ///< Corners: the place midway between them.
+  double half_distance_ = 0;                ///< Corners: half the distance between them.
   double begin_clearance_ = 0, slope_ = 0;  ///< Linear.
   Vec2 low_{}, high_{};
 };

@@ -33,31 +33,32 @@ class MedialAxisMap {
   const EdgeCurve& curve(std::uint32_t voronoi_edge) const noexcept { return curve_[voronoi_edge]; }
   /// The roadmap, ready to be searched.
   const RoadGraph& roads() const noexcept { return roads_; }
-  /// The place of the roadmap nearest to `point` of those that `accepts(place, point of it)` takes,
-  /// which is asked nearest first; none where it takes none.
+  /// The place of the roadmap nearest to `point` for which `accepts(place, its point)` is true;
+  /// `accepts` is asked about the nearest place of each edge, nearest first. None where it takes
+  /// none.
   template <class Accepts>
   std::optional<RoadGraph::Place> nearest_road(Vec2 point, Accepts accepts) const;
 
   /// The node at a Voronoi vertex, or none.
   std::uint32_t node_at(std::uint32_t vertex) const noexcept { return vertex_node_[vertex]; }
-  /// The Voronoi edge that leads from a Voronoi vertex of the axis towards the roadmap, or none at
-  /// its nodes. What the roadmap leaves out are trees, so there is one way.
+  /// The Voronoi edge that leads from a Voronoi vertex of the axis towards the roadmap; none at the
+  /// roadmap's nodes. The parts that the roadmap leaves out are trees, so there is only one way.
   std::uint32_t edge_to_road(std::uint32_t vertex) const noexcept { return edge_to_road_[vertex]; }
   std::uint32_t roadmap_edge(std::uint32_t voronoi_edge) const noexcept {
     return edge_roadmap_[voronoi_edge];
   }
 
-  /// The edges of the medial axis at a Voronoi vertex, twigs into corners included.
+  /// The edges of the medial axis at a Voronoi vertex, dead ends into corners included.
   std::span<const std::uint32_t> axis_edges_at(std::uint32_t vertex) const noexcept {
     return std::span(axis_edge_)
         .subspan(axis_first_[vertex], axis_first_[vertex + 1] - axis_first_[vertex]);
   }
-  /// Where in VoronoiDiagram::region_edge a Voronoi edge stands in the loop of one of its sites.
+  /// The place of a Voronoi edge in VoronoiDiagram::region_edge, in the loop of one of its sites.
   std::uint32_t place_in_loop(std::uint32_t voronoi_edge, std::uint32_t site) const noexcept {
     return diagram().edge[voronoi_edge].left == site ? left_place_[voronoi_edge]
                                                      : right_place_[voronoi_edge];
   }
-  /// The corner of a site that is one.
+  /// The reflex corner of a site that is one.
   const ReflexCorner& corner(std::uint32_t site) const noexcept { return corner_[site]; }
   /// The clearance along a Voronoi edge is at least `low` and at most `high`, and reaches both.
   const Interval& clearances(std::uint32_t voronoi_edge) const noexcept {
@@ -75,9 +76,9 @@ class MedialAxisMap {
     std::uint32_t voronoi_edge = none;
     double at = 0;  ///< As EdgeCurve counts it.
   };
-  /// Where the straight line from a site through `point`, on from it, meets the medial axis first.
-  /// The distance to the walls grows all along that line, at the rate of one. None where the floor
-  /// has no diagram.
+  /// Where the straight line that comes from a site through `point` meets the medial axis first
+  /// beyond `point`. All along that line the clearance grows by a metre for each metre. None where
+  /// the floor has no diagram.
   std::optional<Place> place_above(std::uint32_t site, Vec2 point) const;
 
  private:

@@ -15,12 +15,12 @@ namespace docent::path {
 
 /// The roadmap as a search sees it: every chain of its edges between two junctions is one road.
 ///
-/// Junctions are the nodes where one does not just go on (and one node of every loop without such).
-/// Borrows the roadmap and its curves (those of Voronoi edges). Immutable.
+/// Junctions are the nodes at which other than two edges end, and one node of every loop without
+/// any. Borrows the roadmap and its curves (those of Voronoi edges). Immutable.
 class RoadGraph {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
-  /// Distances to so many junctions, far from each other, are kept for `least_distance`.
+  /// How many junctions, far from each other, all distances are kept to, for `least_distance`.
   static constexpr std::size_t landmarks = 8;
 
   /// A step is a roadmap edge as its road runs through it.
@@ -30,7 +30,7 @@ class RoadGraph {
     double begin = 0, end = 0;    ///< Places on the edge's curve, in the road's direction.
     double before = 0;            ///< Metres of road before the step.
     double clearance_before = 0;  ///< The smallest clearance of the road before the step.
-    double clearance_after = 0;   ///< And after it. Infinite where nothing is.
+    double clearance_after = 0;   ///< The same after it. Infinite where nothing is there.
     std::uint32_t first_point = 0, end_point = 0;  ///< The flattened step, both ends included.
   };
   struct Road {
@@ -60,7 +60,7 @@ class RoadGraph {
   Vec2 position(std::uint32_t junction) const noexcept {
     return roadmap_->position[junction_node_[junction]];
   }
-  /// The roads at a junction; twice the road's number, plus one where it ends there.
+  /// The roads at a junction: twice each road's number, plus one where the road ends there.
   std::span<const std::uint32_t> roads_at(std::uint32_t junction) const noexcept {
     return std::span(junction_road_)
         .subspan(junction_first_[junction],
@@ -72,8 +72,8 @@ class RoadGraph {
   }
   Place place_at(std::uint32_t node) const noexcept { return node_place_[node]; }
   Vec2 point_at(const Place& place) const noexcept;
-  /// The ways from a place to the begin of its road and to the end of it; at a junction one, of
-  /// length 0.
+  /// The ways from a place to the beginning and to the end of its road; at a junction there is one
+  /// way, of length 0.
   std::array<Exit, 2> exits_of(const Place& place) const noexcept;
   /// The way between two places of one road, along that road; none where they are not on one.
   struct Between {
@@ -81,15 +81,16 @@ class RoadGraph {
   };
   std::optional<Between> between(const Place& from, const Place& to) const noexcept;
 
-  /// The largest clearance that some way between two junctions keeps; negative where there is no
-  /// way, infinite at one junction. Logarithmic in their number.
+  /// The largest clearance that some way between two junctions keeps, metres; negative where there
+  /// is no way, infinite for a junction and itself. Logarithmic in the number of junctions.
   double widest(std::uint32_t from, std::uint32_t to) const noexcept;
-  /// No way on the roads between a junction and a place is shorter than this.
+  /// A lower bound, metres, of every way on the roads between a junction and a place, whose
+  /// distances to the landmarks `distances_of` gives.
   using Distances = std::array<double, landmarks>;
   Distances distances_of(const Place& place) const noexcept;
   double least_distance(std::uint32_t junction, const Distances& to) const noexcept;
 
-  /// The begin of a road, or its end, as a place on it.
+  /// The beginning of a road, or its end, as a place on it.
   Place begin_of(std::uint32_t road) const noexcept {
     return {road_[road].first_step, step_[road_[road].first_step].begin, none};
   }
@@ -130,9 +131,9 @@ class RoadGraph {
   std::vector<Place> node_place_;             ///< Per roadmap node.
   std::vector<std::uint32_t> junction_node_;  ///< Per junction: its roadmap node.
   std::vector<std::uint32_t> junction_first_, junction_road_;
-  /// Per junction, a forest that holds a maximum spanning tree's answers: what it was joined to,
-  /// and by which clearance. Clearances fall towards the root, and no branch is longer than the
-  /// logarithm of the junctions.
+  /// Per junction: which junction it was joined to, and by which clearance. A forest that gives the
+  /// answers of a maximum spanning tree: clearances fall towards the root, and no branch is longer
+  /// than the logarithm of the number of junctions.
   std::vector<std::uint32_t> joined_to_;
   std::vector<double> joined_by_;
   std::vector<Distances> distance_;  ///< Per junction, to each landmark; 0 where there is no way.

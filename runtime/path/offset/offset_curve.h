@@ -15,7 +15,7 @@ class FloorMap;
 using LevelCrossing = std::uint32_t;
 
 /// A piece of that curve inside the region of one site: parallel to a wall, or an arc about a
-/// corner. The wall is to the right of it.
+/// corner. The site is to the right of it.
 struct LevelPiece {
   std::uint32_t site = 0;
   LevelCrossing from = 0, to = 0;
@@ -24,12 +24,13 @@ struct LevelPiece {
   Vec2 first{}, last{};       ///< The points of its crossings.
 };
 
-/// The curve of all points at one distance from the nearest wall, from clipping Voronoi regions at
-/// that distance. Nothing is made before it is asked for.
+/// The curve of all points at one distance from the nearest wall, found by cutting the Voronoi
+/// regions at that distance. No part of it is made before it is asked for.
 ///
-/// Following the curve round a region passes the region's edges above the distance. In all these
-/// are no more than three times the pieces: cut off at the distance, the diagram is a plane graph
-/// with one piece to a face. So the whole curve costs time linear in its own size.
+/// Following the curve round a region passes the region's edges above the distance. All in all
+/// there are no more than three times as many of these as pieces: cut off at the distance, the
+/// diagram is a plane graph with one piece to a face. So the whole curve costs time linear in its
+/// own size.
 class LevelCurve {
  public:
   /// `distance` is positive. Borrows the map.
@@ -42,8 +43,8 @@ class LevelCurve {
   struct Crossings {
     std::array<double, 2> at{};  ///< Places on it, as EdgeCurve counts.
     std::uint32_t count = 0;
-    bool first_rises = false;  ///< Does the clearance grow past the distance at the first? (At the
-                               ///< second the other way.)
+    bool first_rises = false;  ///< Does the clearance grow past the distance at the first? At the
+                               ///< second it does the opposite.
   };
   Crossings crossings_of(std::uint32_t voronoi_edge) const noexcept;
   Vec2 point_at(LevelCrossing crossing) const noexcept;
@@ -54,7 +55,7 @@ class LevelCurve {
   /// The pieces in the region of a site.
   std::vector<LevelPiece> pieces_in(std::uint32_t site) const;
 
-  /// How a piece of a site's region counts places: where `point` is seen from the site.
+  /// The place of `point`, as the pieces in a site's region count places (LevelPiece::begin).
   double place_of(std::uint32_t site, Vec2 point) const noexcept;
   Vec2 point_at(std::uint32_t site, double place) const noexcept;
   double length_between(std::uint32_t site, double a, double b) const noexcept;
@@ -99,8 +100,8 @@ struct OffsetCurve {
   double perimeter = 0;  ///< Metres.
 };
 
-/// Makes it, in time linear in its size; at distance 0 it is the walls. Empty where the distance is
-/// negative or not finite.
+/// Makes the offset curve, in time linear in its size. At distance 0 it is the walls; empty where
+/// the distance is negative or not finite.
 OffsetCurve offset_curve(const MedialAxisMap& map, double distance);
 OffsetCurve offset_curve(const FloorMap& map, double distance);
 

@@ -36,7 +36,7 @@ struct Link {
 
 /// Contracts a graph. Lengths are not negative. None where that would take more than `most_work`
 /// steps (graphs that many ways lead through everywhere, such as a lattice of columns, have no
-/// nodes that are more important than others), and once a stop is requested.
+/// nodes that are more important than others), nor where a stop is requested.
 std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> links,
                                   std::uint32_t names, std::uint64_t most_work,
                                   const std::stop_token& stop);

@@ -11,26 +11,27 @@
 
 namespace docent::path {
 
-/// The distances of every corner to a few corners that lie far from each other: between two corners
-/// no way is shorter than their distances to any landmark differ. (Goldberg and Harrelson 2005.)
+/// The distances of every corner to a few corners that lie far from each other, the landmarks. The
+/// difference of two corners' distances to a landmark is a lower bound of every way between the two
+/// corners. (Goldberg and Harrelson 2005.)
 ///
-/// They are those of a point. A disc that goes from where it touches one corner to where it touches
-/// another saves no more than twice its radius against a point from corner to corner.
+/// The distances are those of a point. A disc that goes from where it touches one corner to where
+/// it touches another saves no more than twice its radius against a point from corner to corner.
 class Landmarks {
  public:
   static constexpr std::size_t count = 16;
   /// Numbers that the processor works on at once.
   static constexpr std::size_t lanes = 8;
   using Lanes = std::int16_t __attribute__((vector_size(2 * lanes)));
-  /// In steps. Half of what 16 bits hold, so that a distance and a length can be added.
+  /// Distances in steps. At most half of what 16 bits hold, so that a length can be added.
   using Distances = std::array<Lanes, count / lanes>;
   static constexpr std::int16_t most = 16'000;
 
   Landmarks(const FloorPlan& plan, const SightMap& sight);
 
-  /// What a distance of 1 stands for. Rounding adds or takes up to half of it.
+  /// Metres that a distance of 1 stands for. Distances are rounded to the nearest step.
   double metres_per_step() const noexcept { return metres_per_step_; }
-  /// Of a corner of the sight map. Where no way leads to a landmark, 0 as for all corners about.
+  /// Those of a corner of the sight map. 0 for a landmark to which no way leads from there.
   const Distances& of(std::uint32_t corner) const noexcept { return distance_[corner]; }
 
  private:
@@ -38,7 +39,8 @@ class Landmarks {
   std::vector<Distances> distance_;
 };
 
-/// How far it is at least from a corner to a place that is reached over one of some other corners.
+/// A lower bound of the way from a corner to a place that is reached over one of some other
+/// corners.
 class LandmarkBound {
  public:
   LandmarkBound(const Landmarks& landmarks, double radius) noexcept

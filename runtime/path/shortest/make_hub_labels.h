@@ -9,9 +9,9 @@
 namespace docent::path {
 
 /// The labels of a plan's tangent graph. Takes some seconds for floors of ten thousand corners: the
-/// content compiler does it for the museum's radius classes, a worker for any other radius. There
-/// are none (has_labels is false) for graphs too dense to have short ones, and once a stop is
-/// requested.
+/// content compiler does it for the museum's radius classes, a thread of the kiosk for any other
+/// radius. There are none (has_labels is false) for graphs too dense to have short ones, nor where
+/// a stop is requested.
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
                           const std::stop_token& stop = {});
 

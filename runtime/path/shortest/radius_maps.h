@@ -20,8 +20,8 @@ class RadiusMaps {
  public:
   RadiusMaps(const Floor& floor, const TangentSearchMap& search);
 
-  /// The map for a radius; none while it is not made (ask again later) and where it has no labels.
-  /// A radius that was never asked for before goes to the thread, the last one first.
+  /// The map for a radius; null while it is not made yet (ask again later), and where the radius
+  /// has no labels. The thread makes the radius that was asked for last.
   std::shared_ptr<const ShortestWayMap> find(double radius) const;
 
  private:

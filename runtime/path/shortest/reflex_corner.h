@@ -22,8 +22,9 @@ constexpr double sign_of(Sense sense) noexcept {
   return sense == Sense::CounterClockwise ? 1.0 : -1.0;
 }
 
-/// A corner that juts into the floor, as a disc sees it that rolls round it: its centre turns from
-/// the normal of the wall that begins here, counter-clockwise, to the normal of the one that ends.
+/// A corner that juts into the floor. The centre of a disc that rolls round it turns from the
+/// normal of the wall that begins here, counter-clockwise, to the normal of the wall that ends
+/// here.
 struct ReflexCorner {
   std::uint32_t vertex = 0;
   Vec2 position{};

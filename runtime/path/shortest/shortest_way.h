@@ -37,8 +37,8 @@ class ShortestWayMap {
   /// The corner of a side in the sight map.
   std::uint32_t sight_corner(std::uint32_t side) const noexcept { return arc_[side / 2].corner; }
 
-  /// Begin to fetch what a query will read of a side. Memory is what a query in a new place waits
-  /// for most.
+  /// Begins to fetch what a query will read of a side: in a new place a query waits mostly for
+  /// memory.
   void prefetch_arc(std::uint32_t side) const noexcept { __builtin_prefetch(&arc_[side / 2]); }
   void prefetch_candidate(std::uint32_t side) const noexcept {
     __builtin_prefetch(&search_.landmarks().of(arc_[side / 2].corner));
@@ -56,7 +56,7 @@ class ShortestWayMap {
     return labels_.arriving.of(side);
   }
 
-  /// Does the disc certainly have room here? Quick, and never wrongly yes.
+  /// Does the disc certainly have room here? Quick; may be false where there is room.
   bool surely_has_room(Vec2 point) const noexcept {
     const auto cell = walls_.cell_at(point);
     return cell && is_room_[*cell];
@@ -68,8 +68,8 @@ class ShortestWayMap {
   /// The tangent from a point to a side, if it touches the side's arc; not tested against walls.
   /// Walked backwards it is the tangent from the arc's other side to the point.
   std::optional<EndTangent> tangent_to(std::uint32_t side, Vec2 point) const noexcept;
-  /// Where on its side's arc a tangent touches: an angle; with radius 0, where arcs are points,
-  /// any.
+  /// Where on its side's arc a tangent touches: an angle, radians. For radius 0, where arcs are
+  /// points, any angle.
   double angle_at(const EndTangent& tangent) const noexcept;
 
   /// How far along a side's arc an angle is, from where the side is entered. Radians.
@@ -79,7 +79,7 @@ class ShortestWayMap {
   }
 
  private:
-  /// An arc as a query's tangents see it: one line of the cache.
+  /// What a query's tangents need of an arc, in one cache line.
   struct alignas(64) ArcOfEnds {
     Vec2 centre, begin, end;  ///< `begin` and `end` are unit directions from the centre.
     double begin_angle;
