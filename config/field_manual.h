@@ -17,7 +17,7 @@
 namespace docent::config {
 
 /// "whole number from 1 to 8"
-std::string kind_of_number(std::string_view kind, Limits limits);
+std::string kind_of_number(std::string_view kind, FieldLimits limits);
 std::string_view kind_of_text(Form form) noexcept;
 
 template <typename T, typename Value>

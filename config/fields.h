@@ -31,7 +31,7 @@ enum class Form : std::uint8_t {
 
 /// The range that a number has to lie in, ends included. Where `most` is infinite, the
 /// content compiler knows the limit.
-struct Limits {
+struct FieldLimits {
   double least = -1e5, most = 1e5;
 };
 
@@ -46,7 +46,7 @@ struct Field {
       member;
   Presence presence = Presence::Optional;
   std::string_view manual;  ///< For staff and their editors.
-  Limits limits{};
+  FieldLimits limits{};
   Form form = Form::Free;
 };
 
@@ -74,7 +74,7 @@ class SectionReader {
   /// A field's key and what its value must keep to, whatever its type.
   struct Rules {
     std::string_view key;
-    Limits limits;
+    FieldLimits limits;
     Form form;
   };
   /// These fill the value, or report why they cannot and return false.

@@ -26,9 +26,9 @@ struct ManualVisitor {
 
 }  // namespace
 
-std::string kind_of_number(std::string_view kind, Limits limits) {
+std::string kind_of_number(std::string_view kind, FieldLimits limits) {
   // Coordinates and the like are limited only so that nothing overflows.
-  if (limits.least == Limits{}.least) return std::string(kind);
+  if (limits.least == FieldLimits{}.least) return std::string(kind);
   return std::isinf(limits.most) ? fmt::format("{} of at least {}", kind, limits.least)
                                  : fmt::format("{} from {} to {}", kind, limits.least, limits.most);
 }

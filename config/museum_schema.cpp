@@ -25,7 +25,7 @@ Json point() {
   return pair({{"type", "number"}});
 }
 
-Json number(std::string_view type, Limits limits) {
+Json number(std::string_view type, FieldLimits limits) {
   Json schema = {{"type", type}, {"minimum", limits.least}};
   if (std::isfinite(limits.most)) schema["maximum"] = limits.most;
   return schema;

@@ -57,7 +57,7 @@ void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& 
 }  // namespace
 
 SkinnedMesh make_avatar(const Skeleton& skeleton) {
-  const Body body = body_of(stand_at_ease(skeleton));
+  const BodyShape body = body_of(stand_at_ease(skeleton));
   const SkinWeights weights(skeleton, body);
   const std::vector<Layer> layers = layers_of(body);
 

@@ -5,7 +5,7 @@ namespace {
 
 /// From hem to neck: metres on a person of 1.70 m, shaped for this avatar and scaled by `s`.
 /// Heights and the shoulders' width follow the skeleton's own joints.
-std::array<Girth, 8> girths_of(const Body& body) {
+std::array<Girth, 8> girths_of(const BodyShape& body) {
   const float s = body.scale;
   const float hip = body.hip_height;
   const float shoulder = body.shoulder_height;
@@ -24,8 +24,8 @@ std::array<Girth, 8> girths_of(const Body& body) {
 
 }  // namespace
 
-Body body_of(Stance stance) {
-  Body body;
+BodyShape body_of(Stance stance) {
+  BodyShape body;
   body.stance = std::move(stance);
   const LimbPoints& left = body.limb(Side::Left);
   const LimbPoints& right = body.limb(Side::Right);

@@ -17,7 +17,7 @@ struct Girth {
 
 /// The person inside the stance: where the head is and how large, how wide the shoulders are, and
 /// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
-struct Body {
+struct BodyShape {
   Stance stance;
   float scale = 1;   ///< Stature over the 1.70 m of the person that the body*.cpp measure.
   Vec3 skull{};      ///< Middle of the head, between chin and crown.
@@ -30,27 +30,27 @@ struct Body {
   const LimbPoints& limb(Side side) const { return stance.limb[static_cast<std::size_t>(side)]; }
 };
 
-Body body_of(Stance stance);
+BodyShape body_of(Stance stance);
 
 // What follows are the solids as distance fields (distance_field.h): metres from `p` to the
 // surface, negative inside. `p` is in the model frame.
 
 /// The coat's trunk and skirt, without sleeves, grown by `ease` metres.
-float coat_trunk(const Body& body, Vec3 p, float ease);
+float coat_trunk(const BodyShape& body, Vec3 p, float ease);
 /// One sleeve.
-float coat_sleeve(const Body& body, Vec3 p, Side side);
+float coat_sleeve(const BodyShape& body, Vec3 p, Side side);
 /// The whole coat as a solid, before its openings are cut.
-float coat_solid(const Body& body, Vec3 p);
+float coat_solid(const BodyShape& body, Vec3 p);
 /// One trouser leg.
-float trouser_leg(const Body& body, Vec3 p, Side side);
+float trouser_leg(const BodyShape& body, Vec3 p, Side side);
 /// Head and neck without hair.
-float head_and_neck(const Body& body, Vec3 p);
+float head_and_neck(const BodyShape& body, Vec3 p);
 /// Hair on the head; the brows are apart.
-float hair(const Body& body, Vec3 p);
-float brows(const Body& body, Vec3 p);
-float eyes(const Body& body, Vec3 p);
+float hair(const BodyShape& body, Vec3 p);
+float brows(const BodyShape& body, Vec3 p);
+float eyes(const BodyShape& body, Vec3 p);
 /// One hand, a little curled, thumb forward.
-float hand(const Body& body, Vec3 p, Side side);
-float shoe(const Body& body, Vec3 p, Side side);
+float hand(const BodyShape& body, Vec3 p, Side side);
+float shoe(const BodyShape& body, Vec3 p, Side side);
 
 }  // namespace docent::avatar

@@ -39,7 +39,7 @@ float column(const std::array<Girth, 8>& girths, Vec3 p, float ease) {
 
 }  // namespace
 
-float coat_trunk(const Body& body, Vec3 p, float ease) {
+float coat_trunk(const BodyShape& body, Vec3 p, float ease) {
   const float s = body.scale;
   const float walls = column(body.girths, p, ease);
   const float top = p.y - (body.shoulder_height + 0.05F * s + ease);
@@ -47,7 +47,7 @@ float coat_trunk(const Body& body, Vec3 p, float ease) {
   return meet(meet(walls, top, 0.02F * s), bottom, 0.016F * s);
 }
 
-float coat_sleeve(const Body& body, Vec3 p, Side side) {
+float coat_sleeve(const BodyShape& body, Vec3 p, Side side) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const Vec3 cuff = glm::mix(limb.elbow, limb.wrist, 0.94F);
@@ -61,7 +61,7 @@ float coat_sleeve(const Body& body, Vec3 p, Side side) {
   return meet(join(upper, lower, 0.008F * s), half_space(p, cuff, along), 0.01F * s);
 }
 
-float coat_solid(const Body& body, Vec3 p) {
+float coat_solid(const BodyShape& body, Vec3 p) {
   const float s = body.scale;
   const float sleeves =
       std::min(coat_sleeve(body, p, Side::Left), coat_sleeve(body, p, Side::Right));
@@ -78,7 +78,7 @@ float coat_solid(const Body& body, Vec3 p) {
   return join(join(coat_trunk(body, p, 0), slope, 0.05F * s), sleeves, fill);
 }
 
-float trouser_leg(const Body& body, Vec3 p, Side side) {
+float trouser_leg(const BodyShape& body, Vec3 p, Side side) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const Vec3 hem = limb.ankle + Vec3{0, -0.010F, -0.006F} * s;
@@ -89,7 +89,7 @@ float trouser_leg(const Body& body, Vec3 p, Side side) {
   return meet(leg, hem.y - 0.008F * s - p.y, 0.01F * s);
 }
 
-float shoe(const Body& body, Vec3 p, Side side) {
+float shoe(const BodyShape& body, Vec3 p, Side side) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const Vec3 f = limb.foot_forward;

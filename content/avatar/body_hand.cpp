@@ -17,7 +17,7 @@ struct HandFrame {
   }
 };
 
-HandFrame hand_frame(const Body& body, Side side) {
+HandFrame hand_frame(const BodyShape& body, Side side) {
   const LimbPoints& limb = body.limb(side);
   const Vec3 down = limb.hand_axis;
   // A hanging hand turns its palm inward and a little back.
@@ -64,7 +64,7 @@ float finger_distance(const HandFrame& frame, Vec3 p, const Finger& finger) {
 
 }  // namespace
 
-float hand(const Body& body, Vec3 p, Side side) {
+float hand(const BodyShape& body, Vec3 p, Side side) {
   const HandFrame frame = hand_frame(body, side);
   const float s = frame.s;
   const float wrist = tapered_capsule(p, frame.at(-0.05F, 0, 0), frame.at(0.015F, 0.001F, 0),

@@ -9,7 +9,7 @@ struct HeadFrame {
   Vec3 p;
   float s;
 
-  HeadFrame(const Body& body, Vec3 at)
+  HeadFrame(const BodyShape& body, Vec3 at)
       : p{std::abs(at.x), at.y - body.skull.y, at.z - body.skull.z}, s{body.scale} {
     p /= s;
   }
@@ -21,7 +21,7 @@ float cranium(Vec3 p, float ease) {
 
 }  // namespace
 
-float head_and_neck(const Body& body, Vec3 at) {
+float head_and_neck(const BodyShape& body, Vec3 at) {
   const HeadFrame head(body, at);
   const Vec3 p = head.p;
   float d = cranium(p, 0);
@@ -50,7 +50,7 @@ float head_and_neck(const Body& body, Vec3 at) {
   return join(d * s, neck, 0.025F * s);
 }
 
-float hair(const Body& body, Vec3 at) {
+float hair(const BodyShape& body, Vec3 at) {
   const HeadFrame head(body, at);
   const Vec3 p = head.p;
   // Free of the face, and before the ears of the cheeks; thin at the hairline, fuller behind it.
@@ -68,7 +68,7 @@ float hair(const Body& body, Vec3 at) {
   return d * head.s;
 }
 
-float brows(const Body& body, Vec3 at) {
+float brows(const BodyShape& body, Vec3 at) {
   const HeadFrame head(body, at);
   const Vec3 inner{0.0165F, 0.0285F, 0.0860F};
   const Vec3 arch{0.0335F, 0.0300F, 0.0780F};
@@ -78,7 +78,7 @@ float brows(const Body& body, Vec3 at) {
          head.s;
 }
 
-float eyes(const Body& body, Vec3 at) {
+float eyes(const BodyShape& body, Vec3 at) {
   const HeadFrame head(body, at);
   return ellipsoid(head.p, {0.0312F, 0.0012F, 0.0720F}, {0.0112F, 0.0076F, 0.0088F}) * head.s;
 }

@@ -13,7 +13,7 @@ Box3 box_around(Vec3 a, Vec3 b, float margin) {
 struct Neckline {
   float bottom, top, slope, front;
 
-  explicit Neckline(const Body& body)
+  explicit Neckline(const BodyShape& body)
       : bottom{body.shoulder_height - 0.235F * body.scale},
         top{body.shoulder_height + 0.05F * body.scale},
         slope{0.27F},
@@ -27,7 +27,7 @@ struct Neckline {
 };
 
 /// The coat with its neckline and the hollow under its skirt.
-float coat(const Body& body, const Neckline& neckline, Vec3 p) {
+float coat(const BodyShape& body, const Neckline& neckline, Vec3 p) {
   const float s = body.scale;
   const float hollow = std::max(coat_trunk(body, p, -0.034F * s), p.y - body.hem - 0.10F * s);
   const float under_hem =
@@ -38,7 +38,7 @@ float coat(const Body& body, const Neckline& neckline, Vec3 p) {
 }
 
 /// A point on the coat's front, `x` from the middle.
-Vec3 on_front(const Body& body, float x, float height) {
+Vec3 on_front(const BodyShape& body, float x, float height) {
   float z = 0.35F;  // Metres: sphere tracing from before the body.
   for (int step = 0; step < 24; ++step) z -= coat_solid(body, {x, height, z});
   return {x, height, z};
@@ -46,10 +46,10 @@ Vec3 on_front(const Body& body, float x, float height) {
 
 /// Lapels and collar, and the edge where the coat closes: they lie on the coat.
 struct CoatEdges {
-  const Body& body;
+  const BodyShape& body;
   Neckline neckline;
 
-  CoatEdges(const Body& of, const Neckline& open) : body{of}, neckline{open} {}
+  CoatEdges(const BodyShape& of, const Neckline& open) : body{of}, neckline{open} {}
 
   /// A lapel grows from the neckline's bottom to the collar.
   float lapel(Vec3 p, float on_coat) const {
@@ -99,7 +99,7 @@ struct Buttons {
   std::array<Vec3, 4> place;
   Vec3 radius;
 
-  Buttons(const Body& body, const Neckline& neckline)
+  Buttons(const BodyShape& body, const Neckline& neckline)
       : radius{Vec3{0.0115F, 0.0115F, 0.0065F} * body.scale} {
     float height = neckline.bottom - 0.030F * body.scale;
     for (Vec3& button : place) {
@@ -116,7 +116,7 @@ struct Buttons {
 };
 
 /// The shirt in the neckline, with a small collar of its own.
-float shirt(const Body& body, const Neckline& neckline, Vec3 p) {
+float shirt(const BodyShape& body, const Neckline& neckline, Vec3 p) {
   const float s = body.scale;
   const float chest = std::max(coat_trunk(body, p, -0.013F * s), p.y - neckline.top + 0.02F * s);
   // A band round the neck, lower in front.
@@ -127,7 +127,7 @@ float shirt(const Body& body, const Neckline& neckline, Vec3 p) {
   return join(chest, band, 0.006F * s);
 }
 
-void add_head_layers(const Body& body, std::vector<Layer>& layers) {
+void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
   const float s = body.scale;
   const Box3 head{body.skull - Vec3{0.11F, 0.14F, 0.14F} * s,
                   body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
@@ -168,7 +168,7 @@ void add_head_layers(const Body& body, std::vector<Layer>& layers) {
                     .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
 }
 
-void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
+void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
   const float s = body.scale;
   const Neckline neckline(body);
   const DistanceField whole = [&body, neckline](Vec3 p) { return coat(body, neckline, p); };
@@ -215,7 +215,7 @@ void add_coat_layers(const Body& body, std::vector<Layer>& layers) {
                     .covered = whole});
 }
 
-void add_limb_layers(const Body& body, Side side, std::vector<Layer>& layers) {
+void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layers) {
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const bool left = side == Side::Left;
@@ -248,7 +248,7 @@ void add_limb_layers(const Body& body, Side side, std::vector<Layer>& layers) {
 
 }  // namespace
 
-std::vector<Layer> layers_of(const Body& body) {
+std::vector<Layer> layers_of(const BodyShape& body) {
   std::vector<Layer> layers;
   add_coat_layers(body, layers);
   add_head_layers(body, layers);

@@ -23,6 +23,6 @@ struct Layer {
 };
 
 /// All layers of a body, which must outlive them.
-std::vector<Layer> layers_of(const Body& body);
+std::vector<Layer> layers_of(const BodyShape& body);
 
 }  // namespace docent::avatar

@@ -45,7 +45,7 @@ JointShares rounded(const std::vector<float>& shares) {
 }  // namespace
 
 // Lengths with `s` or `scale` are metres on a person of 1.70 m.
-SkinWeights::SkinWeights(const Skeleton& skeleton, const Body& body)
+SkinWeights::SkinWeights(const Skeleton& skeleton, const BodyShape& body)
     : body_{body}, joint_count_{skeleton.joint.size()} {
   const auto place = [&](std::size_t joint) { return Vec3(body.stance.world[joint][3]); };
   const auto joint_of = [&](BodyPart part) { return index_of(skeleton[part]); };

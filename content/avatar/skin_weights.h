@@ -25,7 +25,7 @@ struct JointShares {
 /// lower it is, to the left and right one by the side it is on, so that it swings with the legs.
 class SkinWeights {
  public:
-  SkinWeights(const Skeleton& skeleton, const Body& body);
+  SkinWeights(const Skeleton& skeleton, const BodyShape& body);
 
   JointShares at(Vec3 p, BodyRegion region) const;
 
@@ -43,7 +43,7 @@ class SkinWeights {
   void add_coat(Vec3 p, Shares& shares) const;
   void add_head(Vec3 p, Shares& shares) const;
 
-  const Body& body_;
+  const BodyShape& body_;
   std::size_t joint_count_;
   std::size_t chest_, head_;
   std::array<std::size_t, 2> thigh_, clavicle_;
