@@ -41,12 +41,13 @@ class StartedProgram {
   StartedProgram(const StartedProgram&) = delete;
   StartedProgram& operator=(const StartedProgram&) = delete;
   ~StartedProgram() {
-    if (process_ <= 0 || is_reaped_) return;
     signal(SIGKILL);
-    wait();
+    if (is_there()) wait();
   }
 
-  void signal(int number) const { kill(process_, number); }
+  void signal(int number) const {
+    if (is_there()) kill(process_, number);  // without a process it would go to everybody
+  }
 
   /// Waits as long as it takes until something is so; false where the program ended before.
   template <typename IsSo>
@@ -85,6 +86,7 @@ class StartedProgram {
   }
 
  private:
+  bool is_there() const { return process_ > 0 && !is_reaped_; }
   bool has_ended() const {
     siginfo_t state{};
     return waitid(P_PID, static_cast<id_t>(process_), &state, WEXITED | WNOHANG | WNOWAIT) != 0 ||

@@ -22,15 +22,24 @@ class VirtualDesktop {
   VirtualDesktop() {
     int ends[2];
     if (pipe(ends) != 0) return;
-    server_.emplace("Xvfb", std::vector<std::string>{"-displayfd", std::to_string(ends[1]),
-                                                     "-screen", "0", "640x360x24", "-nolisten",
-                                                     "tcp", "-fbdir", folder_.path()});
+    // It stays when xdotool, perhaps its only client, leaves.
+    server_.emplace("Xvfb", std::vector<std::string>{
+                                "-noreset", "-displayfd", std::to_string(ends[1]), "-screen", "0",
+                                "640x360x24", "-nolisten", "tcp", "-fbdir", folder_.path()});
     close(ends[1]);
     char digit = 0;  // the server says its number when it is ready, and then a new line
     while (read(ends[0], &digit, 1) == 1 && digit != '\n') number_ += digit;
     close(ends[0]);
     setenv("DISPLAY", fmt::format(":{}", number_).c_str(), 1);
     unsetenv("WAYLAND_DISPLAY");
+  }
+
+  VirtualDesktop(const VirtualDesktop&) = delete;
+  VirtualDesktop& operator=(const VirtualDesktop&) = delete;
+  ~VirtualDesktop() {
+    if (!server_) return;
+    server_->signal(SIGTERM);  // so that it takes its lock away
+    server_->wait();
   }
 
   bool is_there() const { return !number_.empty(); }
