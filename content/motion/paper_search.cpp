@@ -94,7 +94,7 @@ struct Candidate {
   ClipFrame at;  ///< The last vertex.
   bool has_arrived =
       true;  ///< By a transition, or it is the start: sections may be shortened here.
-  PassedTransition transition_passed{no_transition, 0};  ///< That led to the vertex.
+  PassedTransition arrived_by{no_transition, 0};  ///< That led to the vertex.
   std::size_t depth = 0;                                 ///< Vertices after V_start.
   Placement clip_to_floor;
   Vec2 place{};              ///< Of the hips at the vertex, floor frame.
@@ -176,11 +176,11 @@ class PaperSearch {
       push(from, {from.at.clip, end}, {no_transition, 0});
   }
 
-  void push(const Candidate& from, ClipFrame to, PassedTransition transition_passed) {
+  void push(const Candidate& from, ClipFrame to, PassedTransition arrived_by) {
     Candidate next = from;
     next.at = to;
-    next.has_arrived = transition_passed.transition != no_transition;
-    next.transition_passed = transition_passed;
+    next.has_arrived = arrived_by.transition != no_transition;
+    next.arrived_by = arrived_by;
     next.depth = from.depth + 1;
     stack_.push_back(next);
   }
@@ -204,7 +204,7 @@ class PaperSearch {
   void follow(Candidate& candidate) const {
     if (candidate.depth == 0) return;
     const ClipFrame from = way_.back().at;
-    if (candidate.transition_passed.transition == no_transition)
+    if (candidate.arrived_by.transition == no_transition)
       follow_clip(candidate, from.frame);
     else
       follow_section(candidate);
@@ -218,7 +218,7 @@ class PaperSearch {
   }
 
   void follow_section(Candidate& candidate) const {
-    const auto [t, radius] = candidate.transition_passed;
+    const auto [t, radius] = candidate.arrived_by;
     const Transition& way = graph_.motion.transitions[t];
     const Vec2* from = clip(way.from.clip).root.data() + way.from.frame - radius;
     const Vec2* to = clip(way.to.clip).root.data() + way.to.frame - radius;
@@ -260,8 +260,8 @@ class PaperSearch {
   }
 
   void keep(const Candidate& candidate) {
-    if (candidate.transition_passed.transition != no_transition)
-      path_.passed.push_back(candidate.transition_passed);
+    if (candidate.arrived_by.transition != no_transition)
+      path_.passed.push_back(candidate.arrived_by);
   }
 
   bool is_time_up() const { return seconds() >= request_.time_limit; }

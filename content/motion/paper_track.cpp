@@ -15,13 +15,13 @@ class TrackWriter {
     for (std::uint32_t f = first; f < last && !is_full(); ++f) add({clip, f});
   }
 
-  void cross(const PassedTransition& transition_passed) {
-    const Transition& way = graph_.transitions[transition_passed.transition];
+  void cross(const PassedTransition& passed) {
+    const Transition& way = graph_.transitions[passed.transition];
     const Placement destination = carried(clip_to_floor_, way.alignment);
-    for (std::uint32_t i = 0; i < 2 * transition_passed.radius && !is_full(); ++i) {
-      add({way.from.clip, way.from.frame - transition_passed.radius + i});
-      mix({way.to.clip, way.to.frame - transition_passed.radius + i}, destination,
-          static_cast<float>(blend_share(i, transition_passed.radius)));
+    for (std::uint32_t i = 0; i < 2 * passed.radius && !is_full(); ++i) {
+      add({way.from.clip, way.from.frame - passed.radius + i});
+      mix({way.to.clip, way.to.frame - passed.radius + i}, destination,
+          static_cast<float>(blend_share(i, passed.radius)));
     }
     clip_to_floor_ = destination;
   }
@@ -76,11 +76,11 @@ PaperTrack make_paper_track(const MotionGraph& graph, const PaperPath& path,
                             const Placement& clip_to_floor) {
   TrackWriter writer(graph, clip_to_floor, path.frames);
   ClipFrame at = path.start;
-  for (const PassedTransition& transition_passed : path.passed) {
-    const Transition& way = graph.transitions[transition_passed.transition];
-    writer.copy(at.clip, at.frame, way.from.frame - transition_passed.radius);
-    writer.cross(transition_passed);
-    at = {way.to.clip, way.to.frame + transition_passed.radius};
+  for (const PassedTransition& passed : path.passed) {
+    const Transition& way = graph.transitions[passed.transition];
+    writer.copy(at.clip, at.frame, way.from.frame - passed.radius);
+    writer.cross(passed);
+    at = {way.to.clip, way.to.frame + passed.radius};
   }
   writer.copy(at.clip, at.frame, path.last_frame + 1);
   return writer.take();
