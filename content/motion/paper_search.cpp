@@ -95,7 +95,7 @@ struct Candidate {
   bool has_arrived =
       true;  ///< By a transition, or it is the start: sections may be shortened here.
   PassedTransition arrived_by{no_transition, 0};  ///< That led to the vertex.
-  std::size_t depth = 0;                                 ///< Vertices after V_start.
+  std::size_t depth = 0;                          ///< Vertices after V_start.
   Placement clip_to_floor;
   Vec2 place{};              ///< Of the hips at the vertex, floor frame.
   double length = 0;         ///< Of the track T_x, metres.

@@ -78,7 +78,7 @@ TEST(ControlGraph, DoesNotSendTheGuideAwayOnTheWayToARouteKind) {
 TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<RouteKindInfo> kinds(route_kinds.begin(), route_kinds.end());
-  kinds.push_back({.kind = RouteKind{3}, .name = "wandering"});
+  kinds.push_back({RouteKind{3}, "wandering", "wandering path", 0x123456, {}});
 
   const std::vector<Control> controls = route_controls(museum, RouteKind{3}, kinds);
 

@@ -82,6 +82,7 @@ TEST(PlanDrawing, TellsTheThreeKindsOfWaysApart) {
 TEST(PlanDrawing, DrawsAFurtherKindInItsOwnColourAndPattern) {
   const RouteKindInfo wandering{.kind = RouteKind{3},
                                 .name = "wandering",
+                                .legend = "wandering path",
                                 .colour = 0x123456,
                                 .pattern = {.period = 1, .drawn_piece = 2, .drawn_gap = 5}};
   const std::string stroke = draw::way_stroke(wandering, 10);
