@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include "runtime/model/none.h"
 
 namespace docent::command {
 namespace {
@@ -18,7 +18,6 @@ std::string path_data(const std::vector<Vec2>& points, bool closed) {
 }  // namespace
 
 std::string sketch_plan(const FloorPlan& plan, const std::vector<SketchLine>& lines) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low{infinity, infinity}, high{-infinity, -infinity};
   for (const Vec2 vertex : plan.vertex) {
     low = glm::min(low, vertex);

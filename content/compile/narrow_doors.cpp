@@ -17,6 +17,7 @@
 
 #include "content/compile/place_exhibits.h"
 #include "runtime/model/geometry/polygon.h"
+#include "runtime/model/none.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::compile {
@@ -168,9 +169,9 @@ class DoorFinder {
     };
     const bool onward = curve.clearance_between(above->at, curve.end()) >= body_.radius;
     std::uint32_t vertex = end_of(above->voronoi_edge, onward);
-    while (axis.node_at(vertex) == path::MedialAxisMap::none) {
+    while (axis.node_at(vertex) == none) {
       const std::uint32_t e = axis.edge_to_road(vertex);
-      if (e == path::MedialAxisMap::none) return {};
+      if (e == none) return {};
       vertex = end_of(e, end_of(e, false) == vertex);
     }
     const std::uint32_t node = axis.node_at(vertex);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "runtime/model/geometry/bisector.h"
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 namespace {
@@ -19,8 +19,6 @@ constexpr double smallest_reach = 0.05;
 /// walls.
 constexpr double smallest_tip = 0.15;
 constexpr double corner_slope = 0.5;
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// The medial axis while it is being pruned; vertices and edges are the diagram's.
 class Axis {

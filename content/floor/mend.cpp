@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "content/floor/ring_overlay.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/model/geometry/segment.h"
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 namespace {
@@ -193,7 +193,6 @@ std::vector<OverlayRing> rings_of(const std::vector<DrawnRing>& drawn) {
 
 /// A plan of 0.0002 m is one in degrees.
 void check_size(const import::ImportedPlan& imported) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low{infinity, infinity}, high{-infinity, -infinity};
   for (const import::ImportedPolygon& polygon : imported.polygons)
     for (const Vec2 vertex : polygon.outer.vertex)

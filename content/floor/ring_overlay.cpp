@@ -7,10 +7,11 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 namespace {
@@ -25,8 +26,6 @@ struct Cover {
   bool eastwards = false;  ///< Lexicographically ascending, CGAL's "left to right".
   bool operator==(const Cover&) const = default;
 };
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 struct VertexMark {
   std::uint32_t input = none;  ///< Rank of the first input vertex here.

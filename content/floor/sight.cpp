@@ -13,10 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/model/none.h"
+
 namespace docent::floor {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// A finer grid makes shorter lists and costs memory: so many cells, as long as the lists have no
 /// more than so many entries. Measured on the reference maps.
 constexpr double cells_per_vertex = 10, entries_per_vertex = 400;

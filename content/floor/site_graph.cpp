@@ -1,8 +1,5 @@
 #include "content/floor/site_graph.h"
 
-// Marks of the conflict region live in the triangles instead of in maps beside them.
-#define CGAL_SDG_NO_FACE_MAP
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 #include <CGAL/Segment_Delaunay_graph_2.h>
@@ -17,11 +14,10 @@
 
 #include "content/content_error.h"
 #include "runtime/model/geometry/polygon.h"
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 namespace {
-
-constexpr std::uint32_t none = SiteTriangle::none;
 
 using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Doubles = CGAL::Simple_cartesian<double>;

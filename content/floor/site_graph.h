@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "runtime/model/geometry/floor_plan.h"
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 
@@ -15,8 +15,6 @@ namespace docent::floor {
 /// lie in one place, the reflex one stands for all of them, or else the last. `none` is a point
 /// behind walls that is there to keep their backs apart, and no site of the plan.
 struct SiteTriangle {
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   std::array<std::uint32_t, 3> site{};  ///< Counter-clockwise.
   std::array<std::uint32_t, 3>
       neighbour{};  ///< Beyond the side opposite site i; `none` at the rim.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <compare>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <tuple>
@@ -14,11 +13,11 @@
 #include "content/content_error.h"
 #include "content/floor/site_graph.h"
 #include "content/floor/tritangent.h"
+#include "runtime/model/none.h"
 
 namespace docent::floor {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// Voronoi vertices closer than this are one vertex at which more than three sites meet.
 constexpr double same_vertex = 1e-10;
 /// Metres. A disc that misses one of its sites by more than this touches none of them from the

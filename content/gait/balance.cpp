@@ -8,16 +8,11 @@
 namespace docent::gait {
 namespace {
 
-constexpr double far_away = 500;  ///< Seconds; beyond it lies a foot's "always".
 /// Metres forward of the ankle, on the walker of 1.70 m: where pressure begins and ends on a foot,
 /// and where it rests in standing.
 constexpr double heel_pressure = -0.020, ball_pressure = 0.105, standing_pressure = 0.035;
 /// Seconds of the last weight shift, from the last strike to standing on both feet.
 constexpr double last_shift = 0.36;
-
-bool stands_from_the_start(const Footstep& step) {
-  return step.strike < -far_away;
-}
 
 GroundPoint on_foot(const Footstep& step, double forward) {
   return step.ankle + forward_of(step.yaw) * forward;

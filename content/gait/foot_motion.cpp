@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -13,7 +12,6 @@
 namespace docent::gait {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 /// Speed of the heel at the end of a full swing, metres a second (adults; Winter 1992: 0.4 to 1).
 constexpr double strike_speed = 0.55;
 /// By how much of a stride the foot is ahead of the smoothest motion, at most.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "content/gait/gait_figures.h"
 #include "content/gait/variation.h"
@@ -25,7 +24,6 @@ double step_duration(double speed) noexcept {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr double always = 1e3;  ///< Seconds: beyond either end of any clip.
 constexpr std::int64_t steps_each_way = 11;
 

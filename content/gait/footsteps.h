@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -15,6 +16,8 @@ using GroundPoint = glm::dvec2;
 GroundPoint forward_of(double heading) noexcept;
 GroundPoint left_of_heading(double heading) noexcept;
 
+inline constexpr double radians = std::numbers::pi / 180;  ///< In a degree.
+
 /// One placing of a foot, from its heel strike to its toe-off. Times in seconds.
 struct Footstep {
   Side foot = Side::Left;
@@ -26,6 +29,12 @@ struct Footstep {
   double length_in = 0;   ///< Of the step that ends here, as a share of a full step.
   double length_out = 0;  ///< Of the step that this foot takes next, likewise.
 };
+
+/// Beyond it lies the "always" of a foot that stands. Seconds.
+inline constexpr double far_away = 500;
+inline bool stands_from_the_start(const Footstep& step) noexcept {
+  return step.strike < -far_away;
+}
 
 /// What a clip is asked to do. Time 0 of the plan's clock is the middle of the turn (Walking), when
 /// the weight begins to shift for the first step (FromStanding), or when the last foot comes down

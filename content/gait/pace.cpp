@@ -7,12 +7,6 @@
 namespace docent::gait {
 namespace {
 
-constexpr double far_away = 500;
-
-bool stands_from_the_start(const Footstep& step) {
-  return step.strike < -far_away;
-}
-
 /// Knots of a quantity that is known when feet come down, linear between them and constant beyond.
 struct KnottedCurve {
   std::vector<gait_figures::Knot> knots;

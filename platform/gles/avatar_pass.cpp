@@ -108,7 +108,7 @@ std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   return parts;
 }
 
-void describe_vertices() noexcept {
+void describe_skinned_vertices() noexcept {
   constexpr auto stride = static_cast<GLsizei>(sizeof(SkinnedVertex));
   for (GLuint i = 0; i < 6; ++i) glEnableVertexAttribArray(i);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride,
@@ -274,7 +274,7 @@ void AvatarPass::upload(const SkinnedMesh& mesh) {
   glBufferData(GL_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SkinnedVertex)),
                mesh.vertices.data(), GL_STATIC_DRAW);
-  describe_vertices();
+  describe_skinned_vertices();
 
   std::vector<std::uint32_t> indices = mesh.indices;
   levels_[0] = {0, static_cast<GLsizei>(indices.size())};

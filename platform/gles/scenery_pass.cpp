@@ -21,7 +21,7 @@ scene::Colour mixed(const scene::Colour& a, const scene::Colour& b, float share)
   return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share, 1};
 }
 
-void describe_vertices() noexcept {
+void describe_scenery_vertices() noexcept {
   constexpr auto stride = static_cast<GLsizei>(sizeof(SceneryVertex));
   const auto floats = [&](GLuint index, GLint count, std::size_t offset) {
     glEnableVertexAttribArray(index);
@@ -109,7 +109,7 @@ void SceneryPass::upload(std::uint32_t floor, const Scenery& scenery,
     glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                  static_cast<GLsizeiptr>(scenery.indices.size() * sizeof(std::uint32_t)),
                  scenery.indices.data(), GL_STATIC_DRAW);
-    describe_vertices();
+    describe_scenery_vertices();
     building.lightmap = upload_lightmap(scenery);
     glBindVertexArray(0);
   }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spng.h>
 
 #include <algorithm>
 #include <array>
@@ -7,14 +6,10 @@
 
 #include "platform/image/image.h"
 #include "platform/image/jpeg.h"
+#include "platform/image/png.h"
 
 namespace docent::image {
 namespace {
-
-struct FreeContext {
-  void operator()(spng_ctx* context) const noexcept { spng_ctx_free(context); }
-};
-using PngReader = std::unique_ptr<spng_ctx, FreeContext>;
 
 bool begins_with(std::span<const std::byte> file, std::span<const unsigned char> mark) {
   return file.size() >= mark.size() &&
@@ -32,7 +27,7 @@ Result<Pixels> decode_png(std::span<const std::byte> file, const ImageLimits& li
     return std::unexpected(Error{
         Errc::InvalidInput, fmt::format("this PNG cannot be read: {}", spng_strerror(status))});
   };
-  const PngReader reader(spng_ctx_new(0));
+  const PngContext reader(spng_ctx_new(0));
   if (!reader) return broken(SPNG_EMEM);
   constexpr std::size_t largest_chunk = std::size_t{16} << 20;
   spng_set_chunk_limits(reader.get(), largest_chunk, largest_chunk);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spng.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,13 +9,11 @@
 #include <system_error>
 
 #include "platform/image/image.h"
+#include "platform/image/png.h"
 
 namespace docent::image {
 namespace {
 
-struct FreeContext {
-  void operator()(spng_ctx* context) const noexcept { spng_ctx_free(context); }
-};
 struct CloseFile {
   void operator()(std::FILE* file) const noexcept { std::fclose(file); }
 };
@@ -46,7 +43,7 @@ bool is_opaque(const Pixels& picture) {
 }
 
 Result<std::vector<std::byte>> encode_png(const Pixels& picture) {
-  const std::unique_ptr<spng_ctx, FreeContext> writer(spng_ctx_new(SPNG_CTX_ENCODER));
+  const PngContext writer(spng_ctx_new(SPNG_CTX_ENCODER));
   const bool opaque = is_opaque(picture);
   spng_ihdr header{};
   header.width = picture.width;

@@ -5,14 +5,13 @@
 #include <tuple>
 #include <utility>
 
+#include "runtime/crowd/contact.h"
 #include "runtime/model/geometry/bisector.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
 namespace {
 
-/// What is no further from a square than this is in it. Metres.
-constexpr double margin = 1e-6;
 constexpr double most_squares = 1 << 20;
 
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/none.h"
 #include "runtime/path/route.h"
 
 namespace docent::crowd {
@@ -27,8 +27,6 @@ namespace docent::crowd {
 /// cell to neighbouring cell. Frame: floor. Borrows the map. Immutable, so any thread may ask.
 class WalkableCells {
  public:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   /// Squares of `size` metres; larger ones on floors that would have over a million.
   WalkableCells(const path::FloorMap& map, double size);
 

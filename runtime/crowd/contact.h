@@ -9,6 +9,9 @@
 /// When two moving discs touch. Detection and planning use the same functions.
 namespace docent::crowd {
 
+/// For rounding, far below what anybody notices. Metres.
+inline constexpr double margin = 1e-6;
+
 /// From when to when two discs overlap or touch if both keep their velocity; seconds from now.
 struct Collision {
   double first = 0;  ///< 0 where they touch already.

@@ -10,7 +10,7 @@
 namespace docent::crowd {
 namespace {
 
-constexpr double spare = 0.1;             // metres kept from who stands
+constexpr double detour_spare = 0.1;      // metres kept from who stands
 constexpr std::size_t most_places = 400;  // that are tried
 
 }  // namespace
@@ -21,7 +21,7 @@ path::Way find_detour(const path::FloorMap& map, const ReservationTable& reserva
   for (const ReservationTable::Entry& entry : reservations.entries())
     if (entry.body != body && entry.trajectory.end() <= seconds)
       standing.push_back(entry.trajectory.place.back());
-  const double apart = 2 * reservations.body_radius() + spare;
+  const double apart = 2 * reservations.body_radius() + detour_spare;
   const auto is_free = [&](const path::Way& way) {
     return std::ranges::all_of(
         standing, [&](Vec2 place) { return distance_to_polyline(place, way.points) >= apart; });

@@ -10,6 +10,7 @@
 
 #include "runtime/crowd/contact.h"
 #include "runtime/model/geometry/polyline.h"
+#include "runtime/model/none.h"
 #include "runtime/path/floor_map.h"
 
 namespace docent::crowd {
@@ -116,7 +117,6 @@ class PassageSearch {
     std::uint32_t asked = none;  ///< Obliging body on the move to here.
     bool stands = false;
   };
-  static constexpr std::uint32_t none = ~0U;
   static constexpr int lanes = 2 * most_lanes + 1;
 
   void lay_columns() {

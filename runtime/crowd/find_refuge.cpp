@@ -14,8 +14,8 @@ namespace {
 constexpr double ring_step = 0.2;  // metres
 constexpr int rings = 30;          // so a refuge is at most 6 m away
 constexpr int directions = 24;
-constexpr double spare = 0.08;       // metres kept from the line and from others
-constexpr double wall_spare = 0.02;  // metres
+constexpr double refuge_spare = 0.08;       // metres kept from the line and from others
+constexpr double refuge_wall_spare = 0.02;  // metres
 
 bool is_taken(const ReservationTable& reservations, std::uint32_t body, Vec2 place,
               double distance) {
@@ -29,17 +29,17 @@ bool is_taken(const ReservationTable& reservations, std::uint32_t body, Vec2 pla
 std::vector<Refuge> find_refuges(const path::FloorMap& map, const ReservationTable& reservations,
                                  std::uint32_t body, Vec2 from, std::span<const Vec2> line,
                                  std::size_t most) {
-  const double radius = reservations.body_radius(), apart = 2 * radius + spare;
+  const double radius = reservations.body_radius(), apart = 2 * radius + refuge_spare;
   std::vector<std::pair<double, Refuge>> found;
   for (int ring = 1; ring <= rings && found.size() < most; ++ring)
     for (int i = 0; i < directions; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5 * (ring % 2)) / directions;
       const Vec2 place = from + ring_step * ring * Vec2(std::cos(angle), std::sin(angle));
-      if (!map.has_room(place, radius + wall_spare) || distance_to_polyline(place, line) < apart ||
-          is_taken(reservations, body, place, apart))
+      if (!map.has_room(place, radius + refuge_wall_spare) ||
+          distance_to_polyline(place, line) < apart || is_taken(reservations, body, place, apart))
         continue;
       path::RouteQuery query{
-          .from = from, .to = place, .radius = radius + wall_spare, .tell_clearance = false};
+          .from = from, .to = place, .radius = radius + refuge_wall_spare, .tell_clearance = false};
       path::Way way = path::route(map, query);
       if (way.status != path::RouteStatus::Ok || way.length > 2.5 * ring_step * ring + 0.5)
         continue;

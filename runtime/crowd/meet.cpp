@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/crowd/branchless.h"
+#include "runtime/crowd/contact.h"
 #include "runtime/model/geometry/segment.h"
 #include "runtime/path/floor_map.h"
 
@@ -153,8 +154,8 @@ Glance glance(const WalkableCells& floor, const std::array<Vec2, 2>& from,
   return seen;
 }
 
-/// For what is said of a stretch, many times the rounding on a floor of that size. Metres.
-constexpr double margin = 1e-6, furthest_stretch = 1e5;
+/// `margin` is many times the rounding on a floor of that size. Metres.
+constexpr double furthest_stretch = 1e5;
 
 bool is_far_out(Vec2 low, Vec2 high) noexcept {
   return !(low.x > -furthest_stretch && low.y > -furthest_stretch && high.x < furthest_stretch &&

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "runtime/crowd/branchless.h"
+#include "runtime/crowd/contact.h"
+#include "runtime/model/none.h"
 
 namespace docent::crowd {
 namespace {
@@ -23,8 +25,6 @@ constexpr double seconds_ahead = 0.5;
 constexpr double most_ahead = 0.5;
 /// A cover that is longer than it would be made by so much is made anew. Metres.
 constexpr double too_long = 1;
-/// For rounding, far below what anybody notices. Metres.
-constexpr double margin = 1e-6;
 /// A place is clear of walls up to this far, as far as anybody asks. Metres.
 constexpr double most_clear = 0.5;
 /// More cells than this in a row are not looked at one by one.
@@ -130,9 +130,9 @@ void Meetings::look_up(std::uint32_t body) noexcept {
 }
 
 std::uint32_t Meetings::region_of(std::size_t index) const noexcept {
-  if (index >= count_) return Regions::none;
+  if (index >= count_) return none;
   const std::uint32_t body = number_of_[index];
-  if (!body_[body].takes_part) return Regions::none;
+  if (!body_[body].takes_part) return none;
   return regions_.follow(body_[body].now.position, place_[body].region).region;
 }
 
@@ -141,7 +141,7 @@ bool Meetings::is_on_floor(std::uint32_t body) noexcept {
   const Vec2 moved = body_[body].now.position - place_[body].at;
   const double clearance = place_[body].clearance;
   if (dot(moved, moved) >= clearance * std::abs(clearance)) look_up(body);
-  return place_[body].region != Regions::none;
+  return place_[body].region != none;
 }
 
 /// The cell that the body is in now.
@@ -150,7 +150,7 @@ std::uint32_t Meetings::cell_of(std::uint32_t body) noexcept {
   const Vec2 moved = at - place_[body].at;
   const double slack = place_[body].slack;
   if (dot(moved, moved) >= slack * std::abs(slack)) look_up(body);
-  if (place_[body].region == Regions::none) return WalkableCells::none;
+  if (place_[body].region == none) return none;
   return cells_.cell_at(cells_.square_at(at), place_[body].region);
 }
 
@@ -244,15 +244,15 @@ void Meetings::leave(std::uint32_t cell, std::uint32_t body) noexcept {
 std::uint32_t Meetings::followed_cell(std::uint32_t body, double clearance) const noexcept {
   const CachedCover& cover = cover_[body];
   const Vec2 at = body_[body].now.position;
-  if (cover.cells == 0 || !cover.leads_to(at, clearance)) return WalkableCells::none;
+  if (cover.cells == 0 || !cover.leads_to(at, clearance)) return none;
   const std::uint32_t square = cells_.square_at(at);
   std::uint32_t found = cells_.only_cell_of(square);
-  if (found != WalkableCells::none) return found;
+  if (found != none) return found;
   // It is one of those that it covered, if it is still among them.
-  if (!cover.is_near(at, cover.length, cover.tolerance + cover.radius)) return WalkableCells::none;
+  if (!cover.is_near(at, cover.length, cover.tolerance + cover.radius)) return none;
   for (const std::uint32_t cell : std::span(covered_).subspan(body * most_cells, cover.cells)) {
     if (cells_.square_of(cell) != square) continue;
-    if (found != WalkableCells::none) return WalkableCells::none;  // Two of one square.
+    if (found != none) return none;  // Two of one square.
     found = cell;
   }
   return found;
@@ -272,8 +272,8 @@ void Meetings::cover(std::uint32_t body, Vec2 end) {
   made.radius = rounded_up(now.radius);
   const double clearance = clearance_at(cells_, now.position, most_clear);
   std::uint32_t cell = followed_cell(body, clearance);
-  if (cell == WalkableCells::none && is_on_floor(body)) cell = cell_of(body);
-  if (cell == WalkableCells::none) return uncover(body);
+  if (cell == none && is_on_floor(body)) cell = cell_of(body);
+  if (cell == none) return uncover(body);
   CellList list;
   made.cells = list_cells(made, cell, list);
   if (made.cells == 0) return uncover(body);
@@ -306,7 +306,7 @@ std::uint32_t Meetings::list_cells(const CachedCover& cover, std::uint32_t own,
       const std::uint32_t square = cells_.square(x, y);
       if (!is_under(cells_.centre_of_square(square))) continue;
       const std::uint32_t cell = cells_.only_cell_of(square);
-      is_plain = cell != WalkableCells::none;
+      is_plain = cell != none;
       list[count++] = cell;
     }
   if (is_plain) return count;

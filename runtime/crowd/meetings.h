@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "runtime/crowd/meet.h"
 #include "runtime/crowd/regions.h"
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/none.h"
 
 namespace docent::crowd {
 
@@ -49,20 +49,19 @@ class Meetings {
   /// the next call. Quickest where the horizon is the same in every step.
   std::span<const Meeting> find(double horizon);
 
-  /// The Voronoi region (site) that a body is in; Regions::none off the floor.
+  /// The Voronoi region (site) that a body is in; none off the floor.
   std::uint32_t region_of(std::size_t body) const noexcept;
   const WalkableCells& cells() const noexcept { return cells_; }
 
  private:
   static constexpr std::size_t most_cells = 32;  ///< That one body covers.
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// A place, and where it was looked up.
   struct CachedPlace {
     Vec2 at{};
     double clearance = -1;  ///< A move shorter than that passes no wall. Negative: to be looked up.
     double slack = -1;      ///< A move shorter than that stays in the region.
-    std::uint32_t region = Regions::none;
+    std::uint32_t region = none;
   };
   /// What a body covers: all cells under a capsule that one can walk to from the body's cell
   /// without leaving the cells under the capsule. Holds while the body, now and at the horizon, is

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/none.h"
 #include "runtime/path/route.h"
 
 namespace docent::crowd {
@@ -16,8 +16,6 @@ namespace docent::crowd {
 /// Frame: floor. Borrows the map. Immutable, so any thread may ask.
 class Regions {
  public:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   explicit Regions(const path::FloorMap& map);
 
   /// Where a point is.

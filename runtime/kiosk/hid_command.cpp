@@ -11,15 +11,11 @@
 #include "platform/hid/hid_devices.h"
 #include "platform/hid/hid_report.h"
 #include "runtime/input/decode_recording.h"
+#include "runtime/kiosk/options.h"
 #include "runtime/model/result.h"
 
 namespace docent::kiosk {
 namespace {
-
-int say(const Error& error) {
-  fmt::print(stderr, "docent: {}\n", error.what);
-  return exit_code(error.code);
-}
 
 int list(bool as_json) {
   std::vector<hid::HidDevice> devices = hid::list_hid_devices();

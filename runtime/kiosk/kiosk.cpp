@@ -46,11 +46,6 @@ void expect_end() noexcept {
   handle(SIGINT, [](int) { stop_requested = 1; });
 }
 
-int say(const Error& error) {
-  fmt::print(stderr, "docent: {}\n", error.what);
-  return exit_code(error.code);
-}
-
 bool has_error(const std::vector<Diagnostic>& mistakes) {
   return std::ranges::any_of(mistakes,
                              [](const Diagnostic& d) { return d.severity == Severity::Error; });

@@ -1,5 +1,7 @@
 #include "runtime/kiosk/options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -86,6 +88,11 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .run = std::move(run),
           .commands = {hid_command()},
           .sections = {files(), signals(), terminal::exit_codes()}};
+}
+
+int say(const Error& error) {
+  fmt::print(stderr, "docent: {}\n", error.what);
+  return exit_code(error.code);
 }
 
 }  // namespace docent::kiosk

@@ -11,6 +11,7 @@
 #include "config/display_kind.h"
 #include "platform/display.h"
 #include "platform/terminal/command_line.h"
+#include "runtime/model/result.h"
 
 namespace docent::kiosk {
 
@@ -32,5 +33,8 @@ struct Options {
 /// The command line of `docent`: stores what it says in `options` and then calls `run`, or one of
 /// the commands that come instead.
 terminal::Command program(Options& options, std::function<int()> run);
+
+/// Prints an error on standard error, for an operator; returns the exit code for it.
+int say(const Error& error);
 
 }  // namespace docent::kiosk

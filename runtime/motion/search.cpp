@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/model/none.h"
 #include "runtime/motion/follower.h"
 #include "runtime/motion/make_foresight.h"
 #include "runtime/motion/passages.h"
@@ -23,7 +24,6 @@ constexpr double calm_end = 0.5;        // metres before the end: only stopping 
 constexpr double bend_spacing = 0.1;    // metres between two looks at the bend
 constexpr double largest_overshoot = 1.5;  // metres of effort beyond the path's end
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
 /// A moment of the search: the middle of a transition's destination (or the start).
@@ -125,7 +125,7 @@ class BeamSearch {
   std::uint32_t scope_of(const State<Follower>& state, std::uint32_t least) const {
     const ClipFrame at = frame_of(state);
     const auto& to_stand = graph_.clip[at.clip].to_stand;
-    while (least < widest() && to_stand[least][at.frame] == infinite) ++least;
+    while (least < widest() && to_stand[least][at.frame] == infinity) ++least;
     return least;
   }
 
@@ -142,7 +142,7 @@ class BeamSearch {
     for (const Candidate& candidate : bucket.candidates)
       bucket.least_cost = std::min(bucket.least_cost, bucket.states[candidate.state].cost);
     const double progress = static_cast<double>(b) * bucket_size;
-    if (bucket.least_cost == infinite ||
+    if (bucket.least_cost == infinity ||
         bucket.least_cost <= fair_cost_at(std::min(progress + fair_slack, goal_)))
       return true;
     if (bucket.scope < widest()) return false;
@@ -171,7 +171,7 @@ class BeamSearch {
     for (std::size_t i = first; i < std::min(b + lead, end); ++i) {
       Bucket& bucket = buckets_[i];
       bucket.scope = std::max(bucket.scope, scope);
-      bucket.limit = infinite;
+      bucket.limit = infinity;
       if (bucket.done.size() >= Follower::beam_width)
         bucket.limit = std::ranges::max(bucket.done, {}, &Done::rank).rank;
     }
@@ -390,11 +390,11 @@ class BeamSearch {
   struct Bucket {
     std::vector<State<Follower>> states;
     std::vector<Candidate> candidates;  ///< States that are still worth walking on from.
-    double limit = infinite;            ///< Ranks from there on are lost.
+    double limit = infinity;            ///< Ranks from there on are lost.
     std::uint32_t scope = 0;            ///< In which they are walked on from.
     std::vector<Done> done;
     std::uint32_t done_scope = 0;
-    double least_cost = infinite;
+    double least_cost = infinity;
   };
   std::vector<Bucket> buckets_;
   std::vector<State<Follower>> states_;  ///< Of the bucket that is gone through.

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/model/none.h"
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
 
 namespace docent::motion {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double within_stride = 1.4;    // of a stride's mean: how quickly a body turns at most
 constexpr double still_speed = 0.06;     // metres a second of the hips: below it a body stands
 constexpr double stillness_kept = 0.08;  // seconds of standing kept before a start, after a stop
@@ -200,7 +200,7 @@ void find_transition_ranges(WalkGraph& graph) {
 /// the shortest ways have transitions.
 void measure_ways_to_stand(WalkGraph& graph, std::uint32_t scope) {
   const auto& transitions = graph.motion->transitions;
-  for (ClipPath& clip : graph.clip) clip.to_stand.emplace_back(clip.effort.size(), infinite);
+  for (ClipPath& clip : graph.clip) clip.to_stand.emplace_back(clip.effort.size(), infinity);
   for (const std::uint32_t c : graph.stops) {
     ClipPath& clip = graph.clip[c];
     if (clip.rank > scope) continue;
@@ -212,7 +212,7 @@ void measure_ways_to_stand(WalkGraph& graph, std::uint32_t scope) {
     for (ClipPath& clip : graph.clip) {
       if (clip.rank > scope) continue;
       std::vector<double>& to_stand = clip.to_stand[scope];
-      double best = infinite;  // effort at the transition plus what comes after it
+      double best = infinity;  // effort at the transition plus what comes after it
       std::uint32_t t = clip.last_transition;
       for (std::size_t f = to_stand.size(); f-- > 0;) {
         for (; t > clip.first_transition && transitions[t - 1].from.frame >= f; --t) {
@@ -350,7 +350,7 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
     measure_ways_after(graph, scope);
   }
   std::erase_if(graph.starts, [&](std::uint32_t c) {
-    return graph.clip[c].to_stand.back()[graph.clip[c].first] == infinite;
+    return graph.clip[c].to_stand.back()[graph.clip[c].first] == infinity;
   });
   if (graph.starts.empty())
     return cannot_walk("no transitions lead from a start clip to a stop clip");

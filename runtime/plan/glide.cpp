@@ -7,7 +7,6 @@
 namespace docent::plan {
 namespace {
 
-constexpr double glide_rate = 60;     ///< Frames a second.
 constexpr double glide_speed = 1.3;   ///< Metres a second, a comfortable walk.
 constexpr double turn_speed = 2.1;    ///< Radians a second.
 constexpr double acceleration = 1.3;  ///< Metres a second squared.

@@ -11,15 +11,12 @@
 namespace docent::plan {
 namespace {
 
-constexpr double stretch = 8;     // metres of a long way that are walked before the next
-constexpr double least_rest = 4;  // metres that are worth a stretch of their own
-
 /// Makes the walk along a plan's way: all of it, or the first stretch of a long one.
 void walk_way(const MotionGraph& motion, const motion::WalkGraph* walking, const Placement& from,
               std::span<const Vec2> points, Plan& plan) {
   const double length = polyline_length(points);
-  if (walking != nullptr && plan.order.goal && length > stretch + least_rest) {
-    const std::vector<Vec2> beginning = first_part(points, stretch);
+  if (walking != nullptr && plan.order.goal && length > stretch_length + least_rest) {
+    const std::vector<Vec2> beginning = first_part(points, stretch_length);
     plan.walk = walk_along(walking, plan.order, from, beginning, {});
     if (const auto frame = find_handover_frame(motion, plan.walk)) {
       plan.is_whole = false;

@@ -94,6 +94,7 @@ std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* w
 std::unique_ptr<Plan> make_standing(const motion::WalkGraph* walking, const Placement& place);
 std::unique_ptr<Plan> make_standing(const Museum& museum, const Placement& place);
 
+inline constexpr double glide_rate = 60;  ///< Frames a second of a body without motion.
 /// A walk without a body: turns on the spot, then moves along `path` at walking pace with smooth
 /// starts and stops.
 motion::Walk glide(const Placement& start, std::span<const Vec2> path,

@@ -12,6 +12,9 @@ namespace docent::plan {
 /// The parts that plans are made of, for a body alone (make_plan.cpp) and among others
 /// (traffic.cpp). Frame: floor.
 
+inline constexpr double stretch_length = 8;  ///< Metres of a long way walked before the next.
+inline constexpr double least_rest = 4;      ///< Metres that are worth a stretch of their own.
+
 /// The placement of the body in a walk's frame; `otherwise` where the walk is empty.
 Placement last_place(const motion::Walk& walk, std::uint32_t frame,
                      const Placement& otherwise) noexcept;

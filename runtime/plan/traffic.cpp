@@ -16,8 +16,6 @@ namespace docent::plan {
 namespace {
 
 constexpr double spare = 0.01;          // metres between two bodies that pass each other
-constexpr double stretch = 8;           // metres of a long way that are walked before the next
-constexpr double least_rest = 4;        // metres that are worth a stretch of their own
 constexpr double least_advance = 0.4;   // metres that are worth to set out for
 constexpr double meeting_margin = 1.0;  // seconds before a meeting by which a body stands
 constexpr double start_seconds = 0.6;   // that a start takes longer than walking on
@@ -27,7 +25,6 @@ constexpr double about_it = 1.5;        // metres: who stands so near may be in 
 constexpr double patience = 3;          // seconds before another way round is looked for
 constexpr double wall_spare = 0.008;    // metres by which a circle may be in a wall
 constexpr double endless = 1e9;         // metres
-constexpr double glide_rate = 60;       // frames a second of a body without motion
 constexpr std::size_t frames_apart = 6;  // of the walk behind a body, between looks at its place
 constexpr int most_attempts = 4;
 
@@ -345,7 +342,8 @@ std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
   const crowd::Passage& passage = advance.passage;
   const std::vector<double> reach = distances_along(passage.points);
   // As far as it may go at once; where somebody would be met after all, less far.
-  double most = passage.reaches_goal && reach.back() < stretch + least_rest ? endless : stretch;
+  double most =
+      passage.reaches_goal && reach.back() < stretch_length + least_rest ? endless : stretch_length;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     std::optional<std::uint32_t> stop;
     for (const std::uint32_t i : passage.stop)

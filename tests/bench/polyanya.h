@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "runtime/model/none.h"
 #include "tests/bench/found_path.h"
 #include "tests/bench/navigation_mesh.h"
 
@@ -26,8 +27,6 @@ class Polyanya {
   FoundPath find(Vec2 from, Vec2 to);
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   /// A directed line through two points, by their numbers.
   struct Line {
     std::uint32_t a = none, b = none;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "content/draw/svg.h"
 #include "runtime/model/geometry/bisector.h"
 #include "runtime/model/geometry/polygon.h"
+#include "runtime/model/none.h"
 
 namespace docent::draw {
 namespace {
@@ -48,7 +48,6 @@ double extent(const FloorPlan& plan, const Ring& ring) {
 class Page {
  public:
   Page(const FloorPlan& plan, const PlanLegend& legend) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
     for (const Vec2 vertex : plan.vertex) {
       low = glm::min(low, vertex);

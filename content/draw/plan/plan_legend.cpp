@@ -14,8 +14,8 @@ constexpr double row = 36;
 constexpr double symbol_width = 52;
 constexpr double gap = 12;
 constexpr double between = 34;
-constexpr double letter = 18;
-constexpr double width_per_letter = 0.54 * letter;  // Of a sans in lower case.
+constexpr double legend_letter = 18;
+constexpr double width_per_letter = 0.54 * legend_letter;  // Of a sans in lower case.
 
 double width_of(const std::string& words) {
   return symbol_width + gap + width_per_letter * static_cast<double>(words.size());
@@ -101,9 +101,10 @@ void PlanLegend::draw(Svg& svg, Vec2 at, double width) const {
   const std::vector<Vec2> all = places(width);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     draw_symbol(svg, entries_[i], at + all[i]);
-    svg.text(at + all[i] + Vec2{symbol_width + gap, row / 2 + 0.35 * letter}, entries_[i].words,
+    svg.text(at + all[i] + Vec2{symbol_width + gap, row / 2 + 0.35 * legend_letter},
+             entries_[i].words,
              fmt::format(R"(font-family="Inter, Noto Sans, sans-serif" font-size="{}" fill="{}")",
-                         letter, ink::quiet));
+                         legend_letter, ink::quiet));
   }
 }
 

@@ -140,13 +140,6 @@ bool contains(const Branch& branch, std::size_t joint) {
   return std::ranges::find(branch, joint) != branch.end();
 }
 
-std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton) {
-  std::vector<std::vector<std::size_t>> children(skeleton.joint.size());
-  for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
-    children[index_of(skeleton.joint[j].parent)].push_back(j);
-  return children;
-}
-
 /// The joints from the root to `joint`, both included.
 Branch line_to(const Skeleton& skeleton, std::size_t joint) {
   Branch line{joint};
@@ -360,6 +353,13 @@ void find_tips(Skeleton& skeleton) {
 }
 
 }  // namespace
+
+std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton) {
+  std::vector<std::vector<std::size_t>> children(skeleton.joint.size());
+  for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
+    children[index_of(skeleton.joint[j].parent)].push_back(j);
+  return children;
+}
 
 void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
   using enum BodyPart;

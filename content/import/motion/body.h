@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "content/import/motion/motion_file.h"
 
@@ -16,6 +17,9 @@ void find_body_parts(Skeleton& skeleton, const MotionClip& clip);
 /// Do these names mean the same part on the two sides ("LeftUpLeg" and "RightUpLeg"), or both the
 /// same part of the middle ("Spine" and "Spine1")? Digits do not count.
 bool are_counterparts(std::string_view name, std::string_view other);
+
+/// For each joint, those that hang on it.
+std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton);
 
 /// Length of the leg from hip to ankle in the skeleton's units, 0 where no leg was found.
 double leg_length(const Skeleton& skeleton);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "content/content_error.h"
+#include "content/import/motion/body.h"
 
 namespace docent::import {
 namespace {
@@ -18,13 +19,6 @@ using Text = fmt::memory_buffer;
 
 std::string indent(std::size_t depth) {
   return std::string(depth, '\t');
-}
-
-std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton) {
-  std::vector<std::vector<std::size_t>> children(skeleton.joint.size());
-  for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
-    children[index_of(skeleton.joint[j].parent)].push_back(j);
-  return children;
 }
 
 /// An end site holds an offset and nothing else.

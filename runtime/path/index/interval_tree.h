@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "runtime/model/none.h"
+
 namespace docent::path {
 
 /// A half-open range of numbers.
@@ -35,7 +37,6 @@ class IntervalTree {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
   /// Holds the intervals that contain its centre; the rest lie below it or above it.
   struct Node {
     double centre = 0;

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "runtime/model/none.h"
 #include "runtime/path/index/predicates.h"
 
 namespace docent::path {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Measured on the reference maps: fewer cells make long lists, more cost memory and steps.
 constexpr double cells_per_wall = 6;
 /// Cells hold walls from a little further than the radius, so that rounding in the walk through the

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "runtime/model/geometry/segment.h"
+#include "runtime/model/none.h"
 #include "runtime/path/index/list_edges.h"
 
 namespace docent::path {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// How far along the ray from `foot` in the unit direction `n` another site is as near as the foot,
 /// or infinity.

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
+#include "runtime/model/none.h"
 #include "runtime/path/index/box_tree.h"
 #include "runtime/path/index/interval_tree.h"
 #include "runtime/path/medial_axis/edge_curve.h"
@@ -19,8 +19,6 @@ namespace docent::path {
 /// Immutable after construction.
 class MedialAxisMap {
  public:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   explicit MedialAxisMap(const Floor& floor);
   MedialAxisMap(const MedialAxisMap&) = delete;
   MedialAxisMap& operator=(const MedialAxisMap&) = delete;

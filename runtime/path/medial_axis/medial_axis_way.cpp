@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <limits>
 #include <ranges>
 #include <utility>
 
+#include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 
 namespace docent::path {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t none = MedialAxisMap::none;
 
 using Place = RoadGraph::Place;
 

@@ -7,15 +7,12 @@
 #include <ranges>
 #include <utility>
 
+#include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/list_edges.h"
 
 namespace docent::path {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 RoadGraph::RoadGraph(const Roadmap& roadmap, std::span<const EdgeCurve> curve)
     : roadmap_(&roadmap), curve_(curve) {

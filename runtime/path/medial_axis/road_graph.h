@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/model/geometry/roadmap.h"
+#include "runtime/model/none.h"
 #include "runtime/path/medial_axis/edge_curve.h"
 #include "runtime/path/way.h"
 
@@ -19,7 +20,6 @@ namespace docent::path {
 /// any. Borrows the roadmap and its curves (those of Voronoi edges). Immutable.
 class RoadGraph {
  public:
-  static constexpr std::uint32_t none = 0xffffffff;
   /// How many junctions, far from each other, all distances are kept to, for `least_distance`.
   static constexpr std::size_t landmarks = 8;
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 #include "runtime/path/offset/offset_curve.h"
@@ -16,11 +16,8 @@
 namespace docent::path {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t none = MedialAxisMap::none;
-
 /// A directed piece of way between two nodes of the offset network.
-struct Link {
+struct OffsetLink {
   enum class Kind : std::uint8_t { Level, Chain, Axis, Road, Straight };
   Kind kind = Kind::Straight;
   bool crossing = false;  ///< Leaves the walls: along the axis of a wide place, or to it.
@@ -77,7 +74,7 @@ class Network {
   /// wall either way.
   template <class Visitor>
   void visit_links(std::uint32_t node, Hand hand, Visitor visit) const {
-    const auto visit_wide = [&](const Link& link) {
+    const auto visit_wide = [&](const OffsetLink& link) {
       if (link.clearance >= radius_ - touching && link.to != node) visit(link);
     };
     if (node < first_vertex_) {
@@ -87,10 +84,10 @@ class Network {
     } else if (node < first_own_) {
       visit_roads(node, visit_wide);
     }
-    for (const Link& link : link_) {
-      if (link.from == node && (link.kind != Link::Kind::Level || hand != Hand::Left))
+    for (const OffsetLink& link : link_) {
+      if (link.from == node && (link.kind != OffsetLink::Kind::Level || hand != Hand::Left))
         visit_wide(link);
-      if (link.to == node && (link.kind != Link::Kind::Level || hand != Hand::Right))
+      if (link.to == node && (link.kind != OffsetLink::Kind::Level || hand != Hand::Right))
         visit_wide(turned_round(link));
     }
   }
@@ -100,16 +97,16 @@ class Network {
     own_.push_back(point);
     return first_own_ + static_cast<std::uint32_t>(own_.size() - 1);
   }
-  Link turned_round(Link link) const {
+  OffsetLink turned_round(OffsetLink link) const {
     std::swap(link.from, link.to);
     std::swap(link.begin, link.end);
     link.reached = position(link.to);
     return link;
   }
   /// A part of a piece of the curve.
-  Link level_link(std::uint32_t site, std::uint32_t from, double begin, std::uint32_t to,
-                  double end) const {
-    return {Link::Kind::Level,
+  OffsetLink level_link(std::uint32_t site, std::uint32_t from, double begin, std::uint32_t to,
+                        double end) const {
+    return {OffsetLink::Kind::Level,
             false,
             from,
             to,
@@ -122,8 +119,8 @@ class Network {
   }
   /// The curve from a crossing to where one may next turn off: where it meets the axis, or to a
   /// piece with an end of the query.
-  Link chain_from(LevelCrossing begin) const {
-    Link link{Link::Kind::Chain, false, begin, begin, 0, 0, 1, 0, curve_.distance()};
+  OffsetLink chain_from(LevelCrossing begin) const {
+    OffsetLink link{OffsetLink::Kind::Chain, false, begin, begin, 0, 0, 1, 0, curve_.distance()};
     do {
       const LevelPiece piece = curve_.piece_from(link.to);
       link.length += curve_.length_between(piece.site, piece.begin, piece.end);
@@ -134,8 +131,8 @@ class Network {
     return link;
   }
   /// The same against its direction.
-  Link chain_to(LevelCrossing end) const {
-    Link link{Link::Kind::Chain, false, end, end, 0, 1, 0, 0, curve_.distance()};
+  OffsetLink chain_to(LevelCrossing end) const {
+    OffsetLink link{OffsetLink::Kind::Chain, false, end, end, 0, 1, 0, 0, curve_.distance()};
     do {
       const LevelPiece piece = curve_.piece_to(link.to);
       link.length += curve_.length_between(piece.site, piece.begin, piece.end);
@@ -154,11 +151,11 @@ class Network {
   bool ends_own_piece(LevelCrossing to) const {
     return to == own_piece_[0].second || to == own_piece_[1].second;
   }
-  Link axis_link(std::uint32_t e, std::uint32_t from, double begin, std::uint32_t to,
-                 double end) const {
+  OffsetLink axis_link(std::uint32_t e, std::uint32_t from, double begin, std::uint32_t to,
+                       double end) const {
     const EdgeCurve& bisector = axis_.curve(e);
     const bool wide = bisector.clearance_at((begin + end) / 2) > curve_.distance();
-    return {Link::Kind::Axis,
+    return {OffsetLink::Kind::Axis,
             wide,
             from,
             to,
@@ -205,9 +202,10 @@ class Network {
       if (!is_narrow(way / 2)) continue;
       const RoadGraph::Road& road = roads.roads()[way / 2];
       const double end = way % 2 == 0 ? 1 : 0;
-      visit(Link{Link::Kind::Road, false, node,
-                 node_of_junction(way % 2 == 0 ? road.to : road.from), way / 2, 1 - end, end,
-                 road.length, road.clearance, roads.position(way % 2 == 0 ? road.to : road.from)});
+      visit(OffsetLink{OffsetLink::Kind::Road, false, node,
+                       node_of_junction(way % 2 == 0 ? road.to : road.from), way / 2, 1 - end, end,
+                       road.length, road.clearance,
+                       roads.position(way % 2 == 0 ? road.to : road.from)});
     }
   }
   std::uint32_t node_of_junction(std::uint32_t junction) const {
@@ -218,7 +216,7 @@ class Network {
     link_.push_back(axis_link(e, from, begin, to, end));
   }
   void add_straight(std::uint32_t from, std::uint32_t to, double clearance, bool crossing) {
-    link_.push_back({Link::Kind::Straight, crossing, from, to, 0, 0, 0,
+    link_.push_back({OffsetLink::Kind::Straight, crossing, from, to, 0, 0, 0,
                      glm::length(position(to) - position(from)), clearance, position(to)});
   }
 
@@ -317,8 +315,9 @@ class Network {
   /// The crossings of the pieces below them.
   std::array<std::pair<LevelCrossing, LevelCrossing>, 2> own_piece_{std::pair{none, none},
                                                                     std::pair{none, none}};
-  std::vector<Vec2> own_;   ///< Where the query's own nodes are.
-  std::vector<Link> link_;  ///< Its own links; they can be walked both ways, but for the hand.
+  std::vector<Vec2> own_;  ///< Where the query's own nodes are.
+  std::vector<OffsetLink>
+      link_;  ///< Its own links; they can be walked both ways, but for the hand.
 };
 
 /// Are the ends of a query on walls, or in narrow places, between which one need not leave the
@@ -336,7 +335,7 @@ bool keeps_to_walls(const Network& network) {
     if (waiting[end].size() == turn / 2) return false;
     const std::uint32_t node = waiting[end][turn / 2];
     bool met = false;
-    network.visit_links(node, Hand::Shorter, [&](const Link& link) {
+    network.visit_links(node, Hand::Shorter, [&](const OffsetLink& link) {
       if (link.crossing) return;
       if (seen.has(link.to)) {
         met = met || seen[link.to] != end;
@@ -367,7 +366,7 @@ class NetworkSearch {
       if (node == network_.goal()) return true;
       const double cost = visit_[node].cost;
       if (bound > cost + visit_[node].least_rest) continue;
-      network_.visit_links(node, hand_, [&](const Link& link) {
+      network_.visit_links(node, hand_, [&](const OffsetLink& link) {
         if (link.crossing && !may_cross) return;
         const double next = cost + link.length * (link.crossing ? crossing_weight : 1);
         const bool is_new = !visit_.has(link.to);
@@ -384,8 +383,8 @@ class NetworkSearch {
   }
 
   /// The links of the way found, in order.
-  std::vector<Link> links() const {
-    std::vector<Link> found;
+  std::vector<OffsetLink> links() const {
+    std::vector<OffsetLink> found;
     for (std::uint32_t node = network_.goal(); node != network_.start(); node = found.back().from)
       found.push_back(visit_[node].by);
     std::ranges::reverse(found);
@@ -396,7 +395,7 @@ class NetworkSearch {
   struct Visitor {
     double cost = infinity;
     double least_rest = 0;
-    Link by;
+    OffsetLink by;
   };
   /// Kept per thread, so that no search has to make or clear them.
   static StampedArray<Visitor>& notes() {
@@ -409,13 +408,13 @@ class NetworkSearch {
   StampedArray<Visitor>& visit_;
 };
 
-void append_road(const RoadGraph& roads, const Link& link, std::vector<Vec2>& points) {
+void append_road(const RoadGraph& roads, const OffsetLink& link, std::vector<Vec2>& points) {
   const auto begin = roads.begin_of(link.along), end = roads.end_of(link.along);
   link.begin < link.end ? roads.append_between(begin, end, points)
                         : roads.append_between(end, begin, points);
 }
 
-void append_chain(const LevelCurve& curve, const Link& link, std::vector<Vec2>& points) {
+void append_chain(const LevelCurve& curve, const OffsetLink& link, std::vector<Vec2>& points) {
   LevelCrossing at = link.from;
   do {
     const bool onwards = link.begin < link.end;
@@ -426,26 +425,26 @@ void append_chain(const LevelCurve& curve, const Link& link, std::vector<Vec2>& 
   } while (at != link.to);
 }
 
-Way way_along(const std::vector<Link>& links, const Network& network, const MedialAxisMap& axis,
-              const LevelCurve& curve) {
+Way way_along(const std::vector<OffsetLink>& links, const Network& network,
+              const MedialAxisMap& axis, const LevelCurve& curve) {
   Way way{RouteStatus::Ok, 0, infinity, {network.position(network.start())}};
-  for (const Link& link : links) {
+  for (const OffsetLink& link : links) {
     way.length += link.length;
     way.clearance_min = std::min(way.clearance_min, link.clearance);
     switch (link.kind) {
-      case Link::Kind::Level:
+      case OffsetLink::Kind::Level:
         curve.append_points(link.along, link.begin, link.end, way.points);
         break;
-      case Link::Kind::Axis:
+      case OffsetLink::Kind::Axis:
         axis.curve(link.along).append_points(link.begin, link.end, way.points);
         break;
-      case Link::Kind::Chain:
+      case OffsetLink::Kind::Chain:
         append_chain(curve, link, way.points);
         break;
-      case Link::Kind::Road:
+      case OffsetLink::Kind::Road:
         append_road(axis.roads(), link, way.points);
         break;
-      case Link::Kind::Straight:
+      case OffsetLink::Kind::Straight:
         append_point(network.position(link.to), way.points);
         break;
     }

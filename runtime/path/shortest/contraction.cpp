@@ -1,15 +1,15 @@
 #include "runtime/path/shortest/contraction.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <utility>
+
+#include "runtime/model/none.h"
 
 namespace docent::path {
 namespace {
 
 using Arc = Hierarchy::Arc;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How many nodes a search for a way round a node settles before it gives up and a shortcut is laid
 /// that may not be needed. More makes fewer shortcuts and costs time.
 constexpr std::size_t most_settled = 64;

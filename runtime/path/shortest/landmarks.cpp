@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
+
+#include "runtime/model/none.h"
 
 namespace docent::path {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> distances_from(const FloorPlan& plan, const SightMap& sight,
                                    std::uint32_t landmark) {

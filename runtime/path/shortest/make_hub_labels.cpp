@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "runtime/model/none.h"
 #include "runtime/path/shortest/contraction.h"
 
 namespace docent::path {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 /// What contraction may cost, in arcs looked at: museums take 2,000 to 9,000 a tangent, games' maps
 /// 50 to 300, a lattice of 100 columns 12,000. A thousand million take about 12 s.
 constexpr std::uint64_t base_work = 20'000'000, work_per_tangent = 20'000;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
@@ -14,12 +15,6 @@
 
 namespace docent::path {
 namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-double length_of(Vec2 v) noexcept {
-  return std::sqrt(dot(v, v));
-}
 
 /// An end tangent of the query. Costs are in the labels' unit.
 struct Candidate {
@@ -87,7 +82,7 @@ class Query {
     __builtin_prefetch(about_from.data());
     __builtin_prefetch(about_to.data());
     if (map_.walls().segment_clear(from_, to_))
-      return {RouteStatus::Ok, length_of(to_ - from_), 0, {from_, to_}};
+      return {RouteStatus::Ok, glm::length(to_ - from_), 0, {from_, to_}};
     list_candidates(about_from, about_to);
     bound(work_.from, work_.to);
     bound(work_.to, work_.from);
@@ -395,7 +390,7 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
 }
 
 bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept {
-  const double distance = length_of(centre - corner_[side / 2].position);
+  const double distance = glm::length(centre - corner_[side / 2].position);
   const double nearest = distance - reach;
   if (nearest <= graph_.radius) return true;
   const double tangent = std::sqrt(nearest * nearest - graph_.radius * graph_.radius);

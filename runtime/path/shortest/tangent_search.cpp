@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/shortest/free_arcs.h"
 
 namespace docent::path {
 namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double length_of(Vec2 v) noexcept {
-  return std::sqrt(dot(v, v));
-}
 
 /// One search. A side is 2 * corner + sense (1: clockwise). The places it can be in are "on a side,
 /// about to leave by tangent k": from there the way either takes k or rolls on to the next tangent
@@ -35,7 +28,7 @@ class Search {
   }
 
   Way run() {
-    if (clear(from_, to_)) return {RouteStatus::Ok, length_of(to_ - from_), 0, {from_, to_}};
+    if (clear(from_, to_)) return {RouteStatus::Ok, glm::length(to_ - from_), 0, {from_, to_}};
     for (const std::uint32_t corner : map_.seen_from(to_)) {
       const Vec2 between = map_.corner(corner).position - to_;
       to_goal_.add(corner, std::sqrt(std::max(0.0, dot(between, between) - radius_ * radius_)));
@@ -135,7 +128,7 @@ class Search {
       known.bound_round = work_.round;
       known.bound = to_goal_.from(corner);
     }
-    return std::max(known.bound, length_of(to_ - touch));
+    return std::max(known.bound, glm::length(to_ - touch));
   }
   void push(Entry entry) {
     work_.queue.push_back(entry);
@@ -201,7 +194,7 @@ class Search {
     if (!touches(side / 2, direction)) return {};
     tangent.arrive_angle = corner.angle_of(direction);
     tangent.arrive = corner.position + radius_ * direction;
-    tangent.length = length_of(tangent.arrive - point);
+    tangent.length = glm::length(tangent.arrive - point);
     return tangent;
   }
 
@@ -276,7 +269,7 @@ class Search {
     tangent.to_side = to_side;
     tangent.leave = corner.position + radius_ * out;
     tangent.arrive = other.position + radius_ * in;
-    tangent.length = length_of(tangent.arrive - tangent.leave);
+    tangent.length = glm::length(tangent.arrive - tangent.leave);
     work_.tangent.push_back(tangent);
   }
 
@@ -295,7 +288,8 @@ class Search {
     if (!known.goal_angle || known.goal_state == State::Blocked) return;
     const double turned = turn(side, angle, *known.goal_angle);
     if (turned < -same_angle || arc_at(side / 2, *known.goal_angle) != arc) return;
-    const double whole = cost + radius_ * std::max(0.0, turned) + length_of(to_ - known.goal_touch);
+    const double whole =
+        cost + radius_ * std::max(0.0, turned) + glm::length(to_ - known.goal_touch);
     push({whole, whole, arrival, Kind::Goal});
   }
   bool goal_is_clear(std::uint32_t side) {

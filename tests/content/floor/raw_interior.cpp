@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/model/none.h"
+
 namespace docent::test {
 namespace {
 
@@ -17,7 +19,6 @@ double distance(Vec2 p, Vec2 a, Vec2 b) {
 }  // namespace
 
 RawInterior::RawInterior(const import::ImportedPlan& plan) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   low_ = {infinity, infinity}, high_ = -low_;
   for (const import::ImportedPolygon& polygon : plan.polygons) {
     std::vector<std::size_t>& own = rings_of_.emplace_back();

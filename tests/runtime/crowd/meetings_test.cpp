@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/model/none.h"
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/motion/allocation_count.h"
 #include "tests/runtime/path/floors.h"
@@ -111,7 +112,6 @@ TEST(Meetings, ReachOverRegionsThinnerThanTheBodies) {
 TEST(Meetings, AreDefinedForBodiesThatShouldNotBe) {
   const Mapped rooms(two_rooms(1));
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const crowd::Body in_the_wall{{4.1, 3.5}, {0, 0}, 0.25}, beside_it{{3.8, 3.5}, {0, 0}, 0.25};
   const std::vector<crowd::Body> bodies{in_the_wall,
                                         beside_it,
@@ -286,8 +286,8 @@ void check_regions(const Mapped& mapped, const crowd::Meetings& meetings,
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Vec2 at = bodies[i].position;
     const std::uint32_t region = meetings.region_of(i);
-    EXPECT_EQ(region != crowd::Regions::none, mapped.map->is_inside(at));
-    if (region == crowd::Regions::none) continue;
+    EXPECT_EQ(region != none, mapped.map->is_inside(at));
+    if (region == none) continue;
     const Site site = mapped.floor.diagram.site[region];
     EXPECT_NEAR(distance_to_site(mapped.floor.plan, site, at), mapped.map->clearance_at(at), 1e-9);
   }

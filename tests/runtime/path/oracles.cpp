@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "runtime/model/none.h"
 
 namespace docent::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where along p q, in [0, 1], it meets the wall; both ends where they run along each other.
 void add_meetings(Vec2 p, Vec2 q, Vec2 a, Vec2 b, std::vector<double>& at) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "runtime/model/none.h"
 #include "runtime/path/offset/offset_curve.h"
 #include "runtime/path/reach.h"
 #include "tests/runtime/path/floors.h"
@@ -259,7 +260,6 @@ RC_GTEST_PROP(EveryWay, AnswersWhateverItIsAsked, ()) {
   RC_PRE(plan.has_value());
   const Hall hall(*plan);
   const auto any_number = [] {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     return *rc::gen::element(std::numeric_limits<double>::quiet_NaN(), infinity, -infinity, 1e300,
                              -1e300, 1e-300, 0.0, -1.0, 1.0, 3.0, 5.0, 7.0, 1e9);
   };

@@ -1,16 +1,15 @@
 #include "runtime/path/shortest/contraction.h"
+#include "runtime/model/none.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace docent::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Row = std::vector<double>;
 
 std::vector<path::Link> random_links(std::uint32_t nodes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/model/none.h"
 #include "tests/runtime/path/floors.h"
 
 namespace docent::test {
@@ -103,7 +104,6 @@ TEST(ShortestWay, IsDefinedForNumbersThatAreNone) {
   const Floor floor = floor_of(hall_with_a_box());
   const auto map = path::make_floor_map(floor);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
 
   for (const RouteKind kind : {RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset})
     for (const double bad : {nan, infinity, -infinity, 1e300}) {
