@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "content/content_error.h"
 #include "content/import/floor/json.h"
 #include "content/import/floor/projection.h"
 #include "content/read_source.h"
+#include "runtime/model/none.h"
 
 namespace docent::import {
 namespace {
@@ -168,7 +168,6 @@ void for_each_vertex(ImportedPlan& plan, const Function& function) {
 
 /// Lays the plan flat about the centre of the box that holds it.
 void project(ImportedPlan& plan) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec2 low{infinity, infinity}, high{-infinity, -infinity};
   const Vec2 first = plan.polygons.front().outer.vertex.front();
   // Longitudes near the first one, so that a floor may lie across the 180th meridian.
