@@ -8,7 +8,8 @@
 namespace docent::motion::offline {
 namespace {
 
-constexpr double back = 0.5, ahead = 1.0;  // metres of path that are searched from the last place
+/// Metres of path that are searched from the last place.
+constexpr double reach_back = 0.5, reach_ahead = 1.0;
 
 struct NearestPoint {
   Vec2 offset{};
@@ -17,12 +18,12 @@ struct NearestPoint {
 
 NearestPoint nearest_on(std::span<const Vec2> path, std::span<const double> walked, Vec2 point,
                         double from) {
-  const auto first = std::upper_bound(walked.begin(), walked.end(), from - back);
+  const auto first = std::upper_bound(walked.begin(), walked.end(), from - reach_back);
   std::size_t i =
       first == walked.begin() ? 0 : static_cast<std::size_t>(first - walked.begin()) - 1;
   NearestPoint best{point - path[std::min(i, path.size() - 1)],
                     walked[std::min(i, path.size() - 1)]};
-  for (; i + 1 < path.size() && walked[i] <= from + ahead; ++i) {
+  for (; i + 1 < path.size() && walked[i] <= from + reach_ahead; ++i) {
     const auto [squared, t] = nearest_on_segment(point, path[i], path[i + 1]);
     if (squared < dot(best.offset, best.offset))
       best = {point - glm::mix(path[i], path[i + 1], t), std::lerp(walked[i], walked[i + 1], t)};

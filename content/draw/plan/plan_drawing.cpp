@@ -24,7 +24,7 @@ constexpr double longer_side = 1800;  // Pixels.
 constexpr double margin = 70;
 constexpr double caption = 70;  // Below the plan, for the scale bar.
 constexpr double narrowest = 700;
-constexpr double letter = 17;
+constexpr double label_letter = 17;
 constexpr const char* sans = "font-family=\"Inter, Noto Sans, sans-serif\"";
 
 double signed_area_of(const FloorPlan& plan, const Ring& ring) {
@@ -281,12 +281,12 @@ void PlanPainter::draw_exhibits() {
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"", ink::vermilion, ink::floor));
     labels.push_back({exhibit.id, object, {}});
   }
-  place_labels(labels, letter, {page_.width(), page_.plan_height()});
+  place_labels(labels, label_letter, {page_.width(), page_.plan_height()});
   for (const Label& label : labels)
     svg_.text(label.baseline, label.words,
               fmt::format("{} font-size=\"{:.0f}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"4\" "
                           "stroke-linejoin=\"round\" paint-order=\"stroke\"",
-                          sans, letter, ink::black, ink::floor));
+                          sans, label_letter, ink::black, ink::floor));
   if (museum_.kiosk_floor == floor_index_ && !museum_.exhibits.empty()) draw_kiosk();
 }
 

@@ -27,8 +27,8 @@ class Contraction {
   }
 
   std::optional<Hierarchy> run(std::uint64_t most_work, const std::stop_token& stop) {
-    using Place = std::pair<std::int64_t, std::uint32_t>;
-    std::priority_queue<Place, std::vector<Place>, std::greater<>> queue;
+    using Turn = std::pair<std::int64_t, std::uint32_t>;  // importance and node
+    std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue;
     for (std::uint32_t node = 0; node < out_.size(); ++node) queue.emplace(importance(node), node);
     std::uint32_t rank = 0;
     while (!queue.empty()) {
