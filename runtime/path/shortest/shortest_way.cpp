@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -401,12 +402,15 @@ bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) co
   const auto line = tangent_line(centre, 0, corner_[side / 2].position, left, touching);
   if (!line) return true;
   const Vec2 direction = (side % 2 == 0 ? -1.0 : 1.0) * line->left;
-  const double sine = std::sin(slack);
-  const ArcOfEnds& arc = arc_[side / 2];
-  const auto after = [&](Vec2 a, Vec2 b) {
-    return cross(a, b) >= -sine && (dot(a, b) >= 0 || cross(a, b) >= 0);
-  };
-  return after(arc.begin, direction) && after(direction, arc.end);
+  // Is the direction within the slack of the arc? Measured from the arc's middle, so that neither
+  // end is taken for the other where a sharp tip's arc spans nearly half a turn. The cosine is flat
+  // at 0: it tells angles apart to 1e-6 there, and what is listed too much does no harm.
+  constexpr double rounding = 1e-12;
+  const TangentArc& arc = graph_.arc[side / 2];
+  const double half = (arc.end - arc.begin) / 2;
+  const Vec2 begin = arc_[side / 2].begin;
+  const Vec2 middle = std::cos(half) * begin + std::sin(half) * left_of(begin);
+  return dot(middle, direction) >= std::cos(std::min(half + slack, std::numbers::pi)) - rounding;
 }
 
 std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noexcept {
@@ -441,9 +445,11 @@ std::optional<EndTangent> ShortestWayMap::tangent_to(std::uint32_t side,
 
 double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {
   const ArcOfEnds& arc = arc_[tangent.side / 2];
-  const Vec2 out = tangent.touch - arc.centre;
   if (graph_.radius == 0) return arc.begin_angle;
-  return arc.begin_angle + std::atan2(cross(arc.begin, out), dot(arc.begin, out));
+  const Vec2 out = tangent.touch - arc.centre;
+  const double turn = std::atan2(cross(arc.begin, out), dot(arc.begin, out));
+  // Just beyond the end of nearly half a turn is not far before its begin.
+  return arc.begin_angle + (turn < -std::numbers::pi / 2 ? turn + 2 * std::numbers::pi : turn);
 }
 
 Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "content/content_error.h"
+#include "runtime/model/none.h"
+#include "tests/content/floor/sharp_plan.h"
+#include "tests/runtime/path/brute_force_ways.h"
+#include "tests/runtime/path/floors.h"
+
+namespace docent::test {
+namespace {
+
+constexpr double exact = 1e-9;  // Metres.
+/// Of ways that differ by less than three units of the labels' costs either may be answered.
+constexpr double undecided = 3 * 8 * 1.4143 / HubLabels::most_cost;
+
+/// Where thin wedges stand, a way round the wrong end of one is up to several times too long.
+import::ImportedPlan hall_of_wedges() {
+  return drawn(rectangle({0, 0}, {8, 8}),
+               {{{5.8103, 1.6056}, {6.3064, 2.4301}, {6.3031, 2.4321}},
+                {{6.932, 2.7846}, {5.802, 3.9622}, {5.7672, 3.9278}},
+                {{7.2952, 6.1874}, {6.0106, 7.038}, {6.0072, 7.0329}},
+                {{0.6837, 5.4577}, {0.497, 2.255}, {0.5291, 2.2533}},
+                {{1.1023, 7.3516}, {2.7298, 6.6166}, {2.7371, 6.6329}},
+                {{6.9262, 3.5884}, {7.3025, 5.1117}, {7.2979, 5.1128}},
+                {{1.6469, 3.0099}, {5.7025, 2.25}, {5.7047, 2.2622}},
+                {{5.3825, 0.707}, {2.9457, 0.8073}, {2.9448, 0.7829}},
+                {{3.0986, 2.2863}, {2.5195, 0.8505}, {2.5628, 0.8338}}});
+}
+
+TEST(SharpTips, AreWalkedRoundOnTheShorterSide) {
+  const Floor floor = floor_of(hall_of_wedges(), {0, 0.25});
+  const auto map = path::make_floor_map(floor);
+
+  const path::Way way = path::route(
+      *map, {.kind = RouteKind::Shortest, .from = {7.2, 5.5}, .to = {6.8, 6.6}, .radius = 0});
+
+  const Vec2 tip{7.2952, 6.1874};
+  EXPECT_NEAR(way.length, glm::distance({7.2, 5.5}, tip) + glm::distance(tip, {6.8, 6.6}), exact);
+}
+
+/// The mended plan of some spikes; none where they fill the hall or touch in points.
+std::optional<FloorPlan> mended_hall(const std::vector<Spike>& spikes) {
+  try {
+    FloorPlan plan = mended(hall_with_spikes(spikes));
+    for (std::size_t i = 0; i < plan.vertex.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (plan.vertex[i] == plan.vertex[j]) return {};
+    return plan;
+  } catch (const content::ContentError&) {
+    return {};
+  }
+}
+
+/// Anywhere, or a little way from some corner.
+Vec2 place_in(const FloorPlan& plan, std::mt19937& random) {
+  std::uniform_real_distribution<double> anywhere(0, 8), turn(0, 6.2831853), share(0, 1);
+  if (share(random) < 0.4) return {anywhere(random), anywhere(random)};
+  const Vec2 corner = plan.vertex[random() % plan.vertex.size()];
+  const double angle = turn(random), far = 1.5 * std::pow(1e-3, share(random));
+  return corner + far * Vec2{std::cos(angle), std::sin(angle)};
+}
+
+/// Room for a disc, and not by a hair.
+bool has_room(const FloorPlan& plan, Vec2 place, double radius) {
+  return is_inside(plan, place) && distance_to_nearest_wall(plan, place) > radius + 1e-7;
+}
+
+void check_ways(const FloorPlan& plan, const path::FloorMap& map, double radius, int queries,
+                std::mt19937& random) {
+  const BruteForceWays brute(plan, radius);
+  for (int q = 0; q < queries; ++q) {
+    const Vec2 from = place_in(plan, random), to = place_in(plan, random);
+    if (!has_room(plan, from, radius) || !has_room(plan, to, radius)) continue;
+    const path::Way way = path::route(
+        map, {.kind = RouteKind::Shortest, .from = from, .to = to, .radius = radius});
+    const double expected = brute.length(from, to);
+    const bool is_right = way.status == path::RouteStatus::Ok
+                              ? std::abs(way.length - expected) < exact + undecided
+                              : !std::isfinite(expected);
+    if (is_right) continue;
+    // What misses a wall by the tolerance may touch it or not.
+    const double loose = BruteForceWays(plan, radius, 1.5e-9).length(from, to);
+    const double strict = BruteForceWays(plan, radius, 1e-11).length(from, to);
+    const double length = way.status == path::RouteStatus::Ok ? way.length : infinity;
+    RC_LOG(fmt::format("radius {:.17g} from {:.17g},{:.17g} to {:.17g},{:.17g}: {:.17g} is {:.17g}",
+                       radius, from.x, from.y, to.x, to.y, length, expected));
+    RC_ASSERT(length > loose - exact);
+    RC_ASSERT(length < strict + exact + undecided || length == strict);
+  }
+}
+
+RC_GTEST_PROP(SharpTips, HaveTheWaysThatBruteForceFinds, ()) {
+  auto spikes = *rc::gen::container<std::vector<Spike>>(any_spike());
+  if (spikes.size() > 7) spikes.resize(7);
+  const auto plan = mended_hall(spikes);
+  RC_PRE(plan.has_value());
+  const Floor floor = floor_of(*plan, {0, 0.25});
+  const auto map = path::make_floor_map(floor);
+  std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+  const double unnamed = *rc::gen::elementOf(std::vector{2e-7, 1e-4, 0.02, 0.13, 0.4});
+
+  check_ways(*plan, *map, 0, 40, random);
+  check_ways(*plan, *map, 0.25, 40, random);
+  check_ways(*plan, *map, unnamed, 20, random);
+}
+
+}  // namespace
+}  // namespace docent::test
