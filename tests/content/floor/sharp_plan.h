@@ -86,8 +86,8 @@ inline std::vector<Points> rings_of(const Spike& spike) {
       return {ring};
     }
     default:  // A door leaf, four centimetres thick, with one end cut at an angle.
-      return {{at(0, 0), at(length, 0), at(length - 0.04 / std::tan(10 * tip), 0.04),
-               at(0.001, 0.04)}};
+      return {
+          {at(0, 0), at(length, 0), at(length - 0.04 / std::tan(10 * tip), 0.04), at(0.001, 0.04)}};
   }
 }
 

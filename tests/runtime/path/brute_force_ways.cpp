@@ -37,9 +37,8 @@ bool point_sees(const FloorPlan& plan, Vec2 p, Vec2 q, double slack) {
     const Vec2 a = wall_start(plan, w), b = wall_end(plan, w);
     if (crosses(p, q, a, b)) {
       // Through a wall, unless it is one of its ends that the line touches.
-      const double deepest = std::min(
-          {distance_to_segment(a, p, q), distance_to_segment(b, p, q), distance_to_segment(p, a, b),
-           distance_to_segment(q, a, b)});
+      const double deepest = std::min({distance_to_segment(a, p, q), distance_to_segment(b, p, q),
+                                       distance_to_segment(p, a, b), distance_to_segment(q, a, b)});
       if (deepest > slack) return false;
     }
     if (distance_to_segment(a, p, q) <= slack) cut.push_back(dot(a - p, run) / squared);

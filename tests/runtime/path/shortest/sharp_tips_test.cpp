@@ -19,16 +19,15 @@ constexpr double undecided = 3 * 8 * 1.4143 / HubLabels::most_cost;
 
 /// Where thin wedges stand, a way round the wrong end of one is up to several times too long.
 import::ImportedPlan hall_of_wedges() {
-  return drawn(rectangle({0, 0}, {8, 8}),
-               {{{5.8103, 1.6056}, {6.3064, 2.4301}, {6.3031, 2.4321}},
-                {{6.932, 2.7846}, {5.802, 3.9622}, {5.7672, 3.9278}},
-                {{7.2952, 6.1874}, {6.0106, 7.038}, {6.0072, 7.0329}},
-                {{0.6837, 5.4577}, {0.497, 2.255}, {0.5291, 2.2533}},
-                {{1.1023, 7.3516}, {2.7298, 6.6166}, {2.7371, 6.6329}},
-                {{6.9262, 3.5884}, {7.3025, 5.1117}, {7.2979, 5.1128}},
-                {{1.6469, 3.0099}, {5.7025, 2.25}, {5.7047, 2.2622}},
-                {{5.3825, 0.707}, {2.9457, 0.8073}, {2.9448, 0.7829}},
-                {{3.0986, 2.2863}, {2.5195, 0.8505}, {2.5628, 0.8338}}});
+  return drawn(rectangle({0, 0}, {8, 8}), {{{5.8103, 1.6056}, {6.3064, 2.4301}, {6.3031, 2.4321}},
+                                           {{6.932, 2.7846}, {5.802, 3.9622}, {5.7672, 3.9278}},
+                                           {{7.2952, 6.1874}, {6.0106, 7.038}, {6.0072, 7.0329}},
+                                           {{0.6837, 5.4577}, {0.497, 2.255}, {0.5291, 2.2533}},
+                                           {{1.1023, 7.3516}, {2.7298, 6.6166}, {2.7371, 6.6329}},
+                                           {{6.9262, 3.5884}, {7.3025, 5.1117}, {7.2979, 5.1128}},
+                                           {{1.6469, 3.0099}, {5.7025, 2.25}, {5.7047, 2.2622}},
+                                           {{5.3825, 0.707}, {2.9457, 0.8073}, {2.9448, 0.7829}},
+                                           {{3.0986, 2.2863}, {2.5195, 0.8505}, {2.5628, 0.8338}}});
 }
 
 TEST(SharpTips, AreWalkedRoundOnTheShorterSide) {
@@ -75,8 +74,8 @@ void check_ways(const FloorPlan& plan, const path::FloorMap& map, double radius,
   for (int q = 0; q < queries; ++q) {
     const Vec2 from = place_in(plan, random), to = place_in(plan, random);
     if (!has_room(plan, from, radius) || !has_room(plan, to, radius)) continue;
-    const path::Way way = path::route(
-        map, {.kind = RouteKind::Shortest, .from = from, .to = to, .radius = radius});
+    const path::Way way =
+        path::route(map, {.kind = RouteKind::Shortest, .from = from, .to = to, .radius = radius});
     const double expected = brute.length(from, to);
     const bool is_right = way.status == path::RouteStatus::Ok
                               ? std::abs(way.length - expected) < exact + undecided
