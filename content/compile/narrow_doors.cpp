@@ -52,14 +52,14 @@ struct Neck {
 class Parts {
  public:
   Parts(const Roadmap& roadmap, double radius)
-      : roadmap_(roadmap), radius_(radius), part_(roadmap.position.size()) {
+      : roadmap_(roadmap), least_(path::least_clearance(radius)), part_(roadmap.position.size()) {
     for (const RoadmapEdge& edge : roadmap.edges)
-      if (edge.clearance >= radius) part_.join(part_.of(edge.from), part_.of(edge.to));
+      if (edge.clearance >= least_) part_.join(part_.of(edge.from), part_.of(edge.to));
     find_necks();
   }
 
   [[nodiscard]] bool has_room(std::uint32_t node) const {
-    return roadmap_.clearance[node] >= radius_;
+    return roadmap_.clearance[node] >= least_;
   }
   std::uint32_t of(std::uint32_t node) { return part_.of(node); }
   [[nodiscard]] const std::vector<Neck>& necks() const { return necks_; }
@@ -74,7 +74,7 @@ class Parts {
     std::vector<std::uint32_t> narrow;
     for (std::uint32_t e = 0; e < roadmap_.edges.size(); ++e) {
       const auto& [from, to, voronoi_edge, length, clearance] = roadmap_.edges[e];
-      if (clearance >= radius_) continue;
+      if (clearance >= least_) continue;
       narrow.push_back(e);
       if (!has_room(from) && !has_room(to)) place.join(place.of(from), place.of(to));
     }
@@ -120,7 +120,7 @@ class Parts {
   }
 
   const Roadmap& roadmap_;
-  double radius_;
+  double least_;  ///< Clearance at which a body fits.
   Sets part_;
   std::vector<Neck> necks_;
 };
@@ -167,7 +167,8 @@ class DoorFinder {
     const auto end_of = [&](std::uint32_t e, bool to) {
       return to ? axis.diagram().edge[e].to : axis.diagram().edge[e].from;
     };
-    const bool onward = curve.clearance_between(above->at, curve.end()) >= body_.radius;
+    const bool onward =
+        curve.clearance_between(above->at, curve.end()) >= path::least_clearance(body_.radius);
     std::uint32_t vertex = end_of(above->voronoi_edge, onward);
     while (axis.node_at(vertex) == none) {
       const std::uint32_t e = axis.edge_to_road(vertex);

@@ -36,7 +36,7 @@ bool FloorMap::has_room(Vec2 point, double radius) const noexcept {
   if (!std::isfinite(nearest.distance)) return false;
   if (radius < smallest_radius)
     return nearest.distance <= touching || walls_.is_inside(point, nearest);
-  return nearest.distance >= radius - touching && walls_.is_inside(point, nearest);
+  return nearest.distance >= least_clearance(radius) && walls_.is_inside(point, nearest);
 }
 
 }  // namespace docent::path

@@ -31,7 +31,7 @@ class FloorMap {
   std::uint32_t site_at(Vec2 point) const noexcept;
   std::uint32_t site_of_wall(std::uint32_t wall) const noexcept { return wall_site_[wall]; }
 
-  /// May the centre of a disc be here: inside, and no nearer to a wall than the radius?
+  /// May the centre of a disc be here: inside, and no nearer to a wall than fits (touching.h)?
   bool has_room(Vec2 point, double radius) const noexcept;
 
   /// The maps of shortest ways by radius, and the search for where there is none.

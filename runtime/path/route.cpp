@@ -46,6 +46,26 @@ Way find_along(const FloorMap& map, const RouteQuery& query) {
 constexpr std::array<Way (*)(const FloorMap&, const RouteQuery&), route_kinds.size()> searches{
     find_shortest, find_along<medial_axis_way>, find_along<offset_way>};
 
+Way search_of_kind(const FloorMap& map, const RouteQuery& query) {
+  return searches[static_cast<std::size_t>(query.kind)](map, query);
+}
+
+/// The way of a point. Where an end touches a wall from behind, exact predicates see that wall and
+/// distances do not; then the way runs between places that both call inside.
+Way search_of_point(const FloorMap& map, const RouteQuery& asked) {
+  Way way = search_of_kind(map, asked);
+  if (way.status != RouteStatus::NoRoute) return way;
+  RouteQuery query = asked;
+  query.from = map.walls().brought_inside(asked.from);
+  query.to = map.walls().brought_inside(asked.to);
+  if (query.from == asked.from && query.to == asked.to) return way;
+  way = search_of_kind(map, query);
+  if (way.status != RouteStatus::Ok) return way;
+  way.points.front() = asked.from;
+  way.points.back() = asked.to;
+  return way;
+}
+
 }  // namespace
 
 std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
@@ -55,7 +75,7 @@ std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
 Way route(const FloorMap& map, const RouteQuery& asked) {
   RouteQuery query = asked;
   if (!(query.radius >= smallest_radius)) query.radius = 0;
-  return searches[static_cast<std::size_t>(query.kind)](map, query);
+  return query.radius == 0 ? search_of_point(map, query) : search_of_kind(map, query);
 }
 
 Way tour(const FloorMap& map, const RouteQuery& asked, std::span<const Vec2> stops) {

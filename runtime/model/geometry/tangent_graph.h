@@ -8,7 +8,7 @@
 namespace docent {
 
 /// A part of the circle about a reflex corner along which the centre of a disc can go: no point of
-/// it is nearer to a wall than the radius.
+/// it is so near to a wall that the disc does not fit.
 ///
 /// Angles are measured from the normal of the wall that begins at the corner, counter-clockwise,
 /// and reach at most pi (the normal of the wall that ends there).
@@ -39,7 +39,9 @@ struct Tangent {
 /// 2 * arc.size() + 1 entries. Depends only on the plan and the radius. Immutable once loaded.
 struct TangentGraph {
   static constexpr std::uint32_t no_tangent = 0xffffffff;
-  double radius = 0;  ///< Metres. 0: arcs are points, and the graph is the taut visibility graph.
+  /// Metres, of the disc; the circles are smaller by the hair that a disc may lack where it fits.
+  /// 0: arcs are points, and the graph is the taut visibility graph.
+  double radius = 0;
   std::vector<TangentArc> arc{};
   std::vector<std::uint32_t> side_first{};
   std::vector<Tangent> tangent{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/model/none.h"
 #include "runtime/path/index/predicates.h"
@@ -38,6 +39,9 @@ WallGrid::WallGrid(const FloorPlan& plan, double radius) : radius_(radius) {
     high = glm::max(high, wall_[i].a);
   }
   if (walls == 0) low = high = {0, 0};
+  const Vec2 farthest = glm::max(glm::abs(low), glm::abs(high));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  slack_ = std::max(rounding, 4 * epsilon * std::max(farthest.x, farthest.y));
   const double reach = radius_ + 2 * margin;
   origin_ = low - Vec2{reach, reach};
   const Vec2 extent = high - low + Vec2{2 * reach, 2 * reach};
@@ -152,14 +156,14 @@ bool WallGrid::segment_clear(Vec2 p, Vec2 q) const noexcept {
 
   const Vec2 direction = q - p;
   const double length = std::sqrt(dot(direction, direction));
-  const double least = radius_ - touching;
+  const double least = least_clearance(radius_) - slack_;
   return passes(p, q, [&](std::uint32_t wall) {
     return comes_near(p, q, direction, least * length, least, wall);
   });
 }
 
 bool WallGrid::capsule_clear(Vec2 p, Vec2 q, double radius) const noexcept {
-  const double least = radius - touching;
+  const double least = least_clearance(radius) - slack_;
   const double reach = radius - radius_ + margin;
   const auto cell_at = [&](double metres, int count) {
     return static_cast<int>(std::clamp(metres * cells_per_metre_, 0.0, count - 1.0));
@@ -254,6 +258,22 @@ bool WallGrid::is_inside(Vec2 p, const Nearest& nearest) const noexcept {
   // Nearest to a corner: a reflex one is seen from inside, a convex one from outside.
   const std::uint32_t corner = nearest.t > 0 ? next_[nearest.wall] : nearest.wall;
   return orientation(wall_[previous_[corner]].a, wall_[corner].a, wall_[corner].b) <= 0;
+}
+
+Vec2 WallGrid::brought_inside(Vec2 p) const noexcept {
+  const auto cell = cell_at(p);
+  if (!cell || is_clear(*cell)) return p;
+  const Nearest nearest = nearest_wall(p);
+  if (nearest.distance > touching) return p;
+  const auto [a, b] = wall_[nearest.wall];
+  if (nearest.t > 0 && nearest.t < 1 ? orientation(a, b, p) >= 0 : is_inside(p, nearest)) return p;
+  const Vec2 foot = glm::mix(a, b, nearest.t);
+  for (const Vec2 corner : {a, b})
+    if (glm::distance(foot, corner) <= touching) return corner;
+  const Vec2 inward = left_of(glm::normalize(b - a));
+  for (double by = slack_ / 1024; by <= touching; by *= 2)
+    if (const Vec2 inside = foot + by * inward; orientation(a, b, inside) > 0) return inside;
+  return p;
 }
 
 std::optional<std::size_t> WallGrid::cell_at(Vec2 p) const noexcept {

@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor_plan.h"
+#include "runtime/path/touching.h"
 
 namespace docent::path {
-
-/// A disc that is nearer to a wall than its radius by no more than this only touches it and is
-/// free: so a disc fits through a door of exactly twice its radius. Metres.
-inline constexpr double touching = 1e-9;
 
 /// The walls of a floor sorted into square cells, for discs of one radius.
 ///
@@ -23,7 +20,7 @@ class WallGrid {
  public:
   WallGrid(const FloorPlan& plan, double radius);
 
-  /// Can a disc of the grid's radius go from p to q in a straight line, touching allowed? For
+  /// Can a disc of the grid's radius go from p to q in a straight line (see touching.h)? For
   /// radius 0: does the segment stay in the closed interior (decided with exact predicates)?
   /// Walls that end at p or q do not block what leaves them into the interior.
   bool segment_clear(Vec2 p, Vec2 q) const noexcept;
@@ -48,6 +45,10 @@ class WallGrid {
   bool is_inside(Vec2 p) const noexcept { return is_inside(p, nearest_wall(p)); }
   bool is_inside(Vec2 p, const Nearest& nearest) const noexcept;
 
+  /// Where a point begins its ways: itself, or where it touches a wall from behind (see touching.h,
+  /// or it was rounded to there), a place on that wall or just inside.
+  Vec2 brought_inside(Vec2 p) const noexcept;
+
   /// How many cells there are, and which of them holds a point; none off the grid.
   std::size_t cells() const noexcept { return cell_first_.size() - 1; }
   std::optional<std::size_t> cell_at(Vec2 p) const noexcept;
@@ -60,6 +61,8 @@ class WallGrid {
   double segment_clearance(Vec2 p, Vec2 q, double at_most) const noexcept;
 
   double radius() const noexcept { return radius_; }
+  /// How far places on this floor may be off, in doubles: `rounding`, or more far from the origin.
+  double slack() const noexcept { return slack_; }
 
  private:
   struct Wall {
@@ -81,7 +84,7 @@ class WallGrid {
   bool comes_near(Vec2 p, Vec2 q, Vec2 direction, double beside, double least,
                   std::uint32_t wall) const noexcept;
 
-  double radius_ = 0;
+  double radius_ = 0, slack_ = rounding;
   double cell_size_ = 1, cells_per_metre_ = 1;
   Vec2 origin_{};
   int columns_ = 1, rows_ = 1;

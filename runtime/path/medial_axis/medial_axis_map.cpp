@@ -145,8 +145,13 @@ std::optional<MedialAxisMap::Place> MedialAxisMap::place_above(std::uint32_t sit
   } else {
     foot = plan.vertex[below.index];
     const double distance = glm::length(point - foot);
-    if (!(distance > 0)) return {};
-    up = (point - foot) / distance;
+    if (distance > 0) {
+      up = (point - foot) / distance;
+    } else {  // In the corner itself, all directions between its walls' normals lead away from it.
+      const Vec2 begin = left_of(glm::normalize(wall_end(plan, below.index) - foot));
+      const double half = corner_[site].extent / 2;
+      up = std::cos(half) * begin + std::sin(half) * left_of(begin);
+    }
   }
 
   const std::span region = std::span(voronoi.region_edge)

@@ -60,9 +60,9 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
   }
 }
 
-/// The nearest place of the roadmap that a straight line reaches which keeps the radius.
-std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double radius) {
-  const double least = radius - touching, here = map.clearance_at(point);
+/// The nearest place of the roadmap that a straight line reaches which keeps the least clearance.
+std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double least) {
+  const double here = map.clearance_at(point);
   double clearance = 0;
   Vec2 reached;
   const auto place = map.medial_axis().nearest_road(point, [&](const Place&, Vec2 there) {
@@ -106,11 +106,11 @@ struct Visitor {
 /// A* over the junctions, with the landmarks' bounds, along the roads that keep a clearance.
 class RoadSearch {
  public:
-  RoadSearch(const RoadGraph& roads, const Place& from, const Place& to, double clearance)
+  RoadSearch(const RoadGraph& roads, const Place& from, const Place& to, double least)
       : roads_(roads),
         from_(from),
         to_(to),
-        least_(clearance - touching),
+        least_(least),
         to_goal_(roads.distances_of(to)),
         arrival_(roads.exits_of(to)),
         visit_(notes()) {
@@ -220,13 +220,13 @@ class RoadSearch {
   bool arrives_by_end_ = false;
 };
 
-Way way_between(const FloorMap& map, const RouteQuery& query, double clearance) {
-  const auto from = nearest_entry(map, query.from, clearance);
-  const auto to = nearest_entry(map, query.to, clearance);
+Way way_between(const FloorMap& map, const RouteQuery& query, double least) {
+  const auto from = nearest_entry(map, query.from, least);
+  const auto to = nearest_entry(map, query.to, least);
   if (!from || !to) return {};
   const RoadGraph& roads = map.medial_axis().roads();
-  if (widest_clearance(roads, from->place, to->place) < clearance - touching) return {};
-  RoadSearch search(roads, from->place, to->place, clearance);
+  if (widest_clearance(roads, from->place, to->place) < least) return {};
+  RoadSearch search(roads, from->place, to->place, least);
   if (!search.find()) return {};
   Way way{RouteStatus::Ok, from->length, std::min(from->clearance, to->clearance), from->points};
   search.append_way(way);
@@ -238,14 +238,16 @@ Way way_between(const FloorMap& map, const RouteQuery& query, double clearance) 
 }  // namespace
 
 Way medial_axis_way(const FloorMap& map, const RouteQuery& query) {
-  if (!query.widest) return way_between(map, query, query.radius);
+  const double least = least_clearance(query.radius);
+  if (!query.widest) return way_between(map, query, least);
   const auto from = climb(map, query.from), to = climb(map, query.to);
   if (!from || !to) return {};
   const double width =
       std::min({from->clearance, to->clearance,
                 widest_clearance(map.medial_axis().roads(), from->place, to->place)});
-  if (width < query.radius - touching || width < 0) return {};
-  return way_between(map, query, width);
+  if (width < least || width < 0) return {};
+  // Of ways that are equally wide but for `touching`, the shortest; but none that does not fit.
+  return way_between(map, query, std::max(least_clearance(width), least));
 }
 
 }  // namespace docent::path

@@ -25,16 +25,19 @@ LevelCurve::Crossings LevelCurve::crossings_of(std::uint32_t voronoi_edge) const
   // Vertices are judged by their own stored clearance, so that all their edges agree.
   const bool from_above = voronoi.clearance[edge.from] > above_distance;
   const bool to_above = voronoi.clearance[edge.to] > above_distance;
-  Crossings crossings{.first_rises = !from_above};
+  Crossings crossings{.count = from_above && to_above ? 2U : 1U, .first_rises = !from_above};
   const double lowest = curve.lowest_place();
-  if (from_above && to_above) {
+  crossings.at_pinch = map_->clearances(voronoi_edge).low >= distance_ - touching;
+  if (crossings.at_pinch) {
+    // All that comes there ends in the same place, which no rounding may draw apart.
+    const double pinch = crossings.count == 2 ? lowest : from_above ? curve.end() : curve.begin();
+    crossings.at = {pinch, pinch};
+  } else if (crossings.count == 2) {
     crossings.at = {curve.place_of_clearance(distance_, curve.begin(), lowest),
                     curve.place_of_clearance(distance_, lowest, curve.end())};
-    crossings.count = 2;
   } else {
     crossings.at[0] = from_above ? curve.place_of_clearance(distance_, curve.begin(), lowest)
                                  : curve.place_of_clearance(distance_, lowest, curve.end());
-    crossings.count = 1;
   }
   return crossings;
 }
@@ -139,7 +142,8 @@ double LevelCurve::area_between(std::uint32_t site, double a, double b,
                                 Vec2 origin) const noexcept {
   const Vec2 p = point_at(site, a) - origin, q = point_at(site, b) - origin;
   if (is_wall(site)) return cross(p, q) / 2;
-  return (cross(map_->corner(site).position - origin, q - p) + distance_ * distance_ * (b - a)) / 2;
+  // Under the chord, and between it and the arc: small pieces of large circles lose nothing.
+  return (cross(p, q) + distance_ * distance_ * (b - a - std::sin(b - a))) / 2;
 }
 
 namespace {
@@ -166,31 +170,32 @@ std::vector<LevelPiece> follow(const LevelCurve& curve, LevelCrossing first,
   return pieces;
 }
 
-/// Gives places that coincide the same number: where a curve touches itself. Crossings beside a
-/// place that the curve just touches are known to the square root of the rounding only.
-std::vector<std::uint32_t> number_places(const std::vector<Vec2>& points) {
-  constexpr double same_place = 1e-6;
-  std::vector<std::uint32_t> order(points.size()), number(points.size());
-  std::iota(order.begin(), order.end(), 0U);
+/// Gives pieces that begin in one pinch of the floor the same number, all others their own. That
+/// pieces begin near each other does not say that the curve touches itself: beside a vertex that
+/// hardly juts out of a wall, or a wall that is about to vanish, a piece is as short as it likes.
+std::vector<std::uint32_t> number_places(const LevelCurve& curve,
+                                         const std::vector<LevelPiece>& pieces) {
+  constexpr double same_place = 1e-6;  // metres; the vertices of one pinch may be several
+  std::vector<std::uint32_t> number(pieces.size()), order;
   std::iota(number.begin(), number.end(), 0U);
-  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(points[i].x, i); });
+  for (std::uint32_t i = 0; i < pieces.size(); ++i)
+    if (curve.crossings_of(pieces[i].from / 2).at_pinch) order.push_back(i);
+  const auto point = [&](std::uint32_t i) { return pieces[i].first; };
+  std::ranges::sort(order, {}, [&](std::uint32_t i) { return std::pair(point(i).x, i); });
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i; j-- > 0;) {
-      const Vec2 apart = points[order[i]] - points[order[j]];
+      const Vec2 apart = point(order[i]) - point(order[j]);
       if (apart.x > same_place) break;
       if (std::abs(apart.y) <= same_place) number[order[i]] = number[order[j]];
     }
   return number;
 }
 
-/// Splits a closed row of pieces where it touches itself, so that no ring passes a point twice: two
-/// holes that touch stay two.
+/// Splits a closed row of pieces where it touches itself, which is where the floor is pinched to
+/// the distance, so that no ring passes such a point twice: two holes that touch stay two.
 std::vector<std::vector<LevelPiece>> split_where_touching(const LevelCurve& curve,
                                                           const std::vector<LevelPiece>& pieces) {
-  std::vector<Vec2> begins;
-  begins.reserve(pieces.size());
-  for (const LevelPiece& piece : pieces) begins.push_back(curve.point_at(piece.from));
-  const auto place = number_places(begins);
+  const auto place = number_places(curve, pieces);
   std::vector<std::vector<LevelPiece>> rings;
   std::vector<std::size_t> open;                    // pieces not yet in a ring, in order
   std::vector<bool> visited(pieces.size(), false);  // per place: does an open piece begin there?
@@ -214,7 +219,7 @@ std::vector<std::vector<LevelPiece>> split_where_touching(const LevelCurve& curv
 
 OffsetRing make_ring(const LevelCurve& curve, const std::vector<LevelPiece>& pieces) {
   OffsetRing ring;
-  const Vec2 origin = curve.point_at(pieces.front().from);
+  const Vec2 origin = pieces.front().first;
   for (const LevelPiece& piece : pieces) {
     ring.length += curve.length_between(piece.site, piece.begin, piece.end);
     ring.area += curve.area_between(piece.site, piece.begin, piece.end, origin);

@@ -45,6 +45,9 @@ class LevelCurve {
     std::uint32_t count = 0;
     bool first_rises = false;  ///< Does the clearance grow past the distance at the first? At the
                                ///< second it does the opposite.
+    /// Is what lies below them not below the distance, but for `touching`? Then the curve meets
+    /// there what comes from the other sides, in a point.
+    bool at_pinch = false;
   };
   Crossings crossings_of(std::uint32_t voronoi_edge) const noexcept;
   Vec2 point_at(LevelCrossing crossing) const noexcept;
@@ -102,6 +105,10 @@ struct OffsetCurve {
 
 /// Makes the offset curve, in time linear in its size. At distance 0 it is the walls; empty where
 /// the distance is negative or not finite.
+///
+/// What keeps the distance only within `touching` has no area and is left out: a door of twice the
+/// distance closes, and the curve touches itself in it. The parts on its two sides are components
+/// of their own; and a part that meets itself there goes round a hole. Every ring has an area.
 OffsetCurve offset_curve(const MedialAxisMap& map, double distance);
 OffsetCurve offset_curve(const FloorMap& map, double distance);
 

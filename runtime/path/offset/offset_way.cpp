@@ -75,7 +75,7 @@ class Network {
   template <class Visitor>
   void visit_links(std::uint32_t node, Hand hand, Visitor visit) const {
     const auto visit_wide = [&](const OffsetLink& link) {
-      if (link.clearance >= radius_ - touching && link.to != node) visit(link);
+      if (link.clearance >= least_clearance(radius_) && link.to != node) visit(link);
     };
     if (node < first_vertex_) {
       if (hand != Hand::Left) visit_wide(chain_from(node));

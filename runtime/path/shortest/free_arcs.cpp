@@ -44,14 +44,15 @@ std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
                                    const ReflexCorner& corner, std::uint32_t before,
                                    double radius) {
   if (radius == 0) return {{0, corner.extent}};
-  const double reach = radius - touching;
+  const double rolling = rolling_radius(radius, walls.slack());
+  const double reach = least_clearance(radius) - walls.slack();
   std::vector<double> cuts{0, corner.extent};
   std::vector<std::uint32_t> near = walls.walls_about(corner.position, 2 * radius - walls.radius());
   std::erase(near, corner.vertex);
   std::erase(near, before);
   std::vector<Vec2> directions;
   for (const std::uint32_t wall : near)
-    add_crossings(corner.position, radius, wall_start(plan, wall), wall_end(plan, wall), reach,
+    add_crossings(corner.position, rolling, wall_start(plan, wall), wall_end(plan, wall), reach,
                   directions);
   for (const Vec2 direction : directions) {
     const double angle = corner.angle_of(direction);
@@ -61,7 +62,7 @@ std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
 
   std::vector<ArcInterval> free;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const Vec2 middle = corner.point_at((cuts[i] + cuts[i + 1]) / 2, radius);
+    const Vec2 middle = corner.point_at((cuts[i] + cuts[i + 1]) / 2, rolling);
     const bool blocked = std::ranges::any_of(near, [&](std::uint32_t wall) {
       return nearest_on_segment(middle, wall_start(plan, wall), wall_end(plan, wall))
                  .distance_squared < reach * reach;

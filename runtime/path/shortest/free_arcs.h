@@ -13,8 +13,9 @@ struct ArcInterval {
   double begin = 0, end = 0;
 };
 
-/// The parts of the circle of `radius` about a corner that keep the radius from every wall,
-/// ascending. `before` is the wall that ends at the corner; `walls` a grid of any radius.
+/// The parts of a corner's circle on which a disc of `radius` rolls that keep the least clearance
+/// from every wall, ascending. `before` is the wall that ends at the corner; `walls` a grid of any
+/// radius.
 std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
                                    const ReflexCorner& corner, std::uint32_t before, double radius);
 

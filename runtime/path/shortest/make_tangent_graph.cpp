@@ -15,7 +15,7 @@ namespace {
 class Builder {
  public:
   Builder(const FloorPlan& plan, const SightMap& sight, double radius)
-      : sight_(sight), walls_(plan, radius) {
+      : sight_(sight), walls_(plan, radius), rolling_(rolling_radius(radius, walls_.slack())) {
     graph_.radius = radius;
     std::vector<std::uint32_t> previous(plan.vertex.size());
     for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
@@ -82,9 +82,9 @@ class Builder {
   }
 
   void connect(const Corner& from, Sense leaving, const Corner& to, Sense arriving) {
-    const double radius = graph_.radius;
-    const auto line = tangent_line(from.corner.position, radius * sign_of(leaving),
-                                   to.corner.position, radius * sign_of(arriving), touching);
+    const auto line =
+        tangent_line(from.corner.position, rolling_ * sign_of(leaving), to.corner.position,
+                     rolling_ * sign_of(arriving), 2 * walls_.slack());
     if (!line) return;
     // The circle's centre is to the left where the way turns counter-clockwise.
     const Vec2 out = -sign_of(leaving) * line->left, in = -sign_of(arriving) * line->left;
@@ -92,8 +92,8 @@ class Builder {
     const double leave_angle = from.corner.angle_of(out), arrive_angle = to.corner.angle_of(in);
     const std::uint32_t from_arc = arc_at(from, leave_angle), to_arc = arc_at(to, arrive_angle);
     if (from_arc == TangentGraph::no_tangent || to_arc == TangentGraph::no_tangent) return;
-    const Vec2 leave = from.corner.position + radius * out;
-    const Vec2 arrive = to.corner.position + radius * in;
+    const Vec2 leave = from.corner.position + rolling_ * out;
+    const Vec2 arrive = to.corner.position + rolling_ * in;
     if (!walls_.segment_clear(leave, arrive)) return;
     const double length = std::sqrt(dot(arrive - leave, arrive - leave));
     found_.push_back({side(from_arc, leaving),
@@ -136,6 +136,7 @@ class Builder {
 
   const SightMap& sight_;
   WallGrid walls_;
+  double rolling_;  ///< Radius of the circles.
   TangentGraph graph_;
   std::vector<Corner> corner_;  ///< One per corner of the sight map.
   std::vector<Found> found_;

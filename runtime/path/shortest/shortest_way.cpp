@@ -347,6 +347,7 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
       sight_(sight),
       search_(search),
       walls_(plan, tangents.radius),
+      rolling_(rolling_radius(tangents.radius, walls_.slack())),
       corner_(corners_of_arcs(plan, tangents)) {
   for (std::size_t cell = 0; cell < walls_.cells(); ++cell)
     is_room_.push_back(walls_.is_clear(cell) && walls_.is_inside(walls_.centre_of(cell)));
@@ -393,13 +394,13 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
 bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept {
   const double distance = glm::length(centre - corner_[side / 2].position);
   const double nearest = distance - reach;
-  if (nearest <= graph_.radius) return true;
-  const double tangent = std::sqrt(nearest * nearest - graph_.radius * graph_.radius);
+  if (nearest <= rolling_) return true;
+  const double tangent = std::sqrt(nearest * nearest - rolling_ * rolling_);
   // The tangent's direction turns by one over its length for every metre that its end moves.
   const double slack = reach / tangent + same_angle;
   if (slack > 1) return true;
-  const double left = graph_.radius * (side % 2 == 0 ? 1 : -1);
-  const auto line = tangent_line(centre, 0, corner_[side / 2].position, left, touching);
+  const double left = rolling_ * (side % 2 == 0 ? 1 : -1);
+  const auto line = tangent_line(centre, 0, corner_[side / 2].position, left, 2 * walls_.slack());
   if (!line) return true;
   const Vec2 direction = (side % 2 == 0 ? -1.0 : 1.0) * line->left;
   // Is the direction within the slack of the arc? Measured from the arc's middle, so that neither
@@ -434,13 +435,13 @@ std::optional<EndTangent> ShortestWayMap::tangent_to(std::uint32_t side,
     return EndTangent{side, std::sqrt(squared), arc.centre};
   }
   const double distance = std::sqrt(squared);
-  if (graph_.radius > distance + touching) return {};
-  const double length = std::sqrt(std::max(0.0, squared - graph_.radius * graph_.radius));
+  if (rolling_ > distance + 2 * walls_.slack()) return {};
+  const double length = std::sqrt(std::max(0.0, squared - rolling_ * rolling_));
   // The unit vector to the centre, turned away from the circle's side.
-  const Vec2 direction = (length * between - sign * graph_.radius * left_of(between)) / squared;
+  const Vec2 direction = (length * between - sign * rolling_ * left_of(between)) / squared;
   const Vec2 out = -sign * left_of(direction);
   if (cross(arc.begin, out) < -same_angle || cross(out, arc.end) < -same_angle) return {};
-  return EndTangent{side, length, arc.centre + graph_.radius * out};
+  return EndTangent{side, length, arc.centre + rolling_ * out};
 }
 
 double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {

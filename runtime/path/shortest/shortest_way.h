@@ -92,6 +92,7 @@ class ShortestWayMap {
   const SightMap& sight_;
   const TangentSearchMap& search_;
   WallGrid walls_;
+  double rolling_;                    ///< Radius of the circles on which ways bend.
   std::vector<bool> is_room_;         ///< One per cell of the walls.
   std::vector<ReflexCorner> corner_;  ///< One per arc of the graph.
   std::vector<ArcOfEnds> arc_;        ///< One per arc.

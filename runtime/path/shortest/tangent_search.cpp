@@ -20,6 +20,7 @@ class Search {
   Search(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to)
       : map_(map),
         radius_(radius),
+        rolling_(rolling_radius(radius, map.walls().slack())),
         from_(from),
         to_(to),
         to_goal_(map.landmarks(), radius),
@@ -177,7 +178,7 @@ class Search {
   /// From a point to a side (`outwards`), or from a side to a point: then `leave` is the point.
   std::optional<Tangent> end_tangent(Vec2 point, std::uint32_t side, bool outwards) const noexcept {
     const ReflexCorner& corner = map_.corner(side / 2);
-    const double left = radius_ * sign(side);
+    const double left = rolling_ * sign(side);
     Tangent tangent;
     tangent.to_side = side;
     tangent.leave = point;
@@ -187,13 +188,14 @@ class Search {
       tangent.arrive = point;
       return tangent;
     }
-    const auto line = outwards ? tangent_line(point, 0, corner.position, left, touching)
-                               : tangent_line(corner.position, left, point, 0, touching);
+    const double slack = 2 * map_.walls().slack();
+    const auto line = outwards ? tangent_line(point, 0, corner.position, left, slack)
+                               : tangent_line(corner.position, left, point, 0, slack);
     if (!line) return {};
     const Vec2 direction = -sign(side) * line->left;
     if (!touches(side / 2, direction)) return {};
     tangent.arrive_angle = corner.angle_of(direction);
-    tangent.arrive = corner.position + radius_ * direction;
+    tangent.arrive = corner.position + rolling_ * direction;
     tangent.length = glm::length(tangent.arrive - point);
     return tangent;
   }
@@ -256,8 +258,8 @@ class Search {
   }
   void add_tangent(std::uint32_t side, const ReflexCorner& corner, std::uint32_t to_side,
                    const ReflexCorner& other) {
-    const auto line = tangent_line(corner.position, radius_ * sign(side), other.position,
-                                   radius_ * sign(to_side), touching);
+    const auto line = tangent_line(corner.position, rolling_ * sign(side), other.position,
+                                   rolling_ * sign(to_side), 2 * map_.walls().slack());
     if (!line) return;
     const Vec2 out = -sign(side) * line->left, in = -sign(to_side) * line->left;
     if (!touches(side / 2, out) || !touches(to_side / 2, in)) return;
@@ -267,8 +269,8 @@ class Search {
     tangent.arrive_angle = other.angle_of(in);
     tangent.from_side = side;
     tangent.to_side = to_side;
-    tangent.leave = corner.position + radius_ * out;
-    tangent.arrive = other.position + radius_ * in;
+    tangent.leave = corner.position + rolling_ * out;
+    tangent.arrive = other.position + rolling_ * in;
     tangent.length = glm::length(tangent.arrive - tangent.leave);
     work_.tangent.push_back(tangent);
   }
@@ -317,6 +319,7 @@ class Search {
 
   const TangentSearchMap& map_;
   double radius_;
+  double rolling_;  ///< Radius of the circles on which it bends.
   Vec2 from_, to_;
   LandmarkBound to_goal_;
   Workspace& work_;

@@ -77,6 +77,15 @@ std::vector<std::string> names_of(const std::vector<NarrowDoor>& doors) {
   return names;
 }
 
+TEST(NarrowDoors, AreNotThoseThatABodyTouchesOnBothSides) {
+  for (const double narrower : {0.0, 1e-9, 1.9e-9}) {
+    const Area door{{4, 1.7}, {4.4, 1.7 + 2 * radius - narrower}};
+    EXPECT_THAT(doors_of({west, hall, door}), IsEmpty()) << narrower;
+  }
+  const Area narrow{{4, 1.7}, {4.4, 1.7 + 2 * radius - 1e-8}};
+  EXPECT_EQ(doors_of({west, hall, narrow}).size(), 1U);
+}
+
 TEST(NarrowDoors, AreNamedByTheRoomsThatTheyJoinAndMeasured) {
   const auto doors = doors_of({west, hall, door_to_hall});
 
