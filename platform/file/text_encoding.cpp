@@ -75,7 +75,8 @@ std::size_t first_character(std::string_view text) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first <= 0xDF) return continues(1, 2) ? 2 : 0;
   if (first >= 0xE0 && first <= 0xEF) {
-    const bool too_long = first == 0xE0 && second < 0xA0, surrogate = first == 0xED && second > 0x9F;
+    const bool too_long = first == 0xE0 && second < 0xA0,
+               surrogate = first == 0xED && second > 0x9F;
     return continues(1, 3) && !too_long && !surrogate ? 3 : 0;
   }
   if (first >= 0xF0 && first <= 0xF4) {
@@ -114,10 +115,11 @@ std::optional<EncodingFault> encoding_fault(std::string_view bytes) {
       return EncodingFault{.message = "is not a text: it holds zero bytes",
                            .hint = "is this the right file?"};
     if (size == 0)
-      return EncodingFault{.line = line,
-                           .column = column,
-                           .message = sentence_about(static_cast<unsigned char>(rest.front())),
-                           .hint = "save the file again as UTF-8; editors offer it as the encoding"};
+      return EncodingFault{
+          .line = line,
+          .column = column,
+          .message = sentence_about(static_cast<unsigned char>(rest.front())),
+          .hint = "save the file again as UTF-8; editors offer it as the encoding"};
     if (rest.front() == '\n') ++line, column = 0;
     rest.remove_prefix(size);
   }

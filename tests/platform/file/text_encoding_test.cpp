@@ -28,10 +28,10 @@ TEST(TextEncoding, IsToldByName) {
   for (const NamedForm& form : forms)
     for (const std::u32string& text :
          {std::u32string(U"\uFEFFname = 1\n"), std::u32string(U"name = 1\n"),
-          std::u32string(U"{\"名\": \"青铜三足鼎\"}"), std::u32string(U"\uFEFF"), std::u32string(U"\uFEFF鼎")}) {
+          std::u32string(U"{\"名\": \"青铜三足鼎\"}"), std::u32string(U"\uFEFF"),
+          std::u32string(U"\uFEFF鼎")}) {
       if (text == U"\uFEFF鼎" && form.unit == 4) continue;
-      const std::optional<EncodingFault> fault =
-          encoding_fault(wide(text, form.unit, form.order));
+      const std::optional<EncodingFault> fault = encoding_fault(wide(text, form.unit, form.order));
 
       ASSERT_TRUE(fault.has_value()) << form.name;
       EXPECT_THAT(fault->message, StartsWith(std::string("is ") + form.name));
