@@ -75,7 +75,8 @@ class AwkwardHall {
     const unsigned corners = 3 + bytes_.below(10), turned = bytes_.below(24);
     Points points;
     for (unsigned i = 0; i < corners; ++i) {
-      const double angle = 2 * std::numbers::pi * (i / static_cast<double>(corners) + turned / 24.0);
+      const double angle =
+          2 * std::numbers::pi * (i / static_cast<double>(corners) + turned / 24.0);
       points.push_back(middle + radius * Vec2{std::cos(angle), std::sin(angle)});
     }
     return points;

@@ -61,6 +61,13 @@ Floor floor_of(const FloorPlan& plan, const std::vector<double>& radii) {
   return floor;
 }
 
+/// The same floor with the first of its radii alone.
+Floor only_for_points(Floor floor) {
+  floor.tangent_graphs.resize(1);
+  floor.hub_labels.resize(1);
+  return floor;
+}
+
 std::optional<FloorPlan> mended(const import::ImportedPlan& drawn) {
   try {
     std::vector<Diagnostic> mendings;
@@ -95,8 +102,8 @@ bool crosses(Vec2 p, Vec2 q, Vec2 a, Vec2 b) {
 double distance_to_walls(const FloorPlan& plan, Vec2 point) {
   double nearest = HUGE_VAL;
   for (std::uint32_t wall = 0; wall < plan.next.size(); ++wall)
-    nearest = std::min(nearest,
-                       distance_to_segment(point, wall_start(plan, wall), wall_end(plan, wall)));
+    nearest =
+        std::min(nearest, distance_to_segment(point, wall_start(plan, wall), wall_end(plan, wall)));
   return nearest;
 }
 
@@ -108,9 +115,9 @@ void check_way(const FloorPlan& plan, const path::RouteQuery& query, const path:
     refute(query, fmt::format("says that it comes {} m near to a wall", way.clearance_min));
   for (const Vec2 point : way.points)
     if (distance_to_walls(plan, point) < way.clearance_min - exact)
-      refute(query, fmt::format("is {} m from a wall at [{}, {}], and promised {}",
-                                distance_to_walls(plan, point), point.x, point.y,
-                                way.clearance_min));
+      refute(query,
+             fmt::format("is {} m from a wall at [{}, {}], and promised {}",
+                         distance_to_walls(plan, point), point.x, point.y, way.clearance_min));
   for (std::size_t i = 1; i < way.points.size(); ++i)
     for (std::uint32_t wall = 0; wall < plan.next.size(); ++wall)
       if (crosses(way.points[i - 1], way.points[i], wall_start(plan, wall), wall_end(plan, wall)))
@@ -133,7 +140,7 @@ path::RouteStatus turned(path::RouteStatus status) {
 struct Asked {
   Asked(const FloorPlan& plan, double radius)
       : named(floor_of(plan, {0, radius})),
-        unnamed(floor_of(plan, {0})),
+        unnamed(only_for_points(named)),
         with(path::make_floor_map(named)),
         without(path::make_floor_map(unnamed)) {}
 

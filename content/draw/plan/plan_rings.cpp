@@ -25,7 +25,8 @@ double extent(std::span<const Vec2> corners) {
   return std::max(high.x - low.x, high.y - low.y);
 }
 
-/// Twice the area for each metre of edge: of a long wall, and of several that meet, their thickness.
+/// Twice the area for each metre of edge: of a long wall, and of several that meet, their
+/// thickness.
 double thickness(std::span<const Vec2> corners) {
   double edge = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
