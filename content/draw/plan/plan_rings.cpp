@@ -27,7 +27,7 @@ double extent(std::span<const Vec2> corners) {
 
 /// Twice the area for each metre of edge: of a long wall, and of several that meet, their
 /// thickness.
-double thickness(std::span<const Vec2> corners) {
+double thickness_of(std::span<const Vec2> corners) {
   double edge = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     edge += glm::distance(corners[i], corners[(i + 1) % corners.size()]);
@@ -40,7 +40,7 @@ RingRole role_of(const FloorPlan& plan, const Ring& ring) {
   const std::span<const Vec2> corners = corners_of(plan, ring);
   if (corners.empty() || signed_area(corners) > 0) return RingRole::Outline;
   if (extent(corners) <= longest_case) return RingRole::Case;
-  return thickness(corners) <= thickest_wall ? RingRole::Partition : RingRole::Block;
+  return thickness_of(corners) <= thickest_wall ? RingRole::Partition : RingRole::Block;
 }
 
 bool has_role(const FloorPlan& plan, RingRole role) {
