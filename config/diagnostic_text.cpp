@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+#include "platform/file/text_encoding.h"
+
 namespace docent::config {
 
 namespace {
@@ -23,7 +25,8 @@ std::optional<std::string> line_of(const std::string& file, std::uint32_t number
   for (std::uint32_t i = 0; i < number; ++i)
     if (!std::getline(in, line)) return {};
   if (line.ends_with('\r')) line.pop_back();
-  return line;
+  if (number == 1) line = file::without_byte_order_mark(line);
+  return file::shown_as_utf8(line);
 }
 
 /// The bytes of the first `count` characters of a line (UTF-8: every byte but a continuation begins

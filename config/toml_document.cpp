@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "platform/file/read_file.h"
+#include "platform/file/text_encoding.h"
 
 namespace docent::config {
 
@@ -125,6 +126,12 @@ std::string_view name_of(TomlNode::Kind kind) noexcept {
 }
 
 TomlFile parse_toml(std::string_view text, const std::string& name) {
+  if (const auto fault = file::encoding_fault(text))
+    return unreadable({.file = name,
+                       .line = fault->line,
+                       .column = fault->column,
+                       .message = fault->message,
+                       .hint = fault->hint});
   if (const std::uint32_t line = line_of_too_many_parts(text); line > 0)
     return unreadable(
         {.file = name,

@@ -19,7 +19,7 @@ void run_at(const AtOptions& options) {
   const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
-  const NumberTable table = read_numbers(options.points, {"x", "y"});
+  const NumberTable table = read_numbers(options.points, {{"x"}, {"y"}});
   std::string text = "x,y,inside,clearance,region\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Vec2 point{table.rows[i][0], table.rows[i][1]};

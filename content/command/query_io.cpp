@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <optional>
+#include <ranges>
 #include <span>
 #include <sstream>
 
 #include "content/content_error.h"
 #include "content/read_source.h"
 #include "content/write/replace_file.h"
-#include "platform/terminal/value.h"
 
 namespace docent::command {
 namespace {
@@ -26,28 +24,20 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::optional<double> parse_number(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size()) return {};
-  return value;
-}
-
 std::uint32_t column_of(std::string_view line, std::string_view part) {
   return static_cast<std::uint32_t>(part.data() - line.data()) + 1;
 }
 
 void check_header(std::string_view line, const std::string& file,
-                  const std::vector<std::string>& columns) {
+                  const std::vector<NumberColumn>& columns) {
   const auto names = split(line, ',');
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (i >= names.size() || trimmed(names[i]) != columns[i])
+    if (i >= names.size() || trimmed(names[i]) != columns[i].name)
       throw content::ContentError(
           file, 1, i < names.size() ? column_of(line, names[i]) : 0, "csv-header",
-          fmt::format("column {} should be '{}'", i + 1, columns[i]),
-          fmt::format("the first line should be {}", fmt::join(columns, ",")));
+          fmt::format("column {} should be '{}'", i + 1, columns[i].name),
+          fmt::format("the first line should be {}",
+                      fmt::join(columns | std::views::transform(&NumberColumn::name), ",")));
 }
 
 }  // namespace
@@ -74,8 +64,8 @@ const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::str
 }
 
 NumberTable read_numbers(const std::filesystem::path& file,
-                         const std::vector<std::string>& columns) {
-  std::istringstream in(content::read_source(file, "no-such-file"));
+                         const std::vector<NumberColumn>& columns) {
+  std::istringstream in(content::read_text_source(file, "no-such-file"));
   std::string line;
   if (!std::getline(in, line)) line.clear();
   check_header(line, file.string(), columns);
@@ -89,10 +79,10 @@ NumberTable read_numbers(const std::filesystem::path& file,
         throw content::ContentError(
             file.string(), number, 0, "csv-row",
             fmt::format("the row has {} columns of {}", parts.size(), columns.size()));
-      const auto value = parse_number(parts[i]);
+      const auto value = terminal::read_number(trimmed(parts[i]), columns[i].limits);
       if (!value)
         throw content::ContentError(file.string(), number, column_of(line, parts[i]), "csv-number",
-                                    fmt::format("'{}' is not a number", trimmed(parts[i])));
+                                    value.error());
       row.push_back(*value);
     }
     const std::string_view last = trimmed(parts[columns.size() - 1]);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "platform/terminal/value.h"
 #include "runtime/model/museum.h"
 
 namespace docent::command {
@@ -31,10 +32,16 @@ struct NumberTable {
   std::vector<std::string> written;  ///< Per row, without the line end.
 };
 
+/// A column of a CSV file of numbers.
+struct NumberColumn {
+  std::string_view name;
+  terminal::Limits limits{};
+};
+
 /// Reads the named columns, which must come first and in this order; more may follow and are
-/// dropped.
+/// dropped. Their numbers are finite.
 NumberTable read_numbers(const std::filesystem::path& file,
-                         const std::vector<std::string>& columns);
+                         const std::vector<NumberColumn>& columns);
 
 /// Writes text in the place of a file, whole or not at all.
 void write_text(const std::filesystem::path& file, std::string_view text);

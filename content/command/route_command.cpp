@@ -155,7 +155,8 @@ void answer_table(const Museum& museum, const RouteOptions& options) {
     throw content::ContentError(Errc::WrongUsage, "--queries", "no-output",
                                 "the answers need a file", "add -o A.csv");
   const std::uint32_t floor = floor_named(museum, options.floor);
-  const NumberTable table = read_numbers(options.queries, {"x0", "y0", "x1", "y1", "r"});
+  const NumberTable table = read_numbers(
+      options.queries, {{"x0"}, {"y0"}, {"x1"}, {"y1"}, {"r", terminal::not_negative}});
   std::vector<path::RouteQuery> queries;
   for (const auto& row : table.rows) {
     path::RouteQuery query = base_query(options, museum);

@@ -20,7 +20,7 @@ void run_see(const SeeOptions& options) {
   const Stopwatch stopwatch;
   const Museum museum = load_or_throw(options.database);
   const auto map = path::make_floor_map(museum.floors[floor_named(museum, options.floor)]);
-  const NumberTable table = read_numbers(options.pairs, {"x0", "y0", "x1", "y1"});
+  const NumberTable table = read_numbers(options.pairs, {{"x0"}, {"y0"}, {"x1"}, {"y1"}});
   std::string text = "x0,y0,x1,y1,visible,microseconds\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];

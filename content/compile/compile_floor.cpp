@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "content/content_error.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
 #include "content/floor/sight.h"
@@ -27,6 +28,19 @@ void report_left_out(const import::ImportedPlan& plan, Report& report) {
   }
 }
 
+/// Reports the mendings even of a plan that is refused: they say what was left out of it, and why.
+FloorPlan mend(const import::ImportedPlan& drawn, Report& report) {
+  std::vector<Diagnostic> mendings;
+  try {
+    FloorPlan plan = floor::mend(drawn, mendings);
+    report.add(mendings);
+    return plan;
+  } catch (const content::ContentError&) {
+    report.add(mendings);
+    throw;
+  }
+}
+
 }  // namespace
 
 void plan_floor_stages(Progress& progress) {
@@ -44,10 +58,8 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     const auto stage = progress.start("plan");
     compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
-    std::vector<Diagnostic> mendings;
-    floor.plan = floor::mend(compiled.drawn, mendings);
+    floor.plan = mend(compiled.drawn, report);
     floor.plan.name = name;
-    report.add(mendings);
   }
   {
     const auto stage = progress.start("voronoi");

@@ -82,6 +82,13 @@ void Svg::rectangle(Vec2 corner, Vec2 size, std::string_view style) {
                  "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n",
                  corner.x, corner.y, size.x, size.y, style);
 }
+void Svg::hatch(std::string_view name, std::string_view ground, std::string_view line) {
+  fmt::format_to(std::back_inserter(body_),
+                 "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"10\" "
+                 "height=\"10\" patternTransform=\"rotate(45)\"><rect width=\"10\" height=\"10\" "
+                 "fill=\"{}\"/><rect width=\"1.4\" height=\"10\" fill=\"{}\"/></pattern></defs>\n",
+                 name, ground, line);
+}
 void Svg::text(Vec2 at, std::string_view words, std::string_view style) {
   fmt::format_to(std::back_inserter(body_), "<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", at.x,
                  at.y, style, escaped(words));

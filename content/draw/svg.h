@@ -48,6 +48,8 @@ class Svg {
   void path(const PathData& data, std::string_view style);
   void circle(Vec2 centre, double radius, std::string_view style);
   void rectangle(Vec2 corner, Vec2 size, std::string_view style);
+  /// Defines a calm pattern of slanting lines, which `fill="url(#name)"` fills with.
+  void hatch(std::string_view name, std::string_view ground, std::string_view line);
   void text(Vec2 at, std::string_view words, std::string_view style);
   /// Until the matching end_group, everything has these attributes.
   void begin_group(std::string_view attributes);

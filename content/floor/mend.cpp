@@ -258,8 +258,13 @@ void report_idle_rings(const RingOverlay& walls, const std::vector<DrawnRing>& d
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (walls.bounds_any[i] != 0 || !drawn[i].ring.hole) continue;
     const auto outer = outline(drawn[i].ring.polygon);
-    const bool outside =
-        outer != drawn.end() && !is_inside(drawn[i].ring.vertex.front(), outer->ring.vertex);
+    const std::vector<Vec2>& hole = drawn[i].ring.vertex;
+    if (outer != drawn.end() && is_inside(outer->ring.vertex.front(), hole)) {
+      reporter.warn(place_of(drawn[i], 0), "hole-covers-area",
+                    "this hole covers all of its area, which is left out with it");
+      continue;
+    }
+    const bool outside = outer != drawn.end() && !is_inside(hole.front(), outer->ring.vertex);
     reporter.warn(place_of(drawn[i], 0), outside ? "hole-outside-floor" : "hole-without-effect",
                   outside ? "this hole lies outside the floor and is left out"
                           : "this hole lies within another hole or outside what is walkable, and "
@@ -337,6 +342,36 @@ std::vector<std::vector<Vec2>> drop_specks(std::vector<std::vector<Vec2>> rings,
   return overlay(rings_of(kept), Fill::LeftOfRings).walls;
 }
 
+/// The area of the largest piece within the outlines, whatever stands there; 0 where there is none.
+double largest_piece(std::vector<DrawnRing> drawn) {
+  std::erase_if(drawn, [](const DrawnRing& ring) { return ring.ring.hole; });
+  double largest = 0;
+  for (const std::vector<Vec2>& ring : overlay(rings_of(drawn), Fill::Polygons).walls)
+    largest = std::max(largest, signed_area(ring));
+  return largest;
+}
+
+/// Throws what is said of a plan of which nothing is walkable: why.
+[[noreturn]] void refuse(const import::ImportedPlan& imported,
+                         const std::vector<DrawnRing>& drawn) {
+  const std::string file = imported.files.empty() ? "" : imported.files.front();
+  const double area = largest_piece(drawn);
+  if (area <= 0)
+    throw content::ContentError(file, 0, 0, "no-floor",
+                                "nothing of this plan is walkable: no outline encloses an area",
+                                "draw each outline as a ring about the floor, not as a line there "
+                                "and back");
+  if (area < smallest_floor)
+    throw content::ContentError(
+        file, 0, 0, "no-floor",
+        fmt::format("nothing of this plan is walkable: its largest piece of floor has {:.2g} cm2",
+                    1e4 * area),
+        "draw each outline as a ring about the floor; are the numbers metres?");
+  throw content::ContentError(file, 0, 0, "no-floor",
+                              "nothing of this plan is walkable: its holes cover its areas",
+                              "are floor and obstacles swapped?");
+}
+
 FloorPlan to_floor_plan(const std::vector<std::vector<Vec2>>& rings) {
   FloorPlan plan;
   for (const std::vector<Vec2>& ring : rings) {
@@ -360,11 +395,7 @@ FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& me
   report(walls, drawn, reporter);
   const std::vector<std::vector<Vec2>> rings =
       drop_specks(settle(std::move(walls), imported), reporter);
-  if (rings.empty())
-    throw content::ContentError(imported.files.empty() ? "" : imported.files.front(), 0, 0,
-                                "no-floor",
-                                "nothing of this plan is walkable: its holes cover its areas",
-                                "are floor and obstacles swapped?");
+  if (rings.empty()) refuse(imported, drawn);
   return to_floor_plan(rings);
 }
 

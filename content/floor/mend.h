@@ -18,7 +18,8 @@ namespace docent::floor {
 ///  - spikes and rings without area are left out;
 ///  - where rings cross, touch, overlap or nest, the walls are those of what remains walkable, each
 ///    keeping to its own side of a point that two rings share: nobody fits through there.
-/// Each mending is appended to `mendings` as a warning with its place in the source.
+/// Each mending is appended to `mendings` as a warning with its place in the source, also where it
+/// throws.
 ///
 /// Throws ContentError where nothing walkable remains, and where the plan's size says that its
 /// numbers cannot be metres.

@@ -11,15 +11,23 @@
 namespace docent::terminal {
 namespace {
 
-/// "a number from 0 to 100"
+/// "a number between 0 and 100"
 std::string describe(const Limits& limits) {
   std::string kind = limits.of == Limits::Of::WholeNumbers ? "a whole number" : "a number";
   if (std::isfinite(limits.most))
-    return fmt::format("{} from {} to {}", kind, limits.least, limits.most);
+    return fmt::format("{} between {} and {}", kind, limits.least, limits.most);
   if (!std::isfinite(limits.least)) return kind;
-  return fmt::format("{} {} {}", kind,
-                     limits.ends == Limits::Least::Excluded ? "above" : "of at least",
-                     limits.least);
+  return limits.ends == Limits::Least::Excluded
+             ? fmt::format("{} of more than {}", kind, limits.least)
+             : fmt::format("{} of {} or more", kind, limits.least);
+}
+
+/// "; did you mean 0.25?" of 0,25, as half of Europe writes it; else nothing.
+std::string meant_by(std::string_view word, const Limits& limits) {
+  std::string with_point(word);
+  std::ranges::replace(with_point, ',', '.');
+  if (with_point == word || !read_number(with_point, limits)) return {};
+  return fmt::format("; did you mean {}?", with_point);
 }
 
 bool is_within(double value, const Limits& limits) {
@@ -41,18 +49,24 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 std::optional<double> finite_number(std::string_view text) noexcept {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
+  return value == 0 ? 0 : value;
+}
+
+std::expected<double, std::string> read_number(std::string_view word, const Limits& limits) {
+  const std::optional<double> value = finite_number(word);
+  if (value && is_within(*value, limits)) return *value;
+  return std::unexpected(
+      fmt::format("'{}' is not {}{}", word, describe(limits), meant_by(word, limits)));
 }
 
 std::string read_numbers(Words words, Limits limits, std::vector<double>& numbers) {
   for (const std::string& word : words) {
-    const std::optional<double> value = finite_number(word);
-    if (!value || !is_within(*value, limits))
-      return fmt::format("'{}' is not {}", word, describe(limits));
+    const std::expected<double, std::string> value = read_number(word, limits);
+    if (!value) return value.error();
     numbers.push_back(*value);
   }
   return {};

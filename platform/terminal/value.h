@@ -45,9 +45,12 @@ inline constexpr Limits positive{.least = 0, .ends = Limits::Least::Excluded};
 /// The parts of a text between separators; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// Reads a number of plain digits; nothing where the text is none, or not finite.
+/// Reads a number of plain digits; nothing where the text is none, or not finite. Never a negative
+/// zero.
 std::optional<double> finite_number(std::string_view text) noexcept;
 
+/// Reads a number; gives a sentence where the word is none or lies outside.
+std::expected<double, std::string> read_number(std::string_view word, const Limits& limits);
 /// Reads numbers; returns a sentence about the first that is none or lies outside.
 std::string read_numbers(Words words, Limits limits, std::vector<double>& numbers);
 /// Reads as many numbers as `numbers` holds, with commas between; returns a sentence where the word

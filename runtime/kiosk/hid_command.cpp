@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "platform/file/read_file.h"
+#include "platform/file/text_encoding.h"
 #include "platform/hid/hid_devices.h"
 #include "platform/hid/hid_report.h"
 #include "runtime/input/decode_recording.h"
@@ -27,7 +28,10 @@ int list(bool as_json) {
 int decode(const std::string& file) {
   const Result<std::string> text = file::read_file(file);
   if (!text) return say(text.error());
-  const Result<input::HidRecording> recording = input::parse_hid_recording(*text, file);
+  if (const auto fault = file::wide_encoding(*text))
+    return say({Errc::InvalidInput, fmt::format("{}: {}; {}", file, fault->message, fault->hint)});
+  const Result<input::HidRecording> recording =
+      input::parse_hid_recording(file::without_byte_order_mark(*text), file);
   if (!recording) return say(recording.error());
   const Result<std::string> csv = input::decode_recording(*recording);
   if (!csv) return say({csv.error().code, file + ": " + csv.error().what});

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "platform/file/read_file.h"
+#include "platform/file/text_encoding.h"
 #include "platform/terminal/suggest.h"
 #include "platform/terminal/value.h"
 #include "runtime/interface/seats.h"
@@ -276,12 +277,22 @@ Visit parse_visit(std::string_view text, std::string_view file) {
 }
 
 Visit load_visit(const std::filesystem::path& file) {
-  const Result<std::string> text = file::read_file(file);
-  if (text) return parse_visit(*text, file.string());
+  const Result<std::string> bytes = file::read_file(file);
+  const auto fault = bytes ? file::encoding_fault(*bytes) : std::nullopt;
+  if (bytes && !fault) return parse_visit(file::without_byte_order_mark(*bytes), file.string());
   Visit visit;
+  if (fault) {
+    visit.mistakes.push_back({.file = file.string(),
+                              .line = fault->line,
+                              .column = fault->column,
+                              .code = "not-utf8",
+                              .message = fault->message,
+                              .hint = fault->hint});
+    return visit;
+  }
   visit.mistakes.push_back({.file = file.string(),
                             .code = "missing-file",
-                            .message = without_file(text.error(), file.string())});
+                            .message = without_file(bytes.error(), file.string())});
   return visit;
 }
 

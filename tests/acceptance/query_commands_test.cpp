@@ -7,6 +7,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/sample_database.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wide_text.h"
 
 namespace docent::test {
 namespace {
@@ -79,6 +80,25 @@ TEST_F(QueryCommands, AFailedRunLeavesTheAnswersThatWereThere) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr("q.csv:2:8: error[csv-number]: 'one' is not a number"));
   EXPECT_EQ(read_file(path("a.csv")), "kept");
+}
+
+TEST_F(QueryCommands, ATableOfQueriesHoldsNumbersThatARadiusCanBe) {
+  for (const char* bad : {"nan", "-1", "inf", "1e400", "0x1", ""}) {
+    write_file(path("q.csv"), "x0,y0,x1,y1,r\n1,1,11,1," + std::string(bad) + "\n");
+
+    const Outcome outcome = route({"--queries", path("q.csv"), "-o", path("a.csv")});
+
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("q.csv:2:10: error[csv-number]: '" + std::string(bad) +
+                                       "' is not a number of 0 or more"));
+  }
+}
+
+TEST_F(QueryCommands, ATableOfAnotherEncodingIsNamed) {
+  write_file(path("q.csv"), wide(U"\uFEFFx0,y0,x1,y1,r\n", 2, ByteOrder::Little));
+
+  EXPECT_THAT(route({"--queries", path("q.csv"), "-o", path("a.csv")}).err,
+              HasSubstr("q.csv: error[not-utf8]: is UTF-16 (little endian)"));
 }
 
 TEST_F(QueryCommands, RouteRefusesCommandLinesThatMakeNoSense) {

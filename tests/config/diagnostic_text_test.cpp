@@ -54,5 +54,16 @@ TEST(DiagnosticText, ShowsAShortLineWhole) {
   std::filesystem::remove(file);
 }
 
+TEST(DiagnosticText, ShowsALineThatIsNotUtf8WithoutItsBytes) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "docent-latin1";
+  std::ofstream(file, std::ios::binary) << "\xEF\xBB\xBF" << "a = \"\xE9t\xE9\"\n";
+
+  const std::string text =
+      to_text({.file = file.string(), .line = 1, .column = 6, .code = "odd", .message = "is odd"});
+
+  EXPECT_THAT(text, HasSubstr("     1 | a = \"\uFFFDt\uFFFD\"\n       |      ^\n"));
+  std::filesystem::remove(file);
+}
+
 }  // namespace
 }  // namespace docent::config

@@ -5,6 +5,9 @@
 #include <rapidcheck.h>
 
 #include <string>
+#include <tuple>
+
+#include "tests/support/wide_text.h"
 
 namespace docent::config {
 namespace {
@@ -84,6 +87,36 @@ TEST(TomlDocument, AnswersAnyBytes) {
 
     RC_ASSERT(file.root.has_value() == file.diagnostics.empty());
   }));
+}
+
+TEST(TomlDocument, SaysWhichEncodingItCannotRead) {
+  for (const auto& [unit, order, name] :
+       {std::tuple(2U, test::ByteOrder::Little, "is UTF-16 (little endian)"),
+        std::tuple(2U, test::ByteOrder::Big, "is UTF-16 (big endian)"),
+        std::tuple(4U, test::ByteOrder::Little, "is UTF-32 (little endian)")}) {
+    const TomlFile file = parse_toml(test::wide(U"name = \"三河\"\n", unit, order), "x.toml");
+
+    ASSERT_EQ(file.diagnostics.size(), 1U);
+    EXPECT_EQ(file.diagnostics[0].code, "unreadable-toml");
+    EXPECT_THAT(file.diagnostics[0].message, HasSubstr(name));
+    EXPECT_THAT(file.diagnostics[0].hint, HasSubstr("save the file again as UTF-8"));
+  }
+}
+
+TEST(TomlDocument, SaysWhereALetterOfLatin1Stands) {
+  const TomlFile file = parse_toml("a = 1\ntitle = \"Caf\xE9\"\n", "x.toml");
+
+  ASSERT_EQ(file.diagnostics.size(), 1U);
+  EXPECT_EQ(file.diagnostics[0].line, 2U);
+  EXPECT_EQ(file.diagnostics[0].column, 13U);
+  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("in Latin-1 it is 'é'"));
+}
+
+TEST(TomlDocument, TakesAByteOrderMarkOfUtf8) {
+  const TomlFile file = parse_toml("\xEF\xBB\xBFname = 1\n", "x.toml");
+
+  ASSERT_TRUE(file.root.has_value());
+  EXPECT_EQ(file.root->entries.at(0).key_range.column, 1U);
 }
 
 }  // namespace

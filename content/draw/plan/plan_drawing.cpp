@@ -11,10 +11,10 @@
 
 #include "content/draw/plan/plan_labels.h"
 #include "content/draw/plan/plan_legend.h"
+#include "content/draw/plan/plan_rings.h"
 #include "content/draw/plan/plan_style.h"
 #include "content/draw/svg.h"
 #include "runtime/model/geometry/bisector.h"
-#include "runtime/model/geometry/polygon.h"
 #include "runtime/model/none.h"
 
 namespace docent::draw {
@@ -26,23 +26,6 @@ constexpr double caption = 70;  // Below the plan, for the scale bar.
 constexpr double narrowest = 700;
 constexpr double label_letter = 17;
 constexpr const char* sans = "font-family=\"Inter, Noto Sans, sans-serif\"";
-
-double signed_area_of(const FloorPlan& plan, const Ring& ring) {
-  return signed_area(std::span(plan.vertex).subspan(ring.first, ring.count));
-}
-
-/// Metres. What is longer and stands free is drawn as a wall, not as a case.
-constexpr double longest_case = 6;
-
-/// The longer side of a ring's bounding box.
-double extent(const FloorPlan& plan, const Ring& ring) {
-  Vec2 low = plan.vertex[ring.first], high = low;
-  for (std::uint32_t i = 0; i < ring.count; ++i) {
-    low = glm::min(low, plan.vertex[ring.first + i]);
-    high = glm::max(high, plan.vertex[ring.first + i]);
-  }
-  return std::max(high.x - low.x, high.y - low.y);
-}
 
 /// The floor's frame on the page.
 class Page {
@@ -58,10 +41,10 @@ class Page {
     scale_ = (longer_side - 2 * margin) / std::max(size.x, size.y);
     north_west_ = {low.x, high.y};
     // The caption needs a certain width, however narrow the plan is.
-    width_ = std::max(scale_ * size.x + 2 * margin, narrowest);
+    width_ = std::ceil(std::max(scale_ * size.x + 2 * margin, narrowest));
     west_ = (width_ - scale_ * size.x) / 2;
     plan_height_ = scale_ * size.y + 2 * margin;
-    height_ = plan_height_ + caption + legend.height(width_ - 2 * margin);
+    height_ = std::ceil(plan_height_ + caption + legend.height(width_ - 2 * margin));
   }
 
   [[nodiscard]] double width() const { return width_; }
@@ -107,6 +90,7 @@ class PlanPainter {
 
  private:
   void add_ring(PathData& path, const Ring& ring) const;
+  [[nodiscard]] PathData rings_of(RingRole role) const;
   void add_line(PathData& path, const DrawnLine& line) const;
   void add_edge(PathData& path, const VoronoiEdge& edge, bool forwards) const;
   [[nodiscard]] PathData region_outline(std::uint32_t site) const;
@@ -148,39 +132,43 @@ void PlanPainter::add_edge(PathData& path, const VoronoiEdge& edge, bool forward
       end);
 }
 
-/// The floor, and the walls about it cut through.
-void PlanPainter::draw_ground() {
-  PathData floor, outlines;
-  for (const Ring& ring : plan_.ring) {
-    add_ring(floor, ring);
-    if (signed_area_of(plan_, ring) > 0) add_ring(outlines, ring);
-  }
-  const double thickness = std::clamp(page_.pixels(0.35), 5.0, 30.0);
-  // Half of the stroke lies on the floor's side and is covered by the floor.
-  svg_.path(outlines, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" "
-                                  "stroke-linejoin=\"miter\" stroke-miterlimit=\"3\"",
-                                  ink::cut_face, 2 * thickness));
-  svg_.path(floor, fmt::format("fill=\"{}\" fill-rule=\"evenodd\"", ink::floor));
+PathData PlanPainter::rings_of(RingRole role) const {
+  PathData path;
+  for (const Ring& ring : plan_.ring)
+    if (role_of(plan_, ring) == role) add_ring(path, ring);
+  return path;
 }
 
-/// What stands on the floor, the edge of the walls, and doors.
-void PlanPainter::draw_walls() {
-  PathData outlines, obstacles, partitions;
-  for (const Ring& ring : plan_.ring) {
-    if (signed_area_of(plan_, ring) > 0)
-      add_ring(outlines, ring);
-    else
-      add_ring(extent(plan_, ring) > longest_case ? partitions : obstacles, ring);
+/// What is no floor, and the floor over it: so a room within a block, or within a case, is seen.
+void PlanPainter::draw_ground() {
+  const auto filled = [](std::string_view paint) { return fmt::format("fill=\"{}\"", paint); };
+  // Walls are cut through. Half of the stroke lies on the floor's side and is covered by the floor.
+  const double thickness = std::clamp(page_.pixels(0.35), 5.0, 30.0);
+  const std::string cut = fmt::format(
+      "stroke=\"{}\" stroke-width=\"{:.2f}\" stroke-linejoin=\"miter\" stroke-miterlimit=\"3\"",
+      ink::cut_face, 2 * thickness);
+  if (has_role(plan_, RingRole::Block)) {
+    svg_.hatch(block_hatch, ink::plaster, ink::stone);
+    svg_.path(rings_of(RingRole::Block), filled(fmt::format("url(#{})", block_hatch)));
+    svg_.path(rings_of(RingRole::Block), "fill=\"none\" " + cut);
   }
-  const std::string edge =
-      fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"", ink::cut_face);
-  svg_.path(obstacles, fmt::format("fill=\"{}\" {}", ink::plaster, edge));
-  svg_.path(partitions, fmt::format("fill=\"{}\" {}", ink::cut_face, edge));
-  svg_.path(outlines, "fill=\"none\" " + edge);
+  svg_.path(rings_of(RingRole::Case), filled(ink::plaster));
+  svg_.path(rings_of(RingRole::Partition), filled(ink::cut_face));
+  svg_.path(rings_of(RingRole::Outline), "fill=\"none\" " + cut);
+  PathData floor;
+  for (const Ring& ring : plan_.ring) add_ring(floor, ring);
+  svg_.path(floor, filled(ink::floor) + " fill-rule=\"evenodd\"");
+}
+
+/// The edges of all that is no floor, and doors.
+void PlanPainter::draw_walls() {
+  PathData edges;
+  for (const Ring& ring : plan_.ring) add_ring(edges, ring);
+  svg_.path(edges, fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" "
+                               "stroke-linejoin=\"round\"",
+                               ink::cut_face));
   for (const Door& door : plan_.doors)
-    svg_.path(PathData().move_to(page_.at(door.a)).line_to(page_.at(door.b)),
-              fmt::format("stroke=\"{}\" stroke-width=\"3\"{}", ink::oak,
-                          door.closed ? "" : " stroke-dasharray=\"2 6\""));
+    svg_.path(PathData().move_to(page_.at(door.a)).line_to(page_.at(door.b)), door_stroke(door));
 }
 
 PathData PlanPainter::region_outline(std::uint32_t site) const {
@@ -240,8 +228,7 @@ void PlanPainter::draw_sites() {
     svg_.path(PathData()
                   .move_to(page_.at(wall_start(plan_, wall)))
                   .line_to(page_.at(wall_end(plan_, wall))),
-              fmt::format("stroke=\"{}\" stroke-width=\"2.4\" stroke-linecap=\"butt\"",
-                          wall % 2 == 0 ? ink::cut_face : ink::oak));
+              wall_site_stroke(wall));
   for (const Site& site : diagram_.site)
     if (site.kind == Site::Kind::Corner)
       svg_.circle(page_.at(plan_.vertex[site.index]), 3.2,
@@ -378,7 +365,7 @@ void PlanPainter::draw_caption() {
 
 std::string draw_plan(const Museum& museum, std::uint32_t floor, const PlanLayers& layers,
                       const std::vector<DrawnLine>& lines) {
-  PlanPainter painter(museum, floor, PlanLegend(layers, lines));
+  PlanPainter painter(museum, floor, PlanLegend(museum.floors[floor].plan, layers, lines));
   painter.draw_paper();
   if (layers.walls) painter.draw_ground();
   if (layers.regions) painter.draw_regions();

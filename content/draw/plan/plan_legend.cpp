@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "content/draw/plan/plan_rings.h"
 #include "content/draw/plan/plan_style.h"
 
 namespace docent::draw {
@@ -23,11 +24,26 @@ double width_of(const std::string& words) {
 
 }  // namespace
 
-PlanLegend::PlanLegend(const PlanLayers& layers, const std::vector<DrawnLine>& lines) {
+PlanLegend::PlanLegend(const FloorPlan& plan, const PlanLayers& layers,
+                       const std::vector<DrawnLine>& lines) {
+  if (layers.walls) add_walls(plan);
   if (layers.regions) entries_.push_back({Symbol::Regions, "Voronoi regions"});
   if (layers.skeleton) entries_.push_back({Symbol::MedialAxis, "medial axis, narrow to wide"});
-  if (layers.sites) entries_.push_back({Symbol::Corner, "reflex corner"});
+  if (layers.sites) {
+    entries_.push_back({Symbol::WallSites, "walls as sites, in turn"});
+    entries_.push_back({Symbol::Corner, "reflex corner"});
+  }
   add_lines(lines);
+}
+
+void PlanLegend::add_walls(const FloorPlan& plan) {
+  entries_.push_back({Symbol::Wall, "wall, cut through"});
+  if (has_role(plan, RingRole::Case)) entries_.push_back({Symbol::Case, "case, plinth or column"});
+  if (has_role(plan, RingRole::Block)) entries_.push_back({Symbol::Block, "closed block"});
+  if (!std::ranges::all_of(plan.doors, &Door::closed))
+    entries_.push_back({Symbol::OpenDoor, "door"});
+  if (std::ranges::any_of(plan.doors, &Door::closed))
+    entries_.push_back({Symbol::ClosedDoor, "closed door"});
 }
 
 void PlanLegend::add_lines(const std::vector<DrawnLine>& lines) {
@@ -67,7 +83,35 @@ void PlanLegend::draw_symbol(Svg& svg, const Entry& entry, Vec2 at) {
   const auto line = [&](const std::string& style) {
     svg.path(PathData().move_to(left + Vec2{4, 0}).line_to(right - Vec2{4, 0}), style);
   };
+  const auto swatch = [&](std::string_view fill, double edge) {
+    svg.rectangle(
+        left + Vec2{4, -9}, {symbol_width - 8, 18},
+        fmt::format(R"(fill="{}" stroke="{}" stroke-width="{}")", fill, ink::cut_face, edge));
+  };
   switch (entry.symbol) {
+    case Symbol::Wall:
+      swatch(ink::cut_face, 1.6);
+      break;
+    case Symbol::Case:
+      swatch(ink::plaster, 1.6);
+      break;
+    case Symbol::Block:
+      swatch(fmt::format("url(#{})", block_hatch), 3);
+      break;
+    case Symbol::OpenDoor:
+    case Symbol::ClosedDoor: {
+      Door door;
+      door.closed = entry.symbol == Symbol::ClosedDoor;
+      line(door_stroke(door));
+      break;
+    }
+    case Symbol::WallSites:
+      for (std::size_t i = 0; i < 3; ++i)
+        svg.path(PathData()
+                     .move_to(left + Vec2{static_cast<double>(i) * symbol_width / 3, 0})
+                     .line_to(left + Vec2{static_cast<double>(i + 1) * symbol_width / 3, 0}),
+                 wall_site_stroke(i));
+      break;
     case Symbol::Regions:
       for (std::size_t i = 0; i < 4; ++i)
         svg.rectangle(left + Vec2{static_cast<double>(i) * symbol_width / 4, -9},

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "content/draw/svg.h"
@@ -24,6 +23,16 @@ std::string region_colour(std::size_t tint) {
        {ink::vermilion, 0.21}}};
   const auto [colour, part] = tints[tint % region_tints];
   return mixed(ink::floor, colour, part);
+}
+
+std::string door_stroke(const Door& door) {
+  return fmt::format(R"(stroke="{}" stroke-width="3"{})", ink::oak,
+                     door.closed ? "" : R"( stroke-dasharray="2 6")");
+}
+
+std::string wall_site_stroke(std::size_t wall) {
+  return fmt::format(R"(stroke="{}" stroke-width="2.4" stroke-linecap="butt")",
+                     wall % 2 == 0 ? ink::cut_face : ink::oak);
 }
 
 std::string axis_stroke(double wide) {

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
+#include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/route_kind.h"
 
 namespace docent::draw {
@@ -11,6 +13,15 @@ namespace docent::draw {
 constexpr std::size_t region_tints = 8;
 /// The colour of a tint, "#RRGGBB".
 std::string region_colour(std::size_t tint);
+
+/// The name of the pattern that fills blocks.
+inline constexpr std::string_view block_hatch = "block";
+
+/// Attributes of a door: dotted where one walks through, a line where it is closed.
+std::string door_stroke(const Door& door);
+
+/// Attributes of a wall as a site of its own: each unlike the one before it.
+std::string wall_site_stroke(std::size_t wall);
 
 /// Attributes of a piece of the medial axis, `wide` from 0 to 1: thicker and greener where the room
 /// is wider.

@@ -204,7 +204,8 @@ ImportedPlan read_floor_plan(std::span<const std::string> files, Coordinates coo
     contents.push_back(content::read_source(file, "missing-file"));
   std::vector<GeoJsonText> texts;
   texts.reserve(files.size());
-  for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({files[i], contents[i]});
+  for (std::size_t i = 0; i < files.size(); ++i)
+    texts.push_back({files[i], file::without_byte_order_mark(contents[i])});
   return parse_floor_plan(texts, coordinates);
 }
 

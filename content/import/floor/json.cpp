@@ -7,7 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "content/content_error.h"
+#include "content/read_source.h"
 
 namespace docent::import {
 namespace {
@@ -180,6 +180,8 @@ TextPosition LineIndex::at(std::size_t offset) const noexcept {
 }
 
 JsonValue parse_json(const std::string& file, std::string_view text) {
+  if (const auto fault = file::encoding_fault(text))
+    throw content::to_content_error(*fault, file, "unreadable-json");
   std::size_t bytes_read = 0;
   TreeBuilder builder(file, text, &bytes_read);
   nlohmann::json::sax_parse(WatchedIterator(text.begin(), &bytes_read),

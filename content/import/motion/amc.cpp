@@ -190,7 +190,7 @@ RecordedMotion parse_amc(std::string_view text, const std::string& file,
 
 RecordedMotion read_amc(const std::filesystem::path& path, const AcclaimSkeleton& skeleton,
                         const AcclaimOptions& options) {
-  return parse_amc(content::read_source(path), path.string(), skeleton, options);
+  return parse_amc(content::read_recording(path), path.string(), skeleton, options);
 }
 
 }  // namespace docent::import

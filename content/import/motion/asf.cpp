@@ -223,7 +223,7 @@ AcclaimSkeleton parse_asf(std::string_view text, const std::string& file) {
 }
 
 AcclaimSkeleton read_asf(const std::filesystem::path& path) {
-  return parse_asf(content::read_source(path), path.string());
+  return parse_asf(content::read_recording(path), path.string());
 }
 
 }  // namespace docent::import

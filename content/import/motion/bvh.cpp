@@ -336,7 +336,6 @@ MotionClip make_clip(const Hierarchy& hierarchy, std::size_t hips, const Motion&
 
 RecordedMotion parse_bvh(std::string_view bytes, const std::string& file,
                          std::optional<double> metres_per_unit) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // a byte order mark
   MotionText text(bytes, file);
   text.expect("HIERARCHY");
   const Hierarchy hierarchy = read_hierarchy(text);
@@ -362,7 +361,7 @@ RecordedMotion parse_bvh(std::string_view bytes, const std::string& file,
 }
 
 RecordedMotion read_bvh(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
-  return parse_bvh(content::read_source(path), path.string(), metres_per_unit);
+  return parse_bvh(content::read_recording(path), path.string(), metres_per_unit);
 }
 
 }  // namespace docent::import

@@ -45,7 +45,7 @@ class ClipsToml {
 
   toml::table parse() const {
     try {
-      return toml::parse(content::read_source(file_), file_);
+      return toml::parse(content::read_text_source(file_), file_);
     } catch (const toml::parse_error& failure) {
       throw error(failure.source(), "not-toml", std::string(failure.description()));
     }

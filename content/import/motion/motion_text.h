@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "content/content_error.h"
+#include "content/read_source.h"
 
 namespace docent::import {
 
@@ -14,7 +14,8 @@ namespace docent::import {
 /// when something is wrong, so reading costs no more than finding the ends of words.
 class MotionText {
  public:
-  MotionText(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+  MotionText(std::string_view text, std::string file)
+      : text_(file::without_byte_order_mark(text)), file_(std::move(file)) {}
 
   /// The next word, empty at the end of the text.
   std::string_view next_word();

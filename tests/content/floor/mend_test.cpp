@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "content/content_error.h"
@@ -259,6 +260,46 @@ TEST(Mend, DoesWhatIsExpectedOfEveryMalformedPlan) {
     ++checked;
   }
   EXPECT_GE(checked, 30);
+}
+
+std::string refusal_of(const import::ImportedPlan& plan) {
+  try {
+    mend_all(plan);
+  } catch (const content::ContentError& error) {
+    EXPECT_EQ(error.code, "no-floor");
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Mend, BlamesWhatLeavesNoFloorAndNothingElse) {
+  const Points there_and_back = {{0, 0}, {12, 0}, {6, 0}};
+  const Points needle = {{0, 0}, {12, 0}, {12, 0.0015}};
+
+  EXPECT_THAT(refusal_of(drawn(there_and_back)), HasSubstr("no outline encloses an area"));
+  EXPECT_THAT(refusal_of(drawn(there_and_back, {plinth})),
+              HasSubstr("no outline encloses an area"));
+  EXPECT_THAT(refusal_of(drawn(needle)), HasSubstr("largest piece of floor has 90 cm2"));
+  EXPECT_THAT(refusal_of(drawn(hall, {rectangle({-1, -1}, {21, 13})})),
+              HasSubstr("its holes cover its areas"));
+}
+
+TEST(Mend, TellsAHoleThatCoversItsAreaFromOneOutsideTheFloor) {
+  import::ImportedPlan plan = drawn(rectangle({30, 0}, {40, 9}), {rectangle({29, -1}, {41, 10})});
+  plan.polygons.push_back(drawn(hall, {rectangle({50, 0}, {51, 1})}).polygons[0]);
+
+  const std::vector<std::string> codes = codes_of(mend_all(plan).mendings);
+
+  EXPECT_EQ(std::ranges::count(codes, "hole-covers-area"), 1);
+  EXPECT_EQ(std::ranges::count(codes, "hole-outside-floor"), 1);
+}
+
+TEST(Mend, TellsWhatItLeftOutOfAPlanThatItRefuses) {
+  std::vector<Diagnostic> mendings;
+
+  EXPECT_THROW(floor::mend(drawn({{0, 0}, {12, 0}, {6, 0}}), mendings), content::ContentError);
+
+  EXPECT_THAT(codes_of(mendings), Contains("ring-without-area"));
 }
 
 }  // namespace

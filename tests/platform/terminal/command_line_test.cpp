@@ -47,7 +47,7 @@ TEST(CommandLine, StoresWhatItSaysAndRunsTheCommand) {
 TEST(CommandLine, TakesANegativeNumberForAValueAndTheLastOfAFlagAndItsContrary) {
   Kitchen kitchen;
   EXPECT_EQ(mistake_in({"boil", "a", "-o", "out", "--minutes", "-1"}).message,
-            "'-1' is not a number above 0");
+            "'-1' is not a number of more than 0");
 
   ASSERT_TRUE(parse(kitchen, {"boil", "a", "-o", "out", "--hot", "--no-hot"}).has_value());
   EXPECT_FALSE(kitchen.hot);
@@ -86,11 +86,11 @@ TEST(CommandLine, RefusesANumberThatIsNoneAndOneOutsideInASentenceOfOneLine) {
     return mistake_in({"boil", "a", "-o", "out", name, value}).message;
   };
 
-  EXPECT_EQ(with("--minutes", "nan"), "'nan' is not a number above 0");
-  EXPECT_EQ(with("--minutes", "inf"), "'inf' is not a number above 0");
-  EXPECT_EQ(with("--salt", "11"), "'11' is not a number from 0 to 10");
-  EXPECT_EQ(with("--cooks", "0"), "'0' is not a whole number from 1 to 8");
-  EXPECT_EQ(with("--cooks", "1.5"), "'1.5' is not a whole number from 1 to 8");
+  EXPECT_EQ(with("--minutes", "nan"), "'nan' is not a number of more than 0");
+  EXPECT_EQ(with("--minutes", "inf"), "'inf' is not a number of more than 0");
+  EXPECT_EQ(with("--salt", "11"), "'11' is not a number between 0 and 10");
+  EXPECT_EQ(with("--cooks", "0"), "'0' is not a whole number between 1 and 8");
+  EXPECT_EQ(with("--cooks", "1.5"), "'1.5' is not a whole number between 1 and 8");
   EXPECT_EQ(mistake_in({"boil", "a", "-o", "b", "-o", "c"}).message,
             "this is given 2 times; say it once");
 }

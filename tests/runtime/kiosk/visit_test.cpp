@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <rapidcheck.h>
 
+#include <fstream>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wide_text.h"
+
 namespace docent::kiosk {
 namespace {
 
@@ -72,6 +77,35 @@ TEST(Visit, ReportsEveryMistakeWithItsLine) {
 
 TEST(Visit, ThatCannotBeReadIsAMistake) {
   EXPECT_THAT(load_visit("/nowhere/v.visit").mistakes, SizeIs(1));
+}
+
+TEST(Visit, OfAnotherEncodingSaysWhichAndWhatToDo) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path wide = folder.path() / "wide.visit",
+                              old = folder.path() / "old.visit";
+  std::ofstream(wide, std::ios::binary)
+      << test::wide(U"\uFEFF1 quit\n", 2, test::ByteOrder::Little);
+  std::ofstream(old, std::ios::binary) << "# f\xFCr Besucher\n1 quit\n";
+
+  const Visit of_wide = load_visit(wide), of_old = load_visit(old);
+
+  ASSERT_THAT(of_wide.mistakes, SizeIs(1));
+  EXPECT_THAT(of_wide.mistakes[0].message, HasSubstr("is UTF-16 (little endian)"));
+  EXPECT_THAT(of_wide.mistakes[0].hint, HasSubstr("UTF-8"));
+  ASSERT_THAT(of_old.mistakes, SizeIs(1));
+  EXPECT_EQ(of_old.mistakes[0].line, 1U);
+  EXPECT_EQ(of_old.mistakes[0].column, 4U);
+}
+
+TEST(Visit, MayBeginWithAByteOrderMark) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "marked.visit";
+  std::ofstream(file, std::ios::binary) << "\xEF\xBB\xBF" << "1 quit\n";
+
+  const Visit visit = load_visit(file);
+
+  EXPECT_THAT(visit.mistakes, IsEmpty());
+  EXPECT_THAT(visit.commands, SizeIs(1));
 }
 
 TEST(Visit, IsDefinedForAnyText) {

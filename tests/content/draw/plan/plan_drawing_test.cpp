@@ -12,16 +12,19 @@
 #include "content/content_error.h"
 #include "content/draw/picture_file.h"
 #include "content/draw/plan/plan_labels.h"
+#include "content/draw/plan/plan_rings.h"
 #include "content/draw/plan/plan_style.h"
 #include "content/draw/svg.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
 #include "content/floor/voronoi.h"
+#include "tests/content/floor/plans.h"
 #include "tests/support/temporary_folder.h"
 
 namespace docent::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -65,6 +68,16 @@ TEST(PlanDrawing, DrawsEachRegionOnceAndParabolasAsQuadraticCurves) {
   EXPECT_EQ(count(svg, "Q"), 6U);
 }
 
+TEST(PlanDrawing, CoversItsPageToTheLastPixel) {
+  const std::string svg = draw::draw_plan(small_museum(), 0, {}, {});
+
+  // The page has whole pixels, so that no edge of it is half transparent.
+  const std::size_t paper = svg.find("<rect x=\"0.00\" y=\"0.00\" width=\"");
+  ASSERT_NE(paper, std::string::npos);
+  const std::string rest = svg.substr(paper, svg.find("/>", paper) - paper);
+  EXPECT_THAT(rest, testing::ContainsRegex("width=\"[0-9]+\\.00\" height=\"[0-9]+\\.00\""));
+}
+
 TEST(PlanDrawing, EscapesNames) {
   EXPECT_THAT(draw::draw_plan(small_museum(), 0, {}, {}), HasSubstr("upper &amp; lower"));
 }
@@ -100,6 +113,81 @@ TEST(PlanDrawing, ExplainsWhatItShowsAndNothingElse) {
        {"Voronoi regions", "medial axis", "clearance, every 0.5 m", "shortest path"})
     EXPECT_THAT(svg, HasSubstr(words));
   EXPECT_THAT(svg, Not(HasSubstr("reflex corner")));
+}
+
+/// A hall of 40 by 30 m with one thing standing in it.
+Museum hall_with(const Points& ring) {
+  Museum museum;
+  std::vector<Diagnostic> mendings;
+  museum.floors.emplace_back().plan =
+      floor::mend(drawn(rectangle({0, 0}, {40, 30}), {ring}), mendings);
+  return museum;
+}
+
+TEST(PlanDrawing, ExplainsTheColoursOfItsWalls) {
+  const auto legend = [](const Points& ring) {
+    return draw::draw_plan(hall_with(ring), 0, {.walls = true}, {});
+  };
+  const std::string with_case = legend(rectangle({10, 10}, {12, 12})),
+                    with_wall = legend(rectangle({10, 10}, {30, 10.4})),
+                    with_block = legend(rectangle({10, 10}, {30, 20}));
+
+  for (const std::string& svg : {with_case, with_wall, with_block})
+    EXPECT_THAT(svg, HasSubstr("wall, cut through"));
+  EXPECT_THAT(with_case, HasSubstr("case, plinth or column"));
+  EXPECT_THAT(with_block, HasSubstr("closed block"));
+  EXPECT_THAT(with_wall, AllOf(Not(HasSubstr("case,")), Not(HasSubstr("closed block"))));
+  EXPECT_THAT(with_wall, Not(HasSubstr("door")));
+}
+
+TEST(PlanDrawing, ExplainsTheTwoColoursOfWallsThatAreSites) {
+  EXPECT_THAT(draw::draw_plan(small_museum(), 0, {.sites = true}, {}),
+              HasSubstr("walls as sites, in turn"));
+}
+
+TEST(PlanDrawing, TellsOpenDoorsFromClosedOnes) {
+  Museum museum = small_museum();
+  museum.floors[0].plan.doors = {{"open", {0, 3}, {2, 3}, false}};
+  EXPECT_THAT(draw::draw_plan(museum, 0, {.walls = true}, {}),
+              AllOf(HasSubstr(">door<"), Not(HasSubstr("closed door"))));
+  museum.floors[0].plan.doors[0].closed = true;
+  EXPECT_THAT(draw::draw_plan(museum, 0, {.walls = true}, {}),
+              AllOf(Not(HasSubstr(">door<")), HasSubstr("closed door")));
+}
+
+TEST(PlanDrawing, HatchesABlockThatFloorRunsRound) {
+  const std::string svg =
+      draw::draw_plan(hall_with(rectangle({10, 10}, {30, 20})), 0, {.walls = true}, {});
+
+  EXPECT_THAT(svg, HasSubstr("<pattern id=\"block\""));
+  EXPECT_EQ(count(svg, "fill=\"url(#block)\""), 2U);  // The block, and its place in the legend.
+}
+
+TEST(PlanRings, AreToldApartByTheirSizeAndThickness) {
+  const auto role = [](const Points& ring) {
+    const Museum museum = hall_with(ring);
+    return draw::role_of(museum.floors[0].plan, museum.floors[0].plan.ring.back());
+  };
+  EXPECT_EQ(role(regular_polygon({10, 10}, 2.9, 12)), draw::RingRole::Case);
+  EXPECT_EQ(role(rectangle({10, 10}, {30, 10.4})), draw::RingRole::Partition);
+  EXPECT_EQ(role({{10, 10}, {10, 25}, {10.5, 25}, {10.5, 10.5}, {30, 10.5}, {30, 10}}),
+            draw::RingRole::Partition);
+  EXPECT_EQ(role(rectangle({10, 10}, {30, 20})), draw::RingRole::Block);
+}
+
+TEST(PlanDrawing, ShowsARoomWithinABlock) {
+  Museum museum = hall_with(rectangle({10, 5}, {30, 25}));
+  std::vector<Diagnostic> mendings;
+  import::ImportedPlan plan = drawn(rectangle({0, 0}, {40, 30}), {rectangle({10, 5}, {30, 25})});
+  plan.polygons.push_back(drawn(rectangle({15, 10}, {25, 20})).polygons[0]);
+  museum.floors[0].plan = floor::mend(plan, mendings);
+
+  const std::string svg = draw::draw_plan(museum, 0, {.walls = true}, {});
+
+  // The floor lies over the block, and nothing that is filled over the floor but the legend.
+  const std::size_t floor = svg.find("fill-rule=\"evenodd\"");
+  EXPECT_LT(svg.find("fill=\"url(#block)\""), floor);
+  EXPECT_THAT(svg.substr(floor, svg.find("<rect", floor) - floor), Not(HasSubstr("fill=\"#")));
 }
 
 TEST(PlanDrawing, ShadesEachLevelOnceWithItsHolesLeftOut) {

@@ -5,12 +5,15 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <string>
 
 #include "content/content_error.h"
 #include "content/import/floor/projection.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/wide_text.h"
 
 namespace docent::test {
 namespace {
@@ -124,6 +127,29 @@ TEST(FloorPlanGeoJson, RefusesDegreesOutsideTheGlobe) {
 
 TEST(FloorPlanGeoJson, SurvivesNestingWithoutEnd) {
   EXPECT_THAT(complaint_about(std::string(100000, '[')), HasSubstr("nested too deeply"));
+}
+
+TEST(FloorPlanGeoJson, SaysWhichEncodingItCannotRead) {
+  const std::u32string_view plan = U"{\"type\": \"Polygon\", \"coordinates\": []}";
+  EXPECT_EQ(complaint_about(wide(plan, 2, ByteOrder::Little)),
+            "0:0: is UTF-16 (little endian), and only UTF-8 is read");
+  EXPECT_EQ(complaint_about(wide(U"\uFEFF" + std::u32string(plan), 2, ByteOrder::Big)),
+            "0:0: is UTF-16 (big endian), and only UTF-8 is read");
+  EXPECT_EQ(complaint_about("{\n\"name\": \"Caf\xE9\"}"),
+            "2:13: the byte 0xE9 here is not UTF-8; in Latin-1 it is 'é'");
+}
+
+TEST(FloorPlanGeoJson, TakesAByteOrderMarkOfUtf8) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "floor.geojson";
+  std::ofstream(file, std::ios::binary)
+      << "\xEF\xBB\xBF" << R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [0, 3]]]})";
+
+  const import::ImportedPlan plan =
+      import::read_floor_plan({&file, 1}, import::Coordinates::Metres);
+
+  ASSERT_EQ(plan.polygons.size(), 1U);
+  EXPECT_EQ(plan.polygons[0].outer.place[0].column, 38U);  // As an editor counts, without the mark.
 }
 
 TEST(FloorPlanGeoJson, SaysWhenAFileIsMissing) {

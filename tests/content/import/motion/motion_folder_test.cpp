@@ -8,6 +8,7 @@
 #include "content/content_error.h"
 #include "tests/content/import/motion/sample_body.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/wide_text.h"
 
 namespace docent::test {
 namespace {
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 void write(const TemporaryFolder& folder, const std::string& name, const std::string& text) {
-  std::ofstream(folder.path() / name) << text;
+  std::ofstream(folder.path() / name, std::ios::binary) << text;
 }
 
 std::string good_bvh(double metres_per_unit = 1) {
@@ -128,6 +129,15 @@ TEST_P(BadClipsToml, IsToldInASentenceWithItsLine) {
   EXPECT_THAT(error.what(), HasSubstr(GetParam().sentence));
   EXPECT_THAT(error.file, HasSubstr("clips.toml"));
   EXPECT_EQ(error.line, 2U);
+}
+
+TEST(MotionFolder, SaysWhichEncodingItCannotRead) {
+  const TemporaryFolder folder;
+  write(folder, "a.bvh", good_bvh());
+  write(folder, "clips.toml", wide(U"\uFEFFrole = 'walk'\n", 2, ByteOrder::Little));
+  std::vector<Diagnostic> problems;
+
+  EXPECT_THAT(error_of(folder, problems).what(), HasSubstr("is UTF-16 (little endian)"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
