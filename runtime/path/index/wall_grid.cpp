@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "runtime/model/none.h"
 #include "runtime/path/index/predicates.h"
@@ -39,6 +41,7 @@ WallGrid::WallGrid(const FloorPlan& plan, double radius) : radius_(radius) {
     high = glm::max(high, wall_[i].a);
   }
   if (walls == 0) low = high = {0, 0};
+  link_places();
   const Vec2 farthest = glm::max(glm::abs(low), glm::abs(high));
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   slack_ = std::max(rounding, 4 * epsilon * std::max(farthest.x, farthest.y));
@@ -60,6 +63,22 @@ WallGrid::WallGrid(const FloorPlan& plan, double radius) : radius_(radius) {
   std::vector<std::uint32_t> fill(cell_first_.begin(), cell_first_.end() - 1);
   for (std::uint32_t i = 0; i < walls; ++i)
     visit_cells_near_wall(wall_[i], [&](std::size_t cell) { cell_wall_[fill[cell]++] = i; });
+}
+
+void WallGrid::link_places() {
+  std::vector<std::uint32_t> order(wall_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto place = [&](std::uint32_t wall) {
+    return std::pair{wall_[wall].a.x, wall_[wall].a.y};
+  };
+  std::ranges::sort(order, {}, place);
+  same_place_ = order;
+  for (std::size_t i = 0; i < order.size();) {
+    std::size_t end = i + 1;
+    while (end < order.size() && place(order[end]) == place(order[i])) ++end;
+    for (std::size_t k = i; k < end; ++k) same_place_[order[k]] = order[k + 1 < end ? k + 1 : i];
+    i = end;
+  }
 }
 
 template <class Visitor>
@@ -123,6 +142,17 @@ bool WallGrid::passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept {
   }
 }
 
+/// Is it so for any of the corners at the place of one?
+template <class Holds>
+bool WallGrid::at_place(std::uint32_t corner, Holds holds) const noexcept {
+  std::uint32_t at = corner;
+  do {
+    if (holds(at)) return true;
+    at = same_place_[at];
+  } while (at != corner);
+  return false;
+}
+
 /// Does the segment p q leave the closed interior at this wall, or at the corner where it begins?
 bool WallGrid::crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept {
   const auto [a, b] = wall_[wall];
@@ -131,8 +161,13 @@ bool WallGrid::crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept {
     const Vec2 direction = q - p;
     const double at = dot(a - p, direction);
     if (at < 0 || at > dot(direction, direction)) return false;
-    const Vec2 before = wall_[previous_[wall]].a;
-    return (q != a && !leads_inside(before, a, b, q)) || (p != a && !leads_inside(before, a, b, p));
+    // Where obstacles share a corner the floor meets it in several wedges: one must hold both ways.
+    const auto stays_inside = [&](std::uint32_t corner) {
+      const Vec2 before = wall_[previous_[corner]].a, after = wall_[corner].b;
+      return (q == a || leads_inside(before, a, after, q)) &&
+             (p == a || leads_inside(before, a, after, p));
+    };
+    return !at_place(wall, stays_inside);
   }
   if (b_side == 0 || a_side == b_side) return false;  // b's corner is the next wall's to judge
   const int p_side = orientation(a, b, p), q_side = orientation(a, b, q);
@@ -256,8 +291,10 @@ bool WallGrid::is_inside(Vec2 p, const Nearest& nearest) const noexcept {
   const auto [a, b] = wall_[nearest.wall];
   if (nearest.t > 0 && nearest.t < 1) return orientation(a, b, p) >= 0;
   // Nearest to a corner: a reflex one is seen from inside, a convex one from outside.
-  const std::uint32_t corner = nearest.t > 0 ? next_[nearest.wall] : nearest.wall;
-  return orientation(wall_[previous_[corner]].a, wall_[corner].a, wall_[corner].b) <= 0;
+  // Of several at one place only one can be seen from afar.
+  return at_place(nearest.t > 0 ? next_[nearest.wall] : nearest.wall, [&](std::uint32_t corner) {
+    return orientation(wall_[previous_[corner]].a, wall_[corner].a, wall_[corner].b) <= 0;
+  });
 }
 
 Vec2 WallGrid::brought_inside(Vec2 p) const noexcept {

@@ -80,6 +80,9 @@ class WallGrid {
   void visit_cells_near_wall(const Wall& wall, Visitor visit) const;
   template <class Blocked>
   bool passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept;
+  void link_places();
+  template <class Holds>
+  bool at_place(std::uint32_t corner, Holds holds) const noexcept;
   bool crosses(Vec2 p, Vec2 q, std::uint32_t wall) const noexcept;
   bool comes_near(Vec2 p, Vec2 q, Vec2 direction, double beside, double least,
                   std::uint32_t wall) const noexcept;
@@ -90,6 +93,9 @@ class WallGrid {
   int columns_ = 1, rows_ = 1;
   std::vector<Wall> wall_;
   std::vector<std::uint32_t> previous_;  ///< One per wall: the wall that ends where it begins.
+  std::vector<std::uint32_t>
+      same_place_;  ///< One per wall: the next that begins at its place, round
+                    ///< and round; itself but where obstacles share a corner.
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> cell_first_;
   std::vector<std::uint32_t> cell_wall_;

@@ -74,10 +74,15 @@ void MedialAxisMap::follow_regions() {
   std::vector<std::uint32_t> previous(plan.vertex.size());
   for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
   corner_.resize(voronoi.site.size());
-  for (std::size_t s = 0; s < voronoi.site.size(); ++s)
-    if (const Site& site = voronoi.site[s]; site.kind == Site::Kind::Corner)
-      corner_[s] = reflex_corner(plan, previous[site.index], site.index)
-                       .value_or(ReflexCorner{.vertex = site.index});
+  for (std::size_t s = 0; s < voronoi.site.size(); ++s) {
+    const Site& site = voronoi.site[s];
+    if (site.kind != Site::Kind::Corner) continue;
+    // Straight, where obstacles share a corner: an arc without extent.
+    const Vec2 place = plan.vertex[site.index];
+    const ReflexCorner straight{site.index, place,
+                                left_of(glm::normalize(wall_end(plan, site.index) - place)), 0};
+    corner_[s] = reflex_corner(plan, previous[site.index], site.index).value_or(straight);
+  }
 
   clearance_.reserve(curve_.size());
   for (std::uint32_t e = 0; e < curve_.size(); ++e) {

@@ -245,7 +245,7 @@ Way medial_axis_way(const FloorMap& map, const RouteQuery& query) {
   const double width =
       std::min({from->clearance, to->clearance,
                 widest_clearance(map.medial_axis().roads(), from->place, to->place)});
-  if (width < least || width < 0) return {};
+  if (width < least || width < -touching) return {};
   // Of ways that are equally wide but for `touching`, the shortest; but none that does not fit.
   return way_between(map, query, std::max(least_clearance(width), least));
 }

@@ -406,12 +406,13 @@ bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) co
   // Is the direction within the slack of the arc? Measured from the arc's middle, so that neither
   // end is taken for the other where a sharp tip's arc spans nearly half a turn. The cosine is flat
   // at 0: it tells angles apart to 1e-6 there, and what is listed too much does no harm.
-  constexpr double rounding = 1e-12;
+  constexpr double cosine_slack = 1e-12;
   const TangentArc& arc = graph_.arc[side / 2];
   const double half = (arc.end - arc.begin) / 2;
   const Vec2 begin = arc_[side / 2].begin;
   const Vec2 middle = std::cos(half) * begin + std::sin(half) * left_of(begin);
-  return dot(middle, direction) >= std::cos(std::min(half + slack, std::numbers::pi)) - rounding;
+  return dot(middle, direction) >=
+         std::cos(std::min(half + slack, std::numbers::pi)) - cosine_slack;
 }
 
 std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noexcept {
