@@ -41,6 +41,26 @@ FloorPlan mend(const import::ImportedPlan& drawn, Report& report) {
   }
 }
 
+/// Says which radii have no labels, and what that costs.
+void report_searched(const Floor& floor, const std::string& file, Report& report) {
+  for (std::size_t i = 0; i < floor.tangent_graphs.size(); ++i) {
+    const TangentGraph& graph = floor.tangent_graphs[i];
+    if (graph.arc.empty() || floor.hub_labels[i].has_labels()) continue;
+    Diagnostic diagnostic;
+    diagnostic.file = file;
+    diagnostic.severity = Severity::Warning;
+    diagnostic.code = "ways-searched";
+    diagnostic.message = fmt::format(
+        "the shortest ways of radius {:g} m are too many to prepare: {} corners see each other "
+        "along "
+        "{} lines; each way is searched when it is asked for, which takes milliseconds instead of "
+        "microseconds",
+        graph.radius, graph.arc.size(), graph.tangent.size() / 2);
+    diagnostic.hint = "nothing need be done; a floor in several parts is quicker";
+    report.add(std::move(diagnostic));
+  }
+}
+
 }  // namespace
 
 void plan_floor_stages(Progress& progress) {
@@ -74,6 +94,7 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     floor.tangent_graphs[i] = path::make_tangent_graph(floor.plan, floor.sight, radii[i]);
     floor.hub_labels[i] = path::make_hub_labels(floor.plan, floor.tangent_graphs[i]);
   });
+  report_searched(floor, files.front(), report);
   return compiled;
 }
 

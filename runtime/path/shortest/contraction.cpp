@@ -17,7 +17,11 @@ constexpr std::size_t most_settled = 64;
 class Contraction {
  public:
   Contraction(std::uint32_t nodes, std::span<const Link> links, std::uint32_t names)
-      : out_(nodes), in_(nodes), level_(nodes, 0), distance_(nodes, infinity) {
+      : out_(nodes),
+        in_(nodes),
+        level_(nodes, 0),
+        distance_(nodes, infinity),
+        limit_(nodes, witnessed) {
     hierarchy_.first_shortcut = names;
     hierarchy_.rank.assign(nodes, 0);
     hierarchy_.up.resize(nodes);
@@ -26,13 +30,13 @@ class Contraction {
       if (link.from != link.to) connect(link.from, link.to, link.length, link.name);
   }
 
-  std::optional<Hierarchy> run(std::uint64_t most_work, const std::stop_token& stop) {
+  std::optional<Hierarchy> run(std::size_t most_added, const std::stop_token& stop) {
     using Turn = std::pair<std::int64_t, std::uint32_t>;  // importance and node
     std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue;
     for (std::uint32_t node = 0; node < out_.size(); ++node) queue.emplace(importance(node), node);
     std::uint32_t rank = 0;
     while (!queue.empty()) {
-      if (will_exceed(most_work, rank, out_.size() - rank) || stop.stop_requested()) return {};
+      if (stop.stop_requested()) return {};
       const auto [place, node] = queue.top();
       queue.pop();
       // What was contracted since may have made it more important: lazily found out here.
@@ -41,9 +45,15 @@ class Contraction {
         queue.emplace(now, node);
         continue;
       }
+      if (found_.size() > most_added) {
+        queue.emplace(now, node);
+        break;
+      }
       hierarchy_.rank[node] = rank++;
       remove(node);
     }
+    for (; !queue.empty(); queue.pop()) hierarchy_.core.push_back(queue.top().second);
+    keep_core(rank);
     return std::move(hierarchy_);
   }
 
@@ -53,16 +63,21 @@ class Contraction {
     double length;
   };
 
-  /// Will it cost more, if the nodes that are left cost no less than those contracted last?
-  bool will_exceed(std::uint64_t most_work, std::size_t contracted, std::size_t left) {
-    constexpr std::uint64_t stretch = 25'000'000;
-    if (work_ - stretch_begin_ >= stretch) {
-      const std::uint64_t nodes = std::max<std::uint64_t>(contracted - stretch_contracted_, 1);
-      expected_ = work_ + (work_ - stretch_begin_) / nodes * left;
-      stretch_begin_ = work_;
-      stretch_contracted_ = contracted;
+  void keep_core(std::uint32_t rank) {
+    std::ranges::sort(hierarchy_.core);
+    hierarchy_.in_core.assign(out_.size(), none);
+    for (std::uint32_t i = 0; i < hierarchy_.core.size(); ++i) {
+      hierarchy_.in_core[hierarchy_.core[i]] = i;
+      hierarchy_.rank[hierarchy_.core[i]] = rank;
     }
-    return std::max(work_, expected_) > most_work;
+    const auto kept = [&](std::vector<Arc>& arcs) {
+      for (Arc& arc : arcs) arc.node = hierarchy_.in_core[arc.node];
+      return std::move(arcs);
+    };
+    for (const std::uint32_t node : hierarchy_.core) {
+      hierarchy_.core_graph.out.push_back(kept(out_[node]));
+      hierarchy_.core_graph.in.push_back(kept(in_[node]));
+    }
   }
 
   void connect(std::uint32_t from, std::uint32_t to, double length, std::uint32_t link) {
@@ -87,46 +102,66 @@ class Contraction {
     return added - removed + 2 * level_[node];
   }
 
-  /// The ways through a node that have no other way round it that is as short.
+  /// The ways through a node that have no other way round it that is as short. Searched from the
+  /// side on which fewer arcs end: a tangent has two exits and may have many arrivals.
   void find_shortcuts(std::uint32_t node) {
     found_.clear();
-    for (const Arc& before : in_[node]) {
-      double longest = 0;
-      for (const Arc& after : out_[node]) longest = std::max(longest, before.length + after.length);
-      search_round(before.node, node, longest);
-      for (const Arc& after : out_[node]) {
-        const double length = before.length + after.length;
-        if (after.node != before.node && distance_[after.node] > length)
-          found_.push_back({before.node, after.node, before.link, after.link, length});
+    const bool backward = out_[node].size() < in_[node].size();
+    const auto& starts = backward ? out_[node] : in_[node];
+    const auto& ends = backward ? in_[node] : out_[node];
+    for (const Arc& start : starts) {
+      search_round(start, node, ends, backward ? in_ : out_);
+      for (const Arc& end : ends) {
+        if (limit_[end.node] != needed(start, end)) continue;
+        const Arc& before = backward ? end : start;
+        const Arc& after = backward ? start : end;
+        found_.push_back({before.node, after.node, before.link, after.link, needed(start, end)});
       }
+      for (const Arc& end : ends) limit_[end.node] = witnessed;
       for (const std::uint32_t seen : touched_) distance_[seen] = infinity;
     }
   }
+  static double needed(const Arc& start, const Arc& end) noexcept {
+    return start.length + end.length;
+  }
 
-  void search_round(std::uint32_t start, std::uint32_t avoided, double longest) {
-    touched_.assign(1, start);
-    distance_[start] = 0;
-    heap_.assign(1, {0, start});
-    for (std::size_t settled = 0; !heap_.empty() && settled < most_settled; ++settled) {
+  /// Takes the limit from each end that another way reaches which is as short as that by `avoided`.
+  void search_round(const Arc& start, std::uint32_t avoided, const std::vector<Arc>& ends,
+                    const std::vector<std::vector<Arc>>& arcs) {
+    double longest = 0;
+    std::size_t open = 0;
+    for (const Arc& end : ends) {
+      if (end.node == start.node) continue;
+      limit_[end.node] = needed(start, end);
+      longest = std::max(longest, limit_[end.node]);
+      ++open;
+    }
+    touched_.assign(1, start.node);
+    distance_[start.node] = 0;
+    heap_.assign(1, {0, start.node});
+    for (std::size_t settled = 0; open > 0 && !heap_.empty() && settled < most_settled; ++settled) {
       std::ranges::pop_heap(heap_, std::greater<>{});
       const auto [length, node] = heap_.back();
       heap_.pop_back();
       if (length > longest) break;
       if (length > distance_[node]) continue;
-      work_ += out_[node].size();
-      for (const Arc& arc : out_[node]) {
+      for (const Arc& arc : arcs[node]) {
         const double further = length + arc.length;
         if (arc.node == avoided || further > longest || further >= distance_[arc.node]) continue;
         if (distance_[arc.node] == infinity) touched_.push_back(arc.node);
         distance_[arc.node] = further;
+        if (further <= limit_[arc.node]) {
+          limit_[arc.node] = witnessed;
+          if (--open == 0) return;
+        }
         heap_.emplace_back(further, arc.node);
         std::ranges::push_heap(heap_, std::greater<>{});
       }
     }
   }
 
+  /// Right after its importance was told, which has found the shortcuts.
   void remove(std::uint32_t node) {
-    find_shortcuts(node);
     for (const Shortcut& s : found_) {
       const auto index = static_cast<std::uint32_t>(hierarchy_.shortcut.size() / 2);
       hierarchy_.shortcut.insert(hierarchy_.shortcut.end(), {s.first, s.second});
@@ -146,20 +181,19 @@ class Contraction {
   std::vector<std::vector<Arc>> out_, in_;  ///< Of the nodes that are left.
   std::vector<std::int64_t> level_;
   std::vector<double> distance_;
+  static constexpr double witnessed = -1;
+  std::vector<double> limit_;  ///< How long a way to an end may be to make a shortcut needless.
   std::vector<std::uint32_t> touched_;
   std::vector<std::pair<double, std::uint32_t>> heap_;
   std::vector<Shortcut> found_;
-  std::uint64_t work_ = 0, expected_ = 0;
-  std::uint64_t stretch_begin_ = 0;  ///< The work done when the present stretch of it began.
-  std::size_t stretch_contracted_ = 0;
 };
 
 }  // namespace
 
 std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> links,
-                                  std::uint32_t names, std::uint64_t most_work,
+                                  std::uint32_t names, std::size_t most_added,
                                   const std::stop_token& stop) {
-  return Contraction(nodes, links, names).run(most_work, stop);
+  return Contraction(nodes, links, names).run(most_added, stop);
 }
 
 }  // namespace docent::path

@@ -11,11 +11,9 @@
 namespace docent::path {
 namespace {
 
-/// What contraction may cost, in arcs looked at: museums take 2,000 to 9,000 a tangent, games' maps
-/// 50 to 300, a lattice of 100 columns 12,000. A thousand million take about 12 s.
-constexpr std::uint64_t base_work = 20'000'000, work_per_tangent = 20'000;
-constexpr std::uint64_t most_work_in_all = 1'300'000'000;
-
+/// Nodes that would bring more arcs than this when they are contracted are left to the core: from
+/// there on contraction costs more than labelling.
+constexpr std::size_t most_added = 40;
 /// How far along a side's arc an angle is, in metres.
 double roll_to(const TangentGraph& graph, std::uint32_t side, double angle) {
   const TangentArc& arc = graph.arc[side / 2];
@@ -62,7 +60,7 @@ struct Entry {
   double length;
 };
 
-/// The nodes that a station reaches by going up a hierarchy only, each with its true distance.
+/// The nodes that a station reaches by going up a hierarchy only, as far as the core.
 class UpwardSearch {
  public:
   using Arcs = std::vector<std::vector<Hierarchy::Arc>>;
@@ -71,6 +69,7 @@ class UpwardSearch {
   UpwardSearch(const Arcs& up, const Arcs& back)
       : up_(up), back_(back), length_(up.size(), infinity), from_(up.size()) {}
 
+  /// Parents come before their children.
   const std::vector<Entry>& run(const std::vector<Root>& roots) {
     entries_.clear();
     for (const Root& root : roots) reach(root.node, root.length, {root.link, none});
@@ -114,87 +113,180 @@ class UpwardSearch {
   std::vector<Entry> entries_;
 };
 
-/// Keeps the entries of a label whose length is that of the shortest way: the search upwards also
-/// comes to nodes that a way over more important ones reaches sooner. What is kept keeps its
-/// parents, because the way to them is a part of a shortest one.
-class Pruning {
+/// Sums of the same lengths in another order differ by less, as a share.
+constexpr double rounding = 1e-12;
+
+/// Goes on from the core nodes of a label by their labels in the core: to the hubs that a shortest
+/// way from the station passes, each by the hub before it.
+class CoreSteps {
  public:
-  using Arcs = std::vector<std::vector<Hierarchy::Arc>>;
+  using Labels = std::vector<std::vector<CoreLabels::Entry>>;
 
-  /// For labels of searches along `up`; `down` are the arcs of the other direction.
-  Pruning(const Arcs& up, const Arcs& down)
-      : search_(down, up), to_node_(up.size()), length_(up.size(), infinity) {}
-
-  std::vector<Entry> exact(const std::vector<Entry>& label) {
-    for (const Entry& entry : label) length_[entry.node] = entry.length;
-    place_.assign(label.size(), none);
-    std::vector<Entry> kept;
-    for (std::uint32_t i = 0; i < label.size(); ++i) {
-      Entry entry = label[i];
-      if (shortest_to(entry.node) < entry.length * (1 - rounding)) continue;
-      place_[i] = static_cast<std::uint32_t>(kept.size());
-      if (entry.parent != none) entry.parent = place_[entry.parent];
-      kept.push_back(entry);
+  /// `labels` lead from a node to hubs, `back` from hubs to a node. `is_forward` where a way leads
+  /// in the direction of `labels`. New shortcuts are put into `hierarchy`.
+  CoreSteps(Hierarchy& hierarchy, const CoreLabels& core, const Labels& labels, const Labels& back,
+            bool is_forward)
+      : hierarchy_(hierarchy),
+        core_(core),
+        labels_(labels),
+        back_(back),
+        is_forward_(is_forward),
+        reached_(core.node_of_hub.size()),
+        shortcut_(labels.size()),
+        before_(labels.size()) {
+    for (std::size_t node = 0; node < labels.size(); ++node) {
+      shortcut_[node].assign(labels[node].size(), none);
+      before_[node].assign(labels[node].size(), none);
     }
-    for (const Entry& entry : label) length_[entry.node] = infinity;
-    kept.shrink_to_fit();
-    return kept;
+  }
+
+  /// The label of a station whose upward search found `climbed`.
+  std::vector<Entry> run(const std::vector<Entry>& climbed) {
+    reach_hubs(climbed);
+    std::vector<Entry> label;
+    place_.assign(climbed.size(), none);
+    for (std::uint32_t i = 0; i < climbed.size(); ++i) {
+      const std::uint32_t in_core = hierarchy_.in_core[climbed[i].node];
+      if (in_core != none && reached_[core_.hub_of_node[in_core]].from != i) continue;
+      place_[i] = static_cast<std::uint32_t>(label.size());
+      label.push_back(climbed[i]);
+      if (climbed[i].parent != none) label.back().parent = place_[climbed[i].parent];
+    }
+    // The least important first: a hub's way passes less important ones only.
+    std::ranges::sort(hubs_, std::greater<>{});
+    for (const std::uint32_t hub : hubs_) add_hub(hub, climbed, label);
+    for (const std::uint32_t hub : hubs_) reached_[hub] = {};
+    return label;
   }
 
  private:
-  static constexpr double rounding = 1e-12;
+  struct Reached {
+    double length = infinity;
+    std::uint32_t from = none;   ///< The entry of the upward search from which it is reached.
+    std::uint32_t place = none;  ///< In the label.
+    bool is_entered = false;     ///< The upward search came to it.
+  };
 
-  /// The length of the shortest way to a node that goes over any hub of the label.
-  double shortest_to(std::uint32_t node) {
-    Hubs& hubs = to_node_[node];
-    if (hubs.node.empty()) {
-      const std::vector<Entry>& found = search_.run({{node, 0, none}});
-      hubs.node.reserve(found.size());
-      hubs.length.reserve(found.size());
-      for (const Entry& entry : found) {
-        hubs.node.push_back(entry.node);
-        hubs.length.push_back(entry.length);
-      }
+  void reach_hubs(const std::vector<Entry>& climbed) {
+    hubs_.clear();
+    for (std::uint32_t i = 0; i < climbed.size(); ++i) {
+      const std::uint32_t node = hierarchy_.in_core[climbed[i].node];
+      if (node == none) continue;
+      // Whatever it leads to is reached in less by those before it.
+      if (reached_[core_.hub_of_node[node]].length < climbed[i].length * (1 - rounding)) continue;
+      for (const CoreLabels::Entry& entry : labels_[node])
+        reach(entry.hub, climbed[i].length + entry.length, i);
+      reach(core_.hub_of_node[node], climbed[i].length, i);
+      reached_[core_.hub_of_node[node]] = {climbed[i].length, i, none, true};
     }
-    double shortest = infinity;
-    for (std::size_t i = 0; i < hubs.node.size(); ++i)
-      shortest = std::min(shortest, length_[hubs.node[i]] + hubs.length[i]);
-    return shortest;
+    const auto kept = std::ranges::partition(
+        hubs_, [&](std::uint32_t hub) { return reached_[hub].is_entered || is_shortest(hub); });
+    for (const std::uint32_t hub : kept) reached_[hub] = {};
+    hubs_.erase(kept.begin(), kept.end());
+  }
+  void reach(std::uint32_t hub, double length, std::uint32_t from) {
+    Reached& reached = reached_[hub];
+    if (length >= reached.length) return;
+    if (reached.length == infinity) hubs_.push_back(hub);
+    reached.length = length;
+    reached.from = from;
+  }
+  /// Does no other hub lead there in less?
+  bool is_shortest(std::uint32_t hub) const {
+    const double least = reached_[hub].length * (1 - rounding);
+    return std::ranges::none_of(back_[core_.node_of_hub[hub]], [&](const CoreLabels::Entry& entry) {
+      return reached_[entry.hub].length + entry.length < least;
+    });
   }
 
-  /// By themselves, because there are many million of them.
-  struct Hubs {
-    std::vector<std::uint32_t> node;
-    std::vector<double> length;
-  };
-  UpwardSearch search_;
-  std::vector<Hubs> to_node_;  ///< Made when asked for.
-  std::vector<double> length_;
-  std::vector<std::uint32_t> place_;
+  void add_hub(std::uint32_t hub, const std::vector<Entry>& climbed, std::vector<Entry>& label) {
+    Reached& reached = reached_[hub];
+    const std::uint32_t start = hierarchy_.in_core[climbed[reached.from].node];
+    const std::uint32_t goal = core_.node_of_hub[hub];
+    if (start == goal) {
+      reached.place = place_[reached.from];
+      return;
+    }
+    // By the most important hub on the way. Where ways tie the label may lack it: then straight
+    // from where the core is entered.
+    std::uint32_t before = most_important_before(start, hub);
+    std::uint32_t parent = reached_[core_.hub_of_node[before]].place;
+    if (parent == none) {
+      before = start;
+      parent = place_[reached.from];
+    }
+    reached.place = static_cast<std::uint32_t>(label.size());
+    label.push_back({hierarchy_.core[goal], link_between(before, hub), parent, reached.length});
+  }
+
+  /// Of the nodes on the way from a node to a hub of its label, without the hub.
+  std::uint32_t most_important_before(std::uint32_t start, std::uint32_t hub) {
+    const CoreLabels::Entry* entry = CoreLabels::find(labels_[start], hub);
+    std::uint32_t& known = before_[start][static_cast<std::size_t>(entry - labels_[start].data())];
+    if (known != none) return known;
+    known = start;
+    if (entry->next != core_.node_of_hub[hub]) {
+      const std::uint32_t later = most_important_before(entry->next, hub);
+      if (core_.hub_of_node[later] < core_.hub_of_node[start]) known = later;
+    }
+    return known;
+  }
+
+  /// The way from a node to a hub of its label as one link.
+  std::uint32_t link_between(std::uint32_t node, std::uint32_t hub) {
+    const CoreLabels::Entry* entry = CoreLabels::find(labels_[node], hub);
+    std::uint32_t& known = shortcut_[node][static_cast<std::size_t>(entry - labels_[node].data())];
+    if (known != none) return known;
+    if (entry->next == core_.node_of_hub[hub]) return known = entry->link;
+    const std::uint32_t rest = link_between(entry->next, hub);
+    const auto index = static_cast<std::uint32_t>(hierarchy_.shortcut.size() / 2);
+    const auto first = is_forward_ ? entry->link : rest, second = is_forward_ ? rest : entry->link;
+    hierarchy_.shortcut.insert(hierarchy_.shortcut.end(), {first, second});
+    return known = hierarchy_.first_shortcut + index;
+  }
+
+  Hierarchy& hierarchy_;
+  const CoreLabels& core_;
+  const Labels& labels_;
+  const Labels& back_;
+  bool is_forward_;
+  std::vector<Reached> reached_;  ///< Per hub.
+  std::vector<std::uint32_t> hubs_;
+  std::vector<std::uint32_t> place_;  ///< In the label, of the upward search's entries.
+  std::vector<std::vector<std::uint32_t>> shortcut_, before_;  ///< Per entry of the core's labels.
 };
 
 class Maker {
  public:
-  Maker(const FloorPlan& plan, const TangentGraph& graph, Hierarchy hierarchy)
+  Maker(const FloorPlan& plan, const TangentGraph& graph, Hierarchy hierarchy,
+        const CoreLabels& core)
       : plan_(plan),
         graph_(graph),
         tangents_(static_cast<std::uint32_t>(graph.tangent.size())),
-        hierarchy_(std::move(hierarchy)) {}
+        hierarchy_(std::move(hierarchy)),
+        core_(core) {}
 
-  HubLabels make() {
+  /// None where they would be too many.
+  HubLabels make(std::size_t most_entries) {
     const auto stations = static_cast<std::uint32_t>(2 * graph_.arc.size());
     std::vector<std::vector<Entry>> leaving(stations), arriving(stations);
-    UpwardSearch forward(hierarchy_.up, hierarchy_.down);
+    std::size_t made = 0;
     {
-      Pruning pruning(hierarchy_.up, hierarchy_.down);
-      for (std::uint32_t s = 0; s < stations; ++s)
-        leaving[s] = pruning.exact(forward.run(leaving_roots(s)));
+      UpwardSearch search(hierarchy_.up, hierarchy_.down);
+      CoreSteps steps(hierarchy_, core_, core_.leaving, core_.arriving, true);
+      for (std::uint32_t s = 0; s < stations && made <= most_entries; ++s) {
+        leaving[s] = steps.run(search.run(leaving_roots(s)));
+        made += leaving[s].size();
+      }
     }
-    UpwardSearch backward(hierarchy_.down, hierarchy_.up);
+    UpwardSearch search(hierarchy_.down, hierarchy_.up);
+    CoreSteps steps(hierarchy_, core_, core_.arriving, core_.leaving, false);
     const std::vector<std::vector<Root>> roots = arriving_roots();
-    Pruning pruning(hierarchy_.down, hierarchy_.up);
-    for (std::uint32_t s = 0; s < stations; ++s)
-      arriving[s] = pruning.exact(backward.run(roots[s]));
+    for (std::uint32_t s = 0; s < stations && made <= most_entries; ++s) {
+      arriving[s] = steps.run(search.run(roots[s]));
+      made += arriving[s].size();
+    }
+    if (made > most_entries) return {};
 
     HubLabels labels;
     double longest = diagonal(plan_);
@@ -237,10 +329,15 @@ class Maker {
             is_hub[entry.node] = true;
             hubs.push_back(entry.node);
           }
-    std::ranges::sort(hubs, std::greater<>{},
-                      [&](std::uint32_t node) { return hierarchy_.rank[node]; });
+    std::ranges::sort(hubs, std::greater<>{}, [&](std::uint32_t node) { return importance(node); });
     hub_.assign(tangents_, none);
     for (std::uint32_t i = 0; i < hubs.size(); ++i) hub_[hubs[i]] = i;
+  }
+
+  std::uint64_t importance(std::uint32_t node) const {
+    const std::uint32_t in_core = hierarchy_.in_core[node];
+    if (in_core == none) return hierarchy_.rank[node];
+    return std::uint64_t{tangents_} + core_.node_of_hub.size() - core_.hub_of_node[in_core];
   }
 
   std::uint32_t link(std::uint32_t name) const {
@@ -274,19 +371,20 @@ class Maker {
   const TangentGraph& graph_;
   std::uint32_t tangents_;
   Hierarchy hierarchy_;
+  const CoreLabels& core_;
   std::vector<std::uint32_t> hub_;
 };
 
 }  // namespace
 
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
-                          const std::stop_token& stop) {
+                          const std::stop_token& stop, std::size_t most_entries) {
   const auto tangents = static_cast<std::uint32_t>(graph.tangent.size());
-  const std::uint64_t most_work =
-      std::min(base_work + work_per_tangent * graph.tangent.size(), most_work_in_all);
-  auto hierarchy = contract(tangents, links_of(graph), tangents + 1, most_work, stop);
+  auto hierarchy = contract(tangents, links_of(graph), tangents + 1, most_added, stop);
   if (!hierarchy) return {};
-  return Maker(plan, graph, std::move(*hierarchy)).make();
+  const auto core = make_core_labels(hierarchy->core_graph, most_entries / 2, stop);
+  if (!core) return {};
+  return Maker(plan, graph, std::move(*hierarchy), *core).make(most_entries);
 }
 
 }  // namespace docent::path

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stop_token>
 
 #include "runtime/model/geometry/floor_plan.h"
@@ -10,9 +11,9 @@ namespace docent::path {
 
 /// The labels of a plan's tangent graph. Takes some seconds for floors of ten thousand corners: the
 /// content compiler does it for the museum's radius classes, a thread of the kiosk for any other
-/// radius. There are none (has_labels is false) for graphs too dense to have short ones, nor where
-/// a stop is requested.
+/// radius. There are none (has_labels is false) where they would have more than `most_entries`
+/// entries (16 bytes each in the database), nor where a stop is requested.
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
-                          const std::stop_token& stop = {});
+                          const std::stop_token& stop = {}, std::size_t most_entries = 11'000'000);
 
 }  // namespace docent::path

@@ -45,35 +45,88 @@ Row climb(const path::Hierarchy& hierarchy,
   return distance;
 }
 
-RC_GTEST_PROP(Contraction, KeepsEveryDistanceAsAWayUpAndAWayDown, ()) {
+/// The shortest way into the core from one node's climb, through it, and to the other's.
+double through_core(const path::Hierarchy& hierarchy, const path::CoreLabels& labels, const Row& up,
+                    const Row& down) {
+  double found = infinity;
+  for (std::uint32_t i = 0; i < hierarchy.core.size(); ++i)
+    for (std::uint32_t k = 0; k < hierarchy.core.size(); ++k)
+      for (const auto& leaving : labels.leaving[i])
+        if (const auto* arriving = path::CoreLabels::find(labels.arriving[k], leaving.hub))
+          found = std::min(found, up[hierarchy.core[i]] + leaving.length + arriving->length +
+                                      down[hierarchy.core[k]]);
+  return found;
+}
+
+RC_GTEST_PROP(Contraction, KeepsEveryDistanceAsAWayUpThroughTheCoreAndDown, ()) {
   const std::uint32_t nodes = *rc::gen::inRange(1U, 14U);
   const std::vector<path::Link> links = random_links(nodes);
+  const auto most_added = *rc::gen::inRange<std::size_t>(0, 8);
 
   const auto contracted = path::contract(nodes, links, static_cast<std::uint32_t>(links.size()),
-                                         1'000'000, std::stop_token{});
+                                         most_added, std::stop_token{});
 
   RC_ASSERT(contracted.has_value());
   const path::Hierarchy& hierarchy = *contracted;
+  const auto core = path::make_core_labels(hierarchy.core_graph, 100'000, std::stop_token{});
+  RC_ASSERT(core.has_value());
 
   const std::vector<Row> expected = all_distances(nodes, links);
   for (std::uint32_t from = 0; from < nodes; ++from)
     for (std::uint32_t to = 0; to < nodes; ++to) {
       const Row up = climb(hierarchy, hierarchy.up, from);
       const Row down = climb(hierarchy, hierarchy.down, to);
-      double found = infinity;
+      double found = through_core(hierarchy, *core, up, down);
       for (std::uint32_t k = 0; k < nodes; ++k) found = std::min(found, up[k] + down[k]);
       RC_ASSERT(found == expected[from][to]);
     }
 }
 
-TEST(Contraction, IsGivenUpWhenItIsAskedToStopAndWhenItWouldCostTooMuch) {
+RC_GTEST_PROP(CoreLabels, LeadToTheirHubsNodeByNode, ()) {
+  const std::uint32_t nodes = *rc::gen::inRange(1U, 14U);
+  const std::vector<path::Link> links = random_links(nodes);
+  path::CoreGraph graph{.out = std::vector<std::vector<path::CoreGraph::Arc>>(nodes),
+                        .in = std::vector<std::vector<path::CoreGraph::Arc>>(nodes)};
+  for (const path::Link& link : links) {
+    graph.out[link.from].push_back({link.to, link.name, link.length});
+    graph.in[link.to].push_back({link.from, link.name, link.length});
+  }
+
+  const auto labels = path::make_core_labels(graph, 100'000, std::stop_token{});
+
+  RC_ASSERT(labels.has_value());
+  for (std::uint32_t node = 0; node < nodes; ++node)
+    for (const auto& entry : labels->leaving[node]) {
+      double walked = 0;
+      std::uint32_t at = node;
+      while (at != labels->node_of_hub[entry.hub]) {
+        const auto* step = path::CoreLabels::find(labels->leaving[at], entry.hub);
+        RC_ASSERT(step != nullptr);
+        RC_ASSERT(links[step->link].from == at && links[step->link].to == step->next);
+        walked += links[step->link].length;
+        at = step->next;
+      }
+      RC_ASSERT(walked == entry.length);
+    }
+}
+
+TEST(Contraction, IsGivenUpWhenItIsAskedToStop) {
   std::stop_source source;
   source.request_stop();
   const std::vector<path::Link> links{{0, 1, 1, 0}, {1, 2, 1, 1}, {2, 0, 1, 2}, {0, 2, 1, 3}};
 
-  EXPECT_FALSE(path::contract(3, links, 4, 1'000'000, source.get_token()).has_value());
-  EXPECT_FALSE(path::contract(3, links, 4, 0, std::stop_token{}).has_value());
-  EXPECT_TRUE(path::contract(3, links, 4, 1'000'000, std::stop_token{}).has_value());
+  EXPECT_FALSE(path::contract(3, links, 4, 8, source.get_token()).has_value());
+  EXPECT_TRUE(path::contract(3, links, 4, 8, std::stop_token{}).has_value());
+}
+
+TEST(CoreLabels, AreGivenUpWhenTheyWouldBeTooManyAndWhenAskedToStop) {
+  const path::CoreGraph graph{.out = {{{1, 0, 1}}, {}}, .in = {{}, {{0, 0, 1}}}};
+  std::stop_source source;
+  source.request_stop();
+
+  EXPECT_FALSE(path::make_core_labels(graph, 2, std::stop_token{}).has_value());
+  EXPECT_FALSE(path::make_core_labels(graph, 100, source.get_token()).has_value());
+  EXPECT_TRUE(path::make_core_labels(graph, 100, std::stop_token{}).has_value());
 }
 
 }  // namespace

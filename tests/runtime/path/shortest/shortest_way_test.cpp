@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "runtime/model/none.h"
+#include "runtime/path/shortest/make_hub_labels.h"
 #include "tests/runtime/path/floors.h"
 
 namespace docent::test {
@@ -98,6 +99,34 @@ TEST(ShortestWay, LeavesAndReachesCornersOfWalls) {
   EXPECT_NEAR(shortest(*map, {5, 3}, {7, 5}, 0).length, 4, exact);
   EXPECT_NEAR(shortest(*map, {5, 3}, {5, 5}, 0).length, 2, exact);
   EXPECT_NEAR(shortest(*map, {0, 0}, {5, 3}, 0).length, std::hypot(5, 3), exact);
+}
+
+TEST(ShortestWay, IsSearchedWhereLabelsWouldBeTooMany) {
+  Floor floor = floor_of(hall_with_a_box());
+  const double labelled = shortest(*path::make_floor_map(floor), {3, 4}, {9, 4}, 0).length;
+
+  floor.hub_labels[0] = path::make_hub_labels(floor.plan, floor.tangent_graphs[0], {}, 3);
+
+  EXPECT_FALSE(floor.hub_labels[0].has_labels());
+  EXPECT_NEAR(shortest(*path::make_floor_map(floor), {3, 4}, {9, 4}, 0).length, labelled, exact);
+}
+
+TEST(ShortestWay, PassesACornerThatTwoObstaclesShareAndNotBetweenThem) {
+  for (const double x : {4.0, 4.5}) {  // On the left the shared corner is straight, or juts out.
+    const Vec2 shared{5, 3}, tip{6, 4}, end{x, 2};
+    const Floor floor = floor_of(
+        drawn(rectangle({0, 0}, {12, 8}), {{shared, end, {10, 2}}, {tip, shared, {11, 4}}}),
+        {0, 0.001});
+    const auto map = path::make_floor_map(floor);
+
+    const double expected = glm::distance({8, 6}, tip) + glm::distance(tip, shared) +
+                            glm::distance(shared, end) + glm::distance(end, {5, 1.5});
+    EXPECT_NEAR(shortest(*map, {8, 6}, {5, 1.5}, 0).length, expected, exact);
+    EXPECT_NEAR(shortest(*map, {8, 6}, {5, 1.5}, 0.001).length, expected, 0.01);
+    EXPECT_NEAR(shortest(*map, {8, 6}, shared, 0).length, glm::distance({8, 6}, shared), exact);
+    EXPECT_NEAR(shortest(*map, {8, 3}, {8, 6}, 0).length, std::sqrt(10.0) + std::sqrt(13.0), exact)
+        << "between them is a wall";
+  }
 }
 
 TEST(ShortestWay, IsDefinedForNumbersThatAreNone) {
