@@ -14,6 +14,9 @@ using Arc = Hierarchy::Arc;
 /// that may not be needed. More makes fewer shortcuts and costs time.
 constexpr std::size_t most_settled = 64;
 
+/// Graphs that need more are too dense to have short labels, and their arcs would fill the memory.
+constexpr std::size_t most_shortcuts = 6'000'000;
+
 class Contraction {
  public:
   Contraction(std::uint32_t nodes, std::span<const Link> links, std::uint32_t names)
@@ -36,7 +39,7 @@ class Contraction {
     for (std::uint32_t node = 0; node < out_.size(); ++node) queue.emplace(importance(node), node);
     std::uint32_t rank = 0;
     while (!queue.empty()) {
-      if (stop.stop_requested()) return {};
+      if (stop.stop_requested() || hierarchy_.shortcut.size() / 2 > most_shortcuts) return {};
       const auto [place, node] = queue.top();
       queue.pop();
       // What was contracted since may have made it more important: lazily found out here.

@@ -39,7 +39,8 @@ struct Link {
 };
 
 /// Contracts a graph. Lengths are not negative. What is left when the next node would bring more
-/// than `most_added` arcs is the core. None where a stop is requested.
+/// than `most_added` arcs is the core. None for graphs too dense to contract, nor where a stop is
+/// requested.
 std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> links,
                                   std::uint32_t names, std::size_t most_added,
                                   const std::stop_token& stop);

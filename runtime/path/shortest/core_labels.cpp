@@ -10,12 +10,10 @@
 namespace docent::path {
 namespace {
 
-using Entry = CoreLabels::Entry;
-using Arcs = std::vector<std::vector<CoreGraph::Arc>>;
-using Labels = std::vector<std::vector<Entry>>;
+using CoreEntry = CoreLabels::Entry;
+using CoreArcs = std::vector<std::vector<CoreGraph::Arc>>;
+using CoreLabelList = std::vector<std::vector<CoreEntry>>;
 
-/// Sums of the same lengths in another order differ by less, as a share.
-constexpr double rounding = 1e-12;
 /// A sample has at least so many trees, and so many nodes for each of the graph's.
 constexpr std::size_t least_trees = 32, nodes_a_node = 4, most_trees = 4096;
 /// A sample is used until the next hub has so much less than the first one.
@@ -45,9 +43,9 @@ class PrunedSearch {
   /// Calls `visit(node, length, next, link)` for each node that is nearer than labels say, by
   /// length. `known` is the root's label, `labels` those that the nodes' are found in.
   template <typename Visit>
-  void run(std::uint32_t root, const Arcs& arcs, const std::vector<Entry>& known,
-           const Labels& labels, Visit&& visit) {
-    for (const Entry& entry : known) to_hub_[entry.hub] = entry.length;
+  void run(std::uint32_t root, const CoreArcs& arcs, const std::vector<CoreEntry>& known,
+           const CoreLabelList& labels, Visit&& visit) {
+    for (const CoreEntry& entry : known) to_hub_[entry.hub] = entry.length;
     reach(root, 0, {root, none});
     while (!heap_.empty()) {
       std::ranges::pop_heap(heap_, std::greater<>{});
@@ -60,7 +58,7 @@ class PrunedSearch {
     }
     for (const std::uint32_t node : touched_) distance_[node] = infinity;
     touched_.clear();
-    for (const Entry& entry : known) to_hub_[entry.hub] = infinity;
+    for (const CoreEntry& entry : known) to_hub_[entry.hub] = infinity;
   }
 
  private:
@@ -72,10 +70,11 @@ class PrunedSearch {
     heap_.emplace_back(length, node);
     std::ranges::push_heap(heap_, std::greater<>{});
   }
-  bool is_known(const std::vector<Entry>& label, double length) const noexcept {
-    const double as_short = length * (1 + rounding);
-    return std::ranges::any_of(
-        label, [&](const Entry& entry) { return to_hub_[entry.hub] + entry.length <= as_short; });
+  bool is_known(const std::vector<CoreEntry>& label, double length) const noexcept {
+    const double as_short = length * (1 + same_length);
+    return std::ranges::any_of(label, [&](const CoreEntry& entry) {
+      return to_hub_[entry.hub] + entry.length <= as_short;
+    });
   }
 
   std::vector<double> distance_;
@@ -242,7 +241,7 @@ class Labelling {
     const auto hub = static_cast<std::uint32_t>(labels_.node_of_hub.size());
     labels_.node_of_hub.push_back(node);
     labels_.hub_of_node[node] = hub;
-    const auto into = [&](Labels& labels) {
+    const auto into = [&](CoreLabelList& labels) {
       return [this, hub, &labels](std::uint32_t reached, double length, std::uint32_t next,
                                   std::uint32_t link) {
         labels[reached].push_back({hub, next, link, length});
@@ -250,7 +249,7 @@ class Labelling {
       };
     };
     // A copy: the first search puts the hub into its own label.
-    const std::vector<Entry> leaving = labels_.leaving[node];
+    const std::vector<CoreEntry> leaving = labels_.leaving[node];
     search_.run(node, graph_.in, labels_.arriving[node], labels_.leaving, into(labels_.leaving));
     search_.run(node, graph_.out, leaving, labels_.arriving, into(labels_.arriving));
   }
@@ -266,8 +265,8 @@ class Labelling {
 
 }  // namespace
 
-const Entry* CoreLabels::find(const std::vector<Entry>& label, std::uint32_t hub) noexcept {
-  const auto found = std::ranges::lower_bound(label, hub, {}, &Entry::hub);
+const CoreEntry* CoreLabels::find(const std::vector<CoreEntry>& label, std::uint32_t hub) noexcept {
+  const auto found = std::ranges::lower_bound(label, hub, {}, &CoreEntry::hub);
   return found == label.end() || found->hub != hub ? nullptr : &*found;
 }
 

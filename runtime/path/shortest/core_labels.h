@@ -8,6 +8,9 @@
 
 namespace docent::path {
 
+/// Sums of the same lengths in another order differ by less, as a share.
+inline constexpr double same_length = 1e-12;
+
 /// A directed graph: for each node the arcs that leave it and those that come to it.
 struct CoreGraph {
   struct Arc {

@@ -55,7 +55,7 @@ struct Root {
   std::uint32_t link;
 };
 
-struct Entry {
+struct LabelEntry {
   std::uint32_t node, link, parent;
   double length;
 };
@@ -70,7 +70,7 @@ class UpwardSearch {
       : up_(up), back_(back), length_(up.size(), infinity), from_(up.size()) {}
 
   /// Parents come before their children.
-  const std::vector<Entry>& run(const std::vector<Root>& roots) {
+  const std::vector<LabelEntry>& run(const std::vector<Root>& roots) {
     entries_.clear();
     for (const Root& root : roots) reach(root.node, root.length, {root.link, none});
     while (!heap_.empty()) {
@@ -110,11 +110,8 @@ class UpwardSearch {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> from_;  ///< Link and parent.
   std::vector<std::uint32_t> touched_;
   std::vector<std::pair<double, std::uint32_t>> heap_;
-  std::vector<Entry> entries_;
+  std::vector<LabelEntry> entries_;
 };
-
-/// Sums of the same lengths in another order differ by less, as a share.
-constexpr double rounding = 1e-12;
 
 /// Goes on from the core nodes of a label by their labels in the core: to the hubs that a shortest
 /// way from the station passes, each by the hub before it.
@@ -141,9 +138,9 @@ class CoreSteps {
   }
 
   /// The label of a station whose upward search found `climbed`.
-  std::vector<Entry> run(const std::vector<Entry>& climbed) {
+  std::vector<LabelEntry> run(const std::vector<LabelEntry>& climbed) {
     reach_hubs(climbed);
-    std::vector<Entry> label;
+    std::vector<LabelEntry> label;
     place_.assign(climbed.size(), none);
     for (std::uint32_t i = 0; i < climbed.size(); ++i) {
       const std::uint32_t in_core = hierarchy_.in_core[climbed[i].node];
@@ -167,13 +164,14 @@ class CoreSteps {
     bool is_entered = false;     ///< The upward search came to it.
   };
 
-  void reach_hubs(const std::vector<Entry>& climbed) {
+  void reach_hubs(const std::vector<LabelEntry>& climbed) {
     hubs_.clear();
     for (std::uint32_t i = 0; i < climbed.size(); ++i) {
       const std::uint32_t node = hierarchy_.in_core[climbed[i].node];
       if (node == none) continue;
       // Whatever it leads to is reached in less by those before it.
-      if (reached_[core_.hub_of_node[node]].length < climbed[i].length * (1 - rounding)) continue;
+      if (reached_[core_.hub_of_node[node]].length < climbed[i].length * (1 - same_length))
+        continue;
       for (const CoreLabels::Entry& entry : labels_[node])
         reach(entry.hub, climbed[i].length + entry.length, i);
       reach(core_.hub_of_node[node], climbed[i].length, i);
@@ -193,13 +191,14 @@ class CoreSteps {
   }
   /// Does no other hub lead there in less?
   bool is_shortest(std::uint32_t hub) const {
-    const double least = reached_[hub].length * (1 - rounding);
+    const double least = reached_[hub].length * (1 - same_length);
     return std::ranges::none_of(back_[core_.node_of_hub[hub]], [&](const CoreLabels::Entry& entry) {
       return reached_[entry.hub].length + entry.length < least;
     });
   }
 
-  void add_hub(std::uint32_t hub, const std::vector<Entry>& climbed, std::vector<Entry>& label) {
+  void add_hub(std::uint32_t hub, const std::vector<LabelEntry>& climbed,
+               std::vector<LabelEntry>& label) {
     Reached& reached = reached_[hub];
     const std::uint32_t start = hierarchy_.in_core[climbed[reached.from].node];
     const std::uint32_t goal = core_.node_of_hub[hub];
@@ -269,7 +268,7 @@ class Maker {
   /// None where they would be too many.
   HubLabels make(std::size_t most_entries) {
     const auto stations = static_cast<std::uint32_t>(2 * graph_.arc.size());
-    std::vector<std::vector<Entry>> leaving(stations), arriving(stations);
+    std::vector<std::vector<LabelEntry>> leaving(stations), arriving(stations);
     std::size_t made = 0;
     {
       UpwardSearch search(hierarchy_.up, hierarchy_.down);
@@ -292,7 +291,7 @@ class Maker {
     double longest = diagonal(plan_);
     for (const auto* side : {&leaving, &arriving})
       for (const auto& entries : *side)
-        for (const Entry& entry : entries) longest = std::max(longest, entry.length);
+        for (const LabelEntry& entry : entries) longest = std::max(longest, entry.length);
     labels.unit = longest > 0 ? longest / HubLabels::most_cost : 1;
     number_hubs(leaving, arriving);
     labels.leaving = packed(leaving, labels.unit);
@@ -318,13 +317,13 @@ class Maker {
   }
 
   /// Hubs are numbered from the most important one down, so that those in most labels lie together.
-  void number_hubs(const std::vector<std::vector<Entry>>& leaving,
-                   const std::vector<std::vector<Entry>>& arriving) {
+  void number_hubs(const std::vector<std::vector<LabelEntry>>& leaving,
+                   const std::vector<std::vector<LabelEntry>>& arriving) {
     std::vector<std::uint32_t> hubs;
     std::vector<bool> is_hub(tangents_, false);
     for (const auto* side : {&leaving, &arriving})
       for (const auto& entries : *side)
-        for (const Entry& entry : entries)
+        for (const LabelEntry& entry : entries)
           if (!is_hub[entry.node]) {
             is_hub[entry.node] = true;
             hubs.push_back(entry.node);
@@ -345,10 +344,10 @@ class Maker {
     return name < tangents_ ? name : name - 1;
   }
 
-  LabelTable packed(const std::vector<std::vector<Entry>>& labels, double unit) const {
+  LabelTable packed(const std::vector<std::vector<LabelEntry>>& labels, double unit) const {
     LabelTable table;
     std::vector<std::uint32_t> order, place;
-    for (const std::vector<Entry>& entries : labels) {
+    for (const std::vector<LabelEntry>& entries : labels) {
       const auto first = table.first.back();
       order.resize(entries.size());
       place.resize(entries.size());
@@ -356,7 +355,7 @@ class Maker {
       std::ranges::sort(order, {}, [&](std::uint32_t i) { return hub_[entries[i].node]; });
       for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = first + i;
       for (const std::uint32_t i : order) {
-        const Entry& entry = entries[i];
+        const LabelEntry& entry = entries[i];
         table.hub.push_back(
             {hub_[entry.node], static_cast<std::uint32_t>(std::llround(entry.length / unit))});
         table.link.push_back(link(entry.link));
