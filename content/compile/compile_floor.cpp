@@ -41,8 +41,12 @@ FloorPlan mend(const import::ImportedPlan& drawn, Report& report) {
   }
 }
 
+/// On floors of fewer walls a search takes a fraction of a millisecond.
+constexpr std::size_t worth_telling = 2000;
+
 /// Says which radii have no labels, and what that costs.
 void report_searched(const Floor& floor, const std::string& file, Report& report) {
+  if (floor.plan.vertex.size() < worth_telling) return;
   for (std::size_t i = 0; i < floor.tangent_graphs.size(); ++i) {
     const TangentGraph& graph = floor.tangent_graphs[i];
     if (graph.arc.empty() || floor.hub_labels[i].has_labels()) continue;
