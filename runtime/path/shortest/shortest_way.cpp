@@ -12,26 +12,43 @@
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
-#include "runtime/path/shortest/tangent_search.h"
 
 namespace docent::path {
 namespace {
 
-/// An end tangent of the query. Costs are in the labels' unit.
+/// A tangent that a way of the query begins or ends with, or some more of its way. Costs are in the
+/// labels' unit.
 struct Candidate {
-  EndTangent tangent;
+  EndTangent tangent;      ///< `length` is that of the way between the end and the touch.
   std::int64_t bound = 0;  ///< No way by this tangent is shorter.
   std::int64_t cost = 0;   ///< As far as the end of the side's arc that labels count from: rolling
                            ///< there is taken off again. Known where `is_priced`.
   bool is_priced = false;
-  bool is_clear = false;  ///< Known to be clear of walls.
-  double angle = 0;       ///< Of the touch on the side's arc. Known where `is_priced`.
+  bool is_clear = false;              ///< Known to be clear of walls.
+  double angle = 0;                   ///< Of the touch on the side's arc. Known where `is_priced`.
+  std::uint32_t bend = none;          ///< How the way came to the side from the end's tangent.
+  std::uint32_t also_on_side = none;  ///< The next candidate of the same side.
+};
+
+/// A tangent that a way takes from one arc to the next, in the sense in which it is walked.
+struct Bend {
+  double leave_angle, arrive_angle, length;
+  std::uint32_t arrive_side;
+};
+
+/// A bend of a candidate that goes on from another one.
+struct CandidateBend {
+  Bend bend;
+  EndTangent end;        ///< The end's tangent.
+  double angle;          ///< Of its touch.
+  std::uint32_t nearer;  ///< The bend before, as seen from the end; none for the first.
 };
 
 /// What is added to costs, so that rolls may be taken off: no arc is longer.
 constexpr std::int64_t bias = 2 * std::int64_t{HubLabels::most_cost};
-/// So many bits hold the sum of the bias and four costs, and one more.
-constexpr unsigned cost_bits = 36;
+/// So many bits hold the sum of the bias, of a label's two costs and of the two of candidates (five
+/// of the largest costs each, with a bend beyond the shortest way), and one more.
+constexpr unsigned cost_bits = 37;
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 constexpr std::int64_t unreached = std::int64_t{1} << (cost_bits - 1);
 
@@ -50,8 +67,10 @@ struct Workspace {
   std::vector<std::uint64_t> hub;
   std::uint64_t round = 0;
   std::vector<Candidate> from, to;
+  std::vector<CandidateBend> bends;
   StampedArray<std::uint32_t> on_side;  ///< Which candidate touches a side first.
-  std::vector<std::uint32_t> tangents;  ///< Of the way, in order.
+  std::vector<std::uint32_t> tangents;  ///< Of the way, in order, those of its labels.
+  std::vector<Bend> way;                ///< All of the way, in order.
   std::vector<std::uint32_t> links;     ///< Yet to be taken apart.
 
   void next_round(std::size_t hubs) {
@@ -95,11 +114,11 @@ class Query {
       const bool to_clear = drop_unless_clear(work_.to, best.to, to_);
       if (!from_clear || !to_clear) continue;
       unpack(best);
-      const Candidate& first = work_.from[best.from];
-      const Candidate& last = work_.to[best.to];
-      if (!turns_forward(first, last))
-        return search_tangents(map_.search(), map_.graph().radius, from_, to_);
-      return trace(first, last);
+      const bool first_turns = first_turns_forward(work_.from[best.from]);
+      const bool last_turns = last_turns_forward(work_.to[best.to]);
+      if (first_turns && last_turns) return trace(work_.from[best.from], work_.to[best.to]);
+      if (!first_turns) go_on(work_.from, best.from, work_.to, true);
+      if (!last_turns) go_on(work_.to, best.to, work_.from, false);
     }
   }
 
@@ -113,6 +132,7 @@ class Query {
     for (const std::uint32_t side : about_from) map_.prefetch_arc(side);
     for (const std::uint32_t side : about_to) map_.prefetch_arc(side);
     work_.from.clear();
+    work_.bends.clear();
     for (const std::uint32_t side : about_from)
       if (const auto tangent = map_.tangent_to(side, from_)) {
         work_.from.push_back({*tangent});
@@ -139,7 +159,7 @@ class Query {
   void price_to(Candidate& candidate) const { price(candidate, candidate.tangent.side ^ 1U); }
 
   /// The bounds of some candidates, by what lies between them and any of the others.
-  void bound(std::vector<Candidate>& some, const std::vector<Candidate>& others) const {
+  void bound(std::span<Candidate> some, const std::vector<Candidate>& others) const {
     LandmarkBound between(map_.search().landmarks(), map_.graph().radius);
     for (const Candidate& other : others)
       between.add(map_.sight_corner(other.tangent.side), other.tangent.length);
@@ -158,6 +178,43 @@ class Query {
     return false;
   }
 
+  /// Puts in the place of a candidate, whose labels lead backwards, what it leads to: every tangent
+  /// that leaves its side from its touch on. For ways that end on this very side it is kept.
+  void go_on(std::vector<Candidate>& candidates, std::uint32_t index,
+             const std::vector<Candidate>& others, bool is_from) {
+    const TangentGraph& graph = map_.graph();
+    const Candidate from = candidates[index];
+    candidates[index].bound = unreached;
+    // As seen from the end: a way to the query's goal is walked backwards.
+    const std::uint32_t flip = is_from ? 0 : 1, side = from.tangent.side ^ flip;
+    const double turned = map_.turn_along(side, from.angle);
+    const std::size_t first_new = candidates.size();
+    for (std::uint32_t k = graph.side_first[side]; k < graph.side_first[side + 1]; ++k) {
+      const Tangent& tangent = graph.tangent[k];
+      const double turn = map_.turn_along(side, tangent.leave_angle) - turned;
+      if (turn < -same_angle) continue;
+      Candidate next{
+          .tangent = {tangent.arrive_side ^ flip,
+                      from.tangent.length + graph.radius * std::max(0.0, turn) + tangent.length,
+                      {}},
+          .is_priced = true,
+          .is_clear = true,
+          .angle = tangent.arrive_angle,
+          .bend = static_cast<std::uint32_t>(work_.bends.size())};
+      next.cost = in_units(next.tangent.length -
+                           graph.radius * map_.turn_along(tangent.arrive_side, next.angle));
+      candidates.push_back(next);
+      const Bend bend =
+          is_from
+              ? Bend{tangent.leave_angle, tangent.arrive_angle, tangent.length, tangent.arrive_side}
+              : Bend{tangent.arrive_angle, tangent.leave_angle, tangent.length, from.tangent.side};
+      const bool is_end = from.bend == none;
+      work_.bends.push_back({bend, is_end ? from.tangent : work_.bends[from.bend].end,
+                             is_end ? from.angle : work_.bends[from.bend].angle, from.bend});
+    }
+    bound(std::span(candidates).subspan(first_new), others);
+  }
+
   /// The cheapest pair of candidates, counting as if every roll could also be a little negative:
   /// no true way is cheaper.
   Meeting meet() {
@@ -168,10 +225,10 @@ class Query {
     for (const Candidate& candidate : work_.from)
       ShortestWayMap::prefetch(map_.leaving(candidate.tangent.side));
     ShortestWayMap::prefetch(map_.arriving(work_.to[0].tangent.side));
-    leave(0);
+    if (work_.from[0].bound < best.cost) leave(0);
     for (const Candidate& candidate : work_.to)
       ShortestWayMap::prefetch(map_.arriving(candidate.tangent.side));
-    arrive(0, best);
+    if (work_.to[0].bound < best.cost) arrive(0, best);
     for (std::uint32_t i = 1; i < work_.from.size(); ++i)
       if (work_.from[i].bound < best.cost) leave(i);
     for (std::uint32_t i = 0; i < work_.to.size(); ++i)
@@ -236,26 +293,32 @@ class Query {
     }
   }
 
-  /// The shortest way with one bend.
+  /// The shortest way of two candidates that touch the same side.
   Meeting meet_on_one_side() {
     const double radius = map_.graph().radius;
     Meeting best;
     work_.on_side.forget(2 * map_.graph().arc.size());
-    for (std::uint32_t i = 0; i < work_.from.size(); ++i)
-      work_.on_side[work_.from[i].tangent.side] = i;
+    for (std::uint32_t i = 0; i < work_.from.size(); ++i) {
+      Candidate& first = work_.from[i];
+      const bool is_alone = !work_.on_side.has(first.tangent.side);
+      std::uint32_t& on_side = work_.on_side[first.tangent.side];
+      first.also_on_side = is_alone ? none : on_side;
+      on_side = i;
+    }
     for (std::uint32_t k = 0; k < work_.to.size(); ++k) {
       Candidate& last = work_.to[k];
       const std::uint32_t side = last.tangent.side;
       if (!work_.on_side.has(side)) continue;
-      const std::uint32_t i = work_.on_side[side];
-      Candidate& first = work_.from[i];
-      price_from(first);
       price_to(last);
-      const double turn = map_.turn_along(side, last.angle) - map_.turn_along(side, first.angle);
-      if (turn < -same_angle) continue;
-      const std::int64_t cost =
-          in_units(first.tangent.length + radius * std::max(0.0, turn) + last.tangent.length);
-      if (cost < best.cost) best = {cost, i, k, none, none};
+      for (std::uint32_t i = work_.on_side[side]; i != none; i = work_.from[i].also_on_side) {
+        Candidate& first = work_.from[i];
+        price_from(first);
+        const double turn = map_.turn_along(side, last.angle) - map_.turn_along(side, first.angle);
+        if (turn < -same_angle) continue;
+        const std::int64_t cost =
+            in_units(first.tangent.length + radius * std::max(0.0, turn) + last.tangent.length);
+        if (cost < best.cost) best = {cost, i, k, none, none};
+      }
     }
     return best;
   }
@@ -293,38 +356,66 @@ class Query {
     }
   }
 
-  /// Does the way leave the arcs at its ends where it has arrived, or later? (Inside, the graph
-  /// sees to it.) Points need not ask: a way that turns the wrong way there is not the shortest.
-  bool turns_forward(const Candidate& first, const Candidate& last) const {
+  /// Does the way leave the arc where its labels begin not before it has arrived there? (Inside,
+  /// the graph sees to it.) Points need not ask: a way that turns the wrong way there is not the
+  /// shortest.
+  bool first_turns_forward(const Candidate& first) const {
     if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
+    const std::uint32_t side = first.tangent.side;
     const Tangent& leave = map_.graph().tangent[work_.tangents.front()];
+    return map_.turn_along(side, leave.leave_angle) >=
+           map_.turn_along(side, first.angle) - same_angle;
+  }
+  /// Does it arrive where its labels end not after it leaves?
+  bool last_turns_forward(const Candidate& last) const {
+    if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
+    const std::uint32_t side = last.tangent.side;
     const Tangent& arrive = map_.graph().tangent[work_.tangents.back()];
-    const std::uint32_t from = first.tangent.side, to = last.tangent.side;
-    return map_.turn_along(from, leave.leave_angle) >=
-               map_.turn_along(from, first.angle) - same_angle &&
-           map_.turn_along(to, arrive.arrive_angle) <= map_.turn_along(to, last.angle) + same_angle;
+    return map_.turn_along(side, arrive.arrive_angle) <=
+           map_.turn_along(side, last.angle) + same_angle;
+  }
+
+  /// All bends of a way whose labels are unpacked.
+  void list_bends(const Candidate& first, const Candidate& last) const {
+    work_.way.clear();
+    for (std::uint32_t i = first.bend; i != none; i = work_.bends[i].nearer)
+      work_.way.push_back(work_.bends[i].bend);
+    std::ranges::reverse(work_.way);
+    for (const std::uint32_t k : work_.tangents) {
+      const Tangent& tangent = map_.graph().tangent[k];
+      work_.way.push_back(
+          {tangent.leave_angle, tangent.arrive_angle, tangent.length, tangent.arrive_side});
+    }
+    for (std::uint32_t i = last.bend; i != none; i = work_.bends[i].nearer)
+      work_.way.push_back(work_.bends[i].bend);
   }
 
   Way trace(const Candidate& first, const Candidate& last) const {
+    list_bends(first, last);
+    const auto tangent_of = [&](const Candidate& candidate) {
+      return candidate.bend == none ? candidate.tangent : work_.bends[candidate.bend].end;
+    };
+    const auto angle_of = [&](const Candidate& candidate) {
+      return candidate.bend == none ? candidate.angle : work_.bends[candidate.bend].angle;
+    };
     const double radius = map_.graph().radius;
-    Way way{RouteStatus::Ok, first.tangent.length + last.tangent.length, radius, {}};
-    way.points.reserve(work_.tangents.size() + 4);
+    Way way{RouteStatus::Ok, tangent_of(first).length + tangent_of(last).length, radius, {}};
+    way.points.reserve(work_.way.size() + 4);
     way.points.push_back(from_);
-    std::uint32_t side = first.tangent.side;
-    double angle = first.angle;
+    std::uint32_t side = tangent_of(first).side;
+    double angle = angle_of(first);
     const auto roll = [&](double until) {
       way.length +=
           radius * std::max(0.0, map_.turn_along(side, until) - map_.turn_along(side, angle));
       append_arc(map_.corner(side), radius, angle, until, way.points);
     };
-    for (const std::uint32_t k : work_.tangents) {
-      const Tangent& tangent = map_.graph().tangent[k];
-      roll(tangent.leave_angle);
-      way.length += tangent.length;
-      side = tangent.arrive_side;
-      angle = tangent.arrive_angle;
+    for (const Bend& bend : work_.way) {
+      roll(bend.leave_angle);
+      way.length += bend.length;
+      side = bend.arrive_side;
+      angle = bend.arrive_angle;
     }
-    roll(last.angle);
+    roll(angle_of(last));
     append_point(to_, way.points);
     if (way.points.size() == 1) way.points.push_back(to_);
     return way;

@@ -54,12 +54,15 @@ std::optional<FloorPlan> mended_hall(const std::vector<Spike>& spikes) {
   }
 }
 
-/// Anywhere, or a little way from some corner.
-Vec2 place_in(const FloorPlan& plan, std::mt19937& random) {
+/// Anywhere, or a little way from some corner, or from the circle on which a disc rolls round it.
+Vec2 place_in(const FloorPlan& plan, double radius, std::mt19937& random) {
   std::uniform_real_distribution<double> anywhere(0, 8), turn(0, 6.2831853), share(0, 1);
-  if (share(random) < 0.4) return {anywhere(random), anywhere(random)};
+  const double kind = share(random), aside = share(random);
+  if (kind < 0.3) return {anywhere(random), anywhere(random)};
   const Vec2 corner = plan.vertex[random() % plan.vertex.size()];
-  const double angle = turn(random), far = 1.5 * std::pow(1e-3, share(random));
+  const double angle = turn(random);
+  const double far =
+      kind < 0.6 ? 1.5 * std::pow(1e-3, aside) : radius + 2e-7 + 0.1 * std::pow(1e-6, aside);
   return corner + far * Vec2{std::cos(angle), std::sin(angle)};
 }
 
@@ -72,7 +75,7 @@ void check_ways(const FloorPlan& plan, const path::FloorMap& map, double radius,
                 std::mt19937& random) {
   const BruteForceWays brute(plan, radius);
   for (int q = 0; q < queries; ++q) {
-    const Vec2 from = place_in(plan, random), to = place_in(plan, random);
+    const Vec2 from = place_in(plan, radius, random), to = place_in(plan, radius, random);
     if (!has_room(plan, from, radius) || !has_room(plan, to, radius)) continue;
     const path::Way way =
         path::route(map, {.kind = RouteKind::Shortest, .from = from, .to = to, .radius = radius});
@@ -105,6 +108,35 @@ RC_GTEST_PROP(SharpTips, HaveTheWaysThatBruteForceFinds, ()) {
   check_ways(*plan, *map, 0, 40, random);
   check_ways(*plan, *map, 0.25, 40, random);
   check_ways(*plan, *map, unnamed, 20, random);
+}
+
+/// Columns of three to five corners that see little of each other: from right beside a corner the
+/// labels' cheapest meeting is often one that would roll backwards.
+import::ImportedPlan hall_of_columns(std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  std::vector<Points> columns;
+  for (int i = 0; i < 16; ++i) {
+    const Vec2 centre{1 + 2 * (i % 4) + 0.3 * share(random), 1 + 2 * (i / 4) + 0.3 * share(random)};
+    const int corners = 3 + static_cast<int>(random() % 3);
+    const double size = 0.35 + 0.3 * share(random), turned = 6.2831853 * share(random);
+    Points column;
+    for (int k = 0; k < corners; ++k) {
+      const double angle = turned - 6.2831853 * k / corners;
+      column.push_back(centre + size * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    columns.push_back(column);
+  }
+  return drawn(rectangle({0, 0}, {8, 8}), columns);
+}
+
+RC_GTEST_PROP(ShortestWayBesideACorner, IsAsShortAsBruteForceFinds, ()) {
+  std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+  const double radius = *rc::gen::elementOf(std::vector{0.1, 0.2, 0.3});
+  const FloorPlan plan = mended(hall_of_columns(random));
+  const Floor floor = floor_of(plan, {radius});
+  const auto map = path::make_floor_map(floor);
+
+  check_ways(plan, *map, radius, 100, random);
 }
 
 }  // namespace
