@@ -178,7 +178,10 @@ terminal::Command check_command() {
   return {.name = "check",
           .manual = "reports what compile would, and writes nothing",
           .options = source_options(*request),
-          .run = [request] { return run_check(*request); }};
+          .run = [request] {
+            request->options.only_check = true;
+            return run_check(*request);
+          }};
 }
 
 }  // namespace docent::command

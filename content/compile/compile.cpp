@@ -70,11 +70,19 @@ void add_language(const std::string& tag, const config::WordsFile* own, Museum& 
   museum.languages.push_back(std::move(language));
 }
 
+/// Must the avatar be made? The clips that ship hold no mistakes: a check needs to look only at
+/// others, and a museum that is refused is not kept waiting for them.
+bool needs_avatar(const CompileOptions& options, const config::MuseumConfig* config,
+                  const Report& report) {
+  if (!options.with_motion) return false;
+  if (!options.clips.empty() || (config != nullptr && config->motion.clips.given)) return true;
+  return !options.only_check && !report.has_errors();
+}
+
 /// The avatar, compiled beside everything else where there are threads for it.
 class AvatarTask {
  public:
   AvatarTask(const CompileOptions& options, std::vector<fs::path> folders, Progress& progress) {
-    if (!options.with_motion) return;
     plan_avatar_stages(progress);
     const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
     task_ = std::async(when, [folders = std::move(folders), &options, &progress] {
@@ -83,7 +91,6 @@ class AvatarTask {
   }
 
   void finish(Museum& museum, Report& report) {
-    if (!task_.valid()) return;
     CompiledAvatar compiled = task_.get();
     report.add(compiled.problems);
     museum.motion = std::move(compiled.motion);
@@ -109,8 +116,11 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
   const std::string name = fs::path(options.sources.front()).stem().string();
   report.set_file_order(options.sources);
   plan_floor_stages(progress);
-  if (options.with_motion) progress.plan("scenery", 8);
-  AvatarTask avatar(options, clip_folders(options, nullptr), progress);
+  const bool is_drawn = options.with_motion && !options.only_check;
+  if (is_drawn) progress.plan("scenery", 8);
+  std::optional<AvatarTask> avatar;
+  if (needs_avatar(options, nullptr, report))
+    avatar.emplace(options, clip_folders(options, nullptr), progress);
   museum.title["en"] = name;
   add_language("en", nullptr, museum, report);
   attempt(report, [&] {
@@ -119,11 +129,11 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
                                            report, progress, options.jobs);
     museum.floors.push_back(std::move(compiled.floor));
     museum.kiosk = most_open_place(museum.floors.front());
-    if (!options.with_motion) return museum.scenery.resize(1);  // the plan alone: nothing to draw
+    if (!is_drawn) return museum.scenery.resize(1);  // the plan alone: nothing to draw
     const auto stage = progress.start("scenery");
     compile_scenery(nullptr, museum);
   });
-  avatar.finish(museum, report);
+  if (avatar) avatar->finish(museum, report);
 }
 
 /// The folder's own name, also of "." and "museum/".
@@ -175,11 +185,9 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   plan_floor_stages(progress);
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
-  progress.plan("scenery", 40);
-  // The clips that ship hold no mistakes: a museum that does is not kept waiting for them.
-  const bool own_clips = !options.clips.empty() || config.motion.clips.given;
+  if (!options.only_check) progress.plan("scenery", 40);
   std::optional<AvatarTask> avatar;
-  if (own_clips || !report.has_errors())
+  if (needs_avatar(options, &config, report))
     avatar.emplace(options, clip_folders(options, &config), progress);
 
   take_texts(config, museum, report);
@@ -194,7 +202,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     const auto stage = progress.start("images");
     compile_images(config, options.jobs, museum, report);
   }
-  if (!report.has_errors()) {
+  if (!options.only_check && !report.has_errors()) {
     const auto stage = progress.start("scenery");
     compile_scenery(&config, museum);
   }

@@ -21,6 +21,7 @@ struct CompileOptions {
   import::Coordinates coordinates = import::Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
   bool with_motion = true;
+  bool only_check = false;  ///< Only the report is wanted: what cannot be wrong is left out.
   unsigned jobs = 0;  ///< Threads, the same result for any number; 0: as many as the machine has.
 };
 

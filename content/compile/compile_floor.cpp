@@ -56,8 +56,8 @@ void report_searched(const Floor& floor, const std::string& file, Report& report
     diagnostic.code = "ways-searched";
     diagnostic.message = fmt::format(
         "the shortest ways of radius {:g} m are too many to prepare: {} corners see each other "
-        "along "
-        "{} lines; each way is searched when it is asked for, which takes milliseconds instead of "
+        "along {} "
+        "lines; each way is searched when it is asked for, which takes milliseconds and not "
         "microseconds",
         graph.radius, graph.arc.size(), graph.tangent.size() / 2);
     diagnostic.hint = "nothing need be done; a floor in several parts is quicker";

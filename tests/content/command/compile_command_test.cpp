@@ -1,8 +1,10 @@
 // What compile and check say while they work, when they are done, and when they cannot begin.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -89,6 +91,32 @@ TEST(CheckCommand, SaysThatNothingIsWrong) {
 
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.err, HasSubstr(museum.path().string() + ": no errors, 0 warnings, in "));
+}
+
+TEST(CheckCommand, DoesNotComputeWhatCannotBeWrong) {
+  const MuseumFolder museum;
+  const std::string plan = (museum.path() / "ground.geojson").string();
+
+  for (const std::string& source : {museum.path().string(), plan}) {
+    const ProgramRun run = run_program("docent-content", "check '" + source + "'");
+
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("voronoi"), Not(HasSubstr("motion")),
+                               Not(HasSubstr("avatar")), Not(HasSubstr("scenery"))));
+  }
+}
+
+TEST(CheckCommand, LooksAtRecordingsThatDoNotShipWithDocent) {
+  const MuseumFolder museum;
+  const test::TemporaryFolder clips;
+  std::ofstream(clips.path() / "walk.bvh") << "HIERARCHY\nROOT";
+
+  const ProgramRun run =
+      run_program("docent-content",
+                  "check '" + museum.path().string() + "' --clips '" + clips.path().string() + "'");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("walk.bvh"));
 }
 
 }  // namespace
