@@ -123,9 +123,11 @@ class Sample {
   std::size_t trees() const noexcept { return trees_; }
   std::size_t size() const noexcept { return place_.size(); }
   std::int64_t passing(std::uint32_t node) const noexcept { return passing_[node]; }
+  /// Calls `visit(node)` once for each node that is in a tree.
   template <typename Visit>
   void for_each_node(Visit&& visit) const {
-    for (const Place& place : place_) visit(place.node);
+    for (std::uint32_t place = 0; place < place_.size(); ++place)
+      if (places_[place_[place].node].front() == place) visit(place_[place].node);
   }
 
   /// Ways by this node count no more.

@@ -14,6 +14,10 @@ namespace {
 /// Nodes that would bring more arcs than this when they are contracted are left to the core: from
 /// there on contraction costs more than labelling.
 constexpr std::size_t most_added = 40;
+/// A node of the core has at least so many entries in its labels: 63 to 1,050 in cores of 540 to
+/// 4,600 nodes, and more of them in larger ones.
+constexpr std::size_t least_entries_a_core_node = 60;
+
 /// How far along a side's arc an angle is, in metres.
 double roll_to(const TangentGraph& graph, std::uint32_t side, double angle) {
   const TangentArc& arc = graph.arc[side / 2];
@@ -381,7 +385,9 @@ HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
   const auto tangents = static_cast<std::uint32_t>(graph.tangent.size());
   auto hierarchy = contract(tangents, links_of(graph), tangents + 1, most_added, stop);
   if (!hierarchy) return {};
-  const auto core = make_core_labels(hierarchy->core_graph, most_entries / 2, stop);
+  const std::size_t most_in_core = most_entries / 2;
+  if (hierarchy->core.size() * least_entries_a_core_node > most_in_core) return {};
+  const auto core = make_core_labels(hierarchy->core_graph, most_in_core, stop);
   if (!core) return {};
   return Maker(plan, graph, std::move(*hierarchy), *core).make(most_entries);
 }
