@@ -222,13 +222,16 @@ class Query {
     if (!bring_forward(work_.from, from_) || !bring_forward(work_.to, to_)) return {};
     Meeting best = meet_on_one_side();
     work_.next_round(map_.hubs());
-    for (const Candidate& candidate : work_.from)
-      ShortestWayMap::prefetch(map_.leaving(candidate.tangent.side));
+    ShortestWayMap::prefetch(map_.leaving(work_.from[0].tangent.side));
     ShortestWayMap::prefetch(map_.arriving(work_.to[0].tangent.side));
     if (work_.from[0].bound < best.cost) leave(0);
-    for (const Candidate& candidate : work_.to)
-      ShortestWayMap::prefetch(map_.arriving(candidate.tangent.side));
     if (work_.to[0].bound < best.cost) arrive(0, best);
+    for (std::uint32_t i = 1; i < work_.from.size(); ++i)
+      if (work_.from[i].bound < best.cost)
+        ShortestWayMap::prefetch(map_.leaving(work_.from[i].tangent.side));
+    for (std::uint32_t i = 1; i < work_.to.size(); ++i)
+      if (work_.to[i].bound < best.cost)
+        ShortestWayMap::prefetch(map_.arriving(work_.to[i].tangent.side));
     for (std::uint32_t i = 1; i < work_.from.size(); ++i)
       if (work_.from[i].bound < best.cost) leave(i);
     for (std::uint32_t i = 0; i < work_.to.size(); ++i)

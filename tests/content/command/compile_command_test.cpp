@@ -98,7 +98,7 @@ TEST(CheckCommand, DoesNotComputeWhatCannotBeWrong) {
   const std::string plan = (museum.path() / "ground.geojson").string();
 
   for (const std::string& source : {museum.path().string(), plan}) {
-    const ProgramRun run = run_program("docent-content", "check '" + source + "'");
+    const ProgramRun run = run_program("docent-content", fmt::format("check '{}'", source));
 
     EXPECT_EQ(run.exit_code, 0) << run.err;
     EXPECT_THAT(run.err, AllOf(HasSubstr("voronoi"), Not(HasSubstr("motion")),
