@@ -30,10 +30,6 @@ void fields(auto& io, MaybeConst<Tangent> auto& t) {
   io(t.leave, t.leave_angle, t.arrive_angle, t.length, t.arrive_side, t.onward);
 }
 
-void fields(auto& io, MaybeConst<HubCost> auto& h) {
-  io(h.hub, h.cost);
-}
-
 void fields(auto& io, MaybeConst<SceneryVertex> auto& v) {
   io(v.position, v.normal, v.uv, v.sky, v.sun);
 }

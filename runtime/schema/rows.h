@@ -5,6 +5,7 @@
 
 #include "runtime/model/museum.h"
 #include "runtime/schema/elements.h"
+#include "runtime/schema/label_blob.h"
 #include "runtime/schema/motion_blob.h"
 
 /// Which column of schema.sql holds which field of the model, said once for the writer and the
@@ -84,14 +85,8 @@ void columns(auto& row, MaybeConst<SightMap> auto& sight) {
 
 void columns(auto& row, MaybeConst<HubLabels> auto& labels) {
   row("unit", labels.unit);
-  row("leaving_first", labels.leaving.first);
-  row("leaving_hub", labels.leaving.hub);
-  row("leaving_link", labels.leaving.link);
-  row("leaving_parent", labels.leaving.parent);
-  row("arriving_first", labels.arriving.first);
-  row("arriving_hub", labels.arriving.hub);
-  row("arriving_link", labels.arriving.link);
-  row("arriving_parent", labels.arriving.parent);
+  row("leaving", labels.leaving);
+  row("arriving", labels.arriving);
   row("link_part", labels.link_part);
 }
 

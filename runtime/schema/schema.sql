@@ -105,14 +105,8 @@ CREATE TABLE hub_labels (       -- one a tangent graph
   floor INTEGER NOT NULL,
   id INTEGER NOT NULL,
   unit REAL NOT NULL,
-  leaving_first BLOB NOT NULL,  -- u32, one a station and one more
-  leaving_hub BLOB NOT NULL,    -- HubCost, one an entry as the next two
-  leaving_link BLOB NOT NULL,   -- u32
-  leaving_parent BLOB NOT NULL,
-  arriving_first BLOB NOT NULL,
-  arriving_hub BLOB NOT NULL,
-  arriving_link BLOB NOT NULL,
-  arriving_parent BLOB NOT NULL,
+  leaving BLOB NOT NULL,        -- LabelTable: label_blob.h
+  arriving BLOB NOT NULL,       -- LabelTable
   link_part BLOB NOT NULL,      -- u32, two a shortcut
   PRIMARY KEY (floor, id)
 );
