@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "content/draw/svg.h"
+#include "runtime/path/offset/offset_curve.h"
 #include "tests/bench/contest.h"
 #include "tests/bench/detour_mesh.h"
 #include "tests/bench/generated_floors.h"
@@ -77,6 +78,30 @@ Entrant visibility_graph(const FloorPlan& plan) {
 Entrant polyanya(const FloorPlan& plan) {
   return entrant("Polyanya", true,
                  [&] { return std::make_shared<Polyanya>(merge_polygons(triangulate(plan))); });
+}
+
+/// The part of a floor where a disc's centre can go, its arcs as chords 1 mm away at most: a plan
+/// for those who know the ways of a point only. Pieces below a tenth of a millimetre are left out.
+FloorPlan room_for_centre(const path::FloorMap& map, double radius) {
+  constexpr double least_piece = 1e-4;
+  FloorPlan plan;
+  for (const path::OffsetRing& ring : path::offset_curve(map, radius).rings) {
+    const auto first = static_cast<std::uint32_t>(plan.vertex.size());
+    for (const Vec2 point : ring.points)
+      if (plan.vertex.size() == first || (glm::distance(point, plan.vertex.back()) > least_piece &&
+                                          glm::distance(point, plan.vertex[first]) > least_piece))
+        plan.vertex.push_back(point);
+    const auto count = static_cast<std::uint32_t>(plan.vertex.size()) - first;
+    plan.ring.push_back({first, count});
+    for (std::uint32_t i = 0; i < count; ++i) plan.next.push_back(first + (i + 1) % count);
+  }
+  return plan;
+}
+
+Entrant polyanya_of_disc(const path::FloorMap& map, double radius) {
+  return entrant("Polyanya, offset", false, [&] {
+    return std::make_shared<Polyanya>(merge_polygons(triangulate(room_for_centre(map, radius))));
+  });
 }
 
 /// The queries of one radius: known ones where there are, else random ones.
@@ -154,9 +179,11 @@ class Benchmark {
     const double more = discs->megabytes - points->megabytes;  // What one radius adds.
     const auto queries = queries_of(*discs, known, usual_radius, options_.queries, random);
     if (!queries.empty()) {
-      const double usual_us = hold(
-          *discs, queries,
-          std::vector{our_entrant(*discs, more), detour(plan, usual_radius, usual_radius)}, random);
+      const double usual_us =
+          hold(*discs, queries,
+               std::vector{our_entrant(*discs, more), detour(plan, usual_radius, usual_radius),
+                           polyanya_of_disc(*discs->map, usual_radius)},
+               random);
       ask_with_new_radii(*discs, queries, usual_us);
     }
     write_csv();  // After every map, so that a long run can be watched.
@@ -275,7 +302,12 @@ class Benchmark {
         y,
         {ours(false), series_of("visibility graph", false, draw::ink::ochre, Mark::Ring),
          series_of("Polyanya", false, draw::ink::black, Mark::Diamond), detours(false)}};
-    const Panel discs{"A disc of the usual radius", x, y, {ours(true), detours(true)}};
+    const Panel discs{
+        "A disc of the usual radius",
+        x,
+        y,
+        {ours(true), series_of("Polyanya, offset", true, draw::ink::black, Mark::Diamond),
+         detours(true)}};
     std::ofstream(fs::path(options_.out) / "paths.svg")
         << draw_panels("One shortest path, its points in memory",
                        "A faint dot is a floor; the lines are medians of floors of similar size. "
