@@ -4,7 +4,6 @@
 #include <csignal>
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <future>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/frame_watch.h"
 #include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
 #include "runtime/model/last_catch.h"
@@ -31,19 +31,10 @@ constexpr double frame_seconds = 1.0 / 60;
 /// A headless visit that does not say when to quit is given this long after its last command.
 constexpr double after_visit_seconds = 10;
 
-volatile std::sig_atomic_t stop_requested = 0;
-volatile std::sig_atomic_t reload_requested = 0;
-
-void handle(int signal, void (*handler)(int)) noexcept {
-  struct sigaction action{};
-  action.sa_handler = handler;
-  sigaction(signal, &action, nullptr);
-}
-
 /// Until here nothing would be left behind, and a signal ends the program by itself.
 void expect_end() noexcept {
-  handle(SIGTERM, [](int) { stop_requested = 1; });
-  handle(SIGINT, [](int) { stop_requested = 1; });
+  expect_signal(SIGTERM);
+  expect_signal(SIGINT);
 }
 
 bool has_error(const std::vector<Diagnostic>& mistakes) {
@@ -164,7 +155,7 @@ void Kiosk::tell_seats() {
 }
 
 bool Kiosk::is_over() const noexcept {
-  if (stop_requested != 0 || (visit_ && visit_->has_quit())) return true;
+  if (take_signal(SIGTERM) || take_signal(SIGINT) || (visit_ && visit_->has_quit())) return true;
   if (options_.seconds) return time_ >= *options_.seconds;
   return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
 }
@@ -272,8 +263,7 @@ Result<void> Kiosk::record() {
 /// SIGHUP takes up a new database: it is read beside the frames and changed to while nobody is
 /// being guided. A database that cannot be read changes nothing.
 void Kiosk::take_up_content() {
-  if (reload_requested != 0 && !loading_.valid()) {
-    reload_requested = 0;
+  if (!loading_.valid() && take_signal(SIGHUP)) {
     loading_ = std::async(std::launch::async, [file = database_, settings = guide_settings()] {
       Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
           Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
@@ -301,7 +291,7 @@ void Kiosk::take_up_content() {
 }  // namespace
 
 void expect_reloads() noexcept {
-  handle(SIGHUP, [](int) { reload_requested = 1; });
+  expect_signal(SIGHUP);
 }
 
 int run_kiosk(const Options& options, std::chrono::nanoseconds started) {

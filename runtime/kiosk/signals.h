@@ -1,0 +1,13 @@
+#pragma once
+
+namespace docent::kiosk {
+
+/// Signals are taken between two frames; no handler runs in the middle of one, nor on whichever
+/// thread the kernel chooses.
+
+/// From here on a signal waits until it is taken, for this thread and all that it begins later.
+void expect_signal(int signal) noexcept;
+/// Has an expected signal come since it was last taken? Waits for nothing.
+bool take_signal(int signal) noexcept;
+
+}  // namespace docent::kiosk
