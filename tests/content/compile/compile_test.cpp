@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "platform/sqlite/content_reader.h"
 #include "runtime/path/route.h"
+#include "runtime/schema/schema.h"
 #include "tests/support/museum_folder.h"
 
 namespace docent::compile {
@@ -139,7 +141,8 @@ TEST(Info, CountsWhatADatabaseHolds) {
       run_program("docent-content", "info '" + museum.database().string() + "' --json");
 
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.out, HasSubstr(R"("schema_version":6,"floors":1,"exhibits":2)"));
+  EXPECT_THAT(run.out, HasSubstr(fmt::format(R"("schema_version":{},"floors":1,"exhibits":2)",
+                                             schema::version)));
   EXPECT_THAT(run.out, HasSubstr(R"("exhibit_ids":["jade-disc","portrait"])"));
   EXPECT_THAT(run.out, HasSubstr(R"("sites":16,)")) << "12 walls and the case's 4 corners";
   EXPECT_THAT(run.out, HasSubstr(R"("skeleton_length":)"));
