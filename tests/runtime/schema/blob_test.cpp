@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/schema/elements.h"
+#include "tests/runtime/schema/bytes.h"
 
 namespace docent::schema {
 namespace {
@@ -16,12 +17,6 @@ namespace {
 using schema::decode;
 using schema::encode;
 using testing::ElementsAreArray;
-
-std::vector<std::byte> bytes(std::initializer_list<int> values) {
-  std::vector<std::byte> result;
-  for (const int value : values) result.push_back(static_cast<std::byte>(value));
-  return result;
-}
 
 TEST(Blob, HoldsNumbersWithTheLowByteFirst) {
   EXPECT_THAT(encode(std::vector<std::uint32_t>{1, 0x04030201}),

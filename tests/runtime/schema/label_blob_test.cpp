@@ -7,18 +7,14 @@
 #include <limits>
 #include <ranges>
 
+#include "tests/runtime/schema/bytes.h"
+
 namespace docent::schema {
 namespace {
 
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
-
-std::vector<std::byte> bytes(std::initializer_list<int> values) {
-  std::vector<std::byte> result;
-  for (const int value : values) result.push_back(static_cast<std::byte>(value));
-  return result;
-}
 
 bool same(const LabelTable& a, const LabelTable& b) {
   const auto same_cost = [](HubCost p, HubCost q) { return p.hub == q.hub && p.cost == q.cost; };

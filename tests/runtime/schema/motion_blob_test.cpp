@@ -10,17 +10,12 @@
 #include <limits>
 
 #include "runtime/model/motion/motion_grid.h"
+#include "tests/runtime/schema/bytes.h"
 
 namespace docent::schema {
 namespace {
 
 using testing::ElementsAreArray;
-
-std::vector<std::byte> bytes(std::initializer_list<int> values) {
-  std::vector<std::byte> result;
-  for (const int value : values) result.push_back(static_cast<std::byte>(value));
-  return result;
-}
 
 /// Fails where a part of one is not the same float in the other.
 void assert_same(const MotionClip& a, const MotionClip& b) {
