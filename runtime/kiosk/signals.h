@@ -1,9 +1,8 @@
 #pragma once
 
-namespace docent::kiosk {
-
 /// Signals are taken between two frames; no handler runs in the middle of one, nor on whichever
 /// thread the kernel chooses.
+namespace docent::kiosk {
 
 /// From here on a signal waits until it is taken, for this thread and all that it begins later.
 void expect_signal(int signal) noexcept;

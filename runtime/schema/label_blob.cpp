@@ -1,7 +1,6 @@
 #include "runtime/schema/label_blob.h"
 
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace docent::schema {

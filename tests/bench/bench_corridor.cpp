@@ -73,7 +73,7 @@ Panel measure_corridor(const std::string& title, const MakeCorridor& make,
   for (std::vector<Series>* group : {&whole, &part})
     for (Series& series : *group) {
       // The upper half, where what every query costs hardly counts.
-      const auto upper = std::span(series.line).subspan(series.line.size() / 2);
+      const auto upper = std::span(series.line).subspan((series.line.size() - 1) / 2);
       const double exponent = fit_power_law(upper).exponent;
       for (const Vec2 p : series.line)
         fmt::print("{:<8} {:<20} {:>6} turns {:>10.2f} us {:>8.3f} us a turn\n", title, series.name,
@@ -93,7 +93,9 @@ int main(int argc, char** argv) {
   std::string out = ".";
   std::vector<std::size_t> sizes{8, 16, 32, 64, 128, 256, 512, 1024, 2048};
   CLI::App app("Times shortest paths along corridors of growing length");
-  app.add_option("--turns", sizes, "of the corridors, ascending")->delimiter(',');
+  app.add_option("--turns", sizes, "of the corridors, ascending; two or more")
+      ->delimiter(',')
+      ->expected(2, -1);
   app.add_option("-o", out, "folder for corridor.svg")->check(CLI::ExistingDirectory);
   CLI11_PARSE(app, argc, argv);
   try {
