@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr double megabyte = 1024.0 * 1024.0;
 constexpr double exact = 1e-6;              // Relative; how far lengths of exact ways may differ.
 constexpr double reference_bracket = 2e-5;  // Metres; the reference's own for a disc.
-constexpr std::size_t new_radii = 7;        // How many radii that were not compiled are asked for.
+constexpr std::size_t new_radii = 60;       // How many radii that were not compiled are asked for.
 constexpr std::size_t large_floor = 900;    // Vertices.
 
 struct Options {

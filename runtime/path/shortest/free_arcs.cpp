@@ -46,10 +46,20 @@ std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
   if (radius == 0) return {{0, corner.extent}};
   const double rolling = rolling_radius(radius, walls.slack());
   const double reach = least_clearance(radius) - walls.slack();
-  std::vector<double> cuts{0, corner.extent};
   std::vector<std::uint32_t> near = walls.walls_about(corner.position, 2 * radius - walls.radius());
-  std::erase(near, corner.vertex);
-  std::erase(near, before);
+  // A point that lies ahead of neither end of the arc lies ahead of no place on it, so the disc is
+  // nowhere nearer to it than the corner is.
+  const Vec2 end = corner.direction_at(corner.extent);
+  const auto is_behind = [&](Vec2 point) {
+    const Vec2 from_corner = point - corner.position;
+    return dot(corner.begin, from_corner) <= 0 && dot(end, from_corner) <= 0;
+  };
+  std::erase_if(near, [&](std::uint32_t wall) {
+    return wall == corner.vertex || wall == before ||
+           (is_behind(wall_start(plan, wall)) && is_behind(wall_end(plan, wall)));
+  });
+  if (near.empty()) return {{0, corner.extent}};
+  std::vector<double> cuts{0, corner.extent};
   std::vector<Vec2> directions;
   for (const std::uint32_t wall : near)
     add_crossings(corner.position, rolling, wall_start(plan, wall), wall_end(plan, wall), reach,

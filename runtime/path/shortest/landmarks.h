@@ -16,7 +16,8 @@ namespace docent::path {
 /// corners. (Goldberg and Harrelson 2005.)
 ///
 /// The distances are those of a point. A disc that goes from where it touches one corner to where
-/// it touches another saves no more than twice its radius against a point from corner to corner.
+/// it touches another saves no more than twice its radius against a point from corner to corner,
+/// and no more than its radius if it ends elsewhere.
 class Landmarks {
  public:
   static constexpr std::size_t count = 16;
@@ -43,8 +44,9 @@ class Landmarks {
 /// corners.
 class LandmarkBound {
  public:
-  LandmarkBound(const Landmarks& landmarks, double radius) noexcept
-      : landmarks_(landmarks), radius_(radius) {
+  /// `saved`: metres by which a way may be shorter than that of points.
+  LandmarkBound(const Landmarks& landmarks, double saved) noexcept
+      : landmarks_(landmarks), saved_(saved) {
     low_.fill(Landmarks::Lanes{} + static_cast<std::int16_t>(2 * Landmarks::most));
     high_.fill(Landmarks::Lanes{} - Landmarks::most);
   }
@@ -79,12 +81,12 @@ class LandmarkBound {
     keep_larger(__builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6));
     const std::int16_t steps = most[0];
     // Two distances are rounded to the nearest step, and a length down.
-    return (steps - 2) * landmarks_.metres_per_step() - 2 * radius_;
+    return (steps - 2) * landmarks_.metres_per_step() - saved_;
   }
 
  private:
   const Landmarks& landmarks_;
-  double radius_;
+  double saved_;
   /// Per landmark, the least that the place may be away from it, and the most.
   Landmarks::Distances low_, high_;
 };

@@ -36,9 +36,13 @@ struct ReflexCorner {
     const double angle = std::atan2(cross(begin, direction), dot(begin, direction));
     return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
   }
+  /// The unit direction at an angle from `begin`.
+  Vec2 direction_at(double angle) const noexcept {
+    return std::cos(angle) * begin + std::sin(angle) * left_of(begin);
+  }
   /// The point of the circle of `radius` at an angle from `begin`.
   Vec2 point_at(double angle, double radius) const noexcept {
-    return position + radius * (std::cos(angle) * begin + std::sin(angle) * left_of(begin));
+    return position + radius * direction_at(angle);
   }
 };
 

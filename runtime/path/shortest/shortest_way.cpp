@@ -160,7 +160,7 @@ class Query {
 
   /// The bounds of some candidates, by what lies between them and any of the others.
   void bound(std::span<Candidate> some, const std::vector<Candidate>& others) const {
-    LandmarkBound between(map_.search().landmarks(), map_.graph().radius);
+    LandmarkBound between(map_.search().landmarks(), 2 * map_.graph().radius);
     for (const Candidate& other : others)
       between.add(map_.sight_corner(other.tangent.side), other.tangent.length);
     for (Candidate& candidate : some)
@@ -447,11 +447,8 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
     is_room_.push_back(walls_.is_clear(cell) && walls_.is_inside(walls_.centre_of(cell)));
   for (std::size_t a = 0; a < corner_.size(); ++a) {
     const ReflexCorner& corner = corner_[a];
-    const auto direction = [&](double angle) {
-      return std::cos(angle) * corner.begin + std::sin(angle) * left_of(corner.begin);
-    };
-    arc_.push_back({corner.position, direction(graph_.arc[a].begin), direction(graph_.arc[a].end),
-                    graph_.arc[a].begin, 0});
+    arc_.push_back({corner.position, corner.direction_at(graph_.arc[a].begin),
+                    corner.direction_at(graph_.arc[a].end), graph_.arc[a].begin, 0});
   }
   for (const auto* table : {&labels.leaving, &labels.arriving})
     for (const HubCost& hub : table->hub) hubs_ = std::max(hubs_, std::size_t{hub.hub} + 1);

@@ -11,6 +11,10 @@
 namespace docent::path {
 namespace {
 
+double sign(std::uint32_t side) noexcept {
+  return side % 2 == 0 ? 1 : -1;
+}
+
 /// One search. A side is 2 * corner + sense (1: clockwise). The places it can be in are "on a side,
 /// about to leave by tangent k": from there the way either takes k or rolls on to the next tangent
 /// of the side; "about to arrive along a start tangent"; and "about to take the goal tangent".
@@ -30,10 +34,8 @@ class Search {
 
   Way run() {
     if (clear(from_, to_)) return {RouteStatus::Ok, glm::length(to_ - from_), 0, {from_, to_}};
-    for (const std::uint32_t corner : map_.seen_from(to_)) {
-      const Vec2 between = map_.corner(corner).position - to_;
-      to_goal_.add(corner, std::sqrt(std::max(0.0, dot(between, between) - radius_ * radius_)));
-    }
+    for (const std::uint32_t corner : map_.seen_from(to_))
+      to_goal_.add(corner, glm::length(map_.corner(corner).position - to_));
     push_starts();
     while (!work_.queue.empty()) {
       const Entry entry = pop();
@@ -55,8 +57,9 @@ class Search {
   struct Tangent {
     std::uint32_t from_side = none;  ///< none: it is a start tangent.
     std::uint32_t to_side = 0;
-    double leave_angle = 0, arrive_angle = 0, length = 0;
+    double leave_angle = 0, length = 0;
     Vec2 leave{}, arrive{};
+    Vec2 in{};  ///< Unit direction from the corner to where the tangent arrives.
     State state = State::Untested;
     double cost = infinity;        ///< Of the way as far as its leaving.
     std::uint32_t arrival = none;  ///< The tangent by which the way came to from_side.
@@ -112,10 +115,12 @@ class Search {
     return work;
   }
 
-  static double sign(std::uint32_t side) noexcept { return side % 2 == 0 ? 1 : -1; }
   /// How far the way has to turn along a side from one angle to another.
   static double turn(std::uint32_t side, double from, double to) noexcept {
     return sign(side) * (to - from);
+  }
+  double arrive_angle(const Tangent& tangent) const noexcept {
+    return map_.corner(tangent.to_side / 2).angle_of(tangent.in);
   }
   bool clear(Vec2 p, Vec2 q) const noexcept {
     return radius_ == 0 ? map_.walls().segment_clear(p, q)
@@ -142,17 +147,15 @@ class Search {
     return entry;
   }
 
-  /// Is a direction between the normals of a corner's walls?
-  bool touches(std::uint32_t corner, Vec2 direction) const noexcept {
-    return cross(map_.corner(corner).begin, direction) >= -same_angle &&
-           cross(direction, map_.corner_end(corner)) >= -same_angle;
-  }
   const std::vector<ArcInterval>& arcs_of(std::uint32_t corner) {
     Corner& known = work_.corner[corner];
     if (known.round != work_.round) {
       known.round = work_.round;
-      known.arcs = free_arcs(map_.plan(), map_.walls(), map_.corner(corner),
-                             map_.wall_before(corner), radius_);
+      if (radius_ <= TangentSearchMap::usual_radius && map_.has_usual_room(corner))
+        known.arcs.assign(1, {0, map_.corner(corner).extent});
+      else
+        known.arcs = free_arcs(map_.plan(), map_.walls(), map_.corner(corner),
+                               map_.wall_before(corner), radius_);
     }
     return known.arcs;
   }
@@ -184,7 +187,7 @@ class Search {
     tangent.leave = point;
     if (radius_ == 0 && point == corner.position) {  // any direction may follow
       const bool at_begin = outwards == (side % 2 == 0);
-      tangent.arrive_angle = at_begin ? 0 : corner.extent;
+      tangent.in = at_begin ? corner.begin : corner.direction_at(corner.extent);
       tangent.arrive = point;
       return tangent;
     }
@@ -193,8 +196,8 @@ class Search {
                                : tangent_line(corner.position, left, point, 0, slack);
     if (!line) return {};
     const Vec2 direction = -sign(side) * line->left;
-    if (!touches(side / 2, direction)) return {};
-    tangent.arrive_angle = corner.angle_of(direction);
+    if (!map_.touches(side / 2, direction)) return {};
+    tangent.in = direction;
     tangent.arrive = corner.position + rolling_ * direction;
     tangent.length = glm::length(tangent.arrive - point);
     return tangent;
@@ -206,7 +209,7 @@ class Search {
       tangent.state = clear(tangent.leave, tangent.arrive) ? State::Clear : State::Blocked;
     if (tangent.state == State::Blocked) return;
     const std::uint32_t side = tangent.to_side;
-    const double angle = tangent.arrive_angle, cost = tangent.cost + tangent.length;
+    const double angle = arrive_angle(tangent), cost = tangent.cost + tangent.length;
     const std::uint32_t arc = arc_at(side / 2, angle);
     if (arc == none) return;
     list_tangents(side);
@@ -245,10 +248,11 @@ class Search {
     if (known.round == work_.round) return;
     known.round = work_.round;
     known.first = static_cast<std::uint32_t>(work_.tangent.size());
-    const ReflexCorner& corner = map_.corner(side / 2);
-    for (const std::uint32_t other : map_.seen_from(side / 2))
-      for (const std::uint32_t to_side : {2 * other, 2 * other + 1})
-        add_tangent(side, corner, to_side, map_.corner(other));
+    if (radius_ <= TangentSearchMap::usual_radius)
+      for (const std::uint32_t to_side : map_.usual_sides_after(side)) add_tangent(side, to_side);
+    else
+      for (const std::uint32_t other : map_.seen_from(side / 2))
+        for (const std::uint32_t to_side : {2 * other, 2 * other + 1}) add_tangent(side, to_side);
     std::sort(work_.tangent.begin() + known.first, work_.tangent.end(),
               [&](const Tangent& a, const Tangent& b) {
                 const double turned = turn(side, a.leave_angle, b.leave_angle);
@@ -256,21 +260,21 @@ class Search {
               });
     known.end = static_cast<std::uint32_t>(work_.tangent.size());
   }
-  void add_tangent(std::uint32_t side, const ReflexCorner& corner, std::uint32_t to_side,
-                   const ReflexCorner& other) {
+  void add_tangent(std::uint32_t side, std::uint32_t to_side) {
+    const ReflexCorner &corner = map_.corner(side / 2), &other = map_.corner(to_side / 2);
     const auto line = tangent_line(corner.position, rolling_ * sign(side), other.position,
                                    rolling_ * sign(to_side), 2 * map_.walls().slack());
     if (!line) return;
     const Vec2 out = -sign(side) * line->left, in = -sign(to_side) * line->left;
-    if (!touches(side / 2, out) || !touches(to_side / 2, in)) return;
+    if (!map_.touches(side / 2, out) || !map_.touches(to_side / 2, in)) return;
     Tangent tangent;
     tangent.leave_angle = corner.angle_of(out);
     if (arc_at(side / 2, tangent.leave_angle) == none) return;
-    tangent.arrive_angle = other.angle_of(in);
     tangent.from_side = side;
     tangent.to_side = to_side;
     tangent.leave = corner.position + rolling_ * out;
     tangent.arrive = other.position + rolling_ * in;
+    tangent.in = in;
     tangent.length = glm::length(tangent.arrive - tangent.leave);
     work_.tangent.push_back(tangent);
   }
@@ -283,7 +287,7 @@ class Search {
       known.goal_state = State::Untested;
       known.goal_angle.reset();
       if (const auto goal = end_tangent(to_, side, false)) {
-        known.goal_angle = goal->arrive_angle;
+        known.goal_angle = arrive_angle(*goal);
         known.goal_touch = goal->arrive;
       }
     }
@@ -307,7 +311,7 @@ class Search {
     double leave_angle = *work_.side[work_.tangent[arrival].to_side].goal_angle;
     for (std::uint32_t k = arrival; k != none; k = work_.tangent[k].arrival) {
       const Tangent& tangent = work_.tangent[k];
-      append_arc(map_.corner(tangent.to_side / 2), radius_, leave_angle, tangent.arrive_angle,
+      append_arc(map_.corner(tangent.to_side / 2), radius_, leave_angle, arrive_angle(tangent),
                  way.points);
       leave_angle = tangent.leave_angle;
     }
@@ -334,10 +338,43 @@ TangentSearchMap::TangentSearchMap(const FloorPlan& plan, const SightMap& sight,
   for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
   for (const std::uint32_t vertex : sight.corner) {
     before_.push_back(previous[vertex]);
-    const auto corner = reflex_corner(plan, previous[vertex], vertex);
-    corner_.push_back(corner.value_or(ReflexCorner{.vertex = vertex}));
-    end_.push_back(corner_.back().point_at(corner_.back().extent, 1) - corner_.back().position);
+    const auto corner =
+        reflex_corner(plan, previous[vertex], vertex).value_or(ReflexCorner{.vertex = vertex});
+    corner_.push_back({corner, corner.direction_at(corner.extent)});
+    // A smaller disc that touches the corner in the same direction lies inside the larger one.
+    const auto arcs = free_arcs(plan, walls, corner, before_.back(), usual_radius);
+    has_usual_room_.push_back(arcs.size() == 1 && arcs[0].begin == 0 &&
+                              arcs[0].end == corner.extent);
   }
+  list_usual_sides();
+}
+
+/// A tangent's direction from the corner that it leaves turns one way, from that for radius 0 to
+/// that for the usual radius; from the corner where it arrives likewise. Some direction of each
+/// must touch: perhaps those of two radii, so this is a little too much.
+bool TangentSearchMap::may_lead(std::uint32_t side, std::uint32_t to_side) const noexcept {
+  const Vec2 from = corner(side / 2).position, to = corner(to_side / 2).position;
+  const auto thin = tangent_line(from, 0, to, 0, 0);
+  const auto wide =
+      tangent_line(from, usual_radius * sign(side), to, usual_radius * sign(to_side), infinity);
+  if (!thin) return false;
+  const auto some_touch = [&](std::uint32_t at) {
+    const Vec2 first = -sign(at) * thin->left, last = -sign(at) * wide->left;
+    if (touches(at / 2, first) || touches(at / 2, last)) return true;
+    const Vec2 begin = corner(at / 2).begin;
+    return cross(first, begin) * cross(begin, last) >= 0 && dot(first + last, begin) > 0;
+  };
+  return some_touch(side) && some_touch(to_side);
+}
+
+void TangentSearchMap::list_usual_sides() {
+  for (std::uint32_t side = 0; side < 2 * corners(); ++side) {
+    for (const std::uint32_t other : seen_from(side / 2))
+      for (const std::uint32_t to_side : {2 * other, 2 * other + 1})
+        if (may_lead(side, to_side)) usual_side_.push_back(to_side);
+    usual_first_.push_back(static_cast<std::uint32_t>(usual_side_.size()));
+  }
+  usual_side_.shrink_to_fit();
 }
 
 std::span<const std::uint32_t> TangentSearchMap::seen_from(std::uint32_t i) const noexcept {
