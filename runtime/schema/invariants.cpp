@@ -153,6 +153,7 @@ bool lead_home(const LabelTable& table) {
 
 bool keeps(const HubLabels& labels, const TangentGraph& graph, double diagonal) {
   const std::size_t tangents = graph.tangent.size();
+  const std::size_t hubs = std::max(tangents, 2 * graph.arc.size());  // sides for points
   const auto& parts = labels.link_part;
   const auto is_link = [&](std::uint32_t link, std::size_t shortcuts) {
     return link == HubLabels::roll || link < tangents + shortcuts;
@@ -160,7 +161,7 @@ bool keeps(const HubLabels& labels, const TangentGraph& graph, double diagonal) 
   const auto sound_table = [&](const LabelTable& table) {
     const std::size_t entries = table.hub.size();
     const auto sound_hub = [=](const HubCost& h) {
-      return h.hub < tangents && h.cost <= HubLabels::most_cost;
+      return h.hub < hubs && h.cost <= HubLabels::most_cost;
     };
     return are_lists(table.first, 2 * graph.arc.size(), entries) &&
            std::ranges::all_of(table.hub, sound_hub) && table.link.size() == entries &&

@@ -32,7 +32,8 @@ struct LabelTable {
 /// a contraction hierarchy as in Abraham, Delling, Goldberg, Werneck 2011.)
 ///
 /// Stations are the sides of the tangent graph. A way from side a to side b begins at the first
-/// point of a's arc and ends at the last point of b's arc, in the sense of each side.
+/// point of a's arc and ends at the last point of b's arc, in the sense of each side. Hubs are
+/// sides where the radius is 0, else tangents, numbered by importance.
 ///
 /// Links, where n is the number of tangents: a link below n is the tangent of that index, followed
 /// to where the way may leave again; `roll` stays on the arc as far as the next tangent; link n + i

@@ -19,8 +19,10 @@ constexpr std::size_t most_shortcuts = 6'000'000;
 
 class Contraction {
  public:
-  Contraction(std::uint32_t nodes, std::span<const Link> links, std::uint32_t names)
-      : out_(nodes),
+  Contraction(std::uint32_t nodes, std::span<const Link> links, std::uint32_t names,
+              std::size_t most_added)
+      : most_added_(most_added),
+        out_(nodes),
         in_(nodes),
         level_(nodes, 0),
         distance_(nodes, infinity),
@@ -33,7 +35,7 @@ class Contraction {
       if (link.from != link.to) connect(link.from, link.to, link.length, link.name);
   }
 
-  std::optional<Hierarchy> run(std::size_t most_added, const std::stop_token& stop) {
+  std::optional<Hierarchy> run(const std::stop_token& stop) {
     using Turn = std::pair<std::int64_t, std::uint32_t>;  // importance and node
     std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue;
     for (std::uint32_t node = 0; node < out_.size(); ++node) queue.emplace(importance(node), node);
@@ -48,7 +50,7 @@ class Contraction {
         queue.emplace(now, node);
         continue;
       }
-      if (found_.size() > most_added) {
+      if (found_.size() > most_added_) {
         queue.emplace(now, node);
         break;
       }
@@ -105,14 +107,16 @@ class Contraction {
     return added - removed + 2 * level_[node];
   }
 
-  /// The ways through a node that have no other way round it that is as short. Searched from the
-  /// side on which fewer arcs end: a tangent has two exits and may have many arrivals.
+  /// The ways through a node that have no other way round it that is as short; not all where they
+  /// are too many. Searched from the side on which fewer arcs end: a tangent has two exits and may
+  /// have many arrivals.
   void find_shortcuts(std::uint32_t node) {
     found_.clear();
     const bool backward = out_[node].size() < in_[node].size();
     const auto& starts = backward ? out_[node] : in_[node];
     const auto& ends = backward ? in_[node] : out_[node];
     for (const Arc& start : starts) {
+      if (found_.size() > most_added_) return;
       search_round(start, node, ends, backward ? in_ : out_);
       for (const Arc& end : ends) {
         if (limit_[end.node] != needed(start, end)) continue;
@@ -181,6 +185,7 @@ class Contraction {
   }
 
   Hierarchy hierarchy_;
+  std::size_t most_added_;
   std::vector<std::vector<Arc>> out_, in_;  ///< Of the nodes that are left.
   std::vector<std::int64_t> level_;
   std::vector<double> distance_;
@@ -196,7 +201,7 @@ class Contraction {
 std::optional<Hierarchy> contract(std::uint32_t nodes, std::span<const Link> links,
                                   std::uint32_t names, std::size_t most_added,
                                   const std::stop_token& stop) {
-  return Contraction(nodes, links, names).run(most_added, stop);
+  return Contraction(nodes, links, names, most_added).run(stop);
 }
 
 }  // namespace docent::path

@@ -15,9 +15,9 @@ using CoreArcs = std::vector<std::vector<CoreGraph::Arc>>;
 using CoreLabelList = std::vector<std::vector<CoreEntry>>;
 
 /// A sample has at least so many trees, and so many nodes for each of the graph's.
-constexpr std::size_t least_trees = 32, nodes_a_node = 4, most_trees = 4096;
+constexpr std::size_t least_trees = 32, nodes_a_node = 64, most_trees = 4096;
 /// A sample is used until the next hub has so much less than the first one.
-constexpr std::int64_t stale = 4;
+constexpr std::int64_t stale = 64;
 
 /// The same numbers for the same seed on every machine (Vigna 2015, splitmix64).
 class Random {

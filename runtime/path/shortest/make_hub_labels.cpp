@@ -13,9 +13,9 @@ namespace {
 
 /// Nodes that would bring more arcs than this when they are contracted are left to the core: from
 /// there on contraction costs more than labelling.
-constexpr std::size_t most_added = 40;
-/// A node of the core has at least so many entries in its labels: 63 to 1,050 in cores of 540 to
-/// 4,600 nodes, and more of them in larger ones.
+constexpr std::size_t most_added = 160;
+/// A node of the core has at least so many entries in its labels: 76 to 220 in cores of 780 to
+/// 18,000 nodes, and more of them in larger ones.
 constexpr std::size_t least_entries_a_core_node = 60;
 
 /// How far along a side's arc an angle is, in metres.
@@ -30,8 +30,18 @@ double roll_to_end(const TangentGraph& graph, std::uint32_t side, double angle) 
   return graph.radius * std::max(0.0, left);
 }
 
-/// The nodes are the tangents: "on the arc, about to leave by k or to roll on".
-std::vector<Link> links_of(const TangentGraph& graph) {
+/// Ways of points: the nodes are the sides. Two tangents that do not turn a side's way make no
+/// shortest way, so nothing need keep them from following each other.
+std::vector<Link> links_between_sides(const TangentGraph& graph) {
+  std::vector<Link> links;
+  for (std::uint32_t side = 0; side + 1 < graph.side_first.size(); ++side)
+    for (std::uint32_t k = graph.side_first[side]; k < graph.side_first[side + 1]; ++k)
+      links.push_back({side, graph.tangent[k].arrive_side, graph.tangent[k].length, k});
+  return links;
+}
+
+/// Ways of discs: the nodes are the tangents, "on the arc, about to leave by k or to roll on".
+std::vector<Link> links_between_tangents(const TangentGraph& graph) {
   const auto roll = static_cast<std::uint32_t>(graph.tangent.size());
   std::vector<Link> links;
   for (std::uint32_t side = 0; side + 1 < graph.side_first.size(); ++side)
@@ -306,12 +316,17 @@ class Maker {
 
  private:
   std::vector<Root> leaving_roots(std::uint32_t station) const {
+    if (graph_.radius == 0) return {{station, 0, tangents_}};
     const std::uint32_t first = graph_.side_first[station];
     if (first == graph_.side_first[station + 1]) return {};
     return {{first, roll_to(graph_, station, graph_.tangent[first].leave_angle), tangents_}};
   }
   std::vector<std::vector<Root>> arriving_roots() const {
     std::vector<std::vector<Root>> roots(2 * graph_.arc.size());
+    if (graph_.radius == 0) {
+      for (std::uint32_t s = 0; s < roots.size(); ++s) roots[s] = {{s, 0, tangents_}};
+      return roots;
+    }
     for (std::uint32_t k = 0; k < tangents_; ++k) {
       const Tangent& tangent = graph_.tangent[k];
       const double rest = roll_to_end(graph_, tangent.arrive_side, tangent.arrive_angle);
@@ -324,7 +339,7 @@ class Maker {
   void number_hubs(const std::vector<std::vector<LabelEntry>>& leaving,
                    const std::vector<std::vector<LabelEntry>>& arriving) {
     std::vector<std::uint32_t> hubs;
-    std::vector<bool> is_hub(tangents_, false);
+    std::vector<bool> is_hub(hierarchy_.rank.size(), false);
     for (const auto* side : {&leaving, &arriving})
       for (const auto& entries : *side)
         for (const LabelEntry& entry : entries)
@@ -333,14 +348,14 @@ class Maker {
             hubs.push_back(entry.node);
           }
     std::ranges::sort(hubs, std::greater<>{}, [&](std::uint32_t node) { return importance(node); });
-    hub_.assign(tangents_, none);
+    hub_.assign(hierarchy_.rank.size(), none);
     for (std::uint32_t i = 0; i < hubs.size(); ++i) hub_[hubs[i]] = i;
   }
 
   std::uint64_t importance(std::uint32_t node) const {
     const std::uint32_t in_core = hierarchy_.in_core[node];
     if (in_core == none) return hierarchy_.rank[node];
-    return std::uint64_t{tangents_} + core_.node_of_hub.size() - core_.hub_of_node[in_core];
+    return hierarchy_.rank.size() + core_.node_of_hub.size() - core_.hub_of_node[in_core];
   }
 
   std::uint32_t link(std::uint32_t name) const {
@@ -383,7 +398,11 @@ class Maker {
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
                           const std::stop_token& stop, std::size_t most_entries) {
   const auto tangents = static_cast<std::uint32_t>(graph.tangent.size());
-  auto hierarchy = contract(tangents, links_of(graph), tangents + 1, most_added, stop);
+  auto hierarchy =
+      graph.radius == 0
+          ? contract(static_cast<std::uint32_t>(2 * graph.arc.size()), links_between_sides(graph),
+                     tangents + 1, most_added, stop)
+          : contract(tangents, links_between_tangents(graph), tangents + 1, most_added, stop);
   if (!hierarchy) return {};
   const std::size_t most_in_core = most_entries / 2;
   if (hierarchy->core.size() * least_entries_a_core_node > most_in_core) return {};
