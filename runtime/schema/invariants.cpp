@@ -153,7 +153,7 @@ bool lead_home(const LabelTable& table) {
 
 bool keeps(const HubLabels& labels, const TangentGraph& graph, double diagonal) {
   const std::size_t tangents = graph.tangent.size();
-  const std::size_t hubs = std::max(tangents, 2 * graph.arc.size());  // sides for points
+  const std::size_t hubs = graph.radius == 0 ? 2 * graph.arc.size() : tangents;
   const auto& parts = labels.link_part;
   const auto is_link = [&](std::uint32_t link, std::size_t shortcuts) {
     return link == HubLabels::roll || link < tangents + shortcuts;
