@@ -271,7 +271,7 @@ class Benchmark {
     file << "map,vertices,radius,who,median_us,p99_us,ratio,worst_error,other_verdicts,made_s,"
             "megabytes\n";
     for (const Row& row : rows_)
-      file << fmt::format("{},{},{},{},{:.3f},{:.3f},{:.3f},{:.3g},{},{:.4f},{:.3f}\n", row.map,
+      file << fmt::format("{},{},{},\"{}\",{:.3f},{:.3f},{:.3f},{:.3g},{},{:.4f},{:.3f}\n", row.map,
                           row.vertices, row.radius, row.who, row.score.median_us, row.score.p99_us,
                           row.ratio, row.score.worst_error, row.score.other_verdicts,
                           row.made_in_seconds, row.megabytes);
