@@ -19,26 +19,57 @@ std::string_view name_of(Severity severity) {
   return severity == Severity::Error ? "error" : "warning";
 }
 
-std::optional<std::string> line_of(const std::string& file, std::uint32_t number) {
+/// The bytes of the first `count` characters of a text (UTF-8: every byte but a continuation begins
+/// one).
+std::size_t bytes_of(std::string_view text, std::size_t count) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
+    if (begins && count-- == 0) break;
+  }
+  return at;
+}
+
+/// A line of a source, as it can be shown.
+struct SourceLine {
+  std::string text;
+  bool is_ascii = false;
+
+  std::size_t bytes_of_first(std::size_t characters) const {
+    return is_ascii ? std::min(characters, text.size()) : bytes_of(text, characters);
+  }
+};
+
+std::optional<SourceLine> read_line(const std::string& file, std::uint32_t number) {
   std::ifstream in(file);
   std::string line;
   for (std::uint32_t i = 0; i < number; ++i)
     if (!std::getline(in, line)) return {};
   if (line.ends_with('\r')) line.pop_back();
   if (number == 1) line = file::without_byte_order_mark(line);
-  return file::shown_as_utf8(line);
+  SourceLine shown{.text = file::shown_as_utf8(line)};
+  shown.is_ascii = std::ranges::all_of(
+      shown.text, [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
+  return shown;
 }
 
-/// The bytes of the first `count` characters of a line (UTF-8: every byte but a continuation begins
-/// one).
-std::size_t bytes_of(std::string_view line, std::size_t count) {
-  std::size_t at = 0;
-  for (; at < line.size(); ++at) {
-    const bool begins = (static_cast<unsigned char>(line[at]) & 0xC0U) != 0x80U;
-    if (begins && count-- == 0) break;
+/// Lines of sources. The last is kept: of a generated file, which is all one line, there may be
+/// thousands of things to tell.
+class SourceLines {
+ public:
+  /// Empty where the line is no longer there.
+  const std::optional<SourceLine>& line(const std::string& file, std::uint32_t number) {
+    if (file != file_ || number != number_) line_ = read_line(file, number);
+    file_ = file;
+    number_ = number;
+    return line_;
   }
-  return at;
-}
+
+ private:
+  std::string file_;
+  std::uint32_t number_ = 0;
+  std::optional<SourceLine> line_;
+};
 
 /// Spaces (and the line's own tabs) that move the carets under the column.
 std::string indentation(std::string_view line, std::uint32_t column) {
@@ -54,11 +85,11 @@ struct Shown {
   std::string text;
   std::uint32_t column = 0;  ///< Where that column is in the text.
 };
-Shown part_about(const std::string& line, std::uint32_t column) {
+Shown part_about(const SourceLine& line, std::uint32_t column) {
   constexpr std::size_t longest = 200, before = 60;  // Characters.
-  if (bytes_of(line, longest) == line.size()) return {line, column};
+  if (line.bytes_of_first(longest) == line.text.size()) return {line.text, column};
   const std::size_t first = column > before ? column - before : 0;
-  const std::string_view rest = std::string_view(line).substr(bytes_of(line, first));
+  const auto rest = std::string_view(line.text).substr(line.bytes_of_first(first));
   const std::string_view part = rest.substr(0, bytes_of(rest, longest));
   const std::string_view left = first > 0 ? "..." : "";
   const std::string_view right = part.size() < rest.size() ? "..." : "";
@@ -70,9 +101,9 @@ terminal::Ink ink_of(const Diagnostic& d) {
   return d.severity == Severity::Error ? terminal::Ink::Error : terminal::Ink::Warning;
 }
 
-std::string source_excerpt(const Diagnostic& d, terminal::ColourUse colour) {
+std::string source_excerpt(const Diagnostic& d, terminal::ColourUse colour, SourceLines& sources) {
   if (d.line == 0) return {};
-  const auto line = line_of(d.file, d.line);
+  const auto& line = sources.line(d.file, d.line);
   if (!line) return {};
   const auto [shown, column] = part_about(*line, d.column);
   std::string text = fmt::format("{:>6} | {}\n", d.line, shown);
@@ -85,9 +116,7 @@ std::string source_excerpt(const Diagnostic& d, terminal::ColourUse colour) {
   return text;
 }
 
-}  // namespace
-
-std::string to_text(const Diagnostic& d, terminal::ColourUse colour) {
+std::string text_of(const Diagnostic& d, terminal::ColourUse colour, SourceLines& sources) {
   std::string place = d.file;
   if (d.line > 0) place += fmt::format(":{}", d.line);
   if (d.line > 0 && d.column > 0) place += fmt::format(":{}", d.column);
@@ -95,9 +124,16 @@ std::string to_text(const Diagnostic& d, terminal::ColourUse colour) {
   const std::string kind = fmt::format("{}[{}]", name_of(d.severity), d.code);
   std::string text = fmt::format("{}{}{}: {}\n", place, separator,
                                  terminal::painted(kind, ink_of(d), colour), d.message);
-  text += source_excerpt(d, colour);
+  text += source_excerpt(d, colour, sources);
   if (!d.hint.empty()) text += fmt::format("   hint: {}\n", d.hint);
   return text;
+}
+
+}  // namespace
+
+std::string to_text(const Diagnostic& d, terminal::ColourUse colour) {
+  SourceLines sources;
+  return text_of(d, colour, sources);
 }
 
 std::string to_json(const Diagnostic& d) {
@@ -118,8 +154,10 @@ void tell(std::span<const Diagnostic> diagnostics, DiagnosticForm form) {
   const auto shown = diagnostics.first(shortens ? std::min(diagnostics.size(), most_on_terminal)
                                                 : diagnostics.size());
   const terminal::ColourUse colour = terminal::colour_use_of(stderr);
+  SourceLines sources;
   for (const Diagnostic& d : shown)
-    fmt::print(stderr, "{}", form == DiagnosticForm::Json ? to_json(d) + "\n" : to_text(d, colour));
+    fmt::print(stderr, "{}",
+               form == DiagnosticForm::Json ? to_json(d) + "\n" : text_of(d, colour, sources));
   if (shown.size() < diagnostics.size())
     fmt::print(stderr, "... and {} more; all of them with 2>FILE\n",
                diagnostics.size() - shown.size());
