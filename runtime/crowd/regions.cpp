@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/model/geometry/orientation.h"
 #include "runtime/path/floor_map.h"
-#include "runtime/path/index/predicates.h"
 
 namespace docent::crowd {
 namespace {
@@ -128,7 +128,7 @@ Regions::Place Regions::follow(Vec2 point, std::uint32_t region) const noexcept 
     const SiteShape& own = shape_[region];
     const bool is_clear_of_walls = foot.distance_squared > at_wall * at_wall;
     const bool is_before_wall = !own.is_wall || (foot.at > 0 && foot.at < own.length &&
-                                                 path::orientation(own.a, own.b, point) > 0);
+                                                 orientation(own.a, own.b, point) > 0);
     if (!is_clear_of_walls || !is_before_wall) break;
     return place;
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/path/index/predicates.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
 
 namespace docent::path {

@@ -1,4 +1,5 @@
 #include "tests/bench/navigation_mesh.h"
+#include "runtime/model/geometry/orientation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <map>
 #include <utility>
-
-#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 namespace {
@@ -39,7 +38,7 @@ Triangulation triangulation_of(const FloorPlan& plan, NavigationMesh& mesh) {
   for (std::uint32_t v = 0; v < plan.vertex.size(); ++v) {
     const std::uint32_t next = plan.next[v], after = plan.next[next];
     triangulation.insert_constraint(handle[v], handle[next]);
-    if (path::orientation(plan.vertex[v], plan.vertex[next], plan.vertex[after]) < 0)
+    if (orientation(plan.vertex[v], plan.vertex[next], plan.vertex[after]) < 0)
       mesh.is_reflex[handle[next]->info()] = 1;
   }
   return triangulation;
@@ -123,7 +122,7 @@ class HalfEdges {
 
   /// Would the corner at the beginning of this edge be strictly convex without the edge?
   [[nodiscard]] bool stays_convex(std::uint32_t h) const {
-    return path::orientation(origin(previous_[h]), origin(h), origin(next_[next_[twin_[h]]])) > 0;
+    return orientation(origin(previous_[h]), origin(h), origin(next_[next_[twin_[h]]])) > 0;
   }
 
   void remove(std::uint32_t h) {
@@ -228,7 +227,7 @@ void PolygonGrid::find(Vec2 point, std::vector<std::uint32_t>& polygons) const {
     const auto corners = mesh_.corners(polygon);
     Vec2 before = mesh_.vertex[corners.back()];
     const bool holds = std::ranges::all_of(corners, [&](std::uint32_t v) {
-      return path::orientation(std::exchange(before, mesh_.vertex[v]), mesh_.vertex[v], point) >= 0;
+      return orientation(std::exchange(before, mesh_.vertex[v]), mesh_.vertex[v], point) >= 0;
     });
     if (holds) polygons.push_back(polygon);
   }

@@ -1,9 +1,8 @@
 #include "tests/bench/plain_sight.h"
+#include "runtime/model/geometry/orientation.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 
@@ -75,23 +74,23 @@ bool PlainSight::sees(Vec2 from, Vec2 to) const {
 bool PlainSight::leaves_into_floor(std::uint32_t vertex, Vec2 towards) const {
   const Vec2 at = plan_.vertex[vertex];
   const Vec2 before = plan_.vertex[previous_[vertex]], after = plan_.vertex[plan_.next[vertex]];
-  const bool left_of_first = path::orientation(before, at, towards) >= 0;
-  const bool left_of_second = path::orientation(at, after, towards) >= 0;
-  return path::orientation(before, at, after) >= 0 ? left_of_first && left_of_second
-                                                   : left_of_first || left_of_second;
+  const bool left_of_first = orientation(before, at, towards) >= 0;
+  const bool left_of_second = orientation(at, after, towards) >= 0;
+  return orientation(before, at, after) >= 0 ? left_of_first && left_of_second
+                                             : left_of_first || left_of_second;
 }
 
 /// A wall blocks what crosses it, and what passes its first vertex from the floor to the outside.
 bool PlainSight::is_blocked_by(std::uint32_t wall, Vec2 from, Vec2 to) const {
   const Vec2 a = wall_start(plan_, wall), b = wall_end(plan_, wall);
-  const int side_a = path::orientation(from, to, a), side_b = path::orientation(from, to, b);
+  const int side_a = orientation(from, to, a), side_b = orientation(from, to, b);
   if (side_a == 0) {
     const bool on_segment = dot(a - from, a - to) <= 0;
     if (on_segment && a != to && !leaves_into_floor(wall, to)) return true;
     if (on_segment && a != from && !leaves_into_floor(wall, from)) return true;
     return false;
   }
-  return side_a * side_b < 0 && path::orientation(a, b, from) * path::orientation(a, b, to) < 0;
+  return side_a * side_b < 0 && orientation(a, b, from) * orientation(a, b, to) < 0;
 }
 
 }  // namespace docent::bench

@@ -1,9 +1,8 @@
 #include "tests/bench/polyanya.h"
+#include "runtime/model/geometry/orientation.h"
 
 #include <algorithm>
 #include <utility>
-
-#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 namespace {
@@ -58,7 +57,7 @@ FoundPath Polyanya::find(Vec2 from, Vec2 to) {
 }
 
 int Polyanya::side(Line line, std::uint32_t vertex) const {
-  return path::orientation(point_[line.a], point_[line.b], point_[vertex]);
+  return orientation(point_[line.a], point_[line.b], point_[vertex]);
 }
 
 Vec2 Polyanya::meet(Line line, const EdgeView& edge) const {
@@ -88,7 +87,7 @@ void Polyanya::start_in(std::uint32_t polygon) {
   const auto size = static_cast<std::uint32_t>(corners.size());
   for (std::uint32_t k = 0; k < size; ++k) {
     const EdgeView edge{.edge = k, .right = corners[k], .left = corners[(k + 1) % size]};
-    if (path::orientation(point_[edge.right], point_[edge.left], point_[start_]) <= 0) continue;
+    if (orientation(point_[edge.right], point_[edge.left], point_[start_]) <= 0) continue;
     add_whole_edge({.polygon = polygon}, start_, 0, edge);
   }
   push_successors();
@@ -232,7 +231,7 @@ void Polyanya::add(const Node& node, std::uint32_t root, double g, const EdgeVie
 /// interval that is a corner. Where sight is cut off beside the goal, another node gets there.
 void Polyanya::reach_goal(const Node& node) {
   const auto side_of_goal = [&](Line line) {
-    return path::orientation(point_[line.a], point_[line.b], goal_);
+    return orientation(point_[line.a], point_[line.b], goal_);
   };
   const auto& [left_sight, right_sight, left, right] = node.interval;
   const bool root_is_on_entry = node.root == left.vertex || node.root == right.vertex;

@@ -1,8 +1,7 @@
 #include "tests/bench/visibility_graph.h"
+#include "runtime/model/geometry/orientation.h"
 
 #include <algorithm>
-
-#include "runtime/path/index/predicates.h"
 
 namespace docent::bench {
 namespace {
@@ -15,7 +14,7 @@ VisibilityGraph::VisibilityGraph(const FloorPlan& plan) : sight_(plan) {
   for (std::uint32_t v = 0; v < plan.vertex.size(); ++v) {
     const Corner corner{v, plan.vertex[v], plan.vertex[sight_.previous(v)],
                         plan.vertex[plan.next[v]]};
-    if (path::orientation(corner.before, corner.at, corner.after) < 0) corner_.push_back(corner);
+    if (orientation(corner.before, corner.at, corner.after) < 0) corner_.push_back(corner);
   }
   for (const Corner& corner : corner_) {
     first_.push_back(static_cast<std::uint32_t>(link_.size()));
@@ -32,8 +31,8 @@ VisibilityGraph::VisibilityGraph(const FloorPlan& plan) : sight_(plan) {
 /// Can a shortest path bend at the corner on the line from another point? Only where that line
 /// touches the corner: both of its walls lie on one side of the line, or one on the line.
 bool VisibilityGraph::is_taut(const Corner& corner, Vec2 other) {
-  return path::orientation(other, corner.at, corner.before) *
-             path::orientation(other, corner.at, corner.after) >=
+  return orientation(other, corner.at, corner.before) *
+             orientation(other, corner.at, corner.after) >=
          0;
 }
 

@@ -22,4 +22,15 @@ inline double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
   return std::sqrt(nearest_on_segment(p, a, b).distance_squared);
 }
 
+/// Distance between the segments p q and a b, squared; 0 where they cross.
+inline double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept {
+  const Vec2 pq = q - p, ab = b - a;
+  const double a_side = cross(pq, a - p), b_side = cross(pq, b - p);
+  const double p_side = cross(ab, p - a), q_side = cross(ab, q - a);
+  if (((a_side < 0) != (b_side < 0)) && ((p_side < 0) != (q_side < 0))) return 0;
+  return std::min(
+      {nearest_on_segment(p, a, b).distance_squared, nearest_on_segment(q, a, b).distance_squared,
+       nearest_on_segment(a, p, q).distance_squared, nearest_on_segment(b, p, q).distance_squared});
+}
+
 }  // namespace docent

@@ -6,8 +6,10 @@
 #include <numeric>
 #include <utility>
 
+#include "runtime/model/geometry/orientation.h"
+#include "runtime/model/geometry/segment.h"
 #include "runtime/model/none.h"
-#include "runtime/path/index/predicates.h"
+#include "runtime/path/index/stamped_array.h"
 
 namespace docent::path {
 namespace {
@@ -237,14 +239,18 @@ std::vector<std::uint32_t> WallGrid::walls_about(Vec2 centre, double reach) cons
   };
   const Vec2 low = centre - origin_ - Vec2{reach, reach};
   const Vec2 high = centre - origin_ + Vec2{reach, reach};
+  // Beside a finely drawn curve a wall is listed in hundreds of cells.
+  thread_local StampedArray<std::uint8_t> is_found;
+  is_found.forget(wall_.size());
   std::vector<std::uint32_t> found;
   for (int y = cell_at(low.y, rows_); y <= cell_at(high.y, rows_); ++y)
-    for (int x = cell_at(low.x, columns_); x <= cell_at(high.x, columns_); ++x) {
-      const auto walls = walls_in(cell_of(x, y));
-      found.insert(found.end(), walls.begin(), walls.end());
-    }
+    for (int x = cell_at(low.x, columns_); x <= cell_at(high.x, columns_); ++x)
+      for (const std::uint32_t wall : walls_in(cell_of(x, y)))
+        if (!is_found.has(wall)) {
+          is_found[wall] = 1;
+          found.push_back(wall);
+        }
   std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
   return found;
 }
 

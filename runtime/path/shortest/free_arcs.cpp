@@ -1,9 +1,8 @@
 #include "runtime/path/shortest/free_arcs.h"
+#include "runtime/model/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "runtime/path/index/predicates.h"
 
 namespace docent::path {
 namespace {

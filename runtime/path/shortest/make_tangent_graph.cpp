@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-#include "runtime/path/index/predicates.h"
+#include "runtime/model/geometry/orientation.h"
 #include "runtime/path/shortest/free_arcs.h"
 
 namespace docent::path {

@@ -2,10 +2,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
+#include <vector>
 
 #include "content/floor/sight.h"
-#include "runtime/path/index/predicates.h"
+#include "runtime/model/geometry/orientation.h"
 #include "runtime/path/index/wall_grid.h"
 #include "tests/runtime/path/floors.h"
 
@@ -23,7 +26,7 @@ std::span<const std::uint32_t> seen_by(const SightMap& map, std::size_t corner) 
 /// Is a corner of the plan on the open segment? Whoever goes that way passes it.
 bool passes_a_corner(const FloorPlan& plan, Vec2 a, Vec2 b) {
   return std::ranges::any_of(plan.vertex, [&](Vec2 v) {
-    return v != a && v != b && path::orientation(a, b, v) == 0 && dot(v - a, b - a) > 0 &&
+    return v != a && v != b && orientation(a, b, v) == 0 && dot(v - a, b - a) > 0 &&
            dot(v - b, a - b) > 0;
   });
 }
@@ -45,6 +48,21 @@ RC_GTEST_PROP(SightMap, HoldsThePairsOfCornersThatSeeEachOther, ()) {
     }
 }
 
+/// Lists the cell of a point all corners that the point sees?
+void check_cell_of(Vec2 point, const SightMap& map, const FloorPlan& plan,
+                   const path::WallGrid& walls) {
+  const auto cell = map.cell_at(point);
+  RC_ASSERT(cell.has_value());
+  const auto listed =
+      std::span(map.cell_corner)
+          .subspan(map.cell_first[*cell], map.cell_first[*cell + 1] - map.cell_first[*cell]);
+  for (std::uint32_t i = 0; i < map.corner.size(); ++i) {
+    const Vec2 corner = plan.vertex[map.corner[i]];
+    if (walls.segment_clear(point, corner) && !passes_a_corner(plan, point, corner))
+      RC_ASSERT(holds(listed, i));
+  }
+}
+
 RC_GTEST_PROP(SightMap, KnowsInEveryCellWhatItsPointsSee, ()) {
   const auto plan = random_hall();
   RC_PRE(plan.has_value());
@@ -52,19 +70,34 @@ RC_GTEST_PROP(SightMap, KnowsInEveryCellWhatItsPointsSee, ()) {
   const SightMap map = floor::make_sight_map(*plan);
   for (int k = 0; k < 20; ++k) {
     const Vec2 point = random_point();
-    if (!is_inside(*plan, point)) continue;
+    if (is_inside(*plan, point)) check_cell_of(point, map, *plan, walls);
+  }
+}
 
-    const auto cell = map.cell_at(point);
-
-    RC_ASSERT(cell.has_value());
-    const auto listed =
-        std::span(map.cell_corner)
-            .subspan(map.cell_first[*cell], map.cell_first[*cell + 1] - map.cell_first[*cell]);
-    for (std::uint32_t i = 0; i < map.corner.size(); ++i) {
-      const Vec2 corner = plan->vertex[map.corner[i]];
-      if (walls.segment_clear(point, corner) && !passes_a_corner(*plan, point, corner))
-        RC_ASSERT(holds(listed, i));
+/// A hall of 12 by 8 m about a round pillar that is drawn finely and not quite smoothly, in a ring
+/// of such walls.
+FloorPlan hall_about_a_pillar(std::size_t corners, double roughness) {
+  const auto circle = [&](double radius) {
+    std::vector<Vec2> ring;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const double angle =
+          2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners);
+      const double off = *rc::gen::inRange(-1000, 1001) * roughness / 1000;
+      ring.push_back({6 + (radius + off) * std::cos(angle), 4 + (radius + off) * std::sin(angle)});
     }
+    return ring;
+  };
+  return mended(drawn(circle(3.8), {circle(1.5)}));
+}
+
+RC_GTEST_PROP(SightMap, KnowsWhatIsSeenAlongFineCurves, ()) {
+  const double roughness = *rc::gen::elementOf(std::vector<double>{0, 0.001, 0.02});
+  const FloorPlan plan = hall_about_a_pillar(*rc::gen::inRange<std::size_t>(50, 600), roughness);
+  const path::WallGrid walls(plan, 0);
+  const SightMap map = floor::make_sight_map(plan);
+  for (int k = 0; k < 20; ++k) {
+    const Vec2 point = random_point();
+    if (is_inside(plan, point)) check_cell_of(point, map, plan, walls);
   }
 }
 

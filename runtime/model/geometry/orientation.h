@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include "runtime/model/geometry/segment.h"
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent::path {
+namespace docent {
 
 /// The sign of the turn a -> b -> c: +1 left, -1 right, 0 exactly straight. Exact for all doubles
 /// whose products neither overflow nor underflow (Shewchuk 1997, "Adaptive precision
@@ -26,7 +25,4 @@ inline int orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   return exact_orientation(a, b, c);
 }
 
-/// Distance between the segments p q and a b, squared; 0 where they cross.
-double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept;
-
-}  // namespace docent::path
+}  // namespace docent

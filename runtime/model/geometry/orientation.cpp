@@ -1,12 +1,10 @@
-#include "runtime/path/index/predicates.h"
+#include "runtime/model/geometry/orientation.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
-namespace docent::path {
+namespace docent {
 namespace {
 
 /// A number as a sum of doubles that do not overlap, smallest first (Shewchuk's expansion). Room
@@ -48,14 +46,4 @@ int exact_orientation(Vec2 a, Vec2 b, Vec2 c) noexcept {
   return determinant.sign();
 }
 
-double segment_distance_squared(Vec2 p, Vec2 q, Vec2 a, Vec2 b) noexcept {
-  const Vec2 pq = q - p, ab = b - a;
-  const double a_side = cross(pq, a - p), b_side = cross(pq, b - p);
-  const double p_side = cross(ab, p - a), q_side = cross(ab, q - a);
-  if (((a_side < 0) != (b_side < 0)) && ((p_side < 0) != (q_side < 0))) return 0;
-  return std::min(
-      {nearest_on_segment(p, a, b).distance_squared, nearest_on_segment(q, a, b).distance_squared,
-       nearest_on_segment(a, p, q).distance_squared, nearest_on_segment(b, p, q).distance_squared});
-}
-
-}  // namespace docent::path
+}  // namespace docent
