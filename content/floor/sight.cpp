@@ -10,9 +10,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "runtime/model/geometry/orientation.h"
 #include "runtime/model/none.h"
 
 namespace docent::floor {
@@ -21,6 +23,8 @@ namespace {
 /// A finer grid makes shorter lists and costs memory: so many cells, as long as the lists have no
 /// more than so many entries. Measured on the reference maps.
 constexpr double cells_per_vertex = 10, entries_per_vertex = 400;
+/// So many corners tell how much all of them see.
+constexpr std::size_t most_sampled = 256;
 /// What the rounding of a sight line's end on a wall is given. Metres.
 constexpr double margin = 1e-6;
 
@@ -32,18 +36,21 @@ using FaceBase =
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
-/// The interior as triangles, counter-clockwise. Side k of a triangle is opposite its vertex k.
+/// The interior as triangles, counter-clockwise. Side 3 t + k of triangle t is opposite its vertex
+/// 3 t + k.
 struct Mesh {
-  struct Triangle {
-    std::array<std::uint32_t, 3> vertex;
-    std::array<std::uint32_t, 3> across;  ///< The triangle beyond each side; none behind a wall.
-  };
-  std::vector<Vec2> point;              ///< Each place once.
-  std::vector<std::uint32_t> point_of;  ///< One per vertex of the plan.
-  std::vector<Triangle> triangle;
+  std::vector<Vec2> point;               ///< Each place once.
+  std::vector<std::uint32_t> point_of;   ///< One per vertex of the plan.
+  std::vector<std::uint32_t> vertex;     ///< Three points per triangle.
+  std::vector<std::uint32_t> across;     ///< Each side, of the triangle beyond; none behind a wall.
   std::vector<std::uint32_t> fan_first;  ///< One per point and one more.
-  std::vector<std::uint32_t> fan;        ///< The triangles about each point.
+  std::vector<std::uint32_t> fan;        ///< The sides opposite each point.
 };
+
+/// The next side of a triangle, counter-clockwise.
+constexpr std::uint32_t next_side(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
 
 /// Numbers the faces of the interior: those with an odd number of walls between them and outside.
 std::vector<Cdt::Face_handle> number_interior(Cdt& cdt) {
@@ -95,28 +102,21 @@ Mesh triangulate(const FloorPlan& plan) {
 
   const std::vector<Cdt::Face_handle> inside = number_interior(cdt);
   mesh.fan_first.assign(points.size() + 1, 0);
-  for (const auto face : inside) {
-    Mesh::Triangle triangle{};
+  for (const auto face : inside)
     for (int k = 0; k < 3; ++k) {
-      const auto side = static_cast<std::size_t>(k);
-      triangle.vertex[side] = face->vertex(k)->info();
-      triangle.across[side] = face->is_constrained(k) ? none : face->neighbor(k)->info();
-      ++mesh.fan_first[triangle.vertex[side] + 1];
+      const auto other = face->neighbor(k);
+      const auto index_there = static_cast<std::uint32_t>(other->index(face));
+      mesh.vertex.push_back(face->vertex(k)->info());
+      mesh.across.push_back(face->is_constrained(k) ? none : 3 * other->info() + index_there);
+      ++mesh.fan_first[mesh.vertex.back() + 1];
     }
-    mesh.triangle.push_back(triangle);
-  }
   for (std::size_t i = 1; i < mesh.fan_first.size(); ++i)
     mesh.fan_first[i] += mesh.fan_first[i - 1];
   mesh.fan.resize(mesh.fan_first.back());
   std::vector<std::uint32_t> fill(mesh.fan_first.begin(), mesh.fan_first.end() - 1);
-  for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
-    for (const std::uint32_t vertex : mesh.triangle[t].vertex) mesh.fan[fill[vertex]++] = t;
+  for (std::uint32_t side = 0; side < mesh.vertex.size(); ++side)
+    mesh.fan[fill[mesh.vertex[side]]++] = side;
   return mesh;
-}
-
-int side_of(Vec2 a, Vec2 b, Vec2 c) {
-  return static_cast<int>(CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y),
-                                            Kernel::Point_2(c.x, c.y)));
 }
 
 /// Marks the cells of a grid that triangles touch, each once a round.
@@ -182,40 +182,37 @@ class View {
   void look(std::uint32_t from, See see, Reach reach) {
     eye_ = mesh_.point[from];
     for (std::uint32_t i = mesh_.fan_first[from]; i < mesh_.fan_first[from + 1]; ++i) {
-      const Mesh::Triangle& triangle = mesh_.triangle[mesh_.fan[i]];
-      const auto apex = static_cast<std::size_t>(std::ranges::find(triangle.vertex, from) -
-                                                 triangle.vertex.begin());
-      const std::uint32_t right = triangle.vertex[(apex + 1) % 3];
-      const std::uint32_t left = triangle.vertex[(apex + 2) % 3];
+      const std::uint32_t side = mesh_.fan[i];
+      const std::uint32_t right = mesh_.vertex[next_side(side)];
+      const std::uint32_t left = mesh_.vertex[next_side(next_side(side))];
       see(right);
       see(left);
-      pass({mesh_.fan[i], apex, right, left}, reach);
-      while (!stack_.empty()) {
-        const Window window = stack_.back();
-        stack_.pop_back();
-        look_through(window, see, reach);
+      std::optional<Window> window = beyond({side, right, left}, reach);
+      while (window || !stack_.empty()) {
+        if (!window) {
+          window = stack_.back();
+          stack_.pop_back();
+        }
+        window = look_through(*window, see, reach);
       }
     }
   }
 
  private:
-  /// The view through one side of a triangle (out of it), between the rays to two points.
+  /// The view through a side of a triangle, between the rays to two points.
   struct Window {
-    std::uint32_t triangle;
-    std::size_t side;
-    std::uint32_t right, left;
+    std::uint32_t side, right, left;
   };
 
+  /// The same view from the triangle beyond; empty where it ends at a wall.
   template <class Reach>
-  void pass(const Window& window, Reach reach) {
-    const Mesh::Triangle& triangle = mesh_.triangle[window.triangle];
-    if (triangle.across[window.side] != none) {
-      stack_.push_back(window);
-      return;
-    }
-    const Vec2 a = mesh_.point[triangle.vertex[(window.side + 1) % 3]];
-    const Vec2 b = mesh_.point[triangle.vertex[(window.side + 2) % 3]];
-    reach(std::array{eye_, on_wall(a, b, window.right), on_wall(a, b, window.left)});
+  std::optional<Window> beyond(const Window& out, Reach reach) const {
+    const std::uint32_t across = mesh_.across[out.side];
+    if (across != none) return Window{across, out.right, out.left};
+    const Vec2 a = mesh_.point[mesh_.vertex[next_side(out.side)]];
+    const Vec2 b = mesh_.point[mesh_.vertex[next_side(next_side(out.side))]];
+    reach(std::array{eye_, on_wall(a, b, out.right), on_wall(a, b, out.left)});
+    return {};
   }
 
   /// Where the ray to a point meets the line of a wall.
@@ -226,25 +223,22 @@ class View {
     return a + std::clamp(from / (from - to), 0.0, 1.0) * (b - a);
   }
 
+  /// Looks into a triangle and returns a view out of it; another one goes on the stack.
   template <class See, class Reach>
-  void look_through(const Window& window, See see, Reach reach) {
-    const Mesh::Triangle& before = mesh_.triangle[window.triangle];
-    const std::uint32_t next = before.across[window.side];
-    const Mesh::Triangle& triangle = mesh_.triangle[next];
-    const std::uint32_t right_end = before.vertex[(window.side + 1) % 3];
-    // The side that we enter by runs the other way round here.
-    const auto at = static_cast<std::size_t>(std::ranges::find(triangle.vertex, right_end) -
-                                             triangle.vertex.begin());
-    const std::uint32_t apex = triangle.vertex[(at + 1) % 3];
+  std::optional<Window> look_through(const Window& in, See see, Reach reach) {
+    const std::uint32_t apex = mesh_.vertex[in.side];
     const Vec2 c = mesh_.point[apex];
-    const int of_right = side_of(eye_, mesh_.point[window.right], c);
-    const int of_left = side_of(eye_, mesh_.point[window.left], c);
+    const int of_right = orientation(eye_, mesh_.point[in.right], c);
+    // What is not left of the right ray is right of the left one: along a curve that hides itself
+    // the view passes thousands of such points.
+    const int of_left = of_right > 0 ? orientation(eye_, mesh_.point[in.left], c) : -1;
     if (of_right >= 0 && of_left <= 0) see(apex);
-    // Sides of the next triangle: right_end to apex is opposite `at + 2`, apex to the left end
-    // opposite `at`.
-    if (of_right > 0)
-      pass({next, (at + 2) % 3, window.right, of_left < 0 ? apex : window.left}, reach);
-    if (of_left < 0) pass({next, at, of_right > 0 ? apex : window.right, window.left}, reach);
+    // Seen from here the side that the view came in by runs from left to right.
+    const std::uint32_t right_side = next_side(in.side), left_side = next_side(right_side);
+    if (of_right <= 0) return beyond({left_side, in.right, in.left}, reach);
+    if (of_left >= 0) return beyond({right_side, in.right, in.left}, reach);
+    if (const auto window = beyond({right_side, in.right, apex}, reach)) stack_.push_back(*window);
+    return beyond({left_side, apex, in.left}, reach);
   }
 
   const Mesh& mesh_;
@@ -258,13 +252,70 @@ std::vector<std::uint32_t> corners_of(const FloorPlan& plan) {
   for (std::uint32_t i = 0; i < plan.vertex.size(); ++i) previous[plan.next[i]] = i;
   std::vector<std::uint32_t> corners;
   for (std::uint32_t i = 0; i < plan.vertex.size(); ++i)
-    if (side_of(plan.vertex[previous[i]], plan.vertex[i], plan.vertex[plan.next[i]]) < 0)
+    if (orientation(plan.vertex[previous[i]], plan.vertex[i], plan.vertex[plan.next[i]]) < 0)
       corners.push_back(i);
   return corners;
 }
 
-/// `seen`: how many corners a corner sees on average.
-void lay_grid(const FloorPlan& plan, double seen, SightMap& map) {
+/// Joins narrow triangles of a view that lie beside each other, so that the many small walls of a
+/// curve are as quick to cover as a straight one. What comes out covers all that went in, and
+/// reaches at most half a cell further.
+class NarrowTriangles {
+ public:
+  explicit NarrowTriangles(double cell_size) : most_(cell_size / 2) {}
+
+  template <class Cover>
+  void add(const std::array<Vec2, 3>& triangle, Cover cover) {
+    const double right = glm::length(triangle[1] - triangle[0]);
+    const double left = glm::length(triangle[2] - triangle[0]);
+    const Fan fan{triangle[0], (triangle[1] - triangle[0]) / right,
+                  (triangle[2] - triangle[0]) / left, std::min(right, left), std::max(right, left)};
+    if (!(fan.near > 0) || !is_narrow(fan)) {
+      cover(triangle);
+    } else if (!is_joined_ || !join(fan)) {
+      finish(cover);
+      joined_ = fan;
+      is_joined_ = true;
+    }
+  }
+  /// Before another point looks about.
+  template <class Cover>
+  void finish(Cover cover) {
+    if (!std::exchange(is_joined_, false)) return;
+    // As far as the middle of the chord is as far as the ends were.
+    const double half = glm::length(joined_.left - joined_.right) / 2;
+    const double reach = joined_.far / std::sqrt(1 - half * half);
+    cover(std::array{joined_.eye, joined_.eye + reach * joined_.right,
+                     joined_.eye + reach * joined_.left});
+  }
+
+ private:
+  struct Fan {
+    Vec2 eye, right, left;  ///< `right` and `left` are unit directions.
+    double near, far;       ///< Of the wall from the eye. Metres.
+  };
+  bool is_narrow(const Fan& fan) const {
+    return fan.far - fan.near <= most_ && is_close(fan.left, fan.right, fan.far);
+  }
+  bool is_close(Vec2 direction, Vec2 other, double far) const {
+    return far * glm::length(direction - other) <= std::min(most_, far / 2);
+  }
+  bool join(const Fan& fan) {
+    const Fan both{fan.eye, cross(joined_.right, fan.right) < 0 ? fan.right : joined_.right,
+                   cross(joined_.left, fan.left) > 0 ? fan.left : joined_.left,
+                   std::min(joined_.near, fan.near), std::max(joined_.far, fan.far)};
+    if (!is_close(joined_.right, fan.right, both.far) || !is_narrow(both)) return false;
+    joined_ = both;
+    return true;
+  }
+
+  double most_;  ///< Metres.
+  bool is_joined_ = false;
+  Fan joined_{};
+};
+
+/// `seen_area`: what each corner sees of the floor, of all corners together. Square metres.
+void lay_grid(const FloorPlan& plan, double seen_area, SightMap& map) {
   if (plan.vertex.empty()) return;
   Vec2 low = plan.vertex.front(), high = low;
   for (const Vec2 p : plan.vertex) {
@@ -272,13 +323,27 @@ void lay_grid(const FloorPlan& plan, double seen, SightMap& map) {
     high = glm::max(high, p);
   }
   const Vec2 extent = high - low;
-  const double cells = std::min(cells_per_vertex, entries_per_vertex / std::max(seen, 1.0));
+  const auto vertices = static_cast<double>(plan.vertex.size());
+  const double cell_area =
+      std::max(extent.x * extent.y / cells_per_vertex, seen_area / entries_per_vertex) / vertices;
   map.origin = low;
-  map.cell_size =
-      std::max(std::sqrt(extent.x * extent.y / (cells * static_cast<double>(plan.vertex.size()))),
-               std::max(extent.x, extent.y) / 4096);
+  map.cell_size = std::max(std::sqrt(cell_area), std::max(extent.x, extent.y) / 4096);
   map.columns = 1 + static_cast<std::uint32_t>(extent.x / map.cell_size);
   map.rows = 1 + static_cast<std::uint32_t>(extent.y / map.cell_size);
+}
+
+/// What each corner sees of the floor, of all corners together, judged by some of them.
+double seen_area(const Mesh& mesh, const std::vector<std::uint32_t>& eyes) {
+  View view(mesh);
+  double area = 0;
+  const std::size_t step = 1 + eyes.size() / most_sampled;
+  for (std::size_t i = 0; i < eyes.size(); i += step)
+    view.look(
+        eyes[i], [](std::uint32_t) {},
+        [&](const std::array<Vec2, 3>& triangle) {
+          area += std::abs(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+        });
+  return area * static_cast<double>(step);
 }
 
 }  // namespace
@@ -287,34 +352,36 @@ SightMap make_sight_map(const FloorPlan& plan) {
   SightMap map;
   map.corner = corners_of(plan);
   const Mesh mesh = triangulate(plan);
+  std::vector<std::uint32_t> eyes;
   std::vector<std::vector<std::uint32_t>> corners_at(mesh.point.size());
-  for (std::uint32_t c = 0; c < map.corner.size(); ++c)
-    corners_at[mesh.point_of[map.corner[c]]].push_back(c);
+  for (std::uint32_t c = 0; c < map.corner.size(); ++c) {
+    eyes.push_back(mesh.point_of[map.corner[c]]);
+    corners_at[eyes[c]].push_back(c);
+  }
+  lay_grid(plan, seen_area(mesh, eyes), map);
 
   View view(mesh);
-  const auto nothing = [](const auto&) {};
+  CellMarks marks(map);
+  NarrowTriangles narrow(map.cell_size);
+  std::vector<std::vector<std::uint32_t>> seen_from(std::size_t{map.columns} * map.rows);
   std::vector<std::uint32_t> seen;
   for (std::uint32_t c = 0; c < map.corner.size(); ++c) {
     seen.clear();
     const auto see = [&](std::uint32_t point) {
       seen.insert(seen.end(), corners_at[point].begin(), corners_at[point].end());
     };
-    view.look(mesh.point_of[map.corner[c]], see, nothing);
+    const auto cover = [&](const std::array<Vec2, 3>& triangle) {
+      marks.cover(triangle, c, [&](std::size_t cell) { seen_from[cell].push_back(c); });
+    };
+    view.look(eyes[c], see,
+              [&](const std::array<Vec2, 3>& triangle) { narrow.add(triangle, cover); });
+    narrow.finish(cover);
     std::ranges::sort(seen);
     seen.erase(std::ranges::unique(seen).begin(), seen.end());
     std::erase(seen, c);
     map.pair_other.insert(map.pair_other.end(), seen.begin(), seen.end());
     map.pair_first.push_back(static_cast<std::uint32_t>(map.pair_other.size()));
   }
-
-  const auto corners = static_cast<double>(std::max<std::size_t>(map.corner.size(), 1));
-  lay_grid(plan, static_cast<double>(map.pair_other.size()) / corners, map);
-  CellMarks marks(map);
-  std::vector<std::vector<std::uint32_t>> seen_from(std::size_t{map.columns} * map.rows);
-  for (std::uint32_t c = 0; c < map.corner.size(); ++c)
-    view.look(mesh.point_of[map.corner[c]], nothing, [&](const std::array<Vec2, 3>& triangle) {
-      marks.cover(triangle, c, [&](std::size_t cell) { seen_from[cell].push_back(c); });
-    });
   for (const auto& listed : seen_from) {
     map.cell_corner.insert(map.cell_corner.end(), listed.begin(), listed.end());
     map.cell_first.push_back(static_cast<std::uint32_t>(map.cell_corner.size()));
