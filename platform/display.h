@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 namespace docent {
 
@@ -26,6 +27,13 @@ struct RenderTarget {
   Rotation rotation = Rotation::None;  ///< Only of a Plain target.
 };
 
+/// Does a display take another frame?
+enum class DisplayState : std::uint8_t {
+  Open,
+  Closed,  ///< Its window was closed by a person.
+  Lost,    ///< What it draws on has gone: the X server, the graphics card.
+};
+
 /// Where frames go: a screen, a window, or memory. Its OpenGL context is current on the thread that
 /// made the display, and only that thread may call the display.
 class Display {
@@ -35,13 +43,21 @@ class Display {
   Display& operator=(const Display&) = delete;
   virtual ~Display() = default;
 
-  /// Waits until the last frame is shown and the next may be drawn. False when the display has gone
-  /// for good: its window was closed, or it takes no more frames.
-  virtual bool wait_for_page_flip() noexcept = 0;
+  /// Waits until the last frame is shown and the next may be drawn.
+  virtual DisplayState wait_for_page_flip() noexcept = 0;
   /// Where to draw the next frame; ask again each frame, since a window may have been resized.
   virtual RenderTarget target() const noexcept = 0;
   /// Shows what was drawn: queues the next page flip.
   virtual void present() noexcept = 0;
+
+  /// What was lost, as a sentence for the journal.
+  virtual std::string_view loss() const noexcept { return {}; }
+
+  // These two are for a thread that watches over the frame thread, while present() waits.
+  /// Has what it draws on gone? A driver may then wait without end.
+  virtual bool is_lost() const noexcept { return false; }
+  /// Gives back what would outlive the program, which ends right afterwards.
+  virtual void abandon() noexcept {}
 };
 
 }  // namespace docent

@@ -44,7 +44,7 @@ class Headless final : public HeadlessDisplay {
     return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   }
 
-  bool wait_for_page_flip() noexcept override { return true; }
+  DisplayState wait_for_page_flip() noexcept override { return DisplayState::Open; }
   RenderTarget target() const noexcept override {
     return {framebuffer_.name, size_, Encoding::Srgb, Rotation::None};
   }

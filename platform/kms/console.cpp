@@ -20,7 +20,10 @@ std::optional<QuietConsole> QuietConsole::take() noexcept {
 }
 
 QuietConsole::~QuietConsole() {
-  if (tty_.get() < 0) return;  // moved from
+  if (tty_.get() >= 0) give_back();  // less than 0: moved from
+}
+
+void QuietConsole::give_back() const noexcept {
   ioctl(tty_.get(), KDSKBMODE, keyboard_);
   ioctl(tty_.get(), KDSETMODE, mode_);
 }

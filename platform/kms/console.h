@@ -17,6 +17,9 @@ class QuietConsole {
   QuietConsole& operator=(QuietConsole&&) = delete;
   ~QuietConsole();
 
+  /// Gives the console back now; any thread may.
+  void give_back() const noexcept;
+
  private:
   QuietConsole(FileDescriptor tty, int mode, int keyboard) noexcept
       : tty_(std::move(tty)), mode_(mode), keyboard_(keyboard) {}

@@ -89,11 +89,11 @@ class Kms final : public KmsDisplay {
     return egl::make_current(egl_.get(), egl_surface_.get(), context_.get());
   }
 
-  bool wait_for_page_flip() noexcept override {
+  DisplayState wait_for_page_flip() noexcept override {
     // A screen that was unplugged never flips: a second is enough to notice, and the next present
     // sets the mode anew.
     finish_flip(1000);
-    return !lost_;
+    return state_;
   }
 
   RenderTarget target() const noexcept override {
@@ -102,7 +102,7 @@ class Kms final : public KmsDisplay {
 
   void present() noexcept override {
     if (!eglSwapBuffers(egl_.get(), egl_surface_.get())) {
-      lost_ = true;
+      state_ = DisplayState::Lost;
       return;
     }
     gbm_bo* next = gbm_surface_lock_front_buffer(surface_.get());
@@ -114,6 +114,13 @@ class Kms final : public KmsDisplay {
       gbm_surface_release_buffer(surface_.get(), next);
       is_mode_set_ = false;
     }
+  }
+
+  std::string_view loss() const noexcept override {
+    return "the graphics card takes no more frames; see what the kernel says of it (journalctl -k)";
+  }
+  void abandon() noexcept override {
+    if (console_) console_->give_back();
   }
 
  private:
@@ -181,7 +188,7 @@ class Kms final : public KmsDisplay {
         flipped();
         is_mode_set_ = false;
       } else if (drmHandleEvent(card_.fd.get(), &events) != 0) {
-        lost_ = true;
+        state_ = DisplayState::Lost;
         return;
       }
     }
@@ -204,7 +211,7 @@ class Kms final : public KmsDisplay {
   gbm_bo* shown_ = nullptr;     ///< On the glass.
   gbm_bo* flipping_ = nullptr;  ///< Will be on the glass at the next vertical blank.
   bool is_mode_set_ = false;
-  bool lost_ = false;
+  DisplayState state_ = DisplayState::Open;
 };
 
 }  // namespace

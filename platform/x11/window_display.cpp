@@ -4,6 +4,7 @@
 // eglext.h needs egl.h before it
 #include <EGL/eglext.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <time.h>
 #include <xcb/xcb.h>
 #include <xcb/xcb_icccm.h>
@@ -49,7 +50,10 @@ xcb_atom_t atom(xcb_connection_t* connection, std::string_view name) {
 
 class Window final : public WindowDisplay {
  public:
-  Window(Connection connection, PixelSize size) : connection_(std::move(connection)), size_(size) {}
+  Window(Connection connection, PixelSize size)
+      : connection_(std::move(connection)),
+        socket_(xcb_get_file_descriptor(connection_.get())),
+        size_(size) {}
 
   Result<void> open(xcb_screen_t* screen) {
     auto display = egl::open_egl(EGL_PLATFORM_XCB_EXT, connection_.get());
@@ -68,8 +72,9 @@ class Window final : public WindowDisplay {
     return egl::make_current(egl_.get(), surface_.get(), context_.get());
   }
 
-  bool wait_for_page_flip() noexcept override {
+  DisplayState wait_for_page_flip() noexcept override {
     read_events();
+    if (state_ != DisplayState::Open) return state_;
     // A virtual X server swaps at once, so the frame keeps its own time.
     const auto now = clock::monotonic_now();
     if (now < next_frame_) {
@@ -78,14 +83,22 @@ class Window final : public WindowDisplay {
       nanosleep(&pause, nullptr);
     }
     next_frame_ = std::max(next_frame_ + frame_time, clock::monotonic_now());
-    return !closed_;
+    return state_;
   }
 
   RenderTarget target() const noexcept override {
     return {0, size_, Encoding::Plain, Rotation::None};
   }
   void present() noexcept override {
-    if (!closed_ && !eglSwapBuffers(egl_.get(), surface_.get())) closed_ = true;
+    if (is_lost() || !eglSwapBuffers(egl_.get(), surface_.get())) state_ = DisplayState::Lost;
+  }
+
+  std::string_view loss() const noexcept override {
+    return "the X server has gone, and the window with it; start docent again when it is back";
+  }
+  bool is_lost() const noexcept override {
+    pollfd socket{.fd = socket_, .events = POLLRDHUP, .revents = 0};
+    return poll(&socket, 1, 0) > 0 && (socket.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
   }
 
   std::size_t arrived(std::span<input::InputEvent> out) noexcept override {
@@ -120,7 +133,7 @@ class Window final : public WindowDisplay {
   }
 
   void read_events() noexcept {
-    if (xcb_connection_has_error(connection_.get()) != 0) closed_ = true;
+    if (xcb_connection_has_error(connection_.get()) != 0) state_ = DisplayState::Lost;
     while (const Reply<xcb_generic_event_t> event{xcb_poll_for_event(connection_.get())})
       handle(*event);
   }
@@ -144,7 +157,7 @@ class Window final : public WindowDisplay {
       }
       case XCB_CLIENT_MESSAGE: {
         const auto& message = reinterpret_cast<const xcb_client_message_event_t&>(event);
-        closed_ |= message.data.data32[0] == delete_window_;
+        if (message.data.data32[0] == delete_window_) state_ = DisplayState::Closed;
         break;
       }
       default:
@@ -188,11 +201,12 @@ class Window final : public WindowDisplay {
   }
 
   Connection connection_;
+  int socket_;  ///< Of the connection.
   KeySymbols keys_;
   xcb_window_t window_ = 0;
   xcb_atom_t delete_window_ = XCB_ATOM_NONE;
   PixelSize size_;
-  bool closed_ = false;
+  DisplayState state_ = DisplayState::Open;
   std::chrono::nanoseconds next_frame_{0};
   std::array<input::InputEvent, 256> events_{};
   std::size_t event_count_ = 0;

@@ -17,6 +17,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
+#include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/signals.h"
@@ -65,11 +66,11 @@ interface::ScreenShape shape_of(PixelSize size, const config::KioskConfig& confi
 /// One run of the kiosk: the edges, the guide, and the loop that joins them.
 class Kiosk {
  public:
-  Kiosk(const Options& options, const config::KioskConfig& config, Edges edges,
+  Kiosk(const Options& options, const config::KioskConfig& config, Edges& edges,
         gles::Renderer renderer, std::chrono::nanoseconds started)
       : options_(options),
         config_(config),
-        edges_(std::move(edges)),
+        edges_(edges),
         renderer_(std::move(renderer)),
         simulated_(edges_.headless != nullptr),
         started_(started) {
@@ -77,7 +78,7 @@ class Kiosk {
   }
 
   Result<void> open(const std::optional<Visit>& visit);
-  Result<void> run();
+  Result<void> run(FrameGuard& guard);
 
  private:
   guide::GuideSettings guide_settings() const {
@@ -100,7 +101,7 @@ class Kiosk {
 
   const Options& options_;
   const config::KioskConfig& config_;
-  Edges edges_;
+  Edges& edges_;
   gles::Renderer renderer_;
   gles::GpuTimer gpu_timer_;
   bool simulated_;
@@ -160,9 +161,15 @@ bool Kiosk::is_over() const noexcept {
   return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
 }
 
-Result<void> Kiosk::run() {
-  while (!is_over() && edges_.display->wait_for_page_flip())
+Result<void> Kiosk::run(FrameGuard& guard) {
+  while (!is_over()) {
+    const DisplayState display = edges_.display->wait_for_page_flip();
+    if (display == DisplayState::Closed) break;
+    if (display == DisplayState::Lost)
+      return std::unexpected(Error{Errc::Environment, std::string(edges_.display->loss())});
     if (const Result<void> made = frame(); !made) return made;
+    guard.frame_made();
+  }
 
   guide::GuideCounters counters = guide().counters();
   counters += counted_;
@@ -311,11 +318,13 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   expect_end();
   Result<Edges> edges = open_edges(edge_settings(options, *config.value));
   if (!edges) return say(edges.error());
+  FrameGuard guard(*edges->display,
+                   edges->headless ? FrameGuard::in_memory : FrameGuard::on_screen);
   Result<gles::Renderer> renderer = gles::make_renderer();
   if (!renderer) return say(renderer.error());
-  Kiosk kiosk(options, *config.value, std::move(*edges), std::move(*renderer), started);
+  Kiosk kiosk(options, *config.value, *edges, std::move(*renderer), started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
-  if (const Result<void> ended = kiosk.run(); !ended) return say(ended.error());
+  if (const Result<void> ended = kiosk.run(guard); !ended) return say(ended.error());
   return 0;
 }
 

@@ -26,4 +26,9 @@ bool take_signal(int signal) noexcept {
   return sigtimedwait(&set, nullptr, &at_once) == signal;
 }
 
+bool is_signal_waiting(int signal) noexcept {
+  sigset_t waiting;
+  return sigpending(&waiting) == 0 && sigismember(&waiting, signal) == 1;
+}
+
 }  // namespace docent::kiosk

@@ -8,5 +8,7 @@ namespace docent::kiosk {
 void expect_signal(int signal) noexcept;
 /// Has an expected signal come since it was last taken? Waits for nothing.
 bool take_signal(int signal) noexcept;
+/// Would take_signal say so? It stays to be taken. Any thread may ask.
+bool is_signal_waiting(int signal) noexcept;
 
 }  // namespace docent::kiosk

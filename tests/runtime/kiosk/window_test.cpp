@@ -36,11 +36,18 @@ class VirtualDesktop {
 
   VirtualDesktop(const VirtualDesktop&) = delete;
   VirtualDesktop& operator=(const VirtualDesktop&) = delete;
-  ~VirtualDesktop() {
+  ~VirtualDesktop() { end(); }
+
+  /// The server goes, and whatever is on it.
+  void end() {
     if (!server_) return;
+    server_->signal(SIGCONT);
     server_->signal(SIGTERM);  // so that it takes its lock away
     server_->wait();
+    server_.reset();
   }
+  /// The server answers nobody any more.
+  void freeze() const { server_->halt(); }
 
   bool is_there() const { return !number_.empty(); }
   bool xdotool(const std::string& what) const {
@@ -65,32 +72,75 @@ bool shows_pictures(const StartedProgram& kiosk, const VirtualDesktop& desktop, 
   return true;
 }
 
-TEST(AWindow, OnAVirtualDesktopTakesTheMouseForAFinger) {
-  if (!is_installed("Xvfb") || !is_installed("xdotool"))
-    GTEST_SKIP() << "needs the packages xvfb and xdotool";
-  const TemporaryFolder folder;
-  const std::string stats = folder.path() / "stats.json";
-  const VirtualDesktop desktop;
-  ASSERT_TRUE(desktop.is_there());
-  StartedProgram kiosk(program("docent"), {"--content", sample_database(), "--display", "window",
-                                           "--size", "640x360", "--stats", stats});
-  ASSERT_TRUE(
-      kiosk.runs_until([&] { return desktop.xdotool("search --onlyvisible --name '^docent$'"); }));
-  ASSERT_TRUE(shows_pictures(kiosk, desktop, 3));
+/// docent in a window of a desktop, as soon as it has shown some pictures.
+class KioskInAWindow {
+ public:
+  bool is_shown() {
+    return desktop_.is_there() && kiosk_->runs_until([&] {
+      return desktop_.xdotool("search --onlyvisible --name '^docent$'");
+    }) && shows_pictures(3);
+  }
+  bool shows_pictures(int count) const { return test::shows_pictures(*kiosk_, desktop_, count); }
+  VirtualDesktop& desktop() { return desktop_; }
+  StartedProgram& kiosk() { return *kiosk_; }
+  std::string stats() const { return text_of(folder_.path() / "stats.json"); }
+  std::string said() const { return text_of(folder_.path() / "said"); }
+
+ private:
+  TemporaryFolder folder_;
+  VirtualDesktop desktop_;
+  std::optional<StartedProgram> kiosk_{
+      std::in_place, program("docent"),
+      std::vector<std::string>{"--content", sample_database(), "--display", "window", "--size",
+                               "640x360", "--stats", folder_.path() / "stats.json"},
+      folder_.path() / "said"};
+};
+
+class AWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!is_installed("Xvfb") || !is_installed("xdotool"))
+      GTEST_SKIP() << "needs the packages xvfb and xdotool";
+  }
+};
+
+TEST_F(AWindow, OnAVirtualDesktopTakesTheMouseForAFinger) {
+  KioskInAWindow window;
+  ASSERT_TRUE(window.is_shown());
 
   for (int touch = 0; touch < 3; ++touch) {
-    EXPECT_TRUE(desktop.xdotool("mousemove 320 180 mousedown 1"));
-    EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
-    EXPECT_TRUE(desktop.xdotool("mouseup 1"));
-    EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
+    EXPECT_TRUE(window.desktop().xdotool("mousemove 320 180 mousedown 1"));
+    EXPECT_TRUE(window.shows_pictures(5));
+    EXPECT_TRUE(window.desktop().xdotool("mouseup 1"));
+    EXPECT_TRUE(window.shows_pictures(5));
   }
-  EXPECT_TRUE(desktop.xdotool("key Down"));
-  EXPECT_TRUE(shows_pictures(kiosk, desktop, 5));
-  kiosk.signal(SIGTERM);
+  EXPECT_TRUE(window.desktop().xdotool("key Down"));
+  EXPECT_TRUE(window.shows_pictures(5));
+  window.kiosk().signal(SIGTERM);
 
-  EXPECT_EQ(kiosk.wait(), 0);
-  EXPECT_GT(number_in(text_of(stats), "frames"), 20);
-  EXPECT_EQ(number_in(text_of(stats), "touches"), 3);
+  EXPECT_EQ(window.kiosk().wait(), 0);
+  EXPECT_GT(number_in(window.stats(), "frames"), 20);
+  EXPECT_EQ(number_in(window.stats(), "touches"), 3);
+}
+
+TEST_F(AWindow, WhoseServerGoesEndsTheProgramWithASentence) {
+  KioskInAWindow window;
+  ASSERT_TRUE(window.is_shown());
+
+  window.desktop().end();
+
+  EXPECT_EQ(window.kiosk().wait(), 3);
+  EXPECT_THAT(window.said(), testing::HasSubstr("docent: the X server has gone"));
+}
+
+TEST_F(AWindow, WhoseServerAnswersNobodyDoesNotKeepTheProgramFromEnding) {
+  KioskInAWindow window;
+  ASSERT_TRUE(window.is_shown());
+  window.desktop().freeze();
+
+  window.kiosk().signal(SIGTERM);
+
+  EXPECT_EQ(window.kiosk().wait(), 0);
 }
 
 }  // namespace
