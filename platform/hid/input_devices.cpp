@@ -40,13 +40,15 @@ class EventMaker {
   std::span<const input::InputEvent> take(std::span<const std::byte> report) noexcept {
     std::size_t count = 0;
     if (contacts_ && contacts_->take(report)) count = contact_changes(contacts_->contacts());
-    if (keys_) count += key_changes(report, std::span(events_).subspan(count));
+    if (keys_) count += key_events(keys_->take(report, edges_), count);
     return std::span(events_).first(count);
   }
 
   /// Everything that is down goes up: the device has gone.
   std::span<const input::InputEvent> lift_all() noexcept {
-    return std::span(events_).first(contact_changes({}));
+    std::size_t count = contact_changes({});
+    if (keys_) count += key_events(keys_->release(edges_), count);
+    return std::span(events_).first(count);
   }
 
  private:
@@ -64,16 +66,16 @@ class EventMaker {
     return events;
   }
 
-  std::size_t key_changes(std::span<const std::byte> report,
-                          std::span<input::InputEvent> out) noexcept {
-    std::array<input::KeyEdge, 64> edges;
-    const std::size_t count = std::min(keys_->take(report, edges), out.size());
+  /// Makes events of the first edges, behind `first` events; returns how many.
+  std::size_t key_events(std::size_t edges, std::size_t first) noexcept {
+    const auto out = std::span(events_).subspan(first);
+    const std::size_t count = std::min(edges, out.size());
     for (std::size_t i = 0; i < count; ++i)
-      out[i] = {
-          .kind = edges[i].down ? input::InputEvent::Kind::KeyDown : input::InputEvent::Kind::KeyUp,
-          .contact = {},
-          .key = edges[i].key.key,
-          .character = edges[i].key.character};
+      out[i] = {.kind = edges_[i].down ? input::InputEvent::Kind::KeyDown
+                                       : input::InputEvent::Kind::KeyUp,
+                .contact = {},
+                .key = edges_[i].key.key,
+                .character = edges_[i].key.character};
     return count;
   }
 
@@ -82,6 +84,7 @@ class EventMaker {
   std::optional<input::KeyDecoder> keys_;
   std::array<input::Contact, input::max_contacts> before_{};
   std::size_t before_count_ = 0;
+  std::array<input::KeyEdge, 64> edges_{};
   std::array<input::InputEvent, 2 * input::max_contacts> events_{};
 };
 

@@ -194,4 +194,14 @@ std::size_t KeyDecoder::take(std::span<const std::byte> report, std::span<KeyEdg
   return written;
 }
 
+std::size_t KeyDecoder::release(std::span<KeyEdge> out) noexcept {
+  std::size_t written = 0;
+  for (std::bitset<key_slots>& down : down_by_report_) {
+    for (std::size_t slot = 0; down.any() && slot < key_slots; ++slot)
+      if (down[slot] && written < out.size()) out[written++] = {key_at(slot), false};
+    down.reset();
+  }
+  return written;
+}
+
 }  // namespace docent::input

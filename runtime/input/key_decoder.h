@@ -49,6 +49,8 @@ class KeyDecoder {
 
   /// Takes one input report and writes the edges that it made, releases first; returns how many.
   std::size_t take(std::span<const std::byte> report, std::span<KeyEdge> out) noexcept;
+  /// The device has gone: all keys that are down go up.
+  std::size_t release(std::span<KeyEdge> out) noexcept;
 
  private:
   static constexpr std::size_t key_slots = 256;  ///< A small number for every KeyName.

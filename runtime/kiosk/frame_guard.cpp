@@ -30,7 +30,9 @@ bool is_asked_to_end() noexcept {
 }  // namespace
 
 FrameGuard::FrameGuard(Display& display, std::chrono::milliseconds patience)
-    : display_(display), patience_(patience), thread_([this](const std::stop_token& stop) { watch(stop); }) {}
+    : display_(display),
+      patience_(patience),
+      thread_([this](const std::stop_token& stop) { watch(stop); }) {}
 
 void FrameGuard::watch(const std::stop_token& stop) {
   std::mutex mutex;
@@ -48,7 +50,9 @@ void FrameGuard::watch(const std::stop_token& stop) {
       end(display_, exit_code(Errc::Environment));
     }
     if (is_asked_to_end()) {
-      fmt::print(stderr, "docent: it ends in the middle of a frame, which the graphics driver has not finished\n");
+      fmt::print(
+          stderr,
+          "docent: it ends in the middle of a frame, which the graphics driver has not finished\n");
       end(display_, 0);
     }
   }

@@ -60,6 +60,22 @@ TEST(Keys, ShortReportsSayNothing) {
   EXPECT_THAT(edges(keypad, bytes({})), IsEmpty());
 }
 
+TEST(Keys, ThatAreHeldGoUpOnceWhenTheDeviceGoes) {
+  input::KeyDecoder keypad = decoder_for(boot_keyboard());
+  edges(keypad, bytes({0, 0, 0x28, 0x52, 0, 0, 0, 0}));
+  std::array<input::KeyEdge, 8> out;
+
+  const std::size_t count = keypad.release(out);
+
+  EXPECT_THAT(std::span(out).first(count),
+              testing::UnorderedElementsAre(input::KeyEdge{{input::Key::Enter}, false},
+                                            input::KeyEdge{{input::Key::Up}, false}));
+  EXPECT_EQ(keypad.release(out), 0U);
+  EXPECT_THAT(edges(keypad, bytes({0, 0, 0x28, 0, 0, 0, 0, 0})),
+              ElementsAre(input::KeyEdge{{input::Key::Enter}, true}))
+      << "held when it was plugged in again";
+}
+
 TEST(Keys, NamesComeBackFromTheirText) {
   for (int i = 1; i < 256; ++i) {
     const input::KeyName key = input::key_of(input::usage(0x07, static_cast<std::uint16_t>(i)));
