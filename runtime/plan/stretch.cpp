@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "runtime/model/geometry/polyline.h"
 #include "runtime/model/geometry/segment.h"
 #include "runtime/motion/path_track.h"
 
@@ -51,6 +53,55 @@ std::vector<Vec2> simplified(std::span<const Vec2> points) {
   }
 }
 
+/// The place near a point where a disc has room: straight away from the wall that is too near, and
+/// again where that leads near another. None where that is far, or beyond a wall.
+std::optional<Vec2> place_with_room(const path::FloorMap& map, Vec2 point, double radius) {
+  constexpr double farthest = 0.1;  // metres; less than what keeps a body from any wall
+  constexpr double margin = 1e-6;   // so that rounding does not decide
+  Vec2 place = point;
+  for (int pushes = 0; pushes < 8; ++pushes) {
+    if (map.has_room(place, radius)) return place;
+    const path::WallGrid::Nearest wall = map.walls().nearest_wall(place);
+    const FloorPlan& plan = map.plan();
+    const Vec2 touched =
+        glm::mix(plan.vertex[wall.wall], plan.vertex[plan.next[wall.wall]], wall.t);
+    if (wall.distance < farthest) return {};
+    place = touched + (radius + margin) / wall.distance * (place - touched);
+    if (glm::distance(place, point) > farthest) return {};
+  }
+  return {};
+}
+
+/// The way for a radius, though its ends are a little nearer to a wall: it begins and ends with a
+/// short piece from there to where there is room, or goes straight on where that is as clear.
+path::Way way_with_room(const path::FloorMap& map, path::RouteQuery query) {
+  const auto from = place_with_room(map, query.from, query.radius);
+  const auto to = place_with_room(map, query.to, query.radius);
+  if (!from || !to) return {.status = path::RouteStatus::StartBlocked};
+  const Vec2 begin = std::exchange(query.from, *from), end = std::exchange(query.to, *to);
+  path::Way way = path::route(map, query);
+  if (way.status != path::RouteStatus::Ok) return way;
+  const auto is_clear = [&](Vec2 tight, Vec2 other) {
+    return map.walls().capsule_clear(tight, other, map.clearance_at(tight));
+  };
+  if (begin != *from) {
+    const bool is_direct = way.points.size() > 1 && is_clear(begin, way.points[1]);
+    if (is_direct)
+      way.points.front() = begin;
+    else
+      way.points.insert(way.points.begin(), begin);
+  }
+  if (end != *to) {
+    const bool is_direct = way.points.size() > 1 && is_clear(end, *(way.points.end() - 2));
+    if (is_direct)
+      way.points.back() = end;
+    else
+      way.points.push_back(end);
+  }
+  way.length = polyline_length(way.points);
+  return way;
+}
+
 }  // namespace
 
 Placement last_place(const motion::Walk& walk, std::uint32_t frame,
@@ -75,13 +126,14 @@ path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOr
                          .to = order.goal->position,
                          .smooth = true,
                          .tell_clearance = false};
-  path::Way way;
   constexpr double spare = Museum::walking_room;
-  for (const double more : {spare, 0.0, -spare / 2, -2 * spare, -5 * spare}) {
+  query.radius = museum.body_radius + spare;
+  path::Way way = way_with_room(map, query);
+  for (const double more : {0.0, -spare / 2, -2 * spare, -5 * spare}) {
+    if (way.status == path::RouteStatus::Ok) break;
     query.radius = std::max(0.0, museum.body_radius + more);
     way = path::route(map, query);
-    if (way.status == path::RouteStatus::Ok) break;
-    if (way.status != path::RouteStatus::StartBlocked && more <= 0) break;
+    if (way.status != path::RouteStatus::StartBlocked) break;
   }
   return way;
 }

@@ -23,8 +23,8 @@ Placement last_place(const motion::Walk& walk, std::uint32_t frame,
 std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame);
 
 /// The way of a body from where it is to the order's goal, with Museum::walking_room to spare.
-/// Where that is too much, or a body in mid-step is nearer to a wall than its radius, the way is
-/// that of a thinner body.
+/// A body in mid-step, or one that is to stand beside a wall, may have less room there: the way
+/// then leads from and to where there is room. Where there is none, it is that of a thinner body.
 path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOrder& order,
                    Vec2 from);
 
