@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace docent {
@@ -50,6 +51,8 @@ class Display {
   /// Shows what was drawn: queues the next page flip.
   virtual void present() noexcept = 0;
 
+  /// What it is, for the journal: "a window of 1920 x 1080 pixels".
+  virtual std::string description() const = 0;
   /// What was lost, as a sentence for the journal.
   virtual std::string_view loss() const noexcept { return {}; }
 

@@ -45,6 +45,9 @@ class Headless final : public HeadlessDisplay {
   }
 
   DisplayState wait_for_page_flip() noexcept override { return DisplayState::Open; }
+  std::string description() const override {
+    return fmt::format("memory, {} x {} pixels", size_.width, size_.height);
+  }
   RenderTarget target() const noexcept override {
     return {framebuffer_.name, size_, Encoding::Srgb, Rotation::None};
   }

@@ -116,6 +116,9 @@ std::optional<Pipe> find_pipe(int fd, PixelSize wanted) {
     const auto plane = find_primary_plane(fd, *crtc);
     if (!plane) continue;
     Pipe pipe;
+    const char* kind = drmModeGetConnectorTypeName(connector->connector_type);
+    pipe.connector_name =
+        fmt::format("{}-{}", kind != nullptr ? kind : "screen", connector->connector_type_id);
     pipe.connector = id;
     pipe.crtc = resources->crtcs[*crtc];
     pipe.plane = *plane;

@@ -39,6 +39,7 @@ struct PipeProperties {
 
 /// How a picture gets to the glass: plane, CRTC, connector and its mode.
 struct Pipe {
+  std::string connector_name;  ///< As on the device: "HDMI-A-1".
   std::uint32_t connector = 0, crtc = 0, plane = 0;
   drmModeModeInfo mode{};
   PipeProperties properties;

@@ -116,6 +116,11 @@ class Kms final : public KmsDisplay {
     }
   }
 
+  std::string description() const override {
+    const Pipe& pipe = card_.pipe;
+    return fmt::format("{} of {}, {} x {} pixels at {} Hz", pipe.connector_name, card_.path,
+                       pipe.mode.hdisplay, pipe.mode.vdisplay, pipe.mode.vrefresh);
+  }
   std::string_view loss() const noexcept override {
     return "the graphics card takes no more frames; see what the kernel says of it (journalctl -k)";
   }

@@ -93,6 +93,9 @@ class Window final : public WindowDisplay {
     if (is_lost() || !eglSwapBuffers(egl_.get(), surface_.get())) state_ = DisplayState::Lost;
   }
 
+  std::string description() const override {
+    return fmt::format("a window of {} x {} pixels", size_.width, size_.height);
+  }
   std::string_view loss() const noexcept override {
     return "the X server has gone, and the window with it; start docent again when it is back";
   }

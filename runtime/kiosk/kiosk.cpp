@@ -14,6 +14,8 @@
 #include "platform/clock/monotonic_clock.h"
 #include "platform/file/read_file.h"
 #include "platform/gles/gpu_timer.h"
+#include "platform/terminal/command_line.h"
+#include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
@@ -93,6 +95,7 @@ class Kiosk {
   void make_frame(guide::Seconds passed) noexcept;
   void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
   bool is_seen() const noexcept;
+  void tell_museum(std::string_view what) const;
   void tell_seats();
   Result<void> frame();
   Result<void> record();
@@ -138,11 +141,28 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
     if (!recorder) return std::unexpected(recorder.error());
     recorder_ = std::move(*recorder);
   }
+  if (!simulated_) {
+    fmt::print(stderr, "docent: version {}, on {}\n", terminal::version(),
+               edges_.display->description());
+    tell_museum("shows");
+  }
   tell_seats();
   upload(*exhibition_, renderer_);
   renderer_.warm_up(target_of(edges_));
   prepare_allocator_for(Phase::Frames);
   return {};
+}
+
+/// What the journal is told of the museum on the screen.
+void Kiosk::tell_museum(std::string_view what) const {
+  const Museum& museum = exhibition_->museum;
+  const auto many = [](std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  };
+  fmt::print(stderr, "docent: {} '{}' from {}: {}, {}, {}\n", what,
+             interface::in_language(museum, 0, museum.title), database_.string(),
+             many(museum.floors.size(), "floor"), many(museum.exhibits.size(), "exhibit"),
+             many(museum.languages.size(), "language"));
 }
 
 /// Fewer can be served than was asked for: somebody will wonder why.
@@ -289,6 +309,7 @@ void Kiosk::take_up_content() {
   renderer_.release_textures();
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
+  tell_museum("has taken up");
   tell_seats();
   upload(*exhibition_, renderer_);
   prepare_allocator_for(Phase::Frames);

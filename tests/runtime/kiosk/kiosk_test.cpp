@@ -297,5 +297,19 @@ TEST(Docent, KeepsItsMuseumWhenTheNewDatabaseCannotBeRead) {
   EXPECT_EQ(kiosk.wait(), 0);
 }
 
+TEST(Docent, SaysWhatItHasTakenUp) {
+  const test::TemporaryFolder folder;
+  RunningKiosk kiosk(folder, test::sample_database());
+  ASSERT_TRUE(kiosk.makes_another_picture());
+  EXPECT_EQ(kiosk.said(), "") << "a run without a screen is told by its statistics";
+
+  kiosk.signal(SIGHUP);
+
+  EXPECT_TRUE(kiosk.runs_until([&] { return kiosk.said().contains("languages"); }));
+  EXPECT_THAT(kiosk.said(), AllOf(HasSubstr("docent: has taken up '"), HasSubstr("1 floor, ")));
+  kiosk.signal(SIGTERM);
+  EXPECT_EQ(kiosk.wait(), 0);
+}
+
 }  // namespace
 }  // namespace docent::kiosk

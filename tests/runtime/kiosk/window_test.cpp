@@ -121,6 +121,8 @@ TEST_F(AWindow, OnAVirtualDesktopTakesTheMouseForAFinger) {
   EXPECT_EQ(window.kiosk().wait(), 0);
   EXPECT_GT(number_in(window.stats(), "frames"), 20);
   EXPECT_EQ(number_in(window.stats(), "touches"), 3);
+  EXPECT_THAT(window.said(), testing::AllOf(testing::HasSubstr("on a window of 640 x 360 pixels"),
+                                            testing::HasSubstr("docent: shows '")));
 }
 
 TEST_F(AWindow, WhoseServerGoesEndsTheProgramWithASentence) {

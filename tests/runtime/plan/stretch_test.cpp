@@ -13,7 +13,9 @@ constexpr double body = 0.25, roomy = body + Museum::walking_room;
 
 /// A place of the hall with a box that a body has room at, often only just.
 Vec2 any_place() {
-  const auto centimetres = [](int low, int high) { return *rc::gen::inRange(low, high + 1) / 100.0; };
+  const auto centimetres = [](int low, int high) {
+    return *rc::gen::inRange(low, high + 1) / 100.0;
+  };
   const double tight = *rc::gen::inRange(0, 31) / 1000.0;
   switch (*rc::gen::inRange(0, 4)) {
     case 0:  // beside the box
