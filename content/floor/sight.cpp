@@ -23,6 +23,8 @@ namespace {
 /// A finer grid makes shorter lists and costs memory: so many cells, as long as the lists have no
 /// more than so many entries. Measured on the reference maps.
 constexpr double cells_per_vertex = 10, entries_per_vertex = 400;
+/// All lists together are one value of the database, of which SQLite takes 10^9 bytes.
+constexpr double most_entries = 1.5e8;
 /// So many corners tell how much all of them see.
 constexpr std::size_t most_sampled = 256;
 /// What the rounding of a sight line's end on a wall is given. Metres.
@@ -325,7 +327,8 @@ void lay_grid(const FloorPlan& plan, double seen_area, SightMap& map) {
   const Vec2 extent = high - low;
   const auto vertices = static_cast<double>(plan.vertex.size());
   const double cell_area =
-      std::max(extent.x * extent.y / cells_per_vertex, seen_area / entries_per_vertex) / vertices;
+      std::max(extent.x * extent.y / (cells_per_vertex * vertices),
+               seen_area / std::min(entries_per_vertex * vertices, most_entries));
   map.origin = low;
   map.cell_size = std::max(std::sqrt(cell_area), std::max(extent.x, extent.y) / 4096);
   map.columns = 1 + static_cast<std::uint32_t>(extent.x / map.cell_size);

@@ -28,6 +28,14 @@ namespace {
                               database != nullptr ? sqlite3_errmsg(database) : "out of memory");
 }
 
+[[noreturn]] void too_large(std::size_t bytes) {
+  throw content::ContentError(
+      Errc::InvalidInput, "the database", "floor-too-large",
+      fmt::format("a list of {} MB does not fit: SQLite's largest value has 1000 MB; make several "
+                  "floors of this one",
+                  bytes / 1'000'000));
+}
+
 void execute(sqlite3* database, const std::string& sql) {
   if (sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail(database);
 }
@@ -69,7 +77,8 @@ struct ColumnWriter {
   void bind_blob(int place, std::span<const std::byte> bytes) {
     // A null pointer would bind NULL, and an empty array is not nothing.
     const void* data = bytes.empty() ? static_cast<const void*>("") : bytes.data();
-    sqlite3_bind_blob64(statement, place, data, bytes.size(), SQLITE_TRANSIENT);
+    const int bound = sqlite3_bind_blob64(statement, place, data, bytes.size(), SQLITE_TRANSIENT);
+    if (bound == SQLITE_TOOBIG) too_large(bytes.size());
   }
 };
 

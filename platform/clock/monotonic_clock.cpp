@@ -1,6 +1,6 @@
 #include "platform/clock/monotonic_clock.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace docent::clock {
 
@@ -9,13 +9,9 @@ std::chrono::nanoseconds monotonic_now() noexcept {
       std::chrono::steady_clock::now().time_since_epoch());
 }
 
-std::chrono::duration<float> FrameClock::since_last_frame() noexcept {
-  using Seconds = std::chrono::duration<float>;
-  constexpr Seconds longest{0.1F};
+std::chrono::nanoseconds FrameClock::since_last_frame() noexcept {
   const auto now = monotonic_now();
-  const Seconds passed = now - last_;
-  last_ = now;
-  return std::clamp(passed, Seconds::zero(), longest);
+  return now - std::exchange(last_, now);
 }
 
 }  // namespace docent::clock

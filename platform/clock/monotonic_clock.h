@@ -13,9 +13,8 @@ class FrameClock {
  public:
   FrameClock() noexcept : last_(monotonic_now()) {}
 
-  /// Time since the last call, or since construction: between zero and a tenth of a second, so that
-  /// a debugger's pause or a suspended machine does not make the guide leap.
-  std::chrono::duration<float> since_last_frame() noexcept;
+  /// Time since the last call, or since construction.
+  std::chrono::nanoseconds since_last_frame() noexcept;
 
  private:
   std::chrono::nanoseconds last_;

@@ -31,6 +31,9 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& name) {
                    "there is no such database; make it with 'docent-content compile'");
   if (std::filesystem::is_directory(name, status))
     return failure(Errc::InvalidInput, name, "is a folder; name a database file");
+  // Opening a pipe would wait for somebody who writes.
+  if (!std::filesystem::is_regular_file(name, status))
+    return failure(Errc::InvalidInput, name, "is a pipe or a device; name a database file");
   const File file(std::fopen(name.c_str(), "rb"));
   const auto size = std::filesystem::file_size(name, status);
   if (!file || status)

@@ -31,6 +31,8 @@ namespace docent::kiosk {
 namespace {
 
 constexpr double frame_seconds = 1.0 / 60;
+/// After a debugger's pause or a suspended machine the guide does not leap.
+constexpr guide::Seconds longest_step{0.1F};
 /// A headless visit that does not say when to quit is given this long after its last command.
 constexpr double after_visit_seconds = 10;
 
@@ -204,11 +206,10 @@ Result<void> Kiosk::run(FrameGuard& guard) {
 
 guide::Seconds Kiosk::since_last_frame() noexcept {
   if (simulated_) return guide::Seconds(statistics_.frames == 0 ? 0 : frame_seconds);
-  const guide::Seconds passed = clock_.since_last_frame();
-  const double periods = std::round(passed.count() / frame_seconds);
-  if (statistics_.frames > 0 && periods > 1)
-    statistics_.dropped_frames += static_cast<std::uint64_t>(periods) - 1;
-  return passed;
+  const std::chrono::nanoseconds passed = clock_.since_last_frame();
+  if (statistics_.frames > 0)
+    statistics_.dropped_frames += missed_frames(passed, 1 / frame_seconds);
+  return std::min(guide::Seconds(passed), longest_step);
 }
 
 void Kiosk::take_input() noexcept {

@@ -57,6 +57,13 @@ double Durations::longest_milliseconds() const noexcept {
   return static_cast<double>(longest_.count()) / 1e6;
 }
 
+std::uint64_t missed_frames(std::chrono::nanoseconds since_last_frame,
+                            double frames_per_second) noexcept {
+  const double periods =
+      std::chrono::duration<double>(since_last_frame).count() * frames_per_second;
+  return periods > 1.5 ? static_cast<std::uint64_t>(std::round(periods)) - 1 : 0;
+}
+
 std::string to_json(const Statistics& s) {
   return fmt::format(
       "{{\n  \"frames\": {},\n  \"frame_cpu_ms\": {},\n  \"gl_ms\": {},\n"

@@ -33,6 +33,10 @@ struct Statistics {
   std::chrono::nanoseconds start_to_first_frame{0};
 };
 
+/// How many frames a screen of this rate missed while one was made.
+std::uint64_t missed_frames(std::chrono::nanoseconds since_last_frame,
+                            double frames_per_second) noexcept;
+
 std::string to_json(const Statistics& statistics);
 
 /// Writes a file completely or not at all.

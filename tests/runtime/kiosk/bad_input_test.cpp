@@ -47,6 +47,17 @@ TEST_F(ADatabase, OfAnotherVersionAsksForRecompiledContent) {
   EXPECT_THAT(run.err, HasSubstr("ompile"));
 }
 
+TEST_F(ADatabase, ThatIsAPipeIsRefusedAndNotWaitedFor) {
+  const std::filesystem::path pipe = folder_.path() / "pipe.db";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+
+  const ProgramRun run =
+      run_program("docent", "--display headless --content '" + pipe.string() + "'");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("pipe.db: is a pipe"));
+}
+
 TEST(ADisplay, ThatCannotBeOpenedIsAnEnvironmentFault) {
   const std::string content = "--content '" + sample_database().string() + "' --seconds 1 ";
   const ProgramRun window = run_program("docent", content + "--display window </dev/null");

@@ -32,6 +32,15 @@ TEST(Statistics, HaveEveryKeyOfTheContract) {
     EXPECT_THAT(json, testing::HasSubstr('"' + std::string(key) + "\":"));
 }
 
+TEST(Statistics, CountEveryFrameThatAScreenMissed) {
+  constexpr double rate = 60;
+  EXPECT_EQ(missed_frames(16ms, rate), 0U);
+  EXPECT_EQ(missed_frames(17ms, rate), 0U);
+  EXPECT_EQ(missed_frames(33ms, rate), 1U);
+  EXPECT_EQ(missed_frames(1s, rate), 59U);
+  EXPECT_EQ(missed_frames(-1s, rate), 0U);
+}
+
 TEST(Allocations, AreCountedOnTheThreadThatMakesThem) {
   const Allocations before = allocations_on_this_thread();
   std::vector<int> memory(100);
