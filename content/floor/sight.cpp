@@ -23,8 +23,9 @@ namespace {
 /// A finer grid makes shorter lists and costs memory: so many cells, as long as the lists have no
 /// more than so many entries. Measured on the reference maps.
 constexpr double cells_per_vertex = 10, entries_per_vertex = 400;
-/// All lists together are one value of the database, of which SQLite takes 10^9 bytes.
-constexpr double most_entries = 1.5e8;
+/// All lists together are one value of the database, of which SQLite takes 10^9 bytes: so many
+/// entries, and one and a half times as many of cells at the edge of what is seen.
+constexpr double most_entries = 8e7;
 /// So many corners tell how much all of them see.
 constexpr std::size_t most_sampled = 256;
 /// What the rounding of a sight line's end on a wall is given. Metres.

@@ -132,6 +132,15 @@ bool is_set(const std::optional<ReportField>& field, std::span<const std::byte> 
   return field ? field_value(*field, payload) != 0 : otherwise;
 }
 
+/// Are all values of a slot zero?
+bool is_blank(const ContactFields& slot, std::span<const std::byte> payload) noexcept {
+  const auto is_zero = [&](const std::optional<ReportField>& field) {
+    return !is_set(field, payload, false);
+  };
+  return is_zero(slot.x) && is_zero(slot.y) && is_zero(slot.identifier) && is_zero(slot.in_range) &&
+         is_zero(slot.confidence);
+}
+
 }  // namespace
 
 std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor) {
@@ -209,12 +218,13 @@ bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
 }
 
 /// Some devices count only the contacts that are down, and put one that has just gone behind them,
-/// tip up.
+/// tip up. What is nothing but zeros there is no contact.
 void ContactDecoder::read_uncounted_lifts(std::size_t first,
                                           std::span<const std::byte> payload) noexcept {
   for (std::size_t i = first; i < layout_.slots.size() && frame_count_ < max_contacts; ++i) {
     Reading reading;
     if (!read_slot(layout_.slots[i], payload, i, reading) || reading.down) continue;
+    if (is_blank(layout_.slots[i], payload)) continue;
     if (!in_frame(reading.contact.id)) frame_[frame_count_++] = reading;
   }
 }

@@ -64,6 +64,16 @@ TEST(Contacts, AFingerThatIsLeftOutOnceIsNotGone) {
   EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(4, 0.F, 0.F)));
 }
 
+TEST(Contacts, WhatIsBehindTheCountedOnesIsALiftButNotWhereItIsAllZero) {
+  input::ContactDecoder screen = hybrid_screen();
+  screen.take(bytes({1, 1, 0, 0xff, 0x7f, 0, 0, 1, 5, 0, 0, 0, 0, 2}));
+
+  screen.take(bytes({1, 1, 5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(screen.contacts().size(), 2U) << "finger 0 was left out, and the rest is padding";
+  screen.take(bytes({1, 1, 5, 0, 0, 0, 0, 0, 0, 0xff, 0x7f, 0, 0, 1}));
+  EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(5, 0.F, 0.F)));
+}
+
 TEST(Contacts, AWindows8ScreenLeavesOutOnlyFingersThatHaveGone) {
   input::ContactDecoder screen = decoder_for(join(
       {begin_touch_screen(1), finger(), finger(), contact_count(), scan_time(), end_collection()}));
