@@ -1,11 +1,15 @@
 #include "runtime/kiosk/exhibition.h"
 
+#include <fmt/format.h>
+
 #include <span>
+#include <string_view>
 #include <utility>
 
 #include "platform/image/image.h"
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
+#include "runtime/interface/control.h"
 
 namespace docent::kiosk {
 namespace {
@@ -31,9 +35,26 @@ void keep_what_is_walked(Museum& museum) {
 
 }  // namespace
 
+Result<Museum> read_museum(const std::filesystem::path& database) {
+  Result<Museum> museum = sqlite::load_museum(database);
+  if (museum && museum->floors.empty())
+    return std::unexpected(
+        Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
+  return museum;
+}
+
+std::string summary(const Museum& museum) {
+  const auto many = [](std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  };
+  return fmt::format("'{}', {}, {}, {}", interface::in_language(museum, 0, museum.title),
+                     many(museum.floors.size(), "floor"), many(museum.exhibits.size(), "exhibit"),
+                     many(museum.languages.size(), "language"));
+}
+
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const guide::GuideSettings& settings) {
-  Result<Museum> museum = sqlite::load_museum(database);
+  Result<Museum> museum = read_museum(database);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
@@ -41,9 +62,6 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
   keep_what_is_walked(exhibition->museum);
-  if (exhibition->museum.floors.empty())
-    return std::unexpected(
-        Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
   const Museum& kept = exhibition->museum;
   for (std::uint32_t image = 0; image < kept.images.size(); ++image)
     exhibition->scenery_pictures.push_back(

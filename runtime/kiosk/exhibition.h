@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "platform/gles/renderer.h"
@@ -24,6 +25,11 @@ struct Exhibition {
   Exhibition(const Exhibition&) = delete;
   Exhibition& operator=(const Exhibition&) = delete;
 };
+
+/// Reads a museum that can be shown. Fails with a sentence.
+Result<Museum> read_museum(const std::filesystem::path& database);
+/// What a museum is, in a line for the journal: its title and how much it holds.
+std::string summary(const Museum& museum);
 
 /// Reads a database and makes all of it ready. Takes a while, so do not call on the frame thread.
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,

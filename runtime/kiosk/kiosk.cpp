@@ -15,7 +15,6 @@
 #include "platform/file/read_file.h"
 #include "platform/gles/gpu_timer.h"
 #include "platform/terminal/command_line.h"
-#include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
@@ -157,14 +156,8 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
 
 /// What the journal is told of the museum on the screen.
 void Kiosk::tell_museum(std::string_view what) const {
-  const Museum& museum = exhibition_->museum;
-  const auto many = [](std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-  };
-  fmt::print(stderr, "docent: {} '{}' from {}: {}, {}, {}\n", what,
-             interface::in_language(museum, 0, museum.title), database_.string(),
-             many(museum.floors.size(), "floor"), many(museum.exhibits.size(), "exhibit"),
-             many(museum.languages.size(), "language"));
+  fmt::print(stderr, "docent: {} {}, from {}\n", what, summary(exhibition_->museum),
+             database_.string());
 }
 
 /// Fewer can be served than was asked for: somebody will wonder why.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "runtime/kiosk/check_command.h"
 #include "runtime/kiosk/hid_command.h"
 
 namespace docent::kiosk {
@@ -86,7 +87,7 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {hid_command()},
+          .commands = {check_command(), hid_command()},
           .sections = {files(), signals(), terminal::exit_codes()}};
 }
 

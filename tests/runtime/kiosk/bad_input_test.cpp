@@ -47,6 +47,19 @@ TEST_F(ADatabase, OfAnotherVersionAsksForRecompiledContent) {
   EXPECT_THAT(run.err, HasSubstr("ompile"));
 }
 
+TEST_F(ADatabase, CanBeCheckedBeforeItIsTakenUp) {
+  const ProgramRun good = run_program("docent", "check '" + sample_database().string() + "'");
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_THAT(good.out, HasSubstr("can be shown: '"));
+
+  const std::filesystem::path broken = folder_.path() / "broken.db";
+  std::ofstream(broken, std::ios::binary) << text_of(sample_database()).substr(0, 100'000);
+  const ProgramRun bad = run_program("docent", "check '" + broken.string() + "'");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_EQ(bad.out, "");
+  EXPECT_THAT(bad.err, HasSubstr("broken.db: is cut short"));
+}
+
 TEST_F(ADatabase, ThatIsAPipeIsRefusedAndNotWaitedFor) {
   const std::filesystem::path pipe = folder_.path() / "pipe.db";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

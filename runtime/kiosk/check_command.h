@@ -1,0 +1,10 @@
+#pragma once
+
+#include "platform/terminal/command_line.h"
+
+namespace docent::kiosk {
+
+/// `docent check DB`: would the kiosk take up this database? It is read as the kiosk reads it.
+terminal::Command check_command();
+
+}  // namespace docent::kiosk
