@@ -98,7 +98,7 @@ path::Way way_with_room(const path::FloorMap& map, path::RouteQuery query) {
     else
       way.points.push_back(end);
   }
-  way.length = polyline_length(way.points);
+  if (begin != *from || end != *to) way.length = polyline_length(way.points);
   return way;
 }
 
