@@ -31,8 +31,9 @@ room(runtime/interface USES ${model} runtime/path runtime/scene LIBRARIES fmt/)
 room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtime/interface)
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/kiosk
-  USES ${model} runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
-       platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/sqlite platform/terminal platform/x11
+  USES ${model} runtime/schema runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
+       platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/sqlite
+       platform/terminal platform/x11
   LIBRARIES fmt/ malloc.h ${posix})
 
 # The edges: one system interface each.
@@ -40,10 +41,12 @@ room(platform)
 room(platform/clock LIBRARIES ${posix})
 room(platform/file USES ${model} LIBRARIES fmt/ ${posix})
 room(platform/terminal USES ${model} LIBRARIES fmt/ CLI/ unistd.h)
+room(platform/journal LIBRARIES ${posix})
+room(platform/service USES ${model} LIBRARIES ${posix})
 room(platform/egl USES ${model} LIBRARIES fmt/ EGL/)
 room(platform/gles USES ${model} runtime/scene platform platform/image LIBRARIES fmt/ EGL/ GLES2/ GLES3/)
 room(platform/headless USES ${model} platform platform/egl platform/image LIBRARIES fmt/ EGL/ GLES3/)
-room(platform/hid USES ${model} runtime/input platform platform/file LIBRARIES fmt/ hidapi/ linux/ ${posix})
+room(platform/hid USES ${model} runtime/input platform platform/file platform/journal LIBRARIES fmt/ hidapi/ linux/ ${posix})
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)

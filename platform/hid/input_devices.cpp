@@ -14,6 +14,7 @@
 #include "platform/hid/hid_devices.h"
 #include "platform/hid/touch_device.h"
 #include "platform/hid/uevents.h"
+#include "platform/journal/journal.h"
 #include "runtime/input/event_queue.h"
 #include "runtime/model/last_catch.h"
 
@@ -117,10 +118,6 @@ void read_until_gone(const std::stop_token& stop, Slot& slot, TouchDevice& devic
   slot.reading = false;
 }
 
-void say(std::string_view sentence) {
-  fmt::print(stderr, "docent: {}\n", sentence);
-}
-
 }  // namespace
 
 struct InputDevices::State {
@@ -137,7 +134,7 @@ struct InputDevices::State {
     for (Slot& slot : slots)
       if (!slot.path.empty() && !slot.reading) {
         slot.reader = {};
-        say(slot.path + ": is gone");
+        journal::tell(journal::Message::DeviceGone, slot.path + ": is gone");
         slot.path.clear();
       }
   }
@@ -171,8 +168,9 @@ struct InputDevices::State {
           read_until_gone(stop, slot, file, maker);
         });
     slot.path = device.path;
-    say(fmt::format("{}: {} is read as a {}", device.path, device.name,
-                    device.kind.touch ? "touch screen" : "keypad"));
+    journal::tell(journal::Message::DeviceTaken,
+                  fmt::format("{}: {} is read as a {}", device.path, device.name,
+                              device.kind.touch ? "touch screen" : "keypad"));
   }
 
   void look() {
@@ -186,14 +184,14 @@ struct InputDevices::State {
         log.works(device.path);
       else if (const auto news =
                    log.failed(device.path, taken.error().what, std::chrono::steady_clock::now()))
-        say(*news);
+        journal::tell(journal::Message::DeviceUnusable, *news);
     }
     log.keep(present);
   }
 
   void supervise(const std::stop_token& stop) {
     auto uevents = Uevents::open();
-    if (!uevents) say(uevents.error().what);
+    if (!uevents) journal::tell(journal::Message::DeviceUnusable, uevents.error().what);
     auto next_look = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
       if (std::chrono::steady_clock::now() >= next_look) {

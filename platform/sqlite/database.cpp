@@ -124,6 +124,14 @@ bool checksum_matches(const Database& database) {
 
 }  // namespace
 
+std::string checksum_text(const Database& database) {
+  Checksum sum{};
+  std::string text;
+  if (read_checksum(database.handle.get(), sum))
+    for (const std::byte byte : sum) text += fmt::format("{:02x}", std::to_integer<int>(byte));
+  return text;
+}
+
 Result<Database> open_database(const std::filesystem::path& file) {
   auto bytes = read_file(file);
   if (!bytes) return std::unexpected(bytes.error());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "platform/handle.h"
@@ -30,5 +31,8 @@ struct Database {
 ///  - WrongVersion: it is of another schema version;
 ///  - Damaged: it is cut short, or a byte of it has changed.
 Result<Database> open_database(const std::filesystem::path& file);
+
+/// The checksum that a database was compiled with, in hexadecimal; empty where it has none.
+std::string checksum_text(const Database& database);
 
 }  // namespace docent::sqlite

@@ -13,7 +13,7 @@ namespace {
 
 int check(const std::string& database) {
   const Result<Museum> museum = read_museum(database);
-  if (!museum) return say(museum.error());
+  if (!museum) return say(museum.error(), journal::Message::Refused);
   fmt::print("{}: can be shown: {}\n", database, summary(*museum));
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
 #include "runtime/interface/control.h"
+#include "runtime/schema/schema.h"
 
 namespace docent::kiosk {
 namespace {
@@ -35,11 +36,18 @@ void keep_what_is_walked(Museum& museum) {
 
 }  // namespace
 
-Result<Museum> read_museum(const std::filesystem::path& database) {
-  Result<Museum> museum = sqlite::load_museum(database);
+Result<Museum> read_museum(const std::filesystem::path& database, ContentFacts* facts) {
+  const Result<sqlite::Database> file = sqlite::open_database(database);
+  if (!file) return std::unexpected(file.error());
+  Result<Museum> museum = sqlite::read_museum(*file, database);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
+  if (museum && facts != nullptr)
+    *facts = {.path = database,
+              .museum = std::string(interface::in_language(*museum, 0, museum->title)),
+              .checksum = sqlite::checksum_text(*file),
+              .schema = schema::version};
   return museum;
 }
 
@@ -54,13 +62,15 @@ std::string summary(const Museum& museum) {
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const guide::GuideSettings& settings) {
-  Result<Museum> museum = read_museum(database);
+  ContentFacts content;
+  Result<Museum> museum = read_museum(database, &content);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
 
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
+  exhibition->content = std::move(content);
   keep_what_is_walked(exhibition->museum);
   const Museum& kept = exhibition->museum;
   for (std::uint32_t image = 0; image < kept.images.size(); ++image)

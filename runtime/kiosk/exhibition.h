@@ -7,6 +7,7 @@
 
 #include "platform/gles/renderer.h"
 #include "runtime/guide/guide.h"
+#include "runtime/kiosk/kiosk_status.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/result.h"
 #include "runtime/plan/planner.h"
@@ -17,6 +18,7 @@ namespace docent::kiosk {
 /// moved, because its parts borrow each other.
 struct Exhibition {
   Museum museum;
+  ContentFacts content;
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
   std::vector<Pixels> scenery_pictures;  ///< By image, until they are in texture memory.
@@ -26,8 +28,9 @@ struct Exhibition {
   Exhibition& operator=(const Exhibition&) = delete;
 };
 
-/// Reads a museum that can be shown. Fails with a sentence.
-Result<Museum> read_museum(const std::filesystem::path& database);
+/// Reads a museum that can be shown, and writes down of which database, where `facts` are wanted.
+/// Fails with a sentence.
+Result<Museum> read_museum(const std::filesystem::path& database, ContentFacts* facts = nullptr);
 /// What a museum is, in a line for the journal: its title and how much it holds.
 std::string summary(const Museum& museum);
 

@@ -1,13 +1,12 @@
 #include "runtime/kiosk/frame_guard.h"
 
-#include <fmt/format.h>
-
 #include <condition_variable>
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
 #include <utility>
 
+#include "platform/journal/journal.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/model/result.h"
 
@@ -46,13 +45,12 @@ void FrameGuard::watch(const std::stop_token& stop) {
     if (frames == 0 && is_asked_to_end()) end(display_, 0);
     if (frames == 0 || waited < patience_) continue;
     if (display_.is_lost()) {
-      fmt::print(stderr, "docent: {}\n", display_.loss());
+      journal::tell(journal::Message::ScreenLost, display_.loss());
       end(display_, exit_code(Errc::Environment));
     }
     if (is_asked_to_end()) {
-      fmt::print(
-          stderr,
-          "docent: it ends in the middle of a frame, which the graphics driver has not finished\n");
+      journal::tell(journal::Message::FrameUnfinished,
+                    "it ends in the middle of a frame, which the graphics driver has not finished");
       end(display_, 0);
     }
   }

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <future>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "config/diagnostic_text.h"
@@ -14,13 +15,17 @@
 #include "platform/clock/monotonic_clock.h"
 #include "platform/file/read_file.h"
 #include "platform/gles/gpu_timer.h"
+#include "platform/journal/journal.h"
+#include "platform/service/status_socket.h"
 #include "platform/terminal/command_line.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
+#include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
@@ -70,13 +75,15 @@ interface::ScreenShape shape_of(PixelSize size, const config::KioskConfig& confi
 class Kiosk {
  public:
   Kiosk(const Options& options, const config::KioskConfig& config, Edges& edges,
-        gles::Renderer renderer, std::chrono::nanoseconds started)
+        gles::Renderer renderer, ServiceNotice& notice, std::chrono::nanoseconds started)
       : options_(options),
         config_(config),
         edges_(edges),
         renderer_(std::move(renderer)),
+        notice_(notice),
         simulated_(edges_.headless != nullptr),
-        started_(started) {
+        started_(started),
+        status_(started, edges.display->description()) {
     database_ = options.content.value_or(config.content);
   }
 
@@ -96,8 +103,10 @@ class Kiosk {
   void make_frame(guide::Seconds passed) noexcept;
   void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
   bool is_seen() const noexcept;
-  void tell_museum(std::string_view what) const;
+  void tell_museum(journal::Message message, std::string_view what);
   void tell_seats();
+  void answer_for_itself();
+  void count() noexcept;
   Result<void> frame();
   Result<void> record();
   void take_up_content();
@@ -108,8 +117,10 @@ class Kiosk {
   Edges& edges_;
   gles::Renderer renderer_;
   gles::GpuTimer gpu_timer_;
+  ServiceNotice& notice_;
   bool simulated_;
   std::chrono::nanoseconds started_;
+  StatusBoard status_;
   std::filesystem::path database_;
   std::unique_ptr<Exhibition> exhibition_;
   std::future<Result<std::unique_ptr<Exhibition>>> loading_;
@@ -121,11 +132,15 @@ class Kiosk {
   std::array<input::InputEvent, 256> events_{};
   double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
   double last_command_ = 0;
+  StatusCounts counts_;                              ///< For `docent status`.
+  bool is_vacant_ = true;                            ///< Was nobody being guided in the last frame?
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
+  std::optional<service::StatusSocket> asked_;       ///< The last: its thread reads `status_`.
 };
 
 Result<void> Kiosk::open(const std::optional<Visit>& visit) {
+  notice_.starts("reads the database");
   auto exhibition = load_exhibition(database_, guide_settings());
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
@@ -142,32 +157,51 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
     if (!recorder) return std::unexpected(recorder.error());
     recorder_ = std::move(*recorder);
   }
-  if (!simulated_) {
-    fmt::print(stderr, "docent: version {}, on {}\n", terminal::version(),
-               edges_.display->description());
-    tell_museum("shows");
-  }
+  if (!simulated_)
+    journal::tell(journal::Message::Started, fmt::format("version {}, on {}", terminal::version(),
+                                                         edges_.display->description()));
+  notice_.starts("draws the first frame");
+  tell_museum(journal::Message::Shows, "shows");
   tell_seats();
+  answer_for_itself();
   upload(*exhibition_, renderer_);
   renderer_.warm_up(target_of(edges_));
   prepare_allocator_for(Phase::Frames);
   return {};
 }
 
-/// What the journal is told of the museum on the screen.
-void Kiosk::tell_museum(std::string_view what) const {
-  fmt::print(stderr, "docent: {} {}, from {}\n", what, summary(exhibition_->museum),
-             database_.string());
+/// What the journal and the service manager are told of the museum on the screen. A visit without a
+/// screen says nothing of its beginning.
+void Kiosk::tell_museum(journal::Message message, std::string_view what) {
+  const std::string museum = summary(exhibition_->museum);
+  status_.shows(exhibition_->content);
+  notice_.shows(museum);
+  if (!simulated_ || message != journal::Message::Shows)
+    journal::tell(message, fmt::format("{} {}, from {}", what, museum, database_.string()));
+}
+
+/// Makes the socket at which `docent status` asks. A kiosk by hand beside another goes without.
+void Kiosk::answer_for_itself() {
+  const std::filesystem::path path = status_socket();
+  if (path.empty()) return;
+  auto opened = service::StatusSocket::open(path, [&board = status_](std::string_view question) {
+    const KioskStatus status = board.read();
+    return question == "text" ? to_text(status) : to_json(status);
+  });
+  if (opened)
+    asked_.emplace(std::move(*opened));
+  else if (notice_.has_manager())
+    journal::tell(journal::Message::NoStatus, opened.error().what);
 }
 
 /// Fewer can be served than was asked for: somebody will wonder why.
 void Kiosk::tell_seats() {
   const std::size_t seats = guide().seats();
   if (seats >= static_cast<std::size_t>(config_.visitors)) return;
-  fmt::print(stderr,
-             "docent: {} of {} visitors can use the glass at the same time: it has room for no "
-             "more cards, or the floor about the kiosk for no more guides\n",
-             seats, config_.visitors);
+  journal::tell(journal::Message::FewerVisitors,
+                fmt::format("{} of {} visitors can use the glass at the same time: it has room for "
+                            "no more cards, or the floor about the kiosk for no more guides",
+                            seats, config_.visitors));
 }
 
 bool Kiosk::is_over() const noexcept {
@@ -182,9 +216,12 @@ Result<void> Kiosk::run(FrameGuard& guard) {
     if (display == DisplayState::Closed) break;
     if (display == DisplayState::Lost)
       return std::unexpected(Error{Errc::Environment, std::string(edges_.display->loss())});
+    if (statistics_.frames > 0) notice_.frame_presented(clock::monotonic_now());
     if (const Result<void> made = frame(); !made) return made;
     guard.frame_made();
   }
+  notice_.ends();
+  if (!simulated_) journal::tell(journal::Message::Ended, "ends, as it was asked to");
 
   guide::GuideCounters counters = guide().counters();
   counters += counted_;
@@ -226,7 +263,21 @@ Result<void> Kiosk::frame() {
   if (statistics_.frames++ == 0)
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);
+  count();
   return record();
+}
+
+/// Leaves what `docent status` tells; who asks is on another thread.
+void Kiosk::count() noexcept {
+  if (is_vacant_ && !guide().is_vacant()) ++counts_.visits;
+  is_vacant_ = guide().is_vacant();
+  guide::GuideCounters counters = guide().counters();
+  counters += counted_;
+  counts_.frames = statistics_.frames;
+  counts_.dropped_frames = statistics_.dropped_frames;
+  counts_.touches = counters.touches;
+  counts_.routes = counters.routes;
+  status_.counts(counts_);
 }
 
 /// A screen shows every frame. In memory only those are drawn that somebody will look at, and two a
@@ -297,13 +348,13 @@ void Kiosk::take_up_content() {
     return;
   Result<std::unique_ptr<Exhibition>> next = loading_.get();
   if (!next) {
-    say(next.error());
+    say(next.error(), journal::Message::Refused);
     return;
   }
   renderer_.release_textures();
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
-  tell_museum("has taken up");
+  tell_museum(journal::Message::TakenUp, "has taken up");
   tell_seats();
   upload(*exhibition_, renderer_);
   prepare_allocator_for(Phase::Frames);
@@ -315,6 +366,35 @@ void Kiosk::take_up_content() {
 void expect_reloads() noexcept {
   expect_signal(SIGHUP);
 }
+
+namespace {
+
+/// The manager starts it again at once, for ever; what cannot start needs that no ten times a
+/// second, nor the journal the same line. Nobody who asks it to end waits for that.
+void wait_for_next_start() {
+  constexpr auto step = std::chrono::milliseconds(50);
+  for (int i = 0; i < 40 && !is_signal_waiting(SIGTERM); ++i) std::this_thread::sleep_for(step);
+}
+
+/// Opens everything and runs it; whether that was asked for or not, it has said why it ends.
+int open_and_run(const Options& options, const config::KioskConfig& config,
+                 const std::optional<Visit>& visit, ServiceNotice& notice,
+                 std::chrono::nanoseconds started) {
+  notice.starts("opens the screen");
+  Result<Edges> edges = open_edges(edge_settings(options, config));
+  if (!edges) return say(edges.error());
+  FrameGuard guard(*edges->display,
+                   edges->headless ? FrameGuard::in_memory : FrameGuard::on_screen);
+  Result<gles::Renderer> renderer = gles::make_renderer();
+  if (!renderer) return say(renderer.error());
+  Kiosk kiosk(options, config, *edges, std::move(*renderer), notice, started);
+  if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
+  if (const Result<void> ended = kiosk.run(guard); !ended)
+    return say(ended.error(), journal::Message::ScreenLost);
+  return 0;
+}
+
+}  // namespace
 
 int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   std::optional<Visit> visit;
@@ -331,16 +411,10 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   if (has_error(config.diagnostics) || !config.value) return 1;
 
   expect_end();
-  Result<Edges> edges = open_edges(edge_settings(options, *config.value));
-  if (!edges) return say(edges.error());
-  FrameGuard guard(*edges->display,
-                   edges->headless ? FrameGuard::in_memory : FrameGuard::on_screen);
-  Result<gles::Renderer> renderer = gles::make_renderer();
-  if (!renderer) return say(renderer.error());
-  Kiosk kiosk(options, *config.value, *edges, std::move(*renderer), started);
-  if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
-  if (const Result<void> ended = kiosk.run(guard); !ended) return say(ended.error());
-  return 0;
+  ServiceNotice notice = ServiceNotice::of_environment(started);
+  const int exit_code = open_and_run(options, *config.value, visit, notice, started);
+  if (exit_code != 0 && notice.has_manager() && !notice.was_ready()) wait_for_next_start();
+  return exit_code;
 }
 
 }  // namespace docent::kiosk

@@ -7,8 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "platform/journal/journal.h"
 #include "runtime/kiosk/check_command.h"
 #include "runtime/kiosk/hid_command.h"
+#include "runtime/kiosk/status_command.h"
 
 namespace docent::kiosk {
 namespace {
@@ -87,12 +89,12 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {check_command(), hid_command()},
+          .commands = {check_command(), hid_command(), status_command()},
           .sections = {files(), signals(), terminal::exit_codes()}};
 }
 
-int say(const Error& error) {
-  fmt::print(stderr, "docent: {}\n", error.what);
+int say(const Error& error, journal::Message message) {
+  journal::tell(message, error.what);
   return exit_code(error.code);
 }
 

@@ -10,6 +10,7 @@
 
 #include "config/display_kind.h"
 #include "platform/display.h"
+#include "platform/journal/message.h"
 #include "platform/terminal/command_line.h"
 #include "runtime/model/result.h"
 
@@ -34,7 +35,7 @@ struct Options {
 /// the commands that come instead.
 terminal::Command program(Options& options, std::function<int()> run);
 
-/// Prints an error on standard error, for an operator; returns the exit code for it.
-int say(const Error& error);
+/// Says an error on standard error, for an operator; returns the exit code for it.
+int say(const Error& error, journal::Message message = journal::Message::CannotStart);
 
 }  // namespace docent::kiosk

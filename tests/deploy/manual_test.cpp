@@ -11,6 +11,7 @@
 #include "content/command/commands.h"
 #include "runtime/kiosk/options.h"
 #include "runtime/schema/schema.h"
+#include "tests/deploy/catalog.h"
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
@@ -43,6 +44,7 @@ std::vector<std::pair<std::string_view, std::string>> parts_of(std::string_view 
           {"FILES", mdoc_section(program, "files")},
           {"SIGNALS", mdoc_section(program, "signals")},
           {"EXIT", mdoc_section(program, "exit codes")},
+          {"JOURNAL", mdoc_messages()},
           {"VISIT", mdoc_visit()},
           {"MUSEUM", mdoc_fields(config::museum_manual())},
           {"EXHIBITS", mdoc_fields(config::exhibit_manual())},
