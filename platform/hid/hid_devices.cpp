@@ -40,7 +40,7 @@ HidDevice describe(const hid_device_info& info) {
     return device;
   }
   device.descriptor = std::move(*descriptor);
-  device.kind = input::classify(device.descriptor);
+  device.kind = input::classify(device.descriptor, {device.vendor, device.product});
   return device;
 }
 

@@ -38,6 +38,14 @@ std::optional<std::vector<std::byte>> counted_bytes(std::string_view text) {
   return bytes;
 }
 
+/// "VENDOR PRODUCT" in hexadecimal; zeros where it is not said.
+HidDeviceId device_id(std::string_view text) {
+  const auto vendor = number(next_word(text), 16);
+  const auto product = number(next_word(text), 16);
+  if (!vendor || !product || *vendor > 0xffff || *product > 0xffff) return {};
+  return {static_cast<std::uint16_t>(*vendor), static_cast<std::uint16_t>(*product)};
+}
+
 }  // namespace
 
 Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view file) {
@@ -57,6 +65,9 @@ Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view
     std::string_view rest = line.substr(2);
     if (line[0] == 'N') {
       recording.name = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+    } else if (line[0] == 'I') {
+      next_word(rest);  // the bus
+      recording.id = device_id(rest);
     } else if (line[0] == 'R') {
       auto bytes = counted_bytes(rest);
       if (!bytes) return fail("the report descriptor is not a count and so many hexadecimal bytes");

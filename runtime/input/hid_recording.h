@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/input/hid_device_kind.h"
 #include "runtime/model/result.h"
 
 namespace docent::input {
@@ -14,6 +15,7 @@ namespace docent::input {
 /// bus, vendor and product, `E:` time, size and bytes of each report.
 struct HidRecording {
   std::string name;
+  HidDeviceId id;
   std::vector<std::byte> descriptor;
   std::vector<std::vector<std::byte>> reports;
 };
