@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,6 +19,7 @@ struct HidRecording {
   HidDeviceId id;
   std::vector<std::byte> descriptor;
   std::vector<std::vector<std::byte>> reports;
+  std::vector<std::chrono::nanoseconds> times;  ///< One for each report, of the recorder's clock.
 };
 
 /// Reads a recording; `file` names it in errors. Fails with a line and a sentence on other text.

@@ -48,13 +48,13 @@ constexpr std::array table{
     TouchQuirk{0x093a, 0x8001, in_range_by_position, no_identifiers},  // PixArt
     TouchQuirk{0x093a, 0x8002, in_range_by_position, no_identifiers},  // PixArt
     TouchQuirk{0x093a, 0x8003, in_range_by_position, no_identifiers},  // PixArt
-    TouchQuirk{0x0dfc, 0x0003, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0x0100, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0x0101, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0x0102, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0x0106, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0x010a, unseen_has_gone, counts_wrongly},  // General Touch
-    TouchQuirk{0x0dfc, 0xe100, unseen_has_gone, counts_wrongly},  // General Touch
+    TouchQuirk{0x0dfc, 0x0003, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0x0100, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0x0101, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0x0102, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0x0106, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0x010a, unseen_has_gone, counts_wrongly},       // General Touch
+    TouchQuirk{0x0dfc, 0xe100, unseen_has_gone, counts_wrongly},       // General Touch
     TouchQuirk{0x0fb8, 0x1109, unseen_has_gone, counts_wrongly},       // Wistron
     TouchQuirk{0x1403, 0x5001, confident_only, stale_places},          // Sitronix, compared
     TouchQuirk{0x1477, 0x1006, unseen_has_gone, counts_wrongly},       // Xiroku SPX
@@ -81,7 +81,7 @@ constexpr std::array table{
     TouchQuirk{0x2247, 0x0001, unseen_has_gone, counts_wrongly},       // Chunghwa
     TouchQuirk{0x227d, 0x0709, unseen_has_gone, counts_wrongly},       // Unitec
     TouchQuirk{0x227d, 0x0a19, unseen_has_gone, counts_wrongly},       // Unitec
-    TouchQuirk{0x22ed, 0x1010, unseen_has_gone, counts_wrongly},  // Hanvon
+    TouchQuirk{0x22ed, 0x1010, unseen_has_gone, counts_wrongly},       // Hanvon
     TouchQuirk{0x2453, 0x0100, unseen_has_gone, counts_wrongly},       // Baanto
     TouchQuirk{0x24b8, 0x0020, unseen_has_gone, counts_wrongly},       // CJTouch
     TouchQuirk{0x24b8, 0x0040, unseen_has_gone, counts_wrongly},       // CJTouch
