@@ -18,10 +18,8 @@ std::chrono::nanoseconds now() noexcept {
 
 void DeviceReader::start(ReportSource source, input::EventMaker maker) {
   reading_ = true;
-  thread_ = std::jthread(
-      [this, source = std::move(source), maker](const std::stop_token& stop) mutable {
-        read(stop, source, maker);
-      });
+  thread_ = std::jthread([this, source = std::move(source), maker](
+                             const std::stop_token& stop) mutable { read(stop, source, maker); });
 }
 
 void DeviceReader::stop() {

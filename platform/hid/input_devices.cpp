@@ -41,7 +41,8 @@ void say(std::string_view sentence) {
 }  // namespace
 
 struct InputDevices::State {
-  std::vector<std::string> only;  ///< Paths asked for; all devices when empty.
+  std::vector<std::string> only;            ///< Paths asked for; all devices when empty.
+  std::vector<input::NamedKeypad> keypads;  ///< That staff have named.
   std::array<Slot, max_devices> slots;
   DeviceLog log;  ///< The supervisor's.
   std::jthread supervisor;
@@ -92,11 +93,30 @@ struct InputDevices::State {
                     device.kind.touch ? "touch screen" : "keypad"));
   }
 
+  /// A keyboard is a sentence in the journal, once. Its keys for music may have been taken up
+  /// before the rest of it appeared.
+  void refuse(const HidDevice& device) {
+    for (Slot& slot : slots)
+      if (slot.path == device.path) slot.reader.request_stop();
+    if (const auto news = log.failed(
+            device.path,
+            fmt::format("{}: {} is not listened to: {}; `docent hid list` tells how to let it in",
+                        device.path, device.name, device.refused),
+            std::chrono::steady_clock::now()))
+      say(*news);
+  }
+
   void look() {
     free_slots_of_gone_devices();
     std::vector<std::string> present;
-    for (const HidDevice& device : list_hid_devices()) {
+    std::vector<HidDevice> devices = list_hid_devices();
+    if (only.empty()) refuse_all_but(keypads, devices);
+    for (const HidDevice& device : devices) {
       present.push_back(device.path);
+      if (!device.refused.empty()) {
+        refuse(device);
+        continue;
+      }
       const bool is_for_us = is_for_visitors(device) || !device.unreadable.empty();
       if (!is_asked_for(device.path) || !is_for_us || is_taken_up(device)) continue;
       if (const Result<void> taken = take_up(device))
@@ -136,7 +156,8 @@ InputDevices::~InputDevices() {
   for (Slot& slot : state_->slots) slot.reader.request_stop();
 }
 
-Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths) {
+Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths,
+                                        const std::vector<input::NamedKeypad>& keypads) {
   for (const std::string& path : paths) {
     const auto bytes = read_report_descriptor(path);
     if (!bytes) return std::unexpected(bytes.error());
@@ -147,6 +168,7 @@ Result<InputDevices> InputDevices::open(const std::vector<std::string>& paths) {
   }
   auto state = std::make_unique<State>();
   state->only = paths;
+  state->keypads = keypads;
   state->supervisor = std::jthread([s = state.get()](const std::stop_token& stop) {
     keep_running("looking for input devices", stop, [&] { s->supervise(stop); });
   });

@@ -20,6 +20,7 @@
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
+#include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/statistics.h"
@@ -54,6 +55,7 @@ EdgeSettings edge_settings(const Options& options, const config::KioskConfig& co
                                                   static_cast<std::uint32_t>(config.height)});
   settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));
   settings.hid = options.hid;
+  settings.keypads = named_keypads(config);
   return settings;
 }
 

@@ -138,8 +138,7 @@ TEST(DeviceReader, NeverWaitsForAFrameLoopThatIsStuckWhileFingersMove) {
   StandIn device;
   DeviceReader reader;
   reader.start(device.source(), five_fingers(0));
-  for (int i = 0; i < moves; ++i)
-    wait_until([&] { return device.send(report(true, i)); });
+  for (int i = 0; i < moves; ++i) wait_until([&] { return device.send(report(true, i)); });
 
   wait_until([&] { return reader.reports() == moves; });
   EXPECT_EQ(reader.reports(), static_cast<std::uint64_t>(moves));
