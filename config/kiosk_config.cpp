@@ -16,7 +16,7 @@ namespace docent::config {
 namespace {
 
 struct KioskFile {
-  Located<std::string> content, display, size;
+  Located<std::string> content, display, size, staff_pin;
   Located<std::int64_t> idle_reset, rotate, visitors;
   Located<double> text_scale, screen_inches;
 };
@@ -65,7 +65,41 @@ constexpr std::array kiosk_file_fields{
                      "Where to draw: auto, kms, window or headless; auto where it is not said"},
     Field<KioskFile>{"size", &KioskFile::size, Presence::Optional,
                      "Pixels: \"1920x1080\"; what the display prefers where it is not said"},
+    Field<KioskFile>{"staff_pin", &KioskFile::staff_pin, Presence::Optional,
+                     "What opens the staff's screens, as docent pin prints it; where it is not "
+                     "said nothing opens them"},
 };
+
+constexpr std::string_view keypad_name = "keypad";
+constexpr std::array keypad_fields{
+    Field<KeypadSection>{"device", &KeypadSection::device, Presence::Required,
+                         "Its numbers as docent hid list tells them: \"04e7:0022\""},
+    Field<KeypadSection>{"descriptor", &KeypadSection::descriptor, Presence::Optional,
+                         "The number of its report descriptor, so that no other device of those "
+                         "numbers is taken for it"},
+};
+
+/// Takes the `[[keypad]]`s out of the file's root and reads them.
+std::vector<KeypadSection> read_keypads(TomlNode& root, SectionReader& reader) {
+  std::vector<KeypadSection> keypads;
+  const auto entry = std::ranges::find(root.entries, keypad_name, &TomlEntry::key);
+  if (entry == root.entries.end()) return keypads;
+  if (entry->value.kind != TomlNode::Kind::Array)
+    reader.wrong_type(entry->value, keypad_name, "written [[keypad]], once for each");
+  else
+    for (const TomlNode& item : entry->value.items) {
+      KeypadSection& keypad = keypads.emplace_back();
+      keypad.place = reader.place(item.range);
+      reader.read<KeypadSection>(item, "[[keypad]]", keypad_fields, keypad);
+    }
+  root.entries.erase(entry);
+  return keypads;
+}
+
+bool is_hexadecimal(std::string_view text) {
+  return std::ranges::all_of(
+      text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+}
 
 /// A whole number of pixels, 64 to 16384; 0 where the text is none.
 int parse_pixels(std::string_view text) {
@@ -110,7 +144,20 @@ class KioskSettings {
     if (written.size.given && !parse_size(written.size.value, config))
       bad_value(written.size.place, "'size' should be pixels: \"1920x1080\"");
     if (written.display.given) set_display(written.display, config);
+    if (written.staff_pin.given) set_staff_pin(written.staff_pin, config);
     return config;
+  }
+
+  void check(const KeypadSection& keypad) {
+    const std::string& id = keypad.device.value;
+    if (keypad.device.given && (id.size() != 9 || id[4] != ':' ||
+                                !is_hexadecimal(id.substr(0, 4)) || !is_hexadecimal(id.substr(5))))
+      bad_value(keypad.device.place,
+                "'device' should be two numbers as docent hid list tells them: \"04e7:0022\"");
+    const std::string& hash = keypad.descriptor.value;
+    if (keypad.descriptor.given && (hash.size() != 16 || !is_hexadecimal(hash)))
+      bad_value(keypad.descriptor.place,
+                "'descriptor' should be the sixteen figures that docent hid list tells");
   }
 
  private:
@@ -121,6 +168,14 @@ class KioskSettings {
       return bad_value(written.place,
                        fmt::format("'display' should be one of {}", fmt::join(names, ", ")));
     config.display = display_kinds[static_cast<std::size_t>(at - names.begin())].second;
+  }
+
+  void set_staff_pin(const Located<std::string>& written, KioskConfig& config) {
+    constexpr std::string_view argon2 = "$argon2id$";
+    if (!written.value.starts_with(argon2))
+      return bad_value(written.place,
+                       "'staff_pin' should be what docent pin prints, no PIN itself");
+    config.staff_pin = written.value;
   }
 
   void bad_value(const Place& place, std::string message) {
@@ -146,13 +201,21 @@ Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
   if (!toml.root) return {.value = std::nullopt, .diagnostics = std::move(toml.diagnostics)};
   KioskFile written;
   SectionReader reader(FileIndex{}, file.string(), toml.diagnostics);
+  std::vector<KeypadSection> keypads = read_keypads(*toml.root, reader);
   reader.read<KioskFile>(*toml.root, file.filename().string(), kiosk_file_fields, written);
-  const KioskConfig config = KioskSettings(file, toml.diagnostics).from(written);
+  KioskSettings settings(file, toml.diagnostics);
+  KioskConfig config = settings.from(written);
+  for (const KeypadSection& keypad : keypads) settings.check(keypad);
+  config.keypads = std::move(keypads);
   return {.value = config, .diagnostics = std::move(toml.diagnostics)};
 }
 
 std::vector<SectionManual> kiosk_manual() {
-  return {{.heading = {}, .manual = {}, .fields = manual_of<KioskFile>(kiosk_file_fields)}};
+  return {{.heading = {}, .manual = {}, .fields = manual_of<KioskFile>(kiosk_file_fields)},
+          {.heading = "[[keypad]]",
+           .manual = "A keypad for visitors, once for each; where there is none, every keypad that "
+                     "cannot write all letters is listened to",
+           .fields = manual_of<KeypadSection>(keypad_fields)}};
 }
 
 }  // namespace docent::config

@@ -2,11 +2,20 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "config/display_kind.h"
 #include "config/located.h"
 
 namespace docent::config {
+
+/// A keypad that is listened to: `[[keypad]]`.
+struct KeypadSection {
+  Located<std::string> device;      ///< "04e7:0022".
+  Located<std::string> descriptor;  ///< Sixteen hexadecimal figures, or nothing.
+  Place place;
+};
 
 /// What an operator may change on a device. The defaults are what a new device ships with.
 struct KioskConfig {
@@ -20,6 +29,8 @@ struct KioskConfig {
   int visitors = 1;
   int rotate = 0;  ///< Degrees clockwise by which the screen hangs turned: 0, 90, 180, 270.
   DisplayKind display = DisplayKind::Auto;
+  std::vector<KeypadSection> keypads;  ///< `[[keypad]]`; none: those without letters.
+  std::string staff_pin;      ///< What `docent pin` printed; empty: there is no staff mode.
   int width = 0, height = 0;  ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
 };
 

@@ -34,13 +34,14 @@ HidDevice describe(const hid_device_info& info) {
     device.unreadable = bytes.error().what;
     return device;
   }
+  device.descriptor_hash = input::descriptor_hash(*bytes);
   auto descriptor = input::parse_report_descriptor(*bytes);
   if (!descriptor) {
     device.unreadable = descriptor.error().what;
     return device;
   }
   device.descriptor = std::move(*descriptor);
-  device.kind = input::classify(device.descriptor);
+  device.kind = input::classify(device.descriptor, {device.vendor, device.product});
   return device;
 }
 
@@ -52,10 +53,21 @@ void try_to_open(std::span<HidDevice> devices) {
       device.closed = without_file(opened.error(), device.path);
 }
 
+void refuse_all_but(std::span<const input::NamedKeypad> named, std::span<HidDevice> devices) {
+  std::vector<input::KeypadCandidate> present;
+  for (const HidDevice& d : devices)
+    present.push_back({.id = {d.vendor, d.product},
+                       .descriptor = d.descriptor_hash,
+                       .has_keys = !d.kind.keys.empty(),
+                       .is_keyboard = input::has_all_letters(d.kind.keys)});
+  for (std::size_t i = 0; i < devices.size(); ++i)
+    devices[i].refused = input::refusal(present[i], present, named);
+}
+
 bool is_for_visitors(const HidDevice& device) noexcept {
   const bool pad =
       device.kind.touch && device.kind.touch->surface == input::TouchLayout::Surface::Pad;
-  return (device.kind.touch && !pad) || !device.kind.keys.empty();
+  return (device.kind.touch && !pad) || (!device.kind.keys.empty() && device.refused.empty());
 }
 
 Result<std::vector<std::byte>> read_report_descriptor(const std::string& path,

@@ -8,12 +8,14 @@ namespace docent::hid {
 namespace {
 
 std::string kind_of(const HidDevice& device) {
-  if (!device.unreadable.empty() || !device.kind.ignored.empty()) return "ignored";
+  if (!device.unreadable.empty() || !device.kind.ignored.empty() || !device.refused.empty())
+    return "ignored";
   return device.kind.touch ? "touch screen" : "keypad";
 }
 
 std::string reason_of(const HidDevice& device) {
   if (!device.unreadable.empty()) return device.unreadable;
+  if (!device.refused.empty()) return device.refused;
   return device.closed.empty() || !is_for_visitors(device) ? device.kind.ignored : device.closed;
 }
 
@@ -60,6 +62,11 @@ std::string describe_devices(std::span<const HidDevice> devices) {
     const std::string reason = reason_of(d);
     fmt::format_to(std::back_inserter(out), "{}  {:04x}:{:04x}  {}: {}{}{}\n", d.path, d.vendor,
                    d.product, d.name, kind_of(d), reason.empty() ? "" : ", ", reason);
+    if (!d.kind.keys.empty())
+      fmt::format_to(std::back_inserter(out),
+                     "    in kiosk.toml: [[keypad]] device = \"{:04x}:{:04x}\", descriptor = "
+                     "\"{:016x}\"\n",
+                     d.vendor, d.product, d.descriptor_hash);
     for (const input::ReportField& f : d.descriptor.inputs)
       if (!f.is_array)
         fmt::format_to(std::back_inserter(out), "    report {} bit {} size {}: {} {}..{}\n",
@@ -74,9 +81,9 @@ std::string describe_devices_json(std::span<const HidDevice> devices) {
   for (const HidDevice& d : devices) {
     fmt::format_to(std::back_inserter(out),
                    "{}\n  {{\"path\": {}, \"name\": {}, \"vendor\": {}, \"product\": {}, "
-                   "\"kind\": {}, \"reason\": {}, \"fields\": [",
+                   "\"kind\": {}, \"reason\": {}, \"descriptor\": \"{:016x}\", \"fields\": [",
                    out.size() > 1 ? "," : "", json_text(d.path), json_text(d.name), d.vendor,
-                   d.product, json_text(kind_of(d)), json_text(reason_of(d)));
+                   d.product, json_text(kind_of(d)), json_text(reason_of(d)), d.descriptor_hash);
     bool first = true;
     for (const input::ReportField& f : d.descriptor.inputs) {
       fmt::format_to(std::back_inserter(out),

@@ -10,7 +10,8 @@ namespace docent::hid {
 /// What `docent hid list` prints: a line or more for each device, what it is taken for, and its
 /// fields.
 std::string describe_devices(std::span<const HidDevice> devices);
-/// The same as JSON: an array of objects with `path name vendor product kind reason fields`.
+/// The same as JSON: an array of objects with `path name vendor product kind reason descriptor
+/// fields`.
 std::string describe_devices_json(std::span<const HidDevice> devices);
 
 }  // namespace docent::hid

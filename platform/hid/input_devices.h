@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/input/contact.h"
+#include "runtime/input/keypad_policy.h"
 #include "runtime/model/result.h"
 
 namespace docent::hid {
@@ -15,9 +16,10 @@ namespace docent::hid {
 /// thread looks after devices that come and go.
 class InputDevices {
  public:
-  /// Takes the given hidraw paths, or with none every touch screen and keypad present now or later.
-  /// Fails where a given path cannot be used.
-  static Result<InputDevices> open(const std::vector<std::string>& paths);
+  /// Takes the given hidraw paths, or with none every touch screen present now or later, and the
+  /// keypads that input::refusal() has nothing against. Fails where a given path cannot be used.
+  static Result<InputDevices> open(const std::vector<std::string>& paths,
+                                   const std::vector<input::NamedKeypad>& keypads = {});
   InputDevices(InputDevices&&) noexcept;
   InputDevices& operator=(InputDevices&&) noexcept;
   ~InputDevices();  ///< Stops the threads; takes at most a tenth of a second.

@@ -9,6 +9,7 @@
 
 #include "runtime/input/contact.h"
 #include "runtime/input/report_descriptor.h"
+#include "runtime/input/touch_quirks.h"
 
 namespace docent::input {
 
@@ -31,13 +32,21 @@ struct TouchLayout {
   std::optional<ReportField> count;      ///< Contact count: in the first report of a frame.
   std::optional<ReportField> scan_time;  ///< Has one value in all reports of a frame.
   bool single_touch = false;  ///< A mouse with absolute axes: one contact, button 1 is the tip.
+  TouchRules rules;           ///< usual_rules(), or those of a quirk.
+  std::vector<TouchLayout> others;  ///< Further reports of the device that hold contacts.
 };
+
+/// What follows from the layout alone. A Windows 8 screen (known by its scan time) tells all its
+/// contacts in every frame. A Windows 7 screen with room for one contact in a report tells of one
+/// at a time, and its count is no guide to where a frame ends.
+TouchRules usual_rules(const TouchLayout& layout) noexcept;
 
 /// The touch screen in a descriptor: a Touch Screen application, or else a pointer with absolute
 /// axes; empty when there is none. Where a touch screen also offers a mouse, the mouse is ignored.
 std::optional<TouchLayout> find_touch_screen(const ReportDescriptor& descriptor);
 
-/// Turns input reports into the set of contacts that are down. One per device; does not allocate.
+/// Turns input reports into the set of contacts that are down. One per device; take() does not
+/// allocate.
 class ContactDecoder {
  public:
   ContactDecoder(const ReportDescriptor& descriptor, TouchLayout layout);
@@ -48,37 +57,49 @@ class ContactDecoder {
 
   /// Contacts down after the last complete frame, in the order they came down. x and y in [0, 1] of
   /// the logical range.
-  std::span<const Contact> contacts() const noexcept { return {contacts_.data(), down_count_}; }
+  std::span<const Contact> contacts() const noexcept { return {contacts_.data(), contact_count_}; }
 
-  /// Forgets all contacts: the device was unplugged.
+  /// Forgets all contacts: the device was unplugged, or has fallen silent.
   void reset() noexcept;
 
  private:
   struct Reading {
     Contact contact;
     bool down = false;
+    bool speaks = true;  ///< False: the place in the report is not in use.
+    bool blank = false;  ///< Nothing but zeros.
   };
-  bool read_slot(const ContactFields& slot, std::span<const std::byte> payload, std::size_t index,
+  bool take_own(std::span<const std::byte> payload) noexcept;
+  bool take_zero_count(std::span<const std::byte> payload) noexcept;
+  void begin_frame(std::size_t count) noexcept;
+  bool read_slot(std::size_t index, std::span<const std::byte> payload,
                  Reading& reading) const noexcept;
   bool continues_frame(std::size_t count, std::span<const std::byte> payload) const noexcept;
+  bool repeats_scan_time(std::span<const std::byte> payload) const noexcept;
   bool in_frame(std::uint32_t id) const noexcept;
+  bool is_open() const noexcept { return received_ < expected_; }
+  void add(const Reading& reading) noexcept;
   void read_uncounted_lifts(std::size_t first, std::span<const std::byte> payload) noexcept;
   void forget_missing() noexcept;
-  void apply_frame() noexcept;
+  void end_frame() noexcept;
   void merge(const Reading& reading) noexcept;
+  void gather() noexcept;
 
   bool numbered_;
   TouchLayout layout_;
   std::array<Reading, max_contacts> frame_{};  ///< Readings of the frame being collected.
   std::size_t frame_count_ = 0;
-  std::size_t expected_ = 0;  ///< Contacts of the frame that are still to come.
+  std::size_t received_ = 0, expected_ = 0;  ///< Places of the frame read, and promised.
+  std::int64_t last_scan_time_ = -1;         ///< Of the last report that was taken.
   struct Held {
     Contact contact;
     std::uint32_t missed = 0;  ///< Frames since it was last mentioned.
   };
   std::array<Held, max_contacts> down_{};
   std::size_t down_count_ = 0;
-  std::array<Contact, max_contacts> contacts_{};  ///< The contacts of down_, for contacts().
+  std::vector<ContactDecoder> others_;            ///< One for each of the layout's others.
+  std::array<Contact, max_contacts> contacts_{};  ///< The contacts of down_ and others_.
+  std::size_t contact_count_ = 0;
 };
 
 /// Compares two sets of contacts and appends Down, Move and Up events; returns how many were

@@ -46,7 +46,7 @@ std::string decode_keys(const ReportDescriptor& descriptor, const std::vector<Re
 Result<std::string> decode_recording(const HidRecording& recording) {
   const auto descriptor = parse_report_descriptor(recording.descriptor);
   if (!descriptor) return std::unexpected(descriptor.error());
-  const HidDeviceKind kind = classify(*descriptor);
+  const HidDeviceKind kind = classify(*descriptor, recording.id);
   const std::string header = "report,kind,id,x,y,state\n";
   if (kind.touch) return decode_touches(*descriptor, *kind.touch, recording, header);
   if (!kind.keys.empty()) return decode_keys(*descriptor, kind.keys, recording, header);

@@ -21,6 +21,12 @@ class EventQueue {
     return true;
   }
 
+  /// For the thread that pushes: is the other one behind?
+  bool is_half_full() const noexcept {
+    return tail_.load(std::memory_order_relaxed) - head_.load(std::memory_order_acquire) >
+           capacity / 2;
+  }
+
   /// False when the queue is empty.
   bool pop(InputEvent& event) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,15 @@ struct HidDeviceKind {
   std::string ignored;  ///< Why it is neither, as a sentence part: "a mouse"; empty otherwise.
 };
 
+/// Who made a device, as it says itself.
+struct HidDeviceId {
+  std::uint16_t vendor = 0, product = 0;
+
+  bool operator==(const HidDeviceId&) const = default;
+};
+
 /// A device with a touch screen is a touch screen, whatever else it offers; one with keys is a
-/// keypad.
-HidDeviceKind classify(const ReportDescriptor& descriptor);
+/// keypad. A touch screen in the table of quirks is decoded by them.
+HidDeviceKind classify(const ReportDescriptor& descriptor, HidDeviceId id = {});
 
 }  // namespace docent::input

@@ -38,6 +38,23 @@ std::optional<std::vector<std::byte>> counted_bytes(std::string_view text) {
   return bytes;
 }
 
+/// "33.190234": seconds; 0 where it is no time.
+std::chrono::nanoseconds recorded_time(std::string_view word) {
+  double seconds = 0;
+  const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), seconds);
+  constexpr double longest = 1e9;
+  if (fault != std::errc() || !(seconds >= 0 && seconds < longest)) return {};
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+/// "VENDOR PRODUCT" in hexadecimal; zeros where it is not said.
+HidDeviceId device_id(std::string_view text) {
+  const auto vendor = number(next_word(text), 16);
+  const auto product = number(next_word(text), 16);
+  if (!vendor || !product || *vendor > 0xffff || *product > 0xffff) return {};
+  return {static_cast<std::uint16_t>(*vendor), static_cast<std::uint16_t>(*product)};
+}
+
 }  // namespace
 
 Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view file) {
@@ -57,15 +74,19 @@ Result<HidRecording> parse_hid_recording(std::string_view text, std::string_view
     std::string_view rest = line.substr(2);
     if (line[0] == 'N') {
       recording.name = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+    } else if (line[0] == 'I') {
+      next_word(rest);  // the bus
+      recording.id = device_id(rest);
     } else if (line[0] == 'R') {
       auto bytes = counted_bytes(rest);
       if (!bytes) return fail("the report descriptor is not a count and so many hexadecimal bytes");
       recording.descriptor = std::move(*bytes);
     } else if (line[0] == 'E') {
-      next_word(rest);  // the time
+      const std::chrono::nanoseconds time = recorded_time(next_word(rest));
       auto bytes = counted_bytes(rest);
       if (!bytes) return fail("the report is not a time, a count and so many hexadecimal bytes");
       recording.reports.push_back(std::move(*bytes));
+      recording.times.push_back(time);
     }
   }
   if (recording.descriptor.empty())

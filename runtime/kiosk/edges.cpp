@@ -77,7 +77,7 @@ Result<Edges> open_edges(const EdgeSettings& settings) {
   if (edges.headless != nullptr && settings.hid.empty()) return edges;
   // A window has mouse and keyboard; the kiosk's own glass is for the console.
   if (edges.window != nullptr && settings.hid.empty()) return edges;
-  auto devices = hid::InputDevices::open(settings.hid);
+  auto devices = hid::InputDevices::open(settings.hid, settings.keypads);
   if (!devices) return std::unexpected(devices.error());
   edges.devices = std::move(*devices);
   return edges;

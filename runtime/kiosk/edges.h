@@ -30,6 +30,7 @@ struct EdgeSettings {
   PixelSize size;  ///< 0 by 0: what the display prefers.
   Rotation rotation = Rotation::None;
   std::vector<std::string> hid;
+  std::vector<input::NamedKeypad> keypads;  ///< Those that staff have named.
 };
 
 /// Auto takes KMS on a free console, a window where there is a desktop, else memory. Fails with a

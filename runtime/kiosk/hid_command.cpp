@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/diagnostic_text.h"
 #include "platform/file/read_file.h"
 #include "platform/file/text_encoding.h"
 #include "platform/hid/hid_devices.h"
@@ -20,6 +21,9 @@ namespace {
 
 int list(bool as_json) {
   std::vector<hid::HidDevice> devices = hid::list_hid_devices();
+  const auto config = config::load_kiosk_config(default_config);
+  config::tell(config.diagnostics);
+  if (config.value) hid::refuse_all_but(named_keypads(*config.value), devices);
   hid::try_to_open(devices);
   fmt::print("{}", as_json ? hid::describe_devices_json(devices) : hid::describe_devices(devices));
   return 0;
@@ -40,6 +44,14 @@ int decode(const std::string& file) {
 }
 
 }  // namespace
+
+std::vector<input::NamedKeypad> named_keypads(const config::KioskConfig& config) {
+  std::vector<input::NamedKeypad> keypads;
+  for (const config::KeypadSection& section : config.keypads)
+    if (const auto id = input::device_id_from(section.device.value))
+      keypads.push_back({*id, input::descriptor_hash_from(section.descriptor.value)});
+  return keypads;
+}
 
 terminal::Command hid_command() {
   struct HidOptions {

@@ -1,8 +1,15 @@
 #pragma once
 
+#include <vector>
+
+#include "config/kiosk_config.h"
 #include "platform/terminal/command_line.h"
+#include "runtime/input/keypad_policy.h"
 
 namespace docent::kiosk {
+
+/// The keypads that kiosk.toml names.
+std::vector<input::NamedKeypad> named_keypads(const config::KioskConfig& config);
 
 /// `docent hid list [--json]` and `docent hid decode FILE.hid`: which devices there are and what
 /// each is taken for, and what the kiosk makes of a recording.

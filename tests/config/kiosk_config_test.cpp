@@ -85,5 +85,41 @@ TEST(KioskConfig, ReadsTheOneThatShips) {
   EXPECT_TRUE(load_kiosk_config(file).diagnostics.empty());
 }
 
+TEST(KioskConfig, KnowsTheKeypadsThatStaffNamed) {
+  const auto loaded = loaded_from(
+      "idle_reset = 90\n[[keypad]]\ndevice = \"04e7:0022\"\n[[keypad]]\ndevice = \"1209:0001\"\n"
+      "descriptor = \"0123456789abcdef\"\n");
+
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  EXPECT_EQ(loaded.value->idle_reset.count(), 90);
+  ASSERT_EQ(loaded.value->keypads.size(), 2U);
+  EXPECT_EQ(loaded.value->keypads[0].device.value, "04e7:0022");
+  EXPECT_FALSE(loaded.value->keypads[0].descriptor.given);
+  EXPECT_EQ(loaded.value->keypads[1].descriptor.value, "0123456789abcdef");
+}
+
+TEST(KioskConfig, SaysWhereAKeypadIsNotAsTheListTellsIt) {
+  const auto message = [](const std::string& text) {
+    const auto loaded = loaded_from(text);
+    return loaded.diagnostics.empty() ? std::string() : loaded.diagnostics[0].message;
+  };
+
+  EXPECT_THAT(message("[[keypad]]\ndevice = \"Elo\"\n"), testing::HasSubstr("04e7:0022"));
+  EXPECT_THAT(message("[[keypad]]\ndevice = \"04e7:0022\"\ndescriptor = \"12\"\n"),
+              testing::HasSubstr("sixteen"));
+  EXPECT_THAT(message("[[keypad]]\ndescriptor = \"0123456789abcdef\"\n"),
+              testing::HasSubstr("device"));
+  EXPECT_THAT(message("keypad = 3\n"), testing::HasSubstr("[[keypad]]"));
+}
+
+TEST(KioskConfig, TakesNoPinThatAnybodyCouldRead) {
+  const auto loaded = loaded_from("staff_pin = \"4711\"\n");
+
+  ASSERT_EQ(loaded.diagnostics.size(), 1U);
+  EXPECT_THAT(loaded.diagnostics[0].message, testing::HasSubstr("docent pin"));
+  EXPECT_EQ(loaded_from("staff_pin = \"$argon2id$v=19$x\"\n").value->staff_pin, "$argon2id$v=19$x");
+}
+
 }  // namespace
 }  // namespace docent::config

@@ -1,0 +1,73 @@
+#include "runtime/input/event_maker.h"
+
+#include <algorithm>
+
+namespace docent::input {
+
+EventMaker::EventMaker(const ReportDescriptor& descriptor, const HidDeviceKind& kind,
+                       std::uint32_t first_id)
+    : first_id_(first_id), silence_(kind.touch && kind.touch->scan_time.has_value()) {
+  if (kind.touch) contacts_.emplace(descriptor, *kind.touch);
+  if (!kind.keys.empty()) keys_.emplace(descriptor, kind.keys);
+}
+
+std::span<const InputEvent> EventMaker::take(std::span<const std::byte> report,
+                                             std::chrono::nanoseconds time, Moves moves) noexcept {
+  std::size_t count = 0;
+  if (contacts_ && contacts_->take(report)) {
+    const auto now = contacts_->contacts();
+    silence_.heard(std::span(heard_).first(heard_count_), now, time);
+    std::ranges::copy(now, heard_.begin());
+    heard_count_ = now.size();
+    count = contact_changes(now, moves);
+  }
+  if (keys_) count += key_events(keys_->take(report, edges_), count);
+  return std::span(events_).first(count);
+}
+
+std::span<const InputEvent> EventMaker::wait(std::chrono::nanoseconds time) noexcept {
+  if (!contacts_ || !silence_.lifts(std::span(heard_).first(heard_count_), time)) return {};
+  contacts_->reset();
+  heard_count_ = 0;
+  return std::span(events_).first(contact_changes({}, Moves::All));
+}
+
+std::span<const InputEvent> EventMaker::lift_all() noexcept {
+  if (contacts_) contacts_->reset();
+  heard_count_ = 0;
+  std::size_t count = contact_changes({}, Moves::All);
+  if (keys_) count += key_events(keys_->release(edges_), count);
+  return std::span(events_).first(count);
+}
+
+std::size_t EventMaker::contact_changes(std::span<const Contact> now, Moves moves) noexcept {
+  std::array<Contact, max_contacts> after{};
+  const std::size_t count = std::min(now.size(), after.size());
+  const std::span<const Contact> told(told_.data(), told_count_);
+  for (std::size_t i = 0; i < count; ++i) {
+    after[i] = now[i];
+    after[i].id = first_id_ + now[i].id % ids_per_device;
+    if (moves == Moves::All) continue;
+    // A finger that is known stays where it was last told to be; the next step tells the whole way.
+    const auto known = std::ranges::find(told, after[i].id, &Contact::id);
+    if (known != told.end()) after[i] = *known;
+  }
+  const std::size_t events = contact_events(told, std::span(after).first(count), events_);
+  told_ = after;
+  told_count_ = count;
+  return events;
+}
+
+/// Makes events of the first edges, behind `first` events; returns how many.
+std::size_t EventMaker::key_events(std::size_t edges, std::size_t first) noexcept {
+  const auto out = std::span(events_).subspan(first);
+  const std::size_t count = std::min(edges, out.size());
+  for (std::size_t i = 0; i < count; ++i)
+    out[i] = {.kind = edges_[i].down ? InputEvent::Kind::KeyDown : InputEvent::Kind::KeyUp,
+              .contact = {},
+              .key = edges_[i].key.key,
+              .character = edges_[i].key.character};
+  return count;
+}
+
+}  // namespace docent::input
