@@ -66,8 +66,7 @@ class Patient {
 
   [[nodiscard]] std::vector<std::byte> bytes() const {
     sqlite3_int64 size = 0;
-    const unsigned char* file =
-        sqlite3_serialize(handle(), "main", &size, SQLITE_SERIALIZE_NOCOPY);
+    const unsigned char* file = sqlite3_serialize(handle(), "main", &size, SQLITE_SERIALIZE_NOCOPY);
     const auto all = std::as_bytes(std::span(file, static_cast<std::size_t>(size)));
     return {all.begin(), all.end()};
   }
@@ -143,12 +142,13 @@ class Surgeon {
       : healthy_(healthy), database_(database), bytes_(bytes) {}
 
   void operate() {
-    const Table& table = healthy_.tables[bytes_.below(static_cast<unsigned>(healthy_.tables.size()))];
+    const Table& table =
+        healthy_.tables[bytes_.below(static_cast<unsigned>(healthy_.tables.size()))];
     const std::string& column =
         table.columns[bytes_.below(static_cast<unsigned>(table.columns.size()))];
-    const std::string row = fmt::format(" WHERE {0} IN (SELECT {1} FROM {2} LIMIT 1 OFFSET {3})",
-                                        table.keys, table.keys.substr(1, table.keys.size() - 2),
-                                        table.name, bytes_.below(4));
+    const std::string row =
+        fmt::format(" WHERE {0} IN (SELECT {1} FROM {2} LIMIT 1 OFFSET {3})", table.keys,
+                    table.keys.substr(1, table.keys.size() - 2), table.name, bytes_.below(4));
     switch (bytes_.below(8)) {
       case 0:
         return set(table, column, row, integer(bytes_));
@@ -265,15 +265,15 @@ void repair_checksum(std::vector<std::byte>& file, const sqlite::Checksum& store
 
 Result<Museum> load(std::span<const std::byte> file) {
   static const test::ScratchFolder folder("database");
-  return sqlite::load_museum(folder.write(
-      "museum.db", {reinterpret_cast<const char*>(file.data()), file.size()}));
+  return sqlite::load_museum(
+      folder.write("museum.db", {reinterpret_cast<const char*>(file.data()), file.size()}));
 }
 
 }  // namespace
 
 /// A museum's database, changed as the input says, cell by cell (an even byte, then where and what)
-/// and byte by byte (an odd one), with a checksum that is right again. The kiosk's loader refuses it
-/// with a sentence, or gives a museum that can be written and read again as the same.
+/// and byte by byte (an odd one), with a checksum that is right again. The kiosk's loader refuses
+/// it with a sentence, or gives a museum that can be written and read again as the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const Healthy healthy;
   constexpr int most_changes = 12;

@@ -72,9 +72,9 @@ void apply(std::span<const input::KeyEdge> edges, std::set<std::pair<input::Key,
 
 }  // namespace
 
-/// A device and what it sends: two bytes of length and the report descriptor; then the reports, each
-/// after a byte of length; 255 is the device being unplugged. A finger that a guide has seen go
-/// down is lifted once, and when the device has gone nothing is left down.
+/// A device and what it sends: two bytes of length and the report descriptor; then the reports,
+/// each after a byte of length; 255 is the device being unplugged. A finger that a guide has seen
+/// go down is lifted once, and when the device has gone nothing is left down.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes rest = std::as_bytes(std::span(data, size));
   const std::size_t length = number(rest, 2);

@@ -30,15 +30,16 @@ class ScratchFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path write(const std::filesystem::path& name,
                                             std::string_view text) const {
-    std::ofstream(path_ / name, std::ios::binary | std::ios::trunc).write(
-        text.data(), static_cast<std::streamsize>(text.size()));
+    std::ofstream(path_ / name, std::ios::binary | std::ios::trunc)
+        .write(text.data(), static_cast<std::streamsize>(text.size()));
     return path_ / name;
   }
 
  private:
   static std::filesystem::path root() {
     const std::filesystem::path in_memory = "/dev/shm";
-    return access(in_memory.c_str(), W_OK) == 0 ? in_memory : std::filesystem::temp_directory_path();
+    return access(in_memory.c_str(), W_OK) == 0 ? in_memory
+                                                : std::filesystem::temp_directory_path();
   }
   std::filesystem::path path_;
 };
