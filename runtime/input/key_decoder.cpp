@@ -184,23 +184,29 @@ std::size_t KeyDecoder::take(std::span<const std::byte> report, std::span<KeyEdg
   }
   if (!spoke) return 0;
 
-  std::bitset<key_slots>& before = down_by_report_[id];
+  const std::bitset<key_slots> before = down_in_any_report();
+  down_by_report_[id] = now;
+  const std::bitset<key_slots> after = down_in_any_report();
   std::size_t written = 0;
   for (const bool down : {false, true})
     for (std::size_t slot = 0; slot < key_slots; ++slot)
-      if (now[slot] != before[slot] && now[slot] == down && written < out.size())
+      if (after[slot] != before[slot] && after[slot] == down && written < out.size())
         out[written++] = {key_at(slot), down};
-  before = now;
   return written;
 }
 
+std::bitset<KeyDecoder::key_slots> KeyDecoder::down_in_any_report() const noexcept {
+  std::bitset<key_slots> down;
+  for (const std::bitset<key_slots>& of_report : down_by_report_) down |= of_report;
+  return down;
+}
+
 std::size_t KeyDecoder::release(std::span<KeyEdge> out) noexcept {
+  const std::bitset<key_slots> down = down_in_any_report();
   std::size_t written = 0;
-  for (std::bitset<key_slots>& down : down_by_report_) {
-    for (std::size_t slot = 0; down.any() && slot < key_slots; ++slot)
-      if (down[slot] && written < out.size()) out[written++] = {key_at(slot), false};
-    down.reset();
-  }
+  for (std::size_t slot = 0; slot < key_slots; ++slot)
+    if (down[slot] && written < out.size()) out[written++] = {key_at(slot), false};
+  down_by_report_ = {};
   return written;
 }
 

@@ -56,10 +56,12 @@ class KeyDecoder {
   static constexpr std::size_t key_slots = 256;  ///< A small number for every KeyName.
   static std::size_t slot_of(KeyName key) noexcept;
   static KeyName key_at(std::size_t slot) noexcept;
+  std::bitset<key_slots> down_in_any_report() const noexcept;
 
   bool numbered_;
   std::vector<ReportField> fields_;
-  /// Per report id, the keys that are down: a report tells only of its own keys.
+  /// Per report id, the keys that are down: a report tells only of its own keys. A key that two
+  /// reports name goes down with the first of them and up with the last.
   std::array<std::bitset<key_slots>, 256> down_by_report_{};
 };
 

@@ -26,6 +26,7 @@
 #include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/reporter.h"
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/statistics.h"
@@ -128,6 +129,7 @@ class Kiosk {
   std::future<Result<std::unique_ptr<Exhibition>>> loading_;
   std::optional<VisitPlayer> visit_;
   std::optional<Recorder> recorder_;
+  std::unique_ptr<Reporter> reporter_;  ///< Where somebody watches over the kiosk.
   Statistics statistics_;
   guide::GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
   clock::FrameClock clock_;
@@ -166,6 +168,11 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   tell_museum(journal::Message::Shows, "shows");
   tell_seats();
   answer_for_itself();
+  if (!options_.health.empty() || !options_.counts.empty()) {
+    reporter_ =
+        std::make_unique<Reporter>(Reporter::Places{options_.health, options_.counts, database_});
+    reporter_->shows(guide());
+  }
   upload(*exhibition_, renderer_);
   renderer_.warm_up(target_of(edges_));
   prepare_allocator_for(Phase::Frames);
@@ -272,6 +279,7 @@ Result<void> Kiosk::frame() {
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);
   count();
+  if (reporter_) reporter_->frame_made(guide(), statistics_.dropped_frames);
   return record();
 }
 
@@ -357,6 +365,7 @@ void Kiosk::take_up_content() {
   Result<std::unique_ptr<Exhibition>> next = loading_.get();
   if (!next) {
     say(next.error(), journal::Message::Refused);
+    if (reporter_) reporter_->refused(next.error().code);
     return;
   }
   renderer_.release_textures();
@@ -364,6 +373,7 @@ void Kiosk::take_up_content() {
   exhibition_ = std::move(*next);
   tell_museum(journal::Message::TakenUp, "has taken up");
   tell_seats();
+  if (reporter_) reporter_->shows(guide());
   upload(*exhibition_, renderer_);
   prepare_allocator_for(Phase::Frames);
   view_ = 0;

@@ -9,6 +9,7 @@
 
 #include "platform/journal/journal.h"
 #include "runtime/kiosk/check_command.h"
+#include "runtime/kiosk/counts_command.h"
 #include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/status_command.h"
 
@@ -64,6 +65,12 @@ std::vector<terminal::Option> options_of(Options& options) {
       {"--seconds", terminal::number("S", terminal::not_negative, options.seconds),
        "End after so many seconds"},
       {"--stats", terminal::file("FILE", options.stats), "Write measurements as JSON at the end"},
+      {"--health", terminal::file("FILE", options.health),
+       "Write every 15 seconds how the kiosk is doing, as node_exporter's textfile collector reads "
+       "it"},
+      {"--counts", terminal::folder("DIR", options.counts),
+       "Keep anonymous counts of visits in this folder, a file for each day that is over; what has "
+       "fewer than 5 visits is left out"},
       {"--hid", terminal::file("PATH", options.hid),
        "A hidraw device to use, instead of all touch screens and keypads", Times::AnyNumber},
   };
@@ -73,7 +80,9 @@ terminal::Section files() {
   return {.title = "files",
           .rows = {{"/etc/docent/kiosk.toml",
                     "This device's settings; without it those of a new device hold"},
-                   {"/var/lib/docent/museum.db", "The compiled museum"}}};
+                   {"/var/lib/docent/museum.db", "The compiled museum"},
+                   {"/run/docent/docent.prom", "How the kiosk is doing, where the service runs it"},
+                   {"/var/lib/docent-counts", "Anonymous counts by day, likewise"}}};
 }
 
 terminal::Section signals() {
@@ -89,7 +98,7 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {check_command(), hid_command(), status_command()},
+          .commands = {check_command(), counts_command(), hid_command(), status_command()},
           .sections = {files(), signals(), terminal::exit_codes()}};
 }
 

@@ -27,6 +27,7 @@ struct Options {
   std::optional<PixelSize> size;
   std::optional<Rotation> rotation;
   std::filesystem::path visit, record, stats;  ///< Empty where not asked for.
+  std::filesystem::path health, counts;        ///< Likewise.
   std::optional<double> seconds;
   std::vector<std::string> hid;
 };

@@ -76,6 +76,22 @@ TEST(Keys, ThatAreHeldGoUpOnceWhenTheDeviceGoes) {
       << "held when it was plugged in again";
 }
 
+/// A keyboard of the keys Enter, Escape and Backspace, a bit each, whose reports have this id.
+std::vector<std::byte> three_keys(int report_id) {
+  return bytes({0x05, 0x01, 0x09, 0x06, 0xa1, 0x01, 0x85, report_id, 0x05, 0x07, 0x15, 0x00, 0x25,
+                0x01, 0x75, 0x01, 0x95, 0x08, 0x19, 0x28, 0x29,      0x2f, 0x81, 0x02, 0xc0});
+}
+
+TEST(Keys, ThatTwoReportsNameGoDownWithTheFirstAndUpWithTheLast) {
+  input::KeyDecoder keypad = decoder_for(join({three_keys(1), three_keys(2)}));
+
+  EXPECT_THAT(edges(keypad, bytes({1, 1})), ElementsAre(input::KeyEdge{{input::Key::Enter}, true}));
+  EXPECT_THAT(edges(keypad, bytes({2, 1})), IsEmpty());
+  EXPECT_THAT(edges(keypad, bytes({1, 0})), IsEmpty());
+  EXPECT_THAT(edges(keypad, bytes({2, 0})),
+              ElementsAre(input::KeyEdge{{input::Key::Enter}, false}));
+}
+
 TEST(Keys, NamesComeBackFromTheirText) {
   for (int i = 1; i < 256; ++i) {
     const input::KeyName key = input::key_of(input::usage(0x07, static_cast<std::uint16_t>(i)));

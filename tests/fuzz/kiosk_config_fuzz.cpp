@@ -1,0 +1,35 @@
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "config/kiosk_config.h"
+#include "tests/fuzz/scratch_folder.h"
+
+using namespace docent;
+
+namespace {
+
+bool is_within_its_manual(const config::KioskConfig& config) {
+  const auto pixels = [](int count) { return count == 0 || (count >= 64 && count <= 16384); };
+  return config.idle_reset >= std::chrono::seconds(10) &&
+         config.idle_reset <= std::chrono::seconds(600) && config.text_scale >= 1 &&
+         config.text_scale <= 2 && config.screen_inches >= 5 && config.screen_inches <= 120 &&
+         config.visitors >= 1 && config.visitors <= 8 && config.rotate >= 0 &&
+         config.rotate <= 270 && config.rotate % 90 == 0 && pixels(config.width) &&
+         pixels(config.height);
+}
+
+}  // namespace
+
+/// A kiosk.toml in which no mistake was found holds only what its manual allows.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const test::ScratchFolder folder("kiosk-config");
+  const auto file = folder.write("kiosk.toml", {reinterpret_cast<const char*>(data), size});
+  const config::Loaded<config::KioskConfig> loaded = config::load_kiosk_config(file);
+  for (const Diagnostic& mistake : loaded.diagnostics)
+    if (mistake.message.empty() || mistake.file.empty()) __builtin_trap();
+  if (loaded.diagnostics.empty() && !(loaded.value && is_within_its_manual(*loaded.value)))
+    __builtin_trap();
+  return 0;
+}
