@@ -22,10 +22,11 @@ _docent() {
     'docent --seconds') :; return ;;
     'docent --stats') _docent_offer -f; return ;;
     'docent --hid') _docent_offer -f; return ;;
+    'docent check --config') _docent_offer -f; return ;;
   esac
   case "$path" in
     'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --hid -h --help --version'; else _docent_offer -W 'check hid'; fi ;;
-    'docent check') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;
+    'docent check') if [[ $word == -* ]]; then _docent_offer -W '--config -h --help'; else _docent_offer -f; fi ;;
     'docent hid') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -W 'list decode'; fi ;;
     'docent hid list') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else :; fi ;;
     'docent hid decode') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;

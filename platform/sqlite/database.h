@@ -3,11 +3,14 @@
 #include <sqlite3.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "platform/handle.h"
+#include "platform/signature/signature.h"
+#include "platform/sqlite/checksum.h"
 #include "runtime/model/result.h"
 
 namespace docent::sqlite {
@@ -18,8 +21,11 @@ using Statement = std::unique_ptr<sqlite3_stmt, CloseWith<sqlite3_finalize>>;
 /// A docent database in memory: what was checked is what is read, whatever happens to the file
 /// meanwhile.
 struct Database {
-  std::vector<std::byte> bytes;  ///< The file. `handle` reads from them, so they stay unchanged.
+  /// The file without its signatures. `handle` reads from them, so they stay unchanged.
+  std::vector<std::byte> bytes;
   DatabaseHandle handle;
+  Checksum checksum{};                             ///< Verified.
+  std::vector<signature::Signature> signatures{};  ///< Not verified: signature_block.h does that.
 };
 
 /// Reads a database file and checks that it is docent's, of our version, whole and undamaged.
@@ -30,5 +36,9 @@ struct Database {
 ///  - WrongVersion: it is of another schema version;
 ///  - Damaged: it is cut short, or a byte of it has changed.
 Result<Database> open_database(const std::filesystem::path& file);
+
+/// The schema version that a file says it has, without a look at anything but its header; 0 where
+/// it is no docent database.
+std::uint32_t schema_version_of(const std::filesystem::path& file);
 
 }  // namespace docent::sqlite

@@ -9,6 +9,7 @@
 #include "platform/image/image.h"
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
+#include "platform/sqlite/signature_block.h"
 #include "runtime/interface/control.h"
 
 namespace docent::kiosk {
@@ -35,8 +36,14 @@ void keep_what_is_walked(Museum& museum) {
 
 }  // namespace
 
-Result<Museum> read_museum(const std::filesystem::path& database) {
-  Result<Museum> museum = sqlite::load_museum(database);
+Result<Museum> read_museum(const std::filesystem::path& database,
+                           std::span<const signature::PublicKey> keys) {
+  const Result<sqlite::Database> opened = sqlite::open_database(database);
+  if (!opened) return std::unexpected(opened.error());
+  if (!keys.empty())
+    if (const Result<void> trusted = sqlite::check_signature(*opened, database, keys); !trusted)
+      return std::unexpected(trusted.error());
+  Result<Museum> museum = sqlite::read_museum(*opened, database);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
@@ -53,8 +60,9 @@ std::string summary(const Museum& museum) {
 }
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
+                                                    std::span<const signature::PublicKey> keys,
                                                     const guide::GuideSettings& settings) {
-  Result<Museum> museum = read_museum(database);
+  Result<Museum> museum = read_museum(database, keys);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
