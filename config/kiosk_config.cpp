@@ -19,10 +19,13 @@ struct KioskFile {
   Located<std::string> content, display, size, staff_pin;
   Located<std::int64_t> idle_reset, rotate, visitors;
   Located<double> text_scale, screen_inches;
+  Located<std::vector<std::string>> keys;
+  Located<std::string> source, group;
 };
 
 constexpr double shared_from_inches = 42;
 constexpr int most_visitors = 8;
+constexpr std::size_t most_keys = 2;  // the one of today, and the one that follows it
 
 constexpr std::array kiosk_file_fields{
     Field<KioskFile>{"content",
@@ -32,6 +35,18 @@ constexpr std::array kiosk_file_fields{
                      "it is not said",
                      {},
                      Form::File},
+    Field<KioskFile>{"keys", &KioskFile::keys, Presence::Optional,
+                     "Public keys, files relative to this one, at most two: only databases signed "
+                     "with one of them are shown; any database where it is not said"},
+    Field<KioskFile>{"source", &KioskFile::source, Presence::Optional,
+                     "Where docent-update finds releases: an https address or a folder"},
+    Field<KioskFile>{"group",
+                     &KioskFile::group,
+                     Presence::Optional,
+                     "The group of kiosks that this one is in, for releases that are for some "
+                     "groups only",
+                     {},
+                     Form::Identifier},
     Field<KioskFile>{
         "idle_reset",
         &KioskFile::idle_reset,
@@ -132,6 +147,12 @@ class KioskSettings {
   KioskConfig from(const KioskFile& written) {
     KioskConfig config;
     if (written.content.given) config.content = file_.parent_path() / written.content.value;
+    for (const std::string& key : written.keys.value)
+      config.keys.push_back(file_.parent_path() / key);
+    config.source = written.source.value;
+    config.group = written.group.value;
+    if (config.keys.size() > most_keys)
+      bad_value(written.keys.place, "'keys' should be at most two files");
     if (written.idle_reset.given)
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;

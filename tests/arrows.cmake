@@ -30,16 +30,23 @@ room(runtime/scene USES ${model} runtime/path LIBRARIES glm/)
 room(runtime/interface USES ${model} runtime/path runtime/scene LIBRARIES fmt/)
 room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtime/interface)
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
+room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
   USES ${model} runtime/schema runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
-       platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/sqlite
-       platform/terminal platform/x11
+       platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/signature
+       platform/sqlite platform/terminal platform/x11
   LIBRARIES fmt/ malloc.h ${posix})
+
+room(runtime/update
+  USES ${model} runtime/release runtime/schema config platform/file platform/https platform/signature platform/sqlite platform/terminal
+  LIBRARIES fmt/ nlohmann/ ${posix})
 
 # The edges: one system interface each.
 room(platform)
 room(platform/clock LIBRARIES ${posix})
 room(platform/file USES ${model} LIBRARIES fmt/ ${posix})
+room(platform/signature USES ${model} platform/file LIBRARIES fmt/ sodium/)
+room(platform/https USES ${model} LIBRARIES fmt/ curl/)
 room(platform/terminal USES ${model} LIBRARIES fmt/ CLI/ unistd.h)
 room(platform/journal LIBRARIES ${posix})
 room(platform/service USES ${model} LIBRARIES ${posix})
@@ -50,7 +57,7 @@ room(platform/hid USES ${model} runtime/input platform platform/file platform/jo
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
-room(platform/sqlite USES ${model} runtime/schema platform LIBRARIES fmt/ sodium sqlite3.h)
+room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
 room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)
 
@@ -63,14 +70,14 @@ room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
 room(content/avatar USES ${model} content LIBRARIES glm/)
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
-room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES fmt/ sqlite3.h ${posix})
+room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES fmt/ sqlite3.h)
 room(content/compile
   USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
        content/motion content/avatar content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion config platform/file platform/sqlite platform/terminal content content/import content/motion
-       content/draw content/write content/compile
+  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/signature platform/sqlite platform/terminal content content/import
+       content/motion content/draw content/write content/compile
   LIBRARIES fmt/ nlohmann/)
 
 # The deepest room that holds a path; empty where there is none.

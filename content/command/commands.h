@@ -18,6 +18,10 @@ terminal::Command offset_command();
 terminal::Command show_command();
 terminal::Command graph_command();
 terminal::Command walk_command();
+terminal::Command keygen_command();
+terminal::Command sign_command();
+terminal::Command verify_command();
+terminal::Command release_command();
 
 /// docent-content as a whole.
 terminal::Command program();

@@ -7,7 +7,8 @@ terminal::Command program() {
           .manual = "compiles a museum for docent's kiosks and answers questions about the result",
           .commands = {compile_command(), check_command(), info_command(), schema_command(),
                        route_command(), at_command(), see_command(), near_command(),
-                       offset_command(), show_command(), graph_command(), walk_command()},
+                       offset_command(), show_command(), graph_command(), walk_command(),
+                       keygen_command(), sign_command(), verify_command(), release_command()},
           .sections = {terminal::exit_codes()}};
 }
 

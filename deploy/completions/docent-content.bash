@@ -8,7 +8,7 @@ _docent_content() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent-content compile' | 'docent-content check' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk') path+=" ${COMP_WORDS[i]}" ;;
+    'docent-content compile' | 'docent-content check' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -60,9 +60,20 @@ _docent_content() {
     'docent-content walk --time-limit') :; return ;;
     'docent-content walk --start') :; return ;;
     'docent-content walk --fps') :; return ;;
+    'docent-content keygen -o' | 'docent-content keygen --output') _docent_offer -f; return ;;
+    'docent-content sign --key') _docent_offer -f; return ;;
+    'docent-content verify --key') _docent_offer -f; return ;;
+    'docent-content release -o' | 'docent-content release --output') _docent_offer -d; return ;;
+    'docent-content release --key') _docent_offer -f; return ;;
+    'docent-content release --release') :; return ;;
+    'docent-content release --expires') :; return ;;
+    'docent-content release --group') :; return ;;
+    'docent-content release --rollout') :; return ;;
+    'docent-content release --halt') :; return ;;
+    'docent-content release --program') :; return ;;
   esac
   case "$path" in
-    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check info schema route at see near offset show graph walk'; fi ;;
+    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check info schema route at see near offset show graph walk keygen sign verify release'; fi ;;
     'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content info') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else _docent_offer -f; fi ;;
@@ -75,6 +86,10 @@ _docent_content() {
     'docent-content show') if [[ $word == -* ]]; then _docent_offer -W '-o --output --layers --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content graph') if [[ $word == -* ]]; then _docent_offer -W '-o --output --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content walk') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --search --lookahead --use-rate --time-limit --start --fps --exact --raw --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content keygen') if [[ $word == -* ]]; then _docent_offer -W '-o --output -h --help'; else :; fi ;;
+    'docent-content sign') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;
+    'docent-content verify') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;
+    'docent-content release') if [[ $word == -* ]]; then _docent_offer -W '-o --output --key --release --expires --group --rollout --halt --program -h --help'; else _docent_offer -f; fi ;;
   esac
 }
 complete -F _docent_content docent-content

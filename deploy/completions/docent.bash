@@ -24,6 +24,7 @@ _docent() {
     'docent --health') _docent_offer -f; return ;;
     'docent --counts') _docent_offer -d; return ;;
     'docent --hid') _docent_offer -f; return ;;
+    'docent check --config') _docent_offer -f; return ;;
   esac
   case "$path" in
     'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --hid -h --help --version'; else _docent_offer -W 'check hid status'; fi ;;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "platform/sqlite/checksum.h"
+#include "platform/sqlite/signature_block.h"
 #include "runtime/schema/schema.h"
 
 namespace docent::sqlite {
@@ -116,10 +118,18 @@ bool read_checksum(sqlite3* database, Checksum& sum) {
 }
 
 bool checksum_matches(const Database& database) {
-  Checksum sum{};
-  if (!read_checksum(database.handle.get(), sum)) return false;
-  const auto place = place_of(database.bytes, sum);
-  return place && checksum_of(database.bytes, *place) == sum;
+  const auto place = place_of(database.bytes, database.checksum);
+  return place && checksum_of(database.bytes, *place) == database.checksum;
+}
+
+/// Takes the signatures off the end of the file, which the header has been checked of.
+bool take_signatures(Database& database) {
+  const auto pages = static_cast<std::size_t>(promised_size(database.bytes));
+  auto signatures = decode_signatures(std::span(database.bytes).subspan(pages));
+  if (!signatures) return false;
+  database.signatures = std::move(*signatures);
+  database.bytes.resize(pages);
+  return true;
 }
 
 }  // namespace
@@ -138,12 +148,22 @@ Result<Database> open_database(const std::filesystem::path& file) {
   if (const auto header = check_header(file, *bytes); !header)
     return std::unexpected(header.error());
   Database database{.bytes = std::move(*bytes), .handle = nullptr};
-  database.handle = open_bytes(database.bytes);
-  if (!database.handle || !checksum_matches(database))
+  if (take_signatures(database)) database.handle = open_bytes(database.bytes);
+  if (!database.handle || !read_checksum(database.handle.get(), database.checksum) ||
+      !checksum_matches(database))
     return failure(Errc::Damaged, file,
                    "is damaged (its checksum does not match); copy it again or recompile the "
                    "content");
   return database;
+}
+
+std::uint32_t schema_version_of(const std::filesystem::path& name) {
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(name, status)) return 0;
+  const File file(std::fopen(name.c_str(), "rb"));
+  std::array<std::byte, header_size> header{};
+  if (!file || std::fread(header.data(), 1, header.size(), file.get()) != header.size()) return 0;
+  return big_endian(header, 68, 4) == schema::application_id ? big_endian(header, 60, 4) : 0;
 }
 
 }  // namespace docent::sqlite

@@ -3,12 +3,15 @@
 #include <sqlite3.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "platform/handle.h"
+#include "platform/signature/signature.h"
+#include "platform/sqlite/checksum.h"
 #include "runtime/model/result.h"
 
 namespace docent::sqlite {
@@ -19,8 +22,11 @@ using Statement = std::unique_ptr<sqlite3_stmt, CloseWith<sqlite3_finalize>>;
 /// A docent database in memory: what was checked is what is read, whatever happens to the file
 /// meanwhile.
 struct Database {
-  std::vector<std::byte> bytes;  ///< The file. `handle` reads from them, so they stay unchanged.
+  /// The file without its signatures. `handle` reads from them, so they stay unchanged.
+  std::vector<std::byte> bytes;
   DatabaseHandle handle;
+  Checksum checksum{};                             ///< Verified.
+  std::vector<signature::Signature> signatures{};  ///< Not verified: signature_block.h does that.
 };
 
 /// Reads a database file and checks that it is docent's, of our version, whole and undamaged.
@@ -34,5 +40,9 @@ Result<Database> open_database(const std::filesystem::path& file);
 
 /// The checksum that a database was compiled with, in hexadecimal; empty where it has none.
 std::string checksum_text(const Database& database);
+
+/// The schema version that a file says it has, without a look at anything but its header; 0 where
+/// it is no docent database.
+std::uint32_t schema_version_of(const std::filesystem::path& file);
 
 }  // namespace docent::sqlite

@@ -2,17 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "config/diagnostic_text.h"
+#include "config/kiosk_config.h"
+#include "platform/signature/key.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/options.h"
 
 namespace docent::kiosk {
 namespace {
 
-int check(const std::string& database) {
-  const Result<Museum> museum = read_museum(database);
+struct CheckOptions {
+  std::string database;
+  std::filesystem::path config{default_config};
+};
+
+int check(const CheckOptions& options) {
+  const config::Loaded<config::KioskConfig> config = config::load_kiosk_config(options.config);
+  config::tell(config.diagnostics);
+  if (!config.value || !config.diagnostics.empty()) return 1;
+  const auto keys = signature::read_public_keys(config.value->keys);
+  if (!keys) return say(keys.error());
+  const std::string& database = options.database;
+  const Result<Museum> museum = read_museum(database, *keys);
   if (!museum) return say(museum.error(), journal::Message::Refused);
   fmt::print("{}: can be shown: {}\n", database, summary(*museum));
   return 0;
@@ -21,12 +36,15 @@ int check(const std::string& database) {
 }  // namespace
 
 terminal::Command check_command() {
-  const auto database = std::make_shared<std::string>();
+  const auto options = std::make_shared<CheckOptions>();
   return {.name = "check",
           .manual = "says whether a database can be shown, or why not",
-          .options = {{"DB", terminal::file("DB", *database), "The compiled museum",
-                       terminal::Times::Once}},
-          .run = [database] { return check(*database); }};
+          .options = {{"DB", terminal::file("DB", options->database), "The compiled museum",
+                       terminal::Times::Once},
+                      {"--config", terminal::file("FILE", options->config),
+                       "This device's settings, for its keys", terminal::Times::AtMostOnce,
+                       default_config}},
+          .run = [options] { return check(*options); }};
 }
 
 }  // namespace docent::kiosk

@@ -4,7 +4,8 @@
 
 namespace docent::kiosk {
 
-/// `docent check DB`: would the kiosk take up this database? It is read as the kiosk reads it.
+/// `docent check DB`: would the kiosk take up this database? It is read as the kiosk reads it,
+/// with the keys of kiosk.toml.
 terminal::Command check_command();
 
 }  // namespace docent::kiosk

@@ -9,6 +9,7 @@
 #include "platform/image/image.h"
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
+#include "platform/sqlite/signature_block.h"
 #include "runtime/interface/control.h"
 #include "runtime/schema/schema.h"
 
@@ -36,9 +37,13 @@ void keep_what_is_walked(Museum& museum) {
 
 }  // namespace
 
-Result<Museum> read_museum(const std::filesystem::path& database, ContentFacts* facts) {
+Result<Museum> read_museum(const std::filesystem::path& database,
+                            std::span<const signature::PublicKey> keys, ContentFacts* facts) {
   const Result<sqlite::Database> file = sqlite::open_database(database);
   if (!file) return std::unexpected(file.error());
+  if (!keys.empty())
+    if (const Result<void> trusted = sqlite::check_signature(*file, database, keys); !trusted)
+      return std::unexpected(trusted.error());
   Result<Museum> museum = sqlite::read_museum(*file, database);
   if (museum && museum->floors.empty())
     return std::unexpected(
@@ -61,9 +66,10 @@ std::string summary(const Museum& museum) {
 }
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
+                                                    std::span<const signature::PublicKey> keys,
                                                     const guide::GuideSettings& settings) {
   ContentFacts content;
-  Result<Museum> museum = read_museum(database, &content);
+  Result<Museum> museum = read_museum(database, keys, &content);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());

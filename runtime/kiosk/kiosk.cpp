@@ -17,6 +17,7 @@
 #include "platform/gles/gpu_timer.h"
 #include "platform/journal/journal.h"
 #include "platform/service/status_socket.h"
+#include "platform/signature/key.h"
 #include "platform/terminal/command_line.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
@@ -125,6 +126,7 @@ class Kiosk {
   std::chrono::nanoseconds started_;
   StatusBoard status_;
   std::filesystem::path database_;
+  std::vector<signature::PublicKey> keys_;  ///< None: any database is shown.
   std::unique_ptr<Exhibition> exhibition_;
   std::future<Result<std::unique_ptr<Exhibition>>> loading_;
   std::optional<VisitPlayer> visit_;
@@ -144,8 +146,11 @@ class Kiosk {
 };
 
 Result<void> Kiosk::open(const std::optional<Visit>& visit) {
+  auto keys = signature::read_public_keys(config_.keys);
+  if (!keys) return std::unexpected(keys.error());
+  keys_ = std::move(*keys);
   notice_.starts("reads the database");
-  auto exhibition = load_exhibition(database_, guide_settings());
+  auto exhibition = load_exhibition(database_, keys_, guide_settings());
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
   if (visit) {
@@ -352,12 +357,13 @@ Result<void> Kiosk::record() {
 /// being guided. A database that cannot be read changes nothing.
 void Kiosk::take_up_content() {
   if (!loading_.valid() && take_signal(SIGHUP)) {
-    loading_ = std::async(std::launch::async, [file = database_, settings = guide_settings()] {
-      Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
-          Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
-      guarded("reading a database", [&] { loaded = load_exhibition(file, settings); });
-      return loaded;
-    });
+    loading_ = std::async(
+        std::launch::async, [file = database_, keys = keys_, settings = guide_settings()] {
+          Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
+              Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
+          guarded("reading a database", [&] { loaded = load_exhibition(file, keys, settings); });
+          return loaded;
+        });
   }
   if (!loading_.valid() || !guide().is_vacant()) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)

@@ -78,6 +78,17 @@ TEST(KioskConfig, SharesALargeScreenUnlessItIsToldNotTo) {
   EXPECT_EQ(loaded_from("screen_inches = 32\nvisitors = 3").value->visitors, 3);
 }
 
+TEST(KioskConfig, NamesKeysBesideItAndNoMoreThanTwo) {
+  const auto loaded = loaded_from("keys = [\"a.pub\", \"/etc/docent/b.pub\"]");
+  ASSERT_TRUE(loaded.value && loaded.diagnostics.empty());
+  ASSERT_EQ(loaded.value->keys.size(), 2U);
+  EXPECT_TRUE(loaded.value->keys[0].is_absolute());
+  EXPECT_EQ(loaded.value->keys[0].filename(), "a.pub");
+  EXPECT_EQ(loaded.value->keys[1], "/etc/docent/b.pub");
+
+  EXPECT_FALSE(loaded_from("keys = [\"a\", \"b\", \"c\"]").diagnostics.empty());
+}
+
 TEST(KioskConfig, ReadsTheOneThatShips) {
   const auto file = test::source_dir() / "config/kiosk.toml";
   ASSERT_TRUE(std::filesystem::exists(file));

@@ -11,6 +11,7 @@
 
 #include "content/command/commands.h"
 #include "runtime/kiosk/options.h"
+#include "runtime/update/options.h"
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
@@ -30,6 +31,10 @@ TEST(Completions, SayWhatTheTablesSay) {
 
   expect_made(completion("docent.bash"), bash_completion(docent));
   expect_made(completion("docent-content.bash"), bash_completion(command::program()));
+  update::Options update_options;
+  const terminal::Command update = update::program(update_options, [] { return 0; });
+  expect_made(completion("docent-update.bash"), bash_completion(update));
+  expect_made(completion("_docent-update"), zsh_completion(update));
   expect_made(completion("_docent"), zsh_completion(docent));
   expect_made(completion("_docent-content"), zsh_completion(command::program()));
 }

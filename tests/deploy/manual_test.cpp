@@ -11,6 +11,7 @@
 #include "content/command/commands.h"
 #include "runtime/kiosk/options.h"
 #include "runtime/schema/schema.h"
+#include "runtime/update/options.h"
 #include "tests/deploy/catalog.h"
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
@@ -20,8 +21,9 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* pages[] = {"docent.1",     "docent-content.1", "docent-visit.5",
-                                 "kiosk.toml.5", "museum.toml.5",    "docent-database.5"};
+constexpr const char* pages[] = {"docent.1",         "docent-content.1", "docent-update.1",
+                                 "docent-visit.5",   "kiosk.toml.5",     "museum.toml.5",
+                                 "docent-database.5"};
 
 std::filesystem::path page_file(const char* page) {
   return source_dir() / "deploy/man" / page;
@@ -36,7 +38,11 @@ std::vector<std::pair<std::string_view, std::string>> parts_of(std::string_view 
   kiosk::Options options;
   const terminal::Command docent = kiosk::program(options, [] { return 0; });
   const terminal::Command content = command::program();
-  const terminal::Command& program = program_of(page) == "docent" ? docent : content;
+  update::Options update_options;
+  const terminal::Command update = update::program(update_options, [] { return 0; });
+  const terminal::Command& program = program_of(page) == "docent"          ? docent
+                                     : program_of(page) == "docent-update" ? update
+                                                                           : content;
   return {{"VERSION", std::string(terminal::version())},
           {"SYNOPSIS", mdoc_synopsis(program)},
           {"OPTIONS", mdoc_options(program)},

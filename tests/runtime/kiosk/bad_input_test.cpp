@@ -71,6 +71,32 @@ TEST_F(ADatabase, ThatIsAPipeIsRefusedAndNotWaitedFor) {
   EXPECT_THAT(run.err, HasSubstr("pipe.db: is a pipe"));
 }
 
+TEST_F(ADatabase, ThatIsNotSignedIsRefusedWhereAKeyIsConfigured) {
+  const auto file = [&](const char* name) { return (folder_.path() / name).string(); };
+  std::filesystem::copy_file(sample_database(), file("museum.db"));
+  ASSERT_EQ(run_program("docent-content", "keygen -o " + file("museum")).exit_code, 0);
+  std::ofstream(file("kiosk.toml")) << "keys = [\"museum.pub\"]\n";
+  const std::string show = "--display headless --size 64x64 --seconds 0.1 --config " +
+                           file("kiosk.toml") + " --content " + file("museum.db");
+  const std::string check = "check " + file("museum.db") + " --config " + file("kiosk.toml");
+
+  for (const std::string& run : {show, check}) {
+    const ProgramRun refused = run_program("docent", run);
+    EXPECT_EQ(refused.exit_code, 1) << run;
+    EXPECT_THAT(refused.err, HasSubstr("museum.db: is not signed; ")) << run;
+  }
+  ASSERT_EQ(
+      run_program("docent-content", "sign " + file("museum.db") + " --key " + file("museum.key"))
+          .exit_code,
+      0);
+  EXPECT_EQ(run_program("docent", show).exit_code, 0);
+  EXPECT_EQ(run_program("docent", check).exit_code, 0);
+  std::filesystem::remove(file("museum.pub"));
+  const ProgramRun keyless = run_program("docent", show);
+  EXPECT_EQ(keyless.exit_code, 3);
+  EXPECT_THAT(keyless.err, HasSubstr("museum.pub: there is no such file"));
+}
+
 TEST(ADisplay, ThatCannotBeOpenedIsAnEnvironmentFault) {
   const std::string content = "--content '" + sample_database().string() + "' --seconds 1 ";
   const ProgramRun window = run_program("docent", content + "--display window </dev/null");

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "tests/support/run_program.h"
+
+namespace docent::test {
+
+/// A static web server on the loopback, as any museum has one: files of a folder, with an ETag, one
+/// after another. Counts what goes over the wire above TCP.
+class StaticServer {
+ public:
+  explicit StaticServer(std::filesystem::path folder)
+      : folder_(std::move(folder)), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* const any = reinterpret_cast<sockaddr*>(&address);
+    if (::bind(socket_, any, size) != 0 || ::listen(socket_, 64) != 0 ||
+        ::getsockname(socket_, any, &size) != 0)
+      throw std::runtime_error("no server on the loopback");
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread([this] { serve(); });
+  }
+  StaticServer(const StaticServer&) = delete;
+  StaticServer& operator=(const StaticServer&) = delete;
+  ~StaticServer() {
+    ::shutdown(socket_, SHUT_RDWR);
+    thread_.join();
+    ::close(socket_);
+  }
+
+  std::string url() const { return fmt::format("http://127.0.0.1:{}", port_); }
+  std::size_t bytes() const { return bytes_; }
+  std::size_t requests() const { return requests_; }
+
+  /// Away: connections are taken and dropped. Half: an answer ends in the middle.
+  enum class Mood : std::uint8_t { Well, Away, Half, Redirecting };
+  void set_mood(Mood mood) { mood_ = mood; }
+
+ private:
+  void serve() {
+    for (;;) {
+      const int client = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
+      if (client < 0) return;
+      if (mood_ != Mood::Away) answer(client);
+      ::close(client);
+    }
+  }
+
+  void answer(int client) {
+    std::string request;
+    std::array<char, 4096> part{};
+    while (request.find("\r\n\r\n") == std::string::npos) {
+      const ssize_t size = ::recv(client, part.data(), part.size(), 0);
+      if (size <= 0) return;
+      request.append(part.data(), static_cast<std::size_t>(size));
+    }
+    ++requests_;
+    std::string reply = reply_to(request);
+    if (mood_ == Mood::Half) reply.resize(reply.size() / 2);
+    bytes_ += request.size() + reply.size();
+    for (std::size_t sent = 0; sent < reply.size();) {
+      const ssize_t size = ::send(client, reply.data() + sent, reply.size() - sent, MSG_NOSIGNAL);
+      if (size <= 0) return;
+      sent += static_cast<std::size_t>(size);
+    }
+  }
+
+  std::string reply_to(const std::string& request) const {
+    if (mood_ == Mood::Redirecting)
+      return "HTTP/1.1 302 Found\r\nLocation: file:///etc/hostname\r\nContent-Length: 0\r\n\r\n";
+    const std::size_t begin = request.find('/'), end = request.find(' ', begin);
+    const auto file = folder_ / request.substr(begin + 1, end - begin - 1);
+    if (!std::filesystem::exists(file))
+      return "HTTP/1.1 404 Not Found\r\nContent-Length: 4\r\nConnection: close\r\n\r\nnone";
+    const std::string body = text_of(file);
+    const std::string tag = fmt::format("\"{:x}\"", std::hash<std::string>()(body));
+    if (request.find("If-None-Match: " + tag) != std::string::npos)
+      return fmt::format(
+          "HTTP/1.1 304 Not Modified\r\nDate: Mon, 23 Nov 2026 15:00:00 GMT\r\nServer: nginx\r\n"
+          "ETag: {}\r\nConnection: close\r\n\r\n",
+          tag);
+    return fmt::format(
+        "HTTP/1.1 200 OK\r\nETag: {}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n{}", tag,
+        body.size(), body);
+  }
+
+  std::filesystem::path folder_;
+  int socket_;
+  unsigned port_ = 0;
+  std::atomic<Mood> mood_ = Mood::Well;
+  std::atomic<std::size_t> bytes_ = 0, requests_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace docent::test
