@@ -21,6 +21,8 @@ packages_test=(
 )
 # For tests/kiosk, which boots a Debian and installs docent in it; that test is skipped without them.
 packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)
+# For deploy/package, and to judge what it makes.
+packages_package=(debhelper dpkg-dev lintian)
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)

@@ -35,7 +35,7 @@ room(runtime/kiosk
   USES ${model} runtime/schema runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
        platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/signature
        platform/sqlite platform/terminal platform/x11
-  LIBRARIES fmt/ malloc.h ${posix})
+  LIBRARIES fmt/ link.h malloc.h ${posix})
 
 room(runtime/update
   USES ${model} runtime/release runtime/schema config platform/file platform/https platform/signature platform/sqlite platform/terminal

@@ -46,7 +46,7 @@ iovec part(std::string_view text) noexcept {
 
 bool is_journal(int descriptor, const char* journal_stream) noexcept {
   if (journal_stream == nullptr) return false;
-  struct stat file {};
+  struct stat file{};
   if (fstat(descriptor, &file) != 0) return false;
   char* rest = nullptr;
   const unsigned long long device = std::strtoull(journal_stream, &rest, 10);

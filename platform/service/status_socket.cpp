@@ -120,9 +120,9 @@ Result<StatusSocket> StatusSocket::open(const std::filesystem::path& path, Answe
 }
 
 StatusSocket::StatusSocket(std::filesystem::path path, int descriptor, Answer answer)
-    : path_(std::move(path)), descriptor_(descriptor), thread_([descriptor, a = std::move(answer)] {
-        serve(descriptor, a);
-      }) {}
+    : path_(std::move(path)),
+      descriptor_(descriptor),
+      thread_([descriptor, a = std::move(answer)] { serve(descriptor, a); }) {}
 
 StatusSocket::StatusSocket(StatusSocket&& other) noexcept
     : path_(std::move(other.path_)),

@@ -30,6 +30,7 @@
 #include "runtime/kiosk/reporter.h"
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/signals.h"
+#include "runtime/kiosk/start_code.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
 #include "runtime/model/last_catch.h"
@@ -290,8 +291,9 @@ Result<void> Kiosk::frame() {
 
 /// Leaves what `docent status` tells; who asks is on another thread.
 void Kiosk::count() noexcept {
-  if (is_vacant_ && !guide().is_vacant()) ++counts_.visits;
-  is_vacant_ = guide().is_vacant();
+  const bool was_vacant = std::exchange(is_vacant_, guide().is_vacant());
+  if (was_vacant && !is_vacant_) ++counts_.visits;
+  if (statistics_.frames == 1 || (is_vacant_ && !was_vacant)) give_back_code_of_start();
   guide::GuideCounters counters = guide().counters();
   counters += counted_;
   counts_.frames = statistics_.frames;

@@ -61,8 +61,8 @@ std::vector<DeviceFacts> devices_now() {
 
 std::uint64_t free_bytes_at(const std::filesystem::path& file) {
   std::error_code error;
-  const auto space = std::filesystem::space(file.parent_path().empty() ? "." : file.parent_path(),
-                                            error);
+  const auto space =
+      std::filesystem::space(file.parent_path().empty() ? "." : file.parent_path(), error);
   return error ? 0 : space.available;
 }
 
@@ -77,8 +77,8 @@ std::string to_json(const KioskStatus& s) {
   std::string devices;
   for (const DeviceFacts& device : s.devices)
     devices += fmt::format(R"({}{{"path": {}, "name": {}, "kind": {}, "used": {}}})",
-                           devices.empty() ? "" : ", ", json_string(device.path), json_string(device.name),
-                           json_string(device.kind), device.is_used);
+                           devices.empty() ? "" : ", ", json_string(device.path),
+                           json_string(device.name), json_string(device.kind), device.is_used);
   return fmt::format(
       "{{\n  \"version\": {},\n  \"uptime_s\": {:.1f},\n  \"restarts\": {},\n  \"display\": {},\n"
       "  \"content\": {{\"path\": {}, \"museum\": {}, \"checksum\": {}, \"schema\": {}, "
@@ -87,9 +87,9 @@ std::string to_json(const KioskStatus& s) {
       "  \"routes\": {},\n  \"devices\": [{}],\n  \"last_error\": {},\n  \"free_bytes\": {}\n}}\n",
       json_string(s.version), s.uptime_seconds, s.restarts ? fmt::to_string(*s.restarts) : "null",
       json_string(s.display), json_string(s.content.path.string()), json_string(s.content.museum),
-      json_string(s.content.checksum), s.content.schema, json_string(s.content.signature), s.counts.frames,
-      s.counts.dropped_frames, s.counts.visits, s.counts.touches, s.counts.routes, devices,
-      s.last_error.empty() ? "null" : json_string(s.last_error), s.free_bytes);
+      json_string(s.content.checksum), s.content.schema, json_string(s.content.signature),
+      s.counts.frames, s.counts.dropped_frames, s.counts.visits, s.counts.touches, s.counts.routes,
+      devices, s.last_error.empty() ? "null" : json_string(s.last_error), s.free_bytes);
 }
 
 std::string to_text(const KioskStatus& s) {
@@ -104,7 +104,8 @@ std::string to_text(const KioskStatus& s) {
       s.counts.touches, s.counts.routes);
   for (const DeviceFacts& device : s.devices) text += text_of(device) + "\n";
   if (s.devices.empty()) text += "no touch screen and no keypad\n";
-  text += s.last_error.empty() ? "no error since it started\n" : "last error: " + s.last_error + "\n";
+  text +=
+      s.last_error.empty() ? "no error since it started\n" : "last error: " + s.last_error + "\n";
   return text + fmt::format("{} MB free where the database lies\n", s.free_bytes / 1'000'000);
 }
 
@@ -121,8 +122,7 @@ void StatusBoard::shows(ContentFacts content) {
 KioskStatus StatusBoard::read() {
   KioskStatus status;
   status.version = terminal::version();
-  status.uptime_seconds =
-      std::chrono::duration<double>(clock::monotonic_now() - started_).count();
+  status.uptime_seconds = std::chrono::duration<double>(clock::monotonic_now() - started_).count();
   status.restarts = restarts_;
   status.display = display_;
   if (const auto news = counts_.take()) last_counts_ = *news;

@@ -32,7 +32,8 @@ TEST(MessageCatalog, IsUnderstoodByTheJournal) {
   const std::string journalctl = "journalctl --root='" + folder.path().string() + "' ";
   const std::string out = (folder.path() / "out").string();
 
-  const std::string ask = journalctl + "--update-catalog && " + journalctl + "--list-catalog >" + out;
+  const std::string ask =
+      journalctl + "--update-catalog && " + journalctl + "--list-catalog >" + out;
   ASSERT_EQ(std::system(ask.c_str()), 0);  // NOLINT(bugprone-command-processor)
 
   for (const journal::MessageKind& kind : journal::message_kinds())

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Does a kiosk work as installed? A stock Debian is booted, the commands of deploy/README.md, "On a device", are run in it,
-and from then on everything is judged by pictures of its screen, taken from outside.
+"""Does a kiosk work as installed? A stock Debian is booted, the package docent is made and the commands of deploy/README.md,
+"On a device", install it there, and from then on everything is judged by pictures of its screen, taken from outside.
 
-What is proved, with the unit and the udev rule unchanged:
+What is proved, with the unit and the udev rule of the package:
  - a screen that was plugged in before the installation is opened by the user docent, and its touch is shown; so is one
    that is plugged in later, the first HID device of the machine;
  - the service takes the first console over from getty, keeps it quiet, and getty is not there after a reboot either;
+ - systemd is told when it is ready, `docent status` says how it is, the journal's lines have their identifiers, and the sandbox
+   is as tight as promised;
  - killed or restarted, the service draws again, and takes touches again;
  - touch screens that come and go every few hundredths of a second do it no harm;
  - who wants the console gets it by starting getty, and the guide comes back by starting docent;
@@ -45,7 +47,9 @@ ALTOGETHER = 1400.0  # less than ctest's patience, so that there is time to keep
 SAME_SCREEN = 2.0  # the mean difference of a channel: of one screen 0.01, of two of them 8
 RIBBON_PIXELS = 150  # the way on the floor has at least 399; welcome and choosing have at most 7 of that colour
 CHECKOUT = "/root/docent"  # in the machine
+DATABASE = "/var/lib/docent/museum.db"
 GLASS = "/run/glass"
+MOST_EXPOSED = 1.0  # of 10, as systemd-analyze counts
 
 started = time.monotonic()
 
@@ -91,24 +95,29 @@ def expected(docent: pathlib.Path, database: pathlib.Path, config: pathlib.Path,
     return found
 
 
-def luggage(source: pathlib.Path, docent: pathlib.Path, database: pathlib.Path, out: pathlib.Path) -> None:
-    """What an integrator carries to the device: a checkout that was built, and a museum's database. An archive, which the
-    machine sees as a disk."""
+def package(source: pathlib.Path, docent: pathlib.Path, out: pathlib.Path) -> pathlib.Path:
+    """The kiosk's package, of the programs that were built."""
+    if not shutil.which("dpkg-buildpackage") or not shutil.which("dh"):
+        raise NotHere("packages are missing: debhelper dpkg-dev")
+    subprocess.run([source / "deploy/package", "--bin", docent.parent, "--out", out], check=True, stdout=subprocess.DEVNULL)
+    return next(out.glob("docent_*.deb"))
+
+
+def luggage(kiosk: pathlib.Path, database: pathlib.Path, out: pathlib.Path) -> None:
+    """What an integrator carries to the device: the package and a museum's database. An archive, which the machine sees as a
+    disk."""
     with tarfile.open(out, "w") as archive:
-        archive.add(docent, "build/release/bin/docent")
+        archive.add(kiosk, kiosk.name)
         archive.add(database, "museum.db")
-        for name in ("config/kiosk.toml", "deploy"):
-            archive.add(source / name, name)
         archive.add(pathlib.Path(__file__).parent / "glass.py", "glass.py")
 
 
 def install_commands(readme: pathlib.Path) -> list[str]:
-    """The commands of "On a device", but for the build."""
+    """The commands of "On a device"."""
     section = re.search(r"^## On a device\n(.*?)^## ", readme.read_text(), re.MULTILINE | re.DOTALL)
-    lines = re.findall(r"^    (.*)$", section[1], re.MULTILINE) if section else []
-    commands = [line for line in lines if not line.startswith("cmake ")]
-    if not any("systemctl enable" in command for command in commands):
-        raise Failure(f'{readme}: "On a device" has no command that enables the service')
+    commands = re.findall(r"^    (.*)$", section[1], re.MULTILINE) if section else []
+    if not any("systemctl start docent" in command for command in commands):
+        raise Failure(f'{readme}: "On a device" has no command that starts the service')
     return commands
 
 
@@ -204,7 +213,7 @@ def is_stock(kiosk: Kiosk) -> None:
 
 def install(kiosk: Kiosk, commands: list[str]) -> None:
     for command in commands:
-        kiosk.machine.must(f"cd {CHECKOUT} && {command}")
+        kiosk.machine.must(f"cd {CHECKOUT} && {command}", TO_DRAW)  # the service is started when it has drawn
     say(f"installed by the {len(commands)} commands of deploy/README.md")
 
 
@@ -214,6 +223,26 @@ def glass_is_open(kiosk: Kiosk, when: str) -> None:
         raise Failure(f"{when}: `docent hid list`, as the user docent, says: {said}")
     kiosk.machine.wait_until(f"{when}: the service has /dev/hidraw0 open", kiosk.has_glass, TO_OPEN)
     say(f"{when}: the user docent has opened the touch screen")
+
+
+def answers_for_itself(kiosk: Kiosk) -> None:
+    """To systemd, to `docent status`, to the journal, and as to what it may do."""
+    kiosk.machine.wait_until("systemd is told that it is ready", lambda: kiosk.property("docent", "ActiveState") == "active", TO_DRAW)
+    text = kiosk.property("docent", "StatusText")
+    if "Museum of the Three Rivers" not in text:
+        raise Failure(f"systemd is told '{text}', and not which museum is shown")
+    status = json.loads(kiosk.machine.must("docent status --json"))
+    if status["frames"] < 1 or not any(device["used"] for device in status["devices"]) or status["content"]["path"] != DATABASE:
+        raise Failure(f"`docent status --json` says: {status}")
+    for message, what in (("1f67ddceca984559b931dec9c982f135", "shows"), ("33f43e9612a847aa837781dffcd3dca1", "is read as")):
+        lines = kiosk.machine.must(f"journalctl --no-pager -x -u docent MESSAGE_ID={message}")
+        if what not in lines or "Subject:" not in lines:
+            raise Failure(f"the journal does not know message {message}, or not its explanation: {lines}")
+    judged = kiosk.machine.must("systemd-analyze security --no-pager docent.service")
+    exposure = re.search(r"Overall exposure level for \S+: ([0-9.]+)", judged)
+    if not exposure or float(exposure[1]) > MOST_EXPOSED:
+        raise Failure(f"the sandbox has more holes than {MOST_EXPOSED}: {judged}")
+    say(f"it answers for itself: {status['frames']} frames, exposure {exposure[1]}, {text}")
 
 
 def killed(kiosk: Kiosk) -> None:
@@ -229,7 +258,7 @@ def console_and_back(kiosk: Kiosk) -> None:
         raise Failure("getty was started on the first console, and docent is still there")
     kiosk.machine.keep_picture("console")
     say("getty was started: the console is there, and docent has ended")
-    kiosk.machine.must("systemctl start docent")
+    kiosk.machine.must("systemctl --no-block start docent")
 
 
 def storm(kiosk: Kiosk) -> None:
@@ -263,6 +292,7 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str) -> None:
     kiosk.draws("installed")
     kiosk.owns_console("installed")
     glass_is_open(kiosk, "installed")
+    answers_for_itself(kiosk)
     kiosk.leads_the_way("installed")
 
     killed(kiosk)
@@ -270,7 +300,7 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str) -> None:
     kiosk.owns_console("killed")
     kiosk.leads_the_way("killed")
 
-    kiosk.machine.must("systemctl restart docent")
+    kiosk.machine.must("systemctl --no-block restart docent")
     kiosk.draws("restarted")
     kiosk.owns_console("restarted")
     storm(kiosk)
@@ -309,7 +339,7 @@ def test(options: argparse.Namespace) -> None:
     database, disk = options.work / "museum.db", options.work / "luggage.tar"
     subprocess.run([options.docent_content, "compile", options.source / "config/museum", "-o", database, "--quiet"], check=True)
     expect = expected(options.docent, database, options.source / "config/kiosk.toml", options.work)
-    luggage(options.source, options.docent, database, disk)
+    luggage(package(options.source, options.docent, options.work / "package"), database, disk)
     commands = install_commands(options.source / "deploy/README.md")
     say(f"an exhibit can be touched at {expect.touch[0]:.2f} {expect.touch[1]:.2f}; the machine is switched on")
     with Machine(image, disk, SIZE, options.work, deadline=started + ALTOGETHER) as machine:

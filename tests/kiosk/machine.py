@@ -107,8 +107,8 @@ class Machine:
             raise Failure(f"`{command}` was not done after {patience:.0f} s") from None
         return status, said.strip()
 
-    def must(self, command: str) -> str:
-        status, said = self.run(command)
+    def must(self, command: str, patience: float = 240) -> str:
+        status, said = self.run(command, patience)
         if status != 0:
             raise Failure(f"`{command}` ended with {status}: {said}")
         return said

@@ -42,7 +42,7 @@ TEST(Journal, ThatIsNotThereIsNotWaitedFor) {
 TEST(Journal, IsWhatJournalStreamNames) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe(ends.data()), 0);
-  struct stat file {};
+  struct stat file{};
   ASSERT_EQ(fstat(ends[1], &file), 0);
   const std::string stream = std::to_string(file.st_dev) + ":" + std::to_string(file.st_ino);
 

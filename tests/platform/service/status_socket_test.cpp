@@ -55,13 +55,15 @@ TEST_F(AStatusSocket, IsForItsOwnerAndGroup) {
   const auto socket = StatusSocket::open(path(), [](std::string_view) { return "yes"; });
   ASSERT_TRUE(socket);
 
-  struct stat file {};
+  struct stat file{};
   ASSERT_EQ(stat(path().c_str(), &file), 0);
   EXPECT_EQ(file.st_mode & 0777U, 0660U);
 }
 
 TEST_F(AStatusSocket, GoesWithItsProgram) {
-  { const auto socket = StatusSocket::open(path(), [](std::string_view) { return "yes"; }); }
+  {
+    const auto socket = StatusSocket::open(path(), [](std::string_view) { return "yes"; });
+  }
 
   const auto answer = ask(path(), "json");
 

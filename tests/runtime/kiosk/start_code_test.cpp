@@ -1,0 +1,59 @@
+#include "runtime/kiosk/start_code.h"
+
+#include <dlfcn.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "runtime/kiosk/allocations.h"
+
+namespace docent::kiosk {
+namespace {
+
+/// Resident kilobytes of a library's pages that nobody has written to, and of all its others.
+struct Resident {
+  long untouched = 0, own = 0;
+};
+
+Resident resident(const std::string& library) {
+  std::ifstream maps("/proc/self/smaps");
+  Resident sum;
+  bool is_it = false;
+  for (std::string line; std::getline(maps, line);) {
+    std::istringstream words(line);
+    std::string key;
+    long kilobytes = 0;
+    words >> key >> kilobytes;
+    if (key.find('-') != std::string::npos && key.back() != ':')
+      is_it = line.find(library) != std::string::npos;
+    else if (is_it && key.ends_with("_Clean:"))
+      sum.untouched += kilobytes;
+    else if (is_it && key.ends_with("_Dirty:"))
+      sum.own += kilobytes;
+  }
+  return sum;
+}
+
+/// The largest library that everybody has who draws without a graphics processor.
+TEST(CodeOfTheStart, IsGivenBackAndComesBackWhereItIsNeeded) {
+  void* llvm = dlopen("libLLVM-15.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (llvm == nullptr) GTEST_SKIP() << "there is no libLLVM-15 here";
+  const auto context = reinterpret_cast<void* (*)()>(dlsym(llvm, "LLVMContextCreate"));
+  if (context == nullptr) GTEST_SKIP() << "it is not the LLVM that was expected";
+  ASSERT_NE(context(), nullptr);
+  const Resident before = resident("libLLVM");
+  const std::uint64_t allocations = allocations_on_this_thread().all;
+
+  give_back_code_of_start();
+
+  EXPECT_EQ(allocations_on_this_thread().all, allocations);
+  const Resident after = resident("libLLVM");
+  EXPECT_GT(before.untouched, 500);
+  EXPECT_LT(after.untouched, before.untouched / 2);
+  EXPECT_EQ(after.own, before.own);  // what the linker relocated is still there
+  EXPECT_NE(context(), nullptr);     // and the code works
+}
+
+}  // namespace
+}  // namespace docent::kiosk
