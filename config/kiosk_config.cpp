@@ -6,6 +6,7 @@
 #include <array>
 #include <ranges>
 #include <string_view>
+#include <utility>
 
 #include "config/field_manual.h"
 #include "config/fields.h"
@@ -16,9 +17,10 @@ namespace docent::config {
 namespace {
 
 struct KioskFile {
-  Located<std::string> content, display, size, staff_pin;
+  Located<std::string> content, display, size, output, screen_on, staff_pin;
   Located<std::int64_t> idle_reset, rotate, visitors;
   Located<double> text_scale, screen_inches;
+  Located<bool> mirror, reduced_motion, pixel_shift;
   Located<std::vector<std::string>> keys;
   Located<std::string> source, group;
 };
@@ -62,7 +64,7 @@ constexpr std::array kiosk_file_fields{
                      &KioskFile::screen_inches,
                      Presence::Optional,
                      "The screen's diagonal in inches, so that letters have their size on the "
-                     "glass; 24 where it is not said",
+                     "glass; where it is not said, what the screen itself says, or else 24",
                      {5, 120}},
     Field<KioskFile>{"visitors",
                      &KioskFile::visitors,
@@ -74,12 +76,30 @@ constexpr std::array kiosk_file_fields{
         "rotate",
         &KioskFile::rotate,
         Presence::Optional,
-        "Degrees by which the screen hangs turned: 0, 90, 180 or 270; 0 where it is not said",
+        "Degrees by which the screen hangs turned: 0, 90, 180 or 270; 0 where it is not said; "
+        "what a panel says that is built in turned comes on top",
         {0, 270}},
     Field<KioskFile>{"display", &KioskFile::display, Presence::Optional,
                      "Where to draw: auto, kms, window or headless; auto where it is not said"},
     Field<KioskFile>{"size", &KioskFile::size, Presence::Optional,
-                     "Pixels: \"1920x1080\"; what the display prefers where it is not said"},
+                     "Pixels: \"1920x1080\", with a refresh rate \"1920x1080@50\"; what the "
+                     "display prefers where it is not said"},
+    Field<KioskFile>{"output", &KioskFile::output, Presence::Optional,
+                     "The socket of the screen to draw on, as in /sys/class/drm: \"HDMI-A-1\"; the "
+                     "first with a screen where it is not said"},
+    Field<KioskFile>{"mirror", &KioskFile::mirror, Presence::Optional,
+                     "The same picture on every connected screen; false where it is not said; "
+                     "the one of output decides the picture's size"},
+    Field<KioskFile>{"screen_on", &KioskFile::screen_on, Presence::Optional,
+                     "When the screen is lit: \"Mo-Fr 08:30-18:00; Sa,Su 10:00-19:00\", as "
+                     "OpenStreetMap's opening_hours, without holidays; always where it is not "
+                     "said; a touch lights it until nobody has touched it for idle_reset"},
+    Field<KioskFile>{"pixel_shift", &KioskFile::pixel_shift, Presence::Optional,
+                     "Lets the picture wander by up to four pixels, one at a time and a minute "
+                     "apart, against burning in; false where it is not said"},
+    Field<KioskFile>{"reduced_motion", &KioskFile::reduced_motion, Presence::Optional,
+                     "Nothing moves but a guide on its way: the camera cuts, cards appear at once, "
+                     "nobody strolls; false where it is not said"},
     Field<KioskFile>{"staff_pin", &KioskFile::staff_pin, Presence::Optional,
                      "What opens the staff's screens, as docent pin prints it; where it is not "
                      "said nothing opens them"},
@@ -126,8 +146,24 @@ int parse_pixels(std::string_view text) {
   return pixels >= 64 && pixels <= 16384 ? pixels : 0;
 }
 
-/// Reads "1920x1080"; false, and nothing changed, where it is not of that form.
+/// A rate of 1 to 500 hertz; 0 where the text is none.
+int parse_refresh(std::string_view text) {
+  int hertz = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9' || text.size() > 3) return 0;
+    hertz = hertz * 10 + (c - '0');
+  }
+  return hertz <= 500 ? hertz : 0;
+}
+
+/// Reads "1920x1080" or "1920x1080@50"; false, and nothing changed, where it is not of that form.
 bool parse_size(std::string_view text, KioskConfig& config) {
+  int refresh = 0;
+  if (const std::size_t at = text.find('@'); at != std::string_view::npos) {
+    refresh = parse_refresh(text.substr(at + 1));
+    if (refresh == 0) return false;
+    text = text.substr(0, at);
+  }
   const std::size_t cross = text.find('x');
   if (cross == std::string_view::npos) return false;
   const int width = parse_pixels(text.substr(0, cross));
@@ -135,6 +171,7 @@ bool parse_size(std::string_view text, KioskConfig& config) {
   if (width == 0 || height == 0) return false;
   config.width = width;
   config.height = height;
+  config.refresh = refresh;
   return true;
 }
 
@@ -157,14 +194,18 @@ class KioskSettings {
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;
     if (written.screen_inches.given) config.screen_inches = written.screen_inches.value;
-    config.visitors = config.screen_inches >= shared_from_inches ? most_visitors : 1;
     if (written.visitors.given) config.visitors = static_cast<int>(written.visitors.value);
     if (written.rotate.value % 90 != 0)
       bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270");
     config.rotate = static_cast<int>(written.rotate.value);
     if (written.size.given && !parse_size(written.size.value, config))
-      bad_value(written.size.place, "'size' should be pixels: \"1920x1080\"");
+      bad_value(written.size.place, "'size' should be pixels: \"1920x1080\" or \"1920x1080@50\"");
     if (written.display.given) set_display(written.display, config);
+    config.output = written.output.value;
+    config.mirror = written.mirror.value;
+    config.reduced_motion = written.reduced_motion.value;
+    config.pixel_shift = written.pixel_shift.value;
+    if (written.screen_on.given) set_hours(written.screen_on, config);
     if (written.staff_pin.given) set_staff_pin(written.staff_pin, config);
     return config;
   }
@@ -199,6 +240,12 @@ class KioskSettings {
     config.staff_pin = written.value;
   }
 
+  void set_hours(const Located<std::string>& written, KioskConfig& config) {
+    auto hours = parse_weekly_hours(written.value);
+    if (!hours) return bad_value(written.place, "'screen_on': " + hours.error());
+    config.screen_on = std::move(*hours);
+  }
+
   void bad_value(const Place& place, std::string message) {
     Diagnostic diagnostic;
     diagnostic.file = file_.string();
@@ -215,6 +262,15 @@ class KioskSettings {
 };
 
 }  // namespace
+
+double screen_inches(const KioskConfig& config, std::optional<double> said_by_screen) noexcept {
+  constexpr double usual = 24;
+  return config.screen_inches.value_or(said_by_screen.value_or(usual));
+}
+
+int visitors(const KioskConfig& config, double inches) noexcept {
+  return config.visitors.value_or(inches >= shared_from_inches ? most_visitors : 1);
+}
 
 Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
   if (!file::is_there(file)) return {.value = KioskConfig{}, .diagnostics = {}};

@@ -2,11 +2,13 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "config/display_kind.h"
 #include "config/located.h"
+#include "config/weekly_hours.h"
 
 namespace docent::config {
 
@@ -27,17 +29,29 @@ struct KioskConfig {
   std::string group{};   ///< Which releases are for this device, where they are for groups.
   std::chrono::seconds idle_reset{60};  ///< 10 to 600. Back to the welcome screen after this.
   double text_scale = 1.0;  ///< 1 to 2. Larger letters for every visitor, not only on request.
-  double screen_inches =
-      24;  ///< 5 to 120. The screen's diagonal, so that letters have their size on the glass.
+  /// 5 to 120. The screen's diagonal, so that letters have their size on the glass. Not said: what
+  /// the screen itself says, or else 24.
+  std::optional<double> screen_inches;
   /// 1 to 8. How many visitors may use the glass at the same time. Not said: 1, or 8 on a screen of
   /// 42 inches and more.
-  int visitors = 1;
+  std::optional<int> visitors;
   int rotate = 0;  ///< Degrees clockwise by which the screen hangs turned: 0, 90, 180, 270.
   DisplayKind display = DisplayKind::Auto;
   std::vector<KeypadSection> keypads;  ///< `[[keypad]]`; none: those without letters.
   std::string staff_pin;      ///< What `docent pin` printed; empty: there is no staff mode.
   int width = 0, height = 0;  ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
+  int refresh = 0;            ///< Hertz, `size = "1920x1080@50"`. 0: what the display prefers.
+  std::string output;   ///< The connector to draw on, "HDMI-A-1". Empty: the first connected one.
+  bool mirror = false;  ///< The same picture on every connected screen.
+  bool reduced_motion = false;  ///< Nothing moves but the guide on its way.
+  bool pixel_shift = false;     ///< The picture wanders by a few pixels, against burning in.
+  std::optional<WeeklyHours> screen_on;  ///< When the screen is lit. Not said: always.
 };
+
+/// The diagonal in inches, given what the screen says of itself.
+double screen_inches(const KioskConfig& config, std::optional<double> said_by_screen) noexcept;
+/// How many visitors may use a glass of this diagonal.
+int visitors(const KioskConfig& config, double inches) noexcept;
 
 /// Reads kiosk.toml. A file that does not exist is a device with the defaults. `content` and
 /// `keys` may be relative to the file's folder.

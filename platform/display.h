@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,12 +21,17 @@ enum class Encoding : std::uint8_t {
 /// How far the panel is turned clockwise as it is mounted.
 enum class Rotation : std::uint8_t { None, Quarter, Half, ThreeQuarters };
 
-/// Where the renderer draws a frame. `size` is what the visitor sees, after rotation.
+/// Where the renderer draws a frame. `size` is what the visitor sees, after rotation. A display
+/// says how its panel is built in; how it hangs comes on top of that.
 struct RenderTarget {
   std::uint32_t framebuffer = 0;  ///< Its OpenGL name; 0 is the window's own.
   PixelSize size;
   Encoding encoding = Encoding::Plain;
   Rotation rotation = Rotation::None;  ///< Only of a Plain target.
+  /// Pixels, as the visitor sees it, by which the picture is shifted to the right and down. Only of
+  /// a Plain target; the picture's edge fills what is left free.
+  std::int32_t shift_x = 0, shift_y = 0;
+  bool operator==(const RenderTarget&) const = default;
 };
 
 /// Does a display take another frame?
@@ -44,12 +50,22 @@ class Display {
   Display& operator=(const Display&) = delete;
   virtual ~Display() = default;
 
-  /// Waits until the last frame is shown and the next may be drawn.
+  /// Waits until the last frame is shown and the next may be drawn; where none was drawn since, for
+  /// the time of the next. While can_show() is false it returns about ten times a second.
   virtual DisplayState wait_for_page_flip() noexcept = 0;
+  /// May a frame be drawn now? Not while there is no screen, while it is turned off or while
+  /// another program has it.
+  virtual bool can_show() const noexcept { return true; }
+  /// Has the last frame been lost, so that it has to be drawn again though nothing changed?
+  virtual bool wants_frame() const noexcept { return false; }
   /// Where to draw the next frame; ask again each frame, since a window may have been resized.
   virtual RenderTarget target() const noexcept = 0;
   /// Shows what was drawn: queues the next page flip.
   virtual void present() noexcept = 0;
+  /// Turns the screen on or off, where it can be.
+  virtual void light(bool /*is_wanted*/) noexcept {}
+  /// As the screen says; none where it says nothing that can be believed.
+  virtual std::optional<double> diagonal_inches() const noexcept { return std::nullopt; }
 
   /// What it is, for the journal: "a window of 1920 x 1080 pixels".
   virtual std::string description() const = 0;

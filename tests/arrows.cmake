@@ -32,7 +32,7 @@ room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtim
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
-  USES ${model} runtime/schema runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
+  USES ${model} runtime/schema runtime/input runtime/scene runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
        platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/signature
        platform/sqlite platform/terminal platform/x11
   LIBRARIES fmt/ link.h malloc.h ${posix})
@@ -55,7 +55,7 @@ room(platform/gles USES ${model} runtime/scene platform platform/image LIBRARIES
 room(platform/headless USES ${model} platform platform/egl platform/image LIBRARIES fmt/ EGL/ GLES3/)
 room(platform/hid USES ${model} runtime/input platform platform/file platform/journal LIBRARIES fmt/ hidapi/ linux/ ${posix})
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
-room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ gbm.h linux/ xf86drm ${posix})
+room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ drm.h gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})

@@ -87,7 +87,7 @@ struct Renderer::Parts {
   WayPass way;
   QuadPass quads;
   Program copy;
-  GLint quarter_turns = -1;
+  GLint quarter_turns = -1, shift = -1;
   GlBuffer frame;
   GlVertexArray array;
 };
@@ -99,6 +99,7 @@ Result<void> Renderer::Parts::compile() {
   if (!copier) return std::unexpected(copier.error());
   copy = std::move(*copier);
   quarter_turns = copy["quarter_turns"];
+  shift = copy["shift"];
   glReleaseShaderCompiler();  // nothing is compiled from source any more
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
@@ -170,6 +171,9 @@ void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
   glDisable(GL_BLEND);
   copy.use();
   glUniform1i(quarter_turns, static_cast<GLint>(target.rotation));
+  // The picture's y runs up.
+  glUniform2f(shift, static_cast<float>(target.shift_x) / static_cast<float>(target.size.width),
+              -static_cast<float>(target.shift_y) / static_cast<float>(target.size.height));
   bind_texture(static_cast<GLuint>(Unit::Image), picture.texture());
   glBindVertexArray(array.get());
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

@@ -3,123 +3,158 @@
 #include <EGL/egl.h>
 // eglext.h needs egl.h before it
 #include <EGL/eglext.h>
+#include <drm.h>
 #include <fmt/format.h>
-#include <gbm.h>
 #include <poll.h>
+#include <time.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "platform/egl/context.h"
 #include "platform/kms/console.h"
 #include "platform/kms/graphics_card.h"
+#include "platform/kms/hotplug.h"
+#include "platform/kms/scanout.h"
+#include "platform/kms/swapchain.h"
 
 namespace docent::kms {
 namespace {
 
-using GbmDevice = std::unique_ptr<gbm_device, CloseWith<gbm_device_destroy>>;
-using GbmSurface = std::unique_ptr<gbm_surface, CloseWith<gbm_surface_destroy>>;
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
 using AtomicRequest = std::unique_ptr<drmModeAtomicReq, CloseWith<drmModeAtomicFree>>;
 
-/// The kernel's name for a buffer; it goes with the buffer.
-struct Framebuffer {
-  int fd = -1;
-  std::uint32_t id = 0;
+/// While nothing can be shown, the frame loop still hears signals and moves its clock this often.
+constexpr nanoseconds longest_wait = 90ms;
+/// Without a screen there is something to draw on all the same, so that the guide has a shape.
+constexpr PixelSize size_without_screen{1920, 1080};
+
+nanoseconds now() noexcept {
+  return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+/// A mode as the kernel keeps it; it goes with this.
+class ModeBlob {
+ public:
+  ModeBlob(int fd, const drmModeModeInfo& mode) noexcept : fd_(fd) {
+    if (drmModeCreatePropertyBlob(fd, &mode, sizeof mode, &id_) != 0) id_ = 0;
+  }
+  ModeBlob(ModeBlob&& other) noexcept : fd_(other.fd_), id_(std::exchange(other.id_, 0)) {}
+  ModeBlob& operator=(ModeBlob&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~ModeBlob() {
+    if (id_ != 0) drmModeDestroyPropertyBlob(fd_, id_);
+  }
+  std::uint32_t id() const noexcept { return id_; }
+
+ private:
+  int fd_;
+  std::uint32_t id_ = 0;
 };
 
-void forget_framebuffer(gbm_bo*, void* data) noexcept {
-  const std::unique_ptr<Framebuffer> framebuffer(static_cast<Framebuffer*>(data));
-  if (framebuffer && framebuffer->id != 0) drmModeRmFB(framebuffer->fd, framebuffer->id);
-}
-
-/// Names a buffer the first time it is seen; a surface has three or four of them, so this soon
-/// stops.
-std::uint32_t framebuffer_of(int fd, gbm_bo* buffer) noexcept {
-  if (const auto* known = static_cast<Framebuffer*>(gbm_bo_get_user_data(buffer))) return known->id;
-  auto framebuffer = std::make_unique<Framebuffer>(Framebuffer{fd, 0});
-  const std::uint32_t handles[4] = {gbm_bo_get_handle(buffer).u32, 0, 0, 0};
-  const std::uint32_t strides[4] = {gbm_bo_get_stride(buffer), 0, 0, 0};
-  const std::uint32_t offsets[4] = {0, 0, 0, 0};
-  drmModeAddFB2(fd, gbm_bo_get_width(buffer), gbm_bo_get_height(buffer), gbm_bo_get_format(buffer),
-                handles, strides, offsets, &framebuffer->id, 0);
-  const std::uint32_t id = framebuffer->id;
-  gbm_bo_set_user_data(buffer, framebuffer.release(), forget_framebuffer);
-  return id;
-}
+/// The screens that are driven at the moment.
+struct Outputs {
+  std::vector<Pipe> pipes;
+  std::vector<ModeBlob> modes;  ///< By pipe.
+  Rotation panel = Rotation::None;
+  std::optional<double> diagonal_inches;
+  nanoseconds period = 16'666'667ns;
+};
 
 class Kms final : public KmsDisplay {
  public:
-  explicit Kms(GraphicsCard card) : card_(std::move(card)) {}
+  Kms(GraphicsCard card, const WantedOutput& wanted) : card_(std::move(card)), wanted_(wanted) {}
   Kms(const Kms&) = delete;
   Kms& operator=(const Kms&) = delete;
 
   ~Kms() override {
-    finish_flip(1000);
-    if (shown_ != nullptr) gbm_surface_release_buffer(surface_.get(), shown_);
-    if (mode_blob_ != 0) drmModeDestroyPropertyBlob(card_.fd.get(), mode_blob_);
+    const nanoseconds until = now() + longest_flip;
+    while (scanout_.is_flipping && now() < until) wait_for_events(until);
   }
 
   Result<void> open() {
-    const int fd = card_.fd.get();
-    gbm_.reset(gbm_create_device(fd));
+    gbm_.reset(gbm_create_device(fd()));
     if (!gbm_) return failed("GBM cannot use it");
     auto display = egl::open_egl(EGL_PLATFORM_GBM_KHR, gbm_.get());
     if (!display) return std::unexpected(display.error());
     egl_ = std::move(*display);
     const auto config =
-        egl::choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(format)});
+        egl::choose_config(egl_.get(), {EGL_WINDOW_BIT, static_cast<EGLint>(scanout_format)});
     if (!config) return std::unexpected(config.error());
-    const PixelSize size = mode_size();
-    surface_.reset(gbm_surface_create(gbm_.get(), size.width, size.height, format,
-                                      GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING));
-    if (!surface_) return failed("it has no memory for the screen's buffers");
-    auto context = egl::make_context(egl_.get(), *config);
+    config_ = *config;
+    auto context = egl::make_context(egl_.get(), config_);
     if (!context) return std::unexpected(context.error());
     context_ = std::move(*context);
-    auto egl_surface = egl::make_window_surface(egl_.get(), *config, surface_.get());
-    if (!egl_surface) return std::unexpected(egl_surface.error());
-    egl_surface_ = std::move(*egl_surface);
-    if (drmModeCreatePropertyBlob(fd, &card_.pipe.mode, sizeof card_.pipe.mode, &mode_blob_) != 0)
-      return failed("it does not take the screen's mode");
-    if (auto console = QuietConsole::take()) console_.emplace(std::move(*console));
     request_.reset(drmModeAtomicAlloc());
     if (!request_) return failed("out of memory");
-    return egl::make_current(egl_.get(), egl_surface_.get(), context_.get());
+    if (auto console = QuietConsole::take()) console_.emplace(std::move(*console));
+    look_again();
+    if (chain_.gbm) return {};
+    return use_size(wanted_.size == PixelSize{} ? size_without_screen : wanted_.size);
   }
 
   DisplayState wait_for_page_flip() noexcept override {
-    // A screen that was unplugged never flips: a second is enough to notice, and the next present
-    // sets the mode anew.
-    finish_flip(1000);
-    return state_;
+    const nanoseconds until = now() + longest_wait;
+    // Nothing was committed: the next frame is due at the next vertical blank all the same.
+    const nanoseconds due = was_presented_ ? nanoseconds{0} : next_blank();
+    was_presented_ = false;
+    for (;;) {
+      const nanoseconds time = now();
+      const ScanoutStep step = next_step(scanout_, time);
+      can_show_ = step == ScanoutStep::Draw;
+      const nanoseconds end = can_show_ ? std::min(until, due) : until;
+      if (state_ != DisplayState::Open || time >= end) return state_;
+      take(step, end);
+    }
+  }
+
+  bool can_show() const noexcept override { return can_show_; }
+  bool wants_frame() const noexcept override { return lacks_frame_ || !scanout_.is_mode_set; }
+  void light(bool is_wanted) noexcept override { want_screen(scanout_, is_wanted); }
+  std::optional<double> diagonal_inches() const noexcept override {
+    return outputs_.diagonal_inches;
   }
 
   RenderTarget target() const noexcept override {
-    return {0, mode_size(), Encoding::Plain, Rotation::None};
+    return {0, chain_.size, Encoding::Plain, outputs_.panel};
   }
 
   void present() noexcept override {
-    if (!eglSwapBuffers(egl_.get(), egl_surface_.get())) {
+    if (!eglSwapBuffers(egl_.get(), chain_.egl.get())) {
       state_ = DisplayState::Lost;
       return;
     }
-    gbm_bo* next = gbm_surface_lock_front_buffer(surface_.get());
+    gbm_bo* next = gbm_surface_lock_front_buffer(chain_.gbm.get());
     if (next == nullptr) return;
-    if (commit(framebuffer_of(card_.fd.get(), next))) {
-      flipping_ = next;
-      is_mode_set_ = true;
-    } else {
-      gbm_surface_release_buffer(surface_.get(), next);
-      is_mode_set_ = false;
-    }
+    const CommitResult result = commit(framebuffer_of(fd(), next));
+    committed(scanout_, result, now());
+    was_presented_ = result == CommitResult::Taken;
+    lacks_frame_ = !was_presented_;
+    if (was_presented_)
+      chain_.flipping = next;
+    else
+      gbm_surface_release_buffer(chain_.gbm.get(), next);
+    if (result == CommitResult::NoMaster) tell("another program has taken the graphics card");
   }
 
   std::string description() const override {
-    const Pipe& pipe = card_.pipe;
-    return fmt::format("{} of {}, {} x {} pixels at {} Hz", pipe.connector_name, card_.path,
-                       pipe.mode.hdisplay, pipe.mode.vdisplay, pipe.mode.vrefresh);
+    if (outputs_.pipes.empty()) return fmt::format("{}, without a screen for now", card_.path);
+    std::vector<std::string> screens;
+    for (const Pipe& pipe : outputs_.pipes)
+      screens.push_back(fmt::format("{}, {} x {} pixels at {} Hz", pipe.connector_name,
+                                    pipe.mode.hdisplay, pipe.mode.vdisplay, pipe.mode.vrefresh));
+    return fmt::format("{} of {}", fmt::join(screens, " and "), card_.path);
   }
   std::string_view loss() const noexcept override {
     return "the graphics card takes no more frames; see what the kernel says of it (journalctl -k)";
@@ -129,108 +164,296 @@ class Kms final : public KmsDisplay {
   }
 
  private:
-  static constexpr std::uint32_t format = GBM_FORMAT_XRGB8888;
+  int fd() const noexcept { return card_.fd.get(); }
 
   std::unexpected<Error> failed(std::string_view why) const {
     return std::unexpected(Error{Errc::Environment, fmt::format("{}: {}", card_.path, why)});
   }
 
-  PixelSize mode_size() const noexcept {
-    return {card_.pipe.mode.hdisplay, card_.pipe.mode.vdisplay};
+  /// For the journal; never in an ordinary frame.
+  void tell(std::string_view what) const noexcept {
+    fmt::print(stderr, "docent: {} ({})\n", what, card_.path);
   }
+
+  /// When the next vertical blank will be, by those before it.
+  nanoseconds next_blank() noexcept {
+    const nanoseconds time = now(), period = outputs_.period;
+    last_blank_ += (time - last_blank_) / period * period;
+    return last_blank_ + period;
+  }
+
+  void take(ScanoutStep step, nanoseconds end) noexcept {
+    switch (step) {
+      case ScanoutStep::Draw:
+        return wait_for_events(end);
+      case ScanoutStep::AwaitFlip:
+      case ScanoutStep::Rest:
+        return wait_for_events(std::min(end, resume_at(scanout_, now())));
+      case ScanoutStep::GiveUpFlip:
+        gave_up_flip(scanout_);
+        return show_flipped();
+      case ScanoutStep::LookAgain:
+        return look_again();
+      case ScanoutStep::TakeCard:
+        return take_card();
+      case ScanoutStep::TurnOff:
+        return turn_off();
+    }
+  }
+
+  // What the card, the kernel and the console tell.
+
+  void wait_for_events(nanoseconds until) noexcept {
+    std::array<pollfd, 3> sources{{{fd(), POLLIN, 0},
+                                   {hotplug_.fd(), POLLIN, 0},
+                                   {console_ ? console_->fd() : -1, POLLIN, 0}}};
+    const nanoseconds wait = std::max(0ns, until - now());
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(wait);
+    const timespec patience{.tv_sec = seconds.count(), .tv_nsec = (wait - seconds).count()};
+    if (ppoll(sources.data(), sources.size(), &patience, nullptr) <= 0) return;
+    if ((sources[0].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) state_ = DisplayState::Lost;
+    if ((sources[0].revents & POLLIN) != 0) read_flips();
+    if (sources[1].revents != 0 && hotplug_.take()) heard_hotplug(scanout_);
+    if (sources[2].revents != 0) hear_console();
+  }
+
+  /// A frame is shown when every screen has flipped to it. Flips that were given up come late, and
+  /// count for nothing.
+  void read_flips() noexcept {
+    std::array<char, 1024> events;
+    const ssize_t size = read(fd(), events.data(), events.size());
+    for (ssize_t at = 0; at + static_cast<ssize_t>(sizeof(drm_event)) <= size;) {
+      drm_event head{};
+      std::memcpy(&head, events.data() + at, sizeof head);
+      if (head.type == DRM_EVENT_FLIP_COMPLETE) {
+        drm_event_vblank flip{};
+        std::memcpy(&flip, events.data() + at, sizeof flip);
+        if (scanout_.is_flipping && flip.user_data == flip_number_ && --flips_missing_ == 0)
+          show_flipped();
+      }
+      if (head.length < sizeof head) return;
+      at += head.length;
+    }
+  }
+
+  void show_flipped() noexcept {
+    flipped(scanout_);
+    chain_.flipped();
+    last_blank_ = now();
+    retired_.reset();
+  }
+
+  void hear_console() noexcept {
+    for (;;) switch (console_->take_event()) {
+        case ConsoleEvent::None:
+          return;
+        case ConsoleEvent::Leave:
+          leave_card();
+          console_->allow_leave();
+          break;
+        case ConsoleEvent::Return:
+          console_->confirm_return();
+          returned_to_console(scanout_, now());
+          break;
+      }
+  }
+
+  /// The next program finds the card at rest.
+  void leave_card() noexcept {
+    const nanoseconds until = now() + 100ms;
+    while (scanout_.is_flipping && now() < until) {
+      pollfd card{fd(), POLLIN, 0};
+      if (poll(&card, 1, 20) > 0) read_flips();
+    }
+    chain_.flipped();
+    left_console(scanout_);
+    drmDropMaster(fd());
+    tell("the console shows another terminal");
+  }
+
+  void take_card() noexcept {
+    const bool is_granted = drmSetMaster(fd()) == 0;
+    asked_for_card(scanout_, is_granted, now());
+    if (is_granted) tell("the graphics card is the guide's again");
+    if (is_granted || waits_for_card_) {
+      waits_for_card_ = !is_granted;
+      return;
+    }
+    waits_for_card_ = true;
+    tell("another program draws on the graphics card; the guide goes on when that has ended");
+  }
+
+  // Which screens there are.
+
+  void look_again() noexcept {
+    const bool had_screen = !outputs_.pipes.empty();
+    const CardReading reading = read_card(fd(), Probe::Yes);
+    const std::vector<OutputPlan> plans = output_plans(reading.state, wanted_);
+    const bool has_screen =
+        std::ranges::any_of(plans, [&](const OutputPlan& plan) { return use_plan(reading, plan); });
+    if (!has_screen) {
+      outputs_.pipes.clear();
+      outputs_.modes.clear();
+    }
+    looked(scanout_, has_screen, now());
+    if (has_screen == had_screen && was_told_) return;
+    was_told_ = true;
+    if (has_screen)
+      tell(fmt::format("draws on {}", description()));
+    else
+      tell(wanted_.connector.empty() || wanted_.mirror
+               ? "no screen is connected; the guide appears as soon as one is"
+               : fmt::format("no screen is connected to {}; the guide appears as soon as one is",
+                             wanted_.connector));
+  }
+
+  bool use_plan(const CardReading& reading, const OutputPlan& plan) {
+    Outputs next;
+    next.pipes = pipes_of(fd(), reading, plan);
+    if (next.pipes.empty()) return false;
+    for (const Pipe& pipe : next.pipes) next.modes.emplace_back(fd(), pipe.mode);
+    const Route& first = plan.routes[0];
+    const Connector& connector = reading.state.connectors[first.connector];
+    const Mode& mode = connector.modes[first.mode];
+    next.panel = connector.panel;
+    next.diagonal_inches = kms::diagonal_inches(connector.width_mm, connector.height_mm, mode.size);
+    if (mode.refresh_mhz > 0) next.period = nanoseconds(1'000'000'000'000 / mode.refresh_mhz);
+    if (next.pipes.size() > 1 && !is_possible(next, plan.picture)) return false;
+    if (chain_.size != plan.picture || !chain_.gbm)
+      if (const auto sized = use_size(plan.picture); !sized) {
+        tell(sized.error().what);
+        return false;
+      }
+    std::swap(outputs_, next);
+    turn_off_others(reading);
+    return true;
+  }
+
+  /// Makes buffers of another size; the context stays. The old ones go when the first new one is
+  /// shown.
+  Result<void> use_size(PixelSize size) {
+    auto chain = make_swapchain(gbm_.get(), egl_.get(), config_, size);
+    if (!chain) return std::unexpected(chain.error());
+    const auto current = egl::make_current(egl_.get(), chain->egl.get(), context_.get());
+    if (!current) return current;
+    std::swap(chain_, *chain);
+    if (chain->shown != nullptr) retired_.emplace(std::move(*chain));
+    return {};
+  }
+
+  /// Would the driver take a picture of this size on these screens?
+  bool is_possible(const Outputs& outputs, PixelSize picture) {
+    const GbmBuffer buffer(gbm_bo_create(gbm_.get(), picture.width, picture.height, scanout_format,
+                                         GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING));
+    if (!buffer) return false;
+    drmModeAtomicSetCursor(request_.get(), 0);
+    add_modes(outputs);
+    add_picture(outputs, picture, framebuffer_of(fd(), buffer.get()));
+    return apply(DRM_MODE_ATOMIC_TEST_ONLY | DRM_MODE_ATOMIC_ALLOW_MODESET) == CommitResult::Taken;
+  }
+
+  void turn_off_others(const CardReading& reading) {
+    const auto writes = writes_turning_off_others(fd(), reading, outputs_.pipes);
+    if (writes.empty()) return;
+    drmModeAtomicSetCursor(request_.get(), 0);
+    for (const PropertyWrite& write : writes) add(write.object, write.property, write.value);
+    apply(DRM_MODE_ATOMIC_ALLOW_MODESET);  // where it fails, the next mode setting says so
+  }
+
+  void turn_off() noexcept {
+    drmModeAtomicSetCursor(request_.get(), 0);
+    for (const Pipe& pipe : outputs_.pipes) add(pipe.crtc, pipe.crtc_active, 0);
+    turned_off(scanout_, apply(DRM_MODE_ATOMIC_ALLOW_MODESET), now());
+  }
+
+  // Commits.
 
   void add(std::uint32_t object, std::uint32_t property, std::uint64_t value) noexcept {
     drmModeAtomicAddProperty(request_.get(), object, property, value);
   }
 
-  void add_mode() noexcept {
-    const Pipe& pipe = card_.pipe;
-    const PipeProperties& p = pipe.properties;
-    add(pipe.connector, p.connector_crtc, pipe.crtc);
-    add(pipe.crtc, p.crtc_mode, mode_blob_);
-    add(pipe.crtc, p.crtc_active, 1);
+  void add_modes(const Outputs& outputs) noexcept {
+    for (std::size_t i = 0; i < outputs.pipes.size(); ++i) {
+      const Pipe& pipe = outputs.pipes[i];
+      add(pipe.connector, pipe.connector_crtc, pipe.crtc);
+      add(pipe.crtc, pipe.crtc_mode, outputs.modes[i].id());
+      add(pipe.crtc, pipe.crtc_active, 1);
+    }
   }
 
-  void add_picture(std::uint32_t framebuffer) noexcept {
-    const Pipe& pipe = card_.pipe;
-    const PipeProperties& p = pipe.properties;
-    const PixelSize size = mode_size();
+  void add_picture(const Outputs& outputs, PixelSize size, std::uint32_t framebuffer) noexcept {
     constexpr unsigned fixed_point = 16;  // source rectangles are in 16.16
-    add(pipe.plane, p.plane_fb, framebuffer);
-    add(pipe.plane, p.plane_crtc, pipe.crtc);
-    add(pipe.plane, p.plane_src_x, 0);
-    add(pipe.plane, p.plane_src_y, 0);
-    add(pipe.plane, p.plane_src_w, std::uint64_t{size.width} << fixed_point);
-    add(pipe.plane, p.plane_src_h, std::uint64_t{size.height} << fixed_point);
-    add(pipe.plane, p.plane_crtc_x, 0);
-    add(pipe.plane, p.plane_crtc_y, 0);
-    add(pipe.plane, p.plane_crtc_w, size.width);
-    add(pipe.plane, p.plane_crtc_h, size.height);
+    for (const Pipe& pipe : outputs.pipes) {
+      const PlaneProperties& p = pipe.on_plane;
+      add(pipe.plane, p.fb, framebuffer);
+      add(pipe.plane, p.crtc, pipe.crtc);
+      add(pipe.plane, p.src_x, 0);
+      add(pipe.plane, p.src_y, 0);
+      add(pipe.plane, p.src_w, std::uint64_t{size.width} << fixed_point);
+      add(pipe.plane, p.src_h, std::uint64_t{size.height} << fixed_point);
+      add(pipe.plane, p.crtc_x, pipe.place.x);
+      add(pipe.plane, p.crtc_y, pipe.place.y);
+      add(pipe.plane, p.crtc_w, pipe.place.width);
+      add(pipe.plane, p.crtc_h, pipe.place.height);
+    }
   }
 
-  bool commit(std::uint32_t framebuffer) noexcept {
+  CommitResult apply(std::uint32_t flags, std::uint64_t number = 0) noexcept {
+    const int status =
+        drmModeAtomicCommit(fd(), request_.get(), flags, reinterpret_cast<void*>(number));
+    return result_of(status < 0 ? -status : status);
+  }
+
+  CommitResult commit(std::uint32_t framebuffer) noexcept {
     drmModeAtomicSetCursor(request_.get(), 0);
-    std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT | DRM_MODE_ATOMIC_NONBLOCK;
-    if (!is_mode_set_) {
-      add_mode();
-      flags = DRM_MODE_PAGE_FLIP_EVENT | DRM_MODE_ATOMIC_ALLOW_MODESET;
+    std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT;
+    const CommitKind kind = commit_kind(scanout_, now());
+    if (kind != CommitKind::SetModePatient) flags |= DRM_MODE_ATOMIC_NONBLOCK;
+    if (kind != CommitKind::Flip) {
+      add_modes(outputs_);
+      flags |= DRM_MODE_ATOMIC_ALLOW_MODESET;
     }
-    add_picture(framebuffer);
-    return drmModeAtomicCommit(card_.fd.get(), request_.get(), flags, this) == 0;
-  }
-
-  void finish_flip(int patience_ms) noexcept {
-    drmEventContext events{};
-    events.version = 3;
-    events.page_flip_handler2 = [](int, unsigned, unsigned, unsigned, unsigned, void* data) {
-      static_cast<Kms*>(data)->flipped();
-    };
-    while (flipping_ != nullptr) {
-      pollfd card{.fd = card_.fd.get(), .events = POLLIN, .revents = 0};
-      const int ready = poll(&card, 1, patience_ms);
-      if (ready < 0 && errno == EINTR) continue;
-      if (ready <= 0) {
-        flipped();
-        is_mode_set_ = false;
-      } else if (drmHandleEvent(card_.fd.get(), &events) != 0) {
-        state_ = DisplayState::Lost;
-        return;
-      }
-    }
-  }
-
-  void flipped() noexcept {
-    if (shown_ != nullptr) gbm_surface_release_buffer(surface_.get(), shown_);
-    shown_ = std::exchange(flipping_, nullptr);
+    add_picture(outputs_, chain_.size, framebuffer);
+    flips_missing_ = outputs_.pipes.size();
+    return apply(flags, ++flip_number_);
   }
 
   std::optional<QuietConsole> console_;
   GraphicsCard card_;
+  WantedOutput wanted_;
+  Hotplug hotplug_;
+  Scanout scanout_;
   GbmDevice gbm_;
   egl::EglDisplay egl_;
-  GbmSurface surface_;
+  EGLConfig config_ = nullptr;
   egl::EglContext context_;
-  egl::EglSurface egl_surface_;
+  std::optional<Swapchain> retired_;  ///< Still shown until the first frame in the new one is.
+  Swapchain chain_;
+  Outputs outputs_;
   AtomicRequest request_;
-  std::uint32_t mode_blob_ = 0;
-  gbm_bo* shown_ = nullptr;     ///< On the glass.
-  gbm_bo* flipping_ = nullptr;  ///< Will be on the glass at the next vertical blank.
-  bool is_mode_set_ = false;
+  std::uint64_t flip_number_ = 0;
+  std::size_t flips_missing_ = 0;  ///< Screens that have not flipped to the last frame yet.
+  nanoseconds last_blank_{0};
+  bool was_presented_ = false;  ///< Since the last wait.
+  bool can_show_ = false;
+  bool lacks_frame_ = true;  ///< What was drawn last was not taken.
+  bool was_told_ = false, waits_for_card_ = false;
   DisplayState state_ = DisplayState::Open;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<KmsDisplay>> open_kms(PixelSize wanted) {
+Result<std::unique_ptr<KmsDisplay>> open_kms(const WantedOutput& wanted) {
+  QuietConsole::expect_signals();
   auto card = open_graphics_card(wanted);
   if (!card) return std::unexpected(card.error());
-  auto kms = std::make_unique<Kms>(std::move(*card));
+  auto kms = std::make_unique<Kms>(std::move(*card), wanted);
   if (auto opened = kms->open(); !opened) return std::unexpected(opened.error());
   return kms;
 }
 
 bool is_kms_free() noexcept {
-  return open_graphics_card({}).has_value();
+  return is_a_card_free();
 }
 
 }  // namespace docent::kms

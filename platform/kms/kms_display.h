@@ -4,22 +4,27 @@
 #include <string>
 
 #include "platform/display.h"
+#include "platform/kms/outputs.h"
 #include "runtime/model/result.h"
 
 namespace docent::kms {
 
-/// A screen driven straight through the kernel: GBM buffers, atomic mode setting, page flips; no
+/// Screens driven straight through the kernel: GBM buffers, atomic mode setting, page flips; no
 /// window system.
+///
+/// A screen may be pulled out, come back, come back with other modes, or be absent from the start;
+/// another program or terminal may have the card for a while. None of that ends the display: it
+/// says that it cannot show anything, and draws again as soon as it can.
 class KmsDisplay : public Display {};
 
-/// Takes the first connected screen of the first graphics card that drives one, in its preferred
-/// mode (or the mode nearest to `wanted`, where that is not 0 by 0), and makes its OpenGL context
-/// current on this thread. Fails with a sentence where there is no card, no screen, no permission,
-/// or another program holds it.
-Result<std::unique_ptr<KmsDisplay>> open_kms(PixelSize wanted = {});
+/// Takes the wanted screens of the first graphics card that has one, or else of the first that
+/// could have one later, and makes its OpenGL context current on this thread. Fails with a sentence
+/// where there is no card, no permission, or another program holds it. Called before the first
+/// thread is begun.
+Result<std::unique_ptr<KmsDisplay>> open_kms(const WantedOutput& wanted = {});
 
-/// Could open_kms work here? True where a card with a connected screen can be had and nobody else
-/// holds it. Changes nothing.
+/// Could open_kms show something now? True where a card with a connected screen can be had and
+/// nobody else holds it. Changes nothing.
 bool is_kms_free() noexcept;
 
 }  // namespace docent::kms

@@ -89,7 +89,9 @@ class Window final : public WindowDisplay {
   RenderTarget target() const noexcept override {
     return {0, size_, Encoding::Plain, Rotation::None};
   }
+  bool wants_frame() const noexcept override { return is_exposed_; }
   void present() noexcept override {
+    is_exposed_ = false;
     if (is_lost() || !eglSwapBuffers(egl_.get(), surface_.get())) state_ = DisplayState::Lost;
   }
 
@@ -118,9 +120,10 @@ class Window final : public WindowDisplay {
     xcb_connection_t* c = connection_.get();
     window_ = xcb_generate_id(c);
     const std::array<std::uint32_t, 2> values{
-        screen->black_pixel, XCB_EVENT_MASK_STRUCTURE_NOTIFY | XCB_EVENT_MASK_BUTTON_PRESS |
-                                 XCB_EVENT_MASK_BUTTON_RELEASE | XCB_EVENT_MASK_BUTTON_MOTION |
-                                 XCB_EVENT_MASK_KEY_PRESS | XCB_EVENT_MASK_KEY_RELEASE};
+        screen->black_pixel, XCB_EVENT_MASK_STRUCTURE_NOTIFY | XCB_EVENT_MASK_EXPOSURE |
+                                 XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE |
+                                 XCB_EVENT_MASK_BUTTON_MOTION | XCB_EVENT_MASK_KEY_PRESS |
+                                 XCB_EVENT_MASK_KEY_RELEASE};
     xcb_create_window(c, XCB_COPY_FROM_PARENT, window_, screen->root, 0, 0,
                       static_cast<std::uint16_t>(size_.width),
                       static_cast<std::uint16_t>(size_.height), 0, XCB_WINDOW_CLASS_INPUT_OUTPUT,
@@ -158,6 +161,9 @@ class Window final : public WindowDisplay {
         size_ = {std::max<std::uint32_t>(size.width, 1), std::max<std::uint32_t>(size.height, 1)};
         break;
       }
+      case XCB_EXPOSE:
+        is_exposed_ = true;
+        break;
       case XCB_CLIENT_MESSAGE: {
         const auto& message = reinterpret_cast<const xcb_client_message_event_t&>(event);
         if (message.data.data32[0] == delete_window_) state_ = DisplayState::Closed;
@@ -210,6 +216,7 @@ class Window final : public WindowDisplay {
   xcb_atom_t delete_window_ = XCB_ATOM_NONE;
   PixelSize size_;
   DisplayState state_ = DisplayState::Open;
+  bool is_exposed_ = true;  ///< What was drawn has been covered meanwhile.
   std::chrono::nanoseconds next_frame_{0};
   std::array<input::InputEvent, 256> events_{};
   std::size_t event_count_ = 0;

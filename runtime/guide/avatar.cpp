@@ -156,11 +156,10 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   if (has_finished(avatar)) {
     if (avatar.idle_weight < 1) avatar.standing = 0;
     avatar.idle_weight = 1;
-    avatar.standing += seconds;
   } else {
-    avatar.standing += seconds;
     avatar.idle_weight = std::max(0.0, avatar.idle_weight - seconds / leave_idle_seconds);
   }
+  if (avatar.breathes) avatar.standing += seconds;
   look_ahead(avatar, seconds);
   pose(museum, avatar);
 }
@@ -172,6 +171,9 @@ void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noe
   list.palette.resize(first + avatar.world.size());
   motion::fill_skinning_palette(avatar.world, inverse_bind,
                                 std::span(list.palette).subspan(first, avatar.world.size()));
+  list.joint.resize(first + avatar.world.size());
+  for (std::size_t j = 0; j < avatar.world.size(); ++j)
+    list.joint[first + j] = Vec3(avatar.world[j][3]);
 
   scene::AvatarDraw it;
   it.first_matrix = static_cast<std::uint32_t>(first);

@@ -22,6 +22,7 @@ struct Avatar {
   double seconds = 0;                ///< Since the first frame of plan's walk.
   double standing = 0;     ///< Seconds that it has stood; keeps its value while it sets out...
   double idle_weight = 1;  ///< ... and this fades the idle motion out.
+  bool breathes = true;    ///< False: it stands as still as at the first moment.
   Placement body;
   double along = 0;  ///< Metres of the plan's way behind it.
   motion::Gait gait = motion::Gait::Idle;

@@ -43,6 +43,10 @@ std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double ran
   return who;
 }
 
+void Crowd::hold_still() noexcept {
+  for (Agent& one : members_) one.avatar.breathes = false;
+}
+
 void Crowd::send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept {
   Agent& one = members_[who];
   one.goal = goal;

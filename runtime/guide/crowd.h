@@ -57,6 +57,8 @@ class Crowd {
   void set_look(std::uint32_t who, std::uint32_t look) noexcept {
     members_[who].avatar.look = look;
   }
+  /// Who stands does not breathe, from now on; for all who were added.
+  void hold_still() noexcept;
   void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;

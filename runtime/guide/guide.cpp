@@ -34,12 +34,16 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
-      stage_(museum) {
+      stage_(museum, settings.reduced_motion) {
   enter_guides();
-  strollers_.enter(crowd_);
+  if (settings.reduced_motion)
+    crowd_.hold_still();
+  else
+    strollers_.enter(crowd_);
   take_seats();
   list_.avatars.reserve(crowd_.size());
   list_.palette.reserve(crowd_.size() * leader().world.size());
+  list_.joint.reserve(list_.palette.capacity());
   const auto guides =
       static_cast<std::size_t>(std::ranges::count_if(crowd_.members(), leaves_a_trail));
   list_.ribbons.reserve(guides);
@@ -72,7 +76,8 @@ void Guide::enter_guides() {
 void Guide::take_seats() {
   const std::size_t seats = std::min<std::size_t>(
       interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
-  const SessionContext context{museum_, planner_, crowd_, settings_.shape, homes_};
+  const SessionContext context{museum_,         planner_, crowd_,
+                               settings_.shape, homes_,   settings_.reduced_motion};
   const bool shared = seats > 1;
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
@@ -257,6 +262,7 @@ std::span<const LedVisitor> Guide::led_visitors() noexcept {
 const scene::DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
+  list_.joint.clear();
   list_.quads.clear();
   for (const Agent& one : crowd_.members())
     if (one.is_here) draw(museum_, one.avatar, list_);

@@ -27,6 +27,9 @@ struct GuideSettings {
   interface::ScreenShape shape;
   Seconds idle_reset{60};
   std::uint32_t visitors = 1;  ///< Who may use the glass at the same time; 1 to most_seats.
+  /// Nothing moves but a guide on its way: nobody breathes or strolls, the camera cuts, cards are
+  /// there at once.
+  bool reduced_motion = false;
 };
 
 /// How many avatars and parts of the glass a planner has to serve.

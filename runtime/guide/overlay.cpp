@@ -82,6 +82,7 @@ void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
     focus_ = -1;
     move_focus(1);
   }
+  if (reduced_motion_) leaving_.reset();
 }
 
 void Overlay::advance(float seconds) noexcept {
@@ -165,7 +166,9 @@ float Overlay::press_depth(std::int32_t control) const noexcept {
   float depth = 0;
   for (const Press& press : presses_)
     if (press.control == control && control >= 0)
-      depth = std::max(depth, press.held ? 1 : 1 - press.age / release_seconds);
+      depth = std::max(depth, press.held        ? 1
+                              : reduced_motion_ ? 0
+                                                : 1 - press.age / release_seconds);
   return depth;
 }
 
@@ -276,7 +279,7 @@ void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list)
 
   for (const Ring& ring : rings_) {
     if (ring.age >= ring_seconds) continue;
-    const float share = ring.age / ring_seconds;
+    const float share = reduced_motion_ ? 0.3F : ring.age / ring_seconds;
     const float size = (3 + 5 * static_cast<float>(scene::ease_out(share))) * view_->unit_px * 2;
     scene::Quad quad;
     quad.fill = scene::QuadFill::Ring;

@@ -16,6 +16,9 @@ namespace docent::guide {
 /// what has the keypad's focus, and the rings that answer touches.
 class Overlay {
  public:
+  /// `reduced_motion`: nothing fades, glides or grows; it is there, or it is not.
+  explicit Overlay(bool reduced_motion = false) noexcept : reduced_motion_(reduced_motion) {}
+
   /// Another view: the panel stays, what both have in common stays, the rest fades.
   void enter(std::unique_ptr<interface::View> view) noexcept;
   void advance(float seconds) noexcept;
@@ -36,7 +39,7 @@ class Overlay {
   std::int32_t focus() const noexcept { return focus_; }
 
   const interface::View* view() const noexcept { return view_.get(); }
-  bool is_fading() const noexcept { return age_ < fade_seconds; }
+  bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
 
   /// Appends the quads of the interface. `remaining`: metres that the guide still has to walk;
   /// `labels_opacity`: of what is written on the model.
@@ -66,6 +69,7 @@ class Overlay {
   void draw_remaining(const interface::View& view, float metres, float opacity,
                       scene::DrawList& list) const noexcept;
 
+  bool reduced_motion_;
   std::unique_ptr<interface::View> view_, leaving_;
   float age_ = 1;  ///< Seconds since view_ was entered.
   std::int32_t focus_ = -1;

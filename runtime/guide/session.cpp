@@ -26,7 +26,8 @@ Session::Session(const SessionContext& context, std::uint32_t part,
       state_(state),
       vacant_(state),
       guide_(guide),
-      gestures_(recogniser_for(state)) {
+      gestures_(recogniser_for(state)),
+      overlay_(context.reduced_motion) {
   request_view();
 }
 

@@ -30,6 +30,7 @@ struct SessionContext {
   Crowd& crowd;  ///< Its first agents are the guides; guide i waits at homes[i].
   const interface::ScreenShape& shape;
   std::span<const Placement> homes;
+  bool reduced_motion = false;  ///< As in GuideSettings.
 };
 
 /// One visitor in front of the glass: what they see of it, what they asked for, and how their guide

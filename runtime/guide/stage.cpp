@@ -66,7 +66,8 @@ void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcep
   list.ribbon_point.insert(list.ribbon_point.end(), plan.points.begin(), plan.points.end());
 }
 
-Stage::Stage(const Museum& museum) : museum_(museum) {
+Stage::Stage(const Museum& museum, bool reduced_motion)
+    : museum_(museum), reduced_motion_(reduced_motion) {
   for (const Floor& floor : museum.floors) {
     std::vector<Vec2>& outline = outlines_.emplace_back();
     for (const Vec2 p : floor.plan.vertex) outline.push_back(p);
@@ -89,9 +90,8 @@ void Stage::enter(const interface::InterfaceState& state, const scene::Rect& fre
   if (leader.floor < outlines_.size())
     overview_ = scene::overview_of(outlines_[leader.floor], height_of(museum_, leader.floor),
                                    museum_.kiosk.heading, free_, aspect_);
-  if (!entered_) {
-    rig_ = wanted_rig(state, leader);
-    flight_ = 1;
+  if (!entered_ || (flies && reduced_motion_)) {
+    cut_to(state, leader);
   } else if (flies) {
     from_ = rig_;
     flight_ = 0;
@@ -116,8 +116,41 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
   return overview_;
 }
 
+void Stage::cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept {
+  if (reduced_motion_ && screen_ == interface::Screen::Walking) {
+    const AheadPoints ahead = ahead_of(leader);
+    const scene::Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
+    yaw_ = scene::yaw_towards(walker, leader.body.heading);
+    distance_ = scene::behind(walker, yaw_, free_, aspect_).distance;
+  }
+  rig_ = wanted_rig(state, leader);
+  flight_ = 1;
+}
+
+/// Are the guide and its next metres well within the picture?
+bool Stage::shows_walk(const Avatar& leader) const noexcept {
+  constexpr float edge = 0.1F;
+  constexpr std::size_t metres_ahead = 2;
+  const scene::CameraView view = scene::view_of(rig_, aspect_);
+  const double height = height_of(museum_, leader.floor);
+  const scene::Rect inner{free_.x + edge * free_.width, free_.y + edge * free_.height,
+                          (1 - 2 * edge) * free_.width, (1 - 2 * edge) * free_.height};
+  const auto is_inside = [&](Vec2 place) {
+    const auto at = scene::project(view, to_world(place, height));
+    return at && scene::contains(inner, at->x, at->y);
+  };
+  const AheadPoints ahead = ahead_of(leader);
+  const auto next = ahead.span().first(std::min(metres_ahead, ahead.count));
+  return is_inside(leader.body.position) && std::ranges::all_of(next, is_inside);
+}
+
 void Stage::advance(const interface::InterfaceState& state, const Avatar& leader,
                     float seconds) noexcept {
+  if (reduced_motion_) {
+    way_opacity_ = 1;
+    if (screen_ != interface::Screen::Walking || !shows_walk(leader)) cut_to(state, leader);
+    return;
+  }
   time_ += seconds;
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
   const AheadPoints ahead = ahead_of(leader);

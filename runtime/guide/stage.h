@@ -30,7 +30,8 @@ struct LedVisitor {
 /// drawn below the interface except the bodies.
 class Stage {
  public:
-  explicit Stage(const Museum& museum);
+  /// `reduced_motion`: the camera cuts instead of flying, and follows a walk in steps.
+  Stage(const Museum& museum, bool reduced_motion);
 
   /// A view is entered that leaves `free` of the screen to the model. The camera flies if need be.
   void enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
@@ -56,7 +57,11 @@ class Stage {
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,
                               const Avatar& leader) const noexcept;
 
+  void cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept;
+  bool shows_walk(const Avatar& leader) const noexcept;
+
   const Museum& museum_;
+  bool reduced_motion_;
   std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
   scene::CameraRig rig_, from_;
   double flight_ = 1;          ///< Share of the flight from `from_` that is done.

@@ -1,5 +1,6 @@
 #include "runtime/kiosk/edges.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <utility>
@@ -17,6 +18,10 @@ bool has_desktop() noexcept {
     return value != nullptr && *value != '\0';
   };
   return is_set("WAYLAND_DISPLAY") || is_set("DISPLAY");
+}
+
+Rotation sum(Rotation a, Rotation b) noexcept {
+  return static_cast<Rotation>((static_cast<unsigned>(a) + static_cast<unsigned>(b)) % 4);
 }
 
 bool is_quarter(Rotation rotation) noexcept {
@@ -50,7 +55,10 @@ Result<void> open_window_edge(const EdgeSettings& settings, Edges& edges) {
 }
 
 Result<void> open_kms_edge(const EdgeSettings& settings, Edges& edges) {
-  auto display = kms::open_kms(settings.size);
+  auto display = kms::open_kms({.connector = settings.output,
+                                .mirror = settings.mirror,
+                                .size = settings.size,
+                                .refresh_hz = settings.refresh_hz});
   if (!display) return std::unexpected(display.error());
   edges.display = std::move(*display);
   return {};
@@ -85,8 +93,10 @@ Result<Edges> open_edges(const EdgeSettings& settings) {
 
 RenderTarget target_of(const Edges& edges) noexcept {
   RenderTarget target = edges.display->target();
-  target.rotation = edges.rotation;
-  target.size = turned(target.size, edges.rotation);
+  target.rotation = sum(target.rotation, edges.rotation);
+  target.size = turned(target.size, target.rotation);
+  target.shift_x = edges.shift.x;
+  target.shift_y = edges.shift.y;
   return target;
 }
 
@@ -105,12 +115,22 @@ input::Contact turned(input::Contact contact, Rotation rotation) noexcept {
   return contact;
 }
 
+input::Contact shifted_back(input::Contact contact, const RenderTarget& target) noexcept {
+  const auto share = [](std::int32_t pixels, std::uint32_t side) {
+    return side == 0 ? 0 : static_cast<float>(pixels) / static_cast<float>(side);
+  };
+  contact.x = std::clamp(contact.x - share(target.shift_x, target.size.width), 0.0F, 1.0F);
+  contact.y = std::clamp(contact.y - share(target.shift_y, target.size.height), 0.0F, 1.0F);
+  return contact;
+}
+
 std::size_t arrived(Edges& edges, std::span<input::InputEvent> out) noexcept {
   std::size_t count = 0;
   if (edges.window != nullptr) count += edges.window->arrived(out);
   if (edges.devices) count += edges.devices->arrived(out.subspan(count));
+  const RenderTarget target = target_of(edges);
   for (input::InputEvent& event : out.first(count))
-    event.contact = turned(event.contact, edges.rotation);
+    event.contact = shifted_back(turned(event.contact, target.rotation), target);
   return count;
 }
 

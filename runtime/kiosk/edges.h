@@ -10,6 +10,7 @@
 #include "platform/hid/input_devices.h"
 #include "platform/x11/window_display.h"
 #include "runtime/kiosk/options.h"
+#include "runtime/kiosk/pixel_shift.h"
 #include "runtime/model/result.h"
 
 namespace docent::kiosk {
@@ -22,12 +23,16 @@ struct Edges {
   x11::WindowDisplay* window = nullptr;
   std::optional<hid::InputDevices> devices;
   Rotation rotation = Rotation::None;
+  PixelOffset shift;  ///< Of the picture, as the visitor sees it.
 };
 
 /// What was asked for; the command line overrides kiosk.toml.
 struct EdgeSettings {
   config::DisplayKind kind = config::DisplayKind::Auto;
-  PixelSize size;  ///< 0 by 0: what the display prefers.
+  PixelSize size;                ///< 0 by 0: what the display prefers.
+  std::uint32_t refresh_hz = 0;  ///< 0: what the display prefers.
+  std::string output;            ///< The connector to draw on; empty: the first connected.
+  bool mirror = false;
   Rotation rotation = Rotation::None;
   std::vector<std::string> hid;
   std::vector<input::NamedKeypad> keypads;  ///< Those that staff have named.
@@ -37,7 +42,7 @@ struct EdgeSettings {
 /// sentence where a display or a given device cannot be opened.
 Result<Edges> open_edges(const EdgeSettings& settings);
 
-/// Where and how the next frame is drawn: the display's own target, turned.
+/// Where and how the next frame is drawn: the display's own target, turned and shifted.
 RenderTarget target_of(const Edges& edges) noexcept;
 
 /// Writes the events since the last call, in the visitor's screen frame; returns how many.
@@ -45,5 +50,7 @@ std::size_t arrived(Edges& edges, std::span<input::InputEvent> out) noexcept;
 
 /// A contact in the frame of the display as it is mounted, turned to the visitor's screen frame.
 input::Contact turned(input::Contact contact, Rotation rotation) noexcept;
+/// A contact on the glass, in the frame of the picture that is shifted on it.
+input::Contact shifted_back(input::Contact contact, const RenderTarget& target) noexcept;
 
 }  // namespace docent::kiosk

@@ -119,7 +119,8 @@ void upload(Exhibition& exhibition, gles::Renderer& renderer) {
   exhibition.museum.avatar.indices = {};
 }
 
-void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
+bool apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
+  bool changed = false;
   while (const std::unique_ptr<interface::PieceChanges> changes = guide.take_pieces()) {
     for (const scene::TextureId piece : changes->retired) renderer.release(piece);
     for (const auto& [piece, text, picture] : changes->uploads)
@@ -127,7 +128,9 @@ void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
         renderer.upload_text(piece, text.width, text.height, text.coverage);
       else
         renderer.upload_image(piece, picture);
+    changed = true;
   }
+  return changed;
 }
 
 }  // namespace docent::kiosk

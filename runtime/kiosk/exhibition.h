@@ -46,7 +46,8 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 /// Carries the building with its pictures and the body into texture memory. Frame thread.
 void upload(Exhibition& exhibition, gles::Renderer& renderer);
 
-/// Applies what the worker's cache of pieces changed. Frame thread; does not allocate.
-void apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept;
+/// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
+/// does not allocate.
+bool apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept;
 
 }  // namespace docent::kiosk

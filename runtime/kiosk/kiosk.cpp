@@ -24,16 +24,19 @@
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
+#include "runtime/kiosk/heat_watch.h"
 #include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/reporter.h"
+#include "runtime/kiosk/screen_hours.h"
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/start_code.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
 #include "runtime/model/last_catch.h"
+#include "runtime/scene/shown_list.h"
 
 namespace docent::kiosk {
 namespace {
@@ -62,16 +65,20 @@ EdgeSettings edge_settings(const Options& options, const config::KioskConfig& co
   settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
                                                   static_cast<std::uint32_t>(config.height)});
   settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));
+  settings.refresh_hz = options.size ? 0 : static_cast<std::uint32_t>(config.refresh);
+  settings.output = config.output;
+  settings.mirror = config.mirror;
   settings.hid = options.hid;
   settings.keypads = named_keypads(config);
   return settings;
 }
 
-interface::ScreenShape shape_of(PixelSize size, const config::KioskConfig& config) {
+interface::ScreenShape shape_of(PixelSize size, double inches,
+                                const config::KioskConfig& config) noexcept {
   interface::ScreenShape shape;
   shape.width = size.width;
   shape.height = size.height;
-  shape.diagonal_inches = static_cast<float>(config.screen_inches);
+  shape.diagonal_inches = static_cast<float>(inches);
   shape.text_scale = static_cast<float>(config.text_scale);
   return shape;
 }
@@ -87,8 +94,10 @@ class Kiosk {
         renderer_(std::move(renderer)),
         notice_(notice),
         simulated_(edges_.headless != nullptr),
+        hours_(config.screen_on, config.idle_reset),
         started_(started),
         status_(started, edges.display->description()) {
+    if (!simulated_) heat_.emplace();
     database_ = options.content.value_or(config.content);
   }
 
@@ -97,9 +106,16 @@ class Kiosk {
 
  private:
   guide::GuideSettings guide_settings() const {
-    return {.shape = shape_of(target_of(edges_).size, config_),
+    return {.shape = shape(target_of(edges_)),
             .idle_reset = config_.idle_reset,
-            .visitors = static_cast<std::uint32_t>(config_.visitors)};
+            .visitors = static_cast<std::uint32_t>(config::visitors(config_, inches())),
+            .reduced_motion = config_.reduced_motion};
+  }
+  double inches() const noexcept {
+    return config::screen_inches(config_, edges_.display->diagonal_inches());
+  }
+  interface::ScreenShape shape(const RenderTarget& target) const noexcept {
+    return shape_of(target.size, inches(), config_);
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
 
@@ -107,7 +123,10 @@ class Kiosk {
   void take_input() noexcept;
   void make_frame(guide::Seconds passed) noexcept;
   void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
+  void keep_hours(guide::Seconds passed) noexcept;
+  void give_sign_of_life() noexcept;
   bool is_seen() const noexcept;
+  bool would_change(const scene::DrawList& list, const RenderTarget& target) const noexcept;
   void tell_museum(journal::Message message, std::string_view what);
   void tell_seats();
   void answer_for_itself();
@@ -124,6 +143,7 @@ class Kiosk {
   gles::GpuTimer gpu_timer_;
   ServiceNotice& notice_;
   bool simulated_;
+  ScreenHours hours_;
   std::chrono::nanoseconds started_;
   StatusBoard status_;
   std::filesystem::path database_;
@@ -136,11 +156,18 @@ class Kiosk {
   Statistics statistics_;
   guide::GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
   clock::FrameClock clock_;
+  PixelShift shift_;
+  std::optional<HeatWatch> heat_;  ///< Of a display that shows something.
   std::array<input::InputEvent, 256> events_{};
   double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
   double last_command_ = 0;
-  StatusCounts counts_;                              ///< For `docent status`.
-  bool is_vacant_ = true;                            ///< Was nobody being guided in the last frame?
+  scene::ShownList shown_;  ///< On the display.
+  RenderTarget shown_on_;
+  bool could_show_ = false;    ///< In the frame before.
+  bool was_drawn_ = false;     ///< The frame before.
+  bool entered_view_ = false;  ///< In this frame.
+  StatusCounts counts_;        ///< For `docent status`.
+  bool is_vacant_ = true;      ///< Was nobody being guided in the last frame?
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
   std::optional<service::StatusSocket> asked_;       ///< The last: its thread reads `status_`.
@@ -212,11 +239,12 @@ void Kiosk::answer_for_itself() {
 /// Fewer can be served than was asked for: somebody will wonder why.
 void Kiosk::tell_seats() {
   const std::size_t seats = guide().seats();
-  if (seats >= static_cast<std::size_t>(config_.visitors)) return;
+  const int wanted = config::visitors(config_, inches());
+  if (seats >= static_cast<std::size_t>(wanted)) return;
   journal::tell(journal::Message::FewerVisitors,
                 fmt::format("{} of {} visitors can use the glass at the same time: it has room for "
                             "no more cards, or the floor about the kiosk for no more guides",
-                            seats, config_.visitors));
+                            seats, wanted));
 }
 
 bool Kiosk::is_over() const noexcept {
@@ -225,13 +253,22 @@ bool Kiosk::is_over() const noexcept {
   return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
 }
 
+/// For the service manager's watchdog: a frame that the display could not take is none.
+void Kiosk::give_sign_of_life() noexcept {
+  if (statistics_.frames == 0) return;
+  if (!was_drawn_)
+    notice_.idle(clock::monotonic_now());
+  else if (!edges_.display->wants_frame())
+    notice_.frame_presented(clock::monotonic_now());
+}
+
 Result<void> Kiosk::run(FrameGuard& guard) {
   while (!is_over()) {
     const DisplayState display = edges_.display->wait_for_page_flip();
     if (display == DisplayState::Closed) break;
     if (display == DisplayState::Lost)
       return std::unexpected(Error{Errc::Environment, std::string(edges_.display->loss())});
-    if (statistics_.frames > 0) notice_.frame_presented(clock::monotonic_now());
+    give_sign_of_life();
     if (const Result<void> made = frame(); !made) return made;
     guard.frame_made();
   }
@@ -252,7 +289,9 @@ Result<void> Kiosk::run(FrameGuard& guard) {
 guide::Seconds Kiosk::since_last_frame() noexcept {
   if (simulated_) return guide::Seconds(statistics_.frames == 0 ? 0 : frame_seconds);
   const std::chrono::nanoseconds passed = clock_.since_last_frame();
-  if (statistics_.frames > 0)
+  // While there is no screen, frames come seldom, and nobody misses them.
+  if (std::exchange(could_show_, edges_.display->can_show()) && could_show_ &&
+      statistics_.frames > 0)
     statistics_.dropped_frames += missed_frames(passed, 1 / frame_seconds);
   return std::min(guide::Seconds(passed), longest_step);
 }
@@ -281,6 +320,7 @@ Result<void> Kiosk::frame() {
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
   make_frame(passed);
+  keep_hours(passed);
   if (statistics_.frames++ == 0)
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);
@@ -303,12 +343,32 @@ void Kiosk::count() noexcept {
   status_.counts(counts_);
 }
 
-/// A screen shows every frame. In memory only those are drawn that somebody will look at, and two a
-/// second for the statistics: a visit of minutes then takes seconds.
+/// A screen shows every frame that differs from the one before. In memory only those are drawn that
+/// somebody will look at, and two a second for the statistics: a visit of minutes then takes
+/// seconds.
 bool Kiosk::is_seen() const noexcept {
   constexpr std::uint64_t sampled_every = 30;
-  return edges_.headless == nullptr || touched_ || (visit_ && visit_->wants_shot()) ||
+  const bool rests = heat_ && heat_->is_too_hot() && statistics_.frames % 2 == 1;
+  if (edges_.headless == nullptr) return edges_.display->can_show() && !rests;
+  return touched_ || (visit_ && visit_->wants_shot()) ||
          (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
+}
+
+/// The screen's hours, and where the picture is on it.
+void Kiosk::keep_hours(guide::Seconds passed) noexcept {
+  if (simulated_) return;
+  if (hours_.are_set())
+    edges_.display->light(
+        hours_.is_lit(local_minute(), static_cast<double>(passed.count()), touched_.has_value()));
+  if (!config_.pixel_shift) return;
+  shift_.advance(static_cast<double>(passed.count()), entered_view_);
+  edges_.shift = shift_.at();
+}
+
+/// Would a screen that was drawn to before look different?
+bool Kiosk::would_change(const scene::DrawList& list, const RenderTarget& target) const noexcept {
+  return simulated_ || edges_.display->wants_frame() || target != shown_on_ ||
+         shown_.differs(list, static_cast<float>(target.size.height));
 }
 
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
@@ -316,19 +376,21 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   const RenderTarget target = target_of(edges_);
   FrameWatch watch;
   take_input();
-  guide().resize(shape_of(target.size, config_));
+  guide().resize(shape(target));
   if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
   guide().step(passed);
   watch.stepped();
-  apply_pieces(guide(), renderer_);
+  if (apply_pieces(guide(), renderer_)) shown_.forget();
   watch.uploaded();
   const scene::DrawList& list = guide().draw_list();
   watch.listed();
-  const bool seen = is_seen();
+  const bool seen = is_seen() && would_change(list, target);
   if (seen) show(list, target);
+  was_drawn_ = seen;
   // The first frame of a view may take memory.
   const std::uint64_t views = guide().counters().views;
-  watch.end(seen, views == std::exchange(view_, views), statistics_);
+  entered_view_ = views != std::exchange(view_, views);
+  watch.end(seen, !entered_view_, statistics_);
 }
 
 void Kiosk::show(const scene::DrawList& list, const RenderTarget& target) noexcept {
@@ -336,6 +398,8 @@ void Kiosk::show(const scene::DrawList& list, const RenderTarget& target) noexce
   renderer_.draw(list, target);
   gpu_timer_.end();
   edges_.display->present();
+  if (!simulated_) shown_.keep(list);
+  shown_on_ = target;
   while (const auto gpu = gpu_timer_.take()) statistics_.gpu.add(*gpu);
 }
 
@@ -383,6 +447,7 @@ void Kiosk::take_up_content() {
   tell_seats();
   if (reporter_) reporter_->shows(guide());
   upload(*exhibition_, renderer_);
+  shown_.forget();
   prepare_allocator_for(Phase::Frames);
   view_ = 0;
 }

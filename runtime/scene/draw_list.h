@@ -13,11 +13,13 @@ namespace docent::scene {
 /// Linear RGB and opacity. Not premultiplied: the renderer does that.
 struct Colour {
   float r = 0, g = 0, b = 0, a = 1;
+  bool operator==(const Colour&) const = default;
 };
 
 /// A rectangle of the screen frame: [0, 1] by [0, 1], origin top left, y down, after rotation.
 struct Rect {
   float x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const Rect&) const = default;
 };
 
 constexpr bool contains(const Rect& r, float x, float y) noexcept {
@@ -47,6 +49,7 @@ struct Quad {
   Rect uv{0, 0, 1, 1};
   float corner = 0;    ///< Corner radius, as a share of the screen's shorter side.
   float softness = 0;  ///< As a share of the screen's shorter side.
+  bool operator==(const Quad&) const = default;
 };
 
 /// A camera that looks at the model.
@@ -56,6 +59,7 @@ struct CameraView {
   float vertical_fov = 0.52F;  ///< Radians.
   Mat4 view{1};
   Mat4 projection{1};
+  bool operator==(const CameraView&) const = default;
 };
 
 /// An avatar to be drawn: `joint_count` matrices of DrawList::palette from `first_matrix`, world
@@ -81,6 +85,7 @@ struct RibbonDraw {
   float walked = 0;  ///< Metres already behind the guide: dimmed.
   float flow = 0;    ///< Metres the pattern has moved towards the goal.
   float opacity = 1;
+  bool operator==(const RibbonDraw&) const = default;
 };
 
 /// A mark on the floor, such as "you are here" or the goal. World frame; a disc of `radius` metres.
@@ -92,6 +97,7 @@ struct MarkerDraw {
   float radius = 0.3F;
   float heading = 0;  ///< Radians, floor frame; YouAreHere shows it.
   float opacity = 1;
+  bool operator==(const MarkerDraw&) const = default;
 };
 
 /// Everything that one frame shows, in the order to be drawn. The guide reserves its vectors when
@@ -107,6 +113,7 @@ struct DrawList {
   std::optional<std::uint32_t> highlighted_exhibit{};
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
+  std::vector<Vec3> joint;  ///< Of each matrix: where its joint is, world frame.
   std::vector<RibbonDraw> ribbons;
   std::vector<Vec2> ribbon_point;
   std::vector<MarkerDraw> markers;

@@ -61,8 +61,9 @@ TEST(KioskConfig, TakesWhatAnOperatorWrote) {
 TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
   for (const char* line :
        {"idle_reset = 5", "idle_reset = 601", "idle_reset = 60.5", "text_scale = 3.0",
-        "text_scale = nan", "rotate = 45", "size = \"big\"", "size = \"1920x\"", "size = \"0x0\"",
-        "display = \"wayland\"", "brightness = 1", "visitors = 0", "visitors = 9",
+        "text_scale = nan", "rotate = 45", "size = \"1920x1080@\"", "size = \"1920x1080@999\"",
+        "screen_on = \"mornings\"", "mirror = 1", "size = \"big\"", "size = \"1920x\"",
+        "size = \"0x0\"", "display = \"wayland\"", "brightness = 1", "visitors = 0", "visitors = 9",
         "visitors = \"many\""}) {
     const auto loaded = loaded_from(line);
 
@@ -72,10 +73,43 @@ TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
 }
 
 TEST(KioskConfig, SharesALargeScreenUnlessItIsToldNotTo) {
-  EXPECT_EQ(loaded_from("screen_inches = 24").value->visitors, 1);
-  EXPECT_EQ(loaded_from("screen_inches = 55").value->visitors, 8);
-  EXPECT_EQ(loaded_from("screen_inches = 55\nvisitors = 1").value->visitors, 1);
-  EXPECT_EQ(loaded_from("screen_inches = 32\nvisitors = 3").value->visitors, 3);
+  const auto visitors_of = [](const std::string& text) {
+    const KioskConfig config = *loaded_from(text).value;
+    return visitors(config, screen_inches(config, std::nullopt));
+  };
+
+  EXPECT_EQ(visitors_of("screen_inches = 24"), 1);
+  EXPECT_EQ(visitors_of("screen_inches = 55"), 8);
+  EXPECT_EQ(visitors_of("screen_inches = 55\nvisitors = 1"), 1);
+  EXPECT_EQ(visitors_of("screen_inches = 32\nvisitors = 3"), 3);
+}
+
+TEST(KioskConfig, BelievesTheScreensOwnSizeUnlessTheOperatorSaysAnother) {
+  const KioskConfig silent = *loaded_from("").value,
+                    told = *loaded_from("screen_inches = 32").value;
+
+  EXPECT_EQ(screen_inches(silent, 54.6), 54.6);
+  EXPECT_EQ(screen_inches(silent, std::nullopt), 24);
+  EXPECT_EQ(screen_inches(told, 54.6), 32);
+  EXPECT_EQ(visitors(silent, 54.6), 8);
+}
+
+TEST(KioskConfig, TakesWhatAnOperatorSaysOfTheScreens) {
+  const auto loaded = loaded_from(
+      "size = \"1920x1080@50\"\noutput = \"HDMI-A-2\"\nmirror = true\nreduced_motion = true\n"
+      "pixel_shift = true\nscreen_on = \"Mo-Fr 08:30-18:00\"\n");
+
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  ASSERT_TRUE(loaded.value.has_value());
+  EXPECT_EQ(loaded.value->width, 1920);
+  EXPECT_EQ(loaded.value->refresh, 50);
+  EXPECT_EQ(loaded.value->output, "HDMI-A-2");
+  EXPECT_TRUE(loaded.value->mirror);
+  EXPECT_TRUE(loaded.value->reduced_motion);
+  EXPECT_TRUE(loaded.value->pixel_shift);
+  ASSERT_TRUE(loaded.value->screen_on.has_value());
+  EXPECT_TRUE(holds(*loaded.value->screen_on, 0, 9 * 60));
+  EXPECT_FALSE(holds(*loaded.value->screen_on, 6, 9 * 60));
 }
 
 TEST(KioskConfig, NamesKeysBesideItAndNoMoreThanTwo) {

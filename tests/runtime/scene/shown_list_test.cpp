@@ -1,0 +1,101 @@
+#include "runtime/scene/shown_list.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "runtime/scene/camera.h"
+
+namespace docent::scene {
+namespace {
+
+constexpr float high = 1080;
+
+/// A body of two joints under a camera that sees some 40 metres, one of whose pixels is 4 cm.
+DrawList a_hall() {
+  DrawList list;
+  list.camera = view_of({.target = {0, 0, 0}, .distance = 80}, 16.0F / 9);
+  list.palette = {Mat4(1), Mat4(1)};
+  list.joint = {{0, 1, 0}, {0, 1.5F, 0}};
+  list.avatars.push_back({.centre = {0, 1, 0}});
+  list.quads.emplace_back();
+  list.ribbon_point = {{0, 0}, {1, 0}};
+  return list;
+}
+
+TEST(ShownList, KnowsNothingAtFirstAndThenWhatWasKept) {
+  ShownList shown;
+  const DrawList list = a_hall();
+
+  EXPECT_TRUE(shown.differs(list, high));
+  shown.keep(list);
+  EXPECT_FALSE(shown.differs(list, high));
+  shown.forget();
+  EXPECT_TRUE(shown.differs(list, high));
+}
+
+TEST(ShownList, SeesEverythingButABodyExactly) {
+  ShownList shown;
+  shown.keep(a_hall());
+  const auto differs_after = [&](auto change) {
+    DrawList list = a_hall();
+    change(list);
+    return shown.differs(list, high);
+  };
+
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.quads[0].colour.a = 0.99F; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.quads[0].rect.x = 1e-4F; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.quads.emplace_back(); }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.camera.view[3].x += 1e-3F; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.markers.emplace_back(); }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.ribbons.emplace_back(); }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.ribbon_point[1].x = 2; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.highlighted_exhibit = 3; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.goal_radius = 6; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.floor = 1; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.avatars[0].look = 1; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.avatars.clear(); }));
+}
+
+TEST(ShownList, SeesABodyOnceItHasMovedByAnEighthOfAPixel) {
+  ShownList shown;
+  const DrawList before = a_hall();
+  shown.keep(before);
+  const auto differs_at = [&](float metres) {
+    DrawList list = before;
+    list.joint[1].x += metres;
+    list.palette[1] = glm::translate(Mat4(1), Vec3(metres, 0, 0));
+    return shown.differs(list, high);
+  };
+
+  EXPECT_FALSE(differs_at(0.003F));
+  EXPECT_TRUE(differs_at(0.008F));
+}
+
+TEST(ShownList, SeesAHeadThatTurns) {
+  ShownList shown;
+  shown.keep(a_hall());
+  DrawList list = a_hall();
+  list.palette[1] = glm::rotate(Mat4(1), 0.05F, Vec3(0, 1, 0));
+
+  EXPECT_TRUE(shown.differs(list, high));
+}
+
+TEST(ShownList, AddsUpWhatMovesTooLittleToBeSeen) {
+  ShownList shown;
+  DrawList list = a_hall();
+  shown.keep(list);
+  int drawn = 0;
+  for (int frame = 0; frame < 60; ++frame) {
+    list.joint[0].x += 0.001F;
+    if (!shown.differs(list, high)) continue;
+    shown.keep(list);
+    ++drawn;
+  }
+
+  EXPECT_GT(drawn, 5);
+  EXPECT_LT(drawn, 20);
+}
+
+}  // namespace
+}  // namespace docent::scene
