@@ -31,9 +31,9 @@ room(runtime/interface USES ${model} runtime/path runtime/scene LIBRARIES fmt/)
 room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtime/interface)
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/kiosk
-  USES ${model} runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
-       platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/sqlite platform/terminal platform/x11
-  LIBRARIES fmt/ malloc.h ${posix})
+  USES ${model} runtime/input runtime/scene runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
+       platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/pin platform/sqlite platform/terminal platform/x11
+  LIBRARIES fmt/ malloc.h termios.h ${posix})
 
 # The edges: one system interface each.
 room(platform)
@@ -47,6 +47,7 @@ room(platform/hid USES ${model} runtime/input platform platform/file LIBRARIES f
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
+room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
 room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)

@@ -8,7 +8,7 @@ _docent() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent check' | 'docent hid' | 'docent hid list' | 'docent hid decode') path+=" ${COMP_WORDS[i]}" ;;
+    'docent check' | 'docent hid' | 'docent hid list' | 'docent hid decode' | 'docent pin') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -24,11 +24,12 @@ _docent() {
     'docent --hid') _docent_offer -f; return ;;
   esac
   case "$path" in
-    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --hid -h --help --version'; else _docent_offer -W 'check hid'; fi ;;
+    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --hid -h --help --version'; else _docent_offer -W 'check hid pin'; fi ;;
     'docent check') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;
     'docent hid') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -W 'list decode'; fi ;;
     'docent hid list') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else :; fi ;;
     'docent hid decode') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;
+    'docent pin') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else :; fi ;;
   esac
 }
 complete -F _docent docent

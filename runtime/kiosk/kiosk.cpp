@@ -23,6 +23,7 @@
 #include "runtime/kiosk/hid_command.h"
 #include "runtime/kiosk/recorder.h"
 #include "runtime/kiosk/signals.h"
+#include "runtime/kiosk/staff.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
 #include "runtime/model/last_catch.h"
@@ -78,12 +79,18 @@ class Kiosk {
         edges_(edges),
         renderer_(std::move(renderer)),
         simulated_(edges_.headless != nullptr),
-        started_(started) {
+        started_(started),
+        staff_(
+            {.pin = config.staff_pin, .folder = staff_folder(), .repeats_exactly = simulated_},
+            [this] { return staff_facts(); },
+            [keypads = named_keypads(config)] { return device_facts(keypads); }) {
     database_ = options.content.value_or(config.content);
   }
 
   Result<void> open(const std::optional<Visit>& visit);
   Result<void> run(FrameGuard& guard);
+  /// Have staff ended it, not to be started again?
+  bool was_ended_by_staff() const noexcept { return staff_.wants_exit(); }
 
  private:
   guide::GuideSettings guide_settings() const {
@@ -92,9 +99,16 @@ class Kiosk {
             .visitors = static_cast<std::uint32_t>(config_.visitors)};
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
+  guide::GuideCounters guide_counters() const {
+    guide::GuideCounters counters = exhibition_->guide->counters();
+    counters += counted_;
+    return counters;
+  }
 
   guide::Seconds since_last_frame() noexcept;
+  void take(const input::InputEvent& event) noexcept;
   void take_input() noexcept;
+  std::vector<StaffFact> staff_facts() const;
   void make_frame(guide::Seconds passed) noexcept;
   void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
   bool is_seen() const noexcept;
@@ -112,6 +126,7 @@ class Kiosk {
   gles::GpuTimer gpu_timer_;
   bool simulated_;
   std::chrono::nanoseconds started_;
+  Staff staff_;
   std::filesystem::path database_;
   std::unique_ptr<Exhibition> exhibition_;
   std::future<Result<std::unique_ptr<Exhibition>>> loading_;
@@ -174,6 +189,7 @@ void Kiosk::tell_seats() {
 
 bool Kiosk::is_over() const noexcept {
   if (take_signal(SIGTERM) || take_signal(SIGINT) || (visit_ && visit_->has_quit())) return true;
+  if (staff_.wants_exit()) return true;
   if (options_.seconds) return time_ >= *options_.seconds;
   return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
 }
@@ -188,8 +204,7 @@ Result<void> Kiosk::run(FrameGuard& guard) {
     guard.frame_made();
   }
 
-  guide::GuideCounters counters = guide().counters();
-  counters += counted_;
+  const guide::GuideCounters counters = guide_counters();
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
@@ -207,13 +222,33 @@ guide::Seconds Kiosk::since_last_frame() noexcept {
   return std::min(guide::Seconds(passed), longest_step);
 }
 
+/// The staff's screens come first; what is not theirs is the visitors'.
+void Kiosk::take(const input::InputEvent& event) noexcept {
+  if (!staff_.take(event, time_)) guide().touch(staff_.corrected(event));
+}
+
+/// What staff are told of this kiosk.
+std::vector<StaffFact> Kiosk::staff_facts() const {
+  return {
+      {"Version", std::string(terminal::version())},
+      {"Shows", summary(exhibition_->museum)},
+      {"Database", database_.string()},
+      {"Screen", std::string(edges_.display->description())},
+      {"Frames", fmt::format("{} made, {} late", statistics_.frames, statistics_.dropped_frames)},
+      {"A frame takes", fmt::format("{:.1f} ms, {:.1f} ms at most, and {:.1f} ms of drawing",
+                                    statistics_.frame_cpu.milliseconds_at(0.5),
+                                    statistics_.frame_cpu.longest_milliseconds(),
+                                    statistics_.gl.milliseconds_at(0.5))},
+      {"Touches", fmt::format("{} since it began", guide_counters().touches)}};
+}
+
 void Kiosk::take_input() noexcept {
   // Bounded, so that a device gone mad costs a frame and no more: four of 1,000 reports a second
   // with ten fingers each make 670 events a frame.
   constexpr int most_batches = 8;
   for (int batch = 0; batch < most_batches; ++batch) {
     const std::size_t count = arrived(edges_, events_);
-    for (const input::InputEvent& event : std::span(events_).first(count)) guide().touch(event);
+    for (const input::InputEvent& event : std::span(events_).first(count)) take(event);
     if (count > 0) touched_ = clock::monotonic_now();
     if (count < events_.size()) break;
   }
@@ -226,7 +261,10 @@ Result<void> Kiosk::frame() {
                      : time_ + static_cast<double>(passed.count());
   const std::uint64_t touches = guide().counters().touches;
   if (visit_)
-    if (const Result<void> played = visit_->play(time_, guide()); !played) return played;
+    if (const Result<void> played =
+            visit_->play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
+        !played)
+      return played;
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
@@ -256,7 +294,8 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   watch.stepped();
   apply_pieces(guide(), renderer_);
   watch.uploaded();
-  const scene::DrawList& list = guide().draw_list();
+  staff_.step(time_, shape_of(target.size, config_), renderer_);
+  const scene::DrawList& list = staff_.over(guide().draw_list());
   watch.listed();
   const bool seen = is_seen();
   if (seen) show(list, target);
@@ -309,6 +348,7 @@ void Kiosk::take_up_content() {
     return;
   }
   renderer_.release_textures();
+  staff_.lost_textures();
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
   tell_museum("has taken up");
@@ -348,7 +388,7 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   Kiosk kiosk(options, *config.value, *edges, std::move(*renderer), started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
   if (const Result<void> ended = kiosk.run(guard); !ended) return say(ended.error());
-  return 0;
+  return kiosk.was_ended_by_staff() ? ended_by_staff : 0;
 }
 
 }  // namespace docent::kiosk

@@ -9,6 +9,7 @@
 
 #include "runtime/kiosk/check_command.h"
 #include "runtime/kiosk/hid_command.h"
+#include "runtime/kiosk/pin_command.h"
 
 namespace docent::kiosk {
 namespace {
@@ -80,6 +81,12 @@ terminal::Section signals() {
                    {"SIGHUP", "Take up a new database as soon as nobody is being guided"}}};
 }
 
+terminal::Section exit_codes() {
+  terminal::Section codes = terminal::exit_codes();
+  codes.rows.emplace_back("42", "Staff ended it on its glass: it is not started again by itself");
+  return codes;
+}
+
 }  // namespace
 
 terminal::Command program(Options& options, std::function<int()> run) {
@@ -87,8 +94,8 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {check_command(), hid_command()},
-          .sections = {files(), signals(), terminal::exit_codes()}};
+          .commands = {check_command(), hid_command(), pin_command()},
+          .sections = {files(), signals(), exit_codes()}};
 }
 
 int say(const Error& error) {
