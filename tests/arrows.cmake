@@ -33,9 +33,9 @@ room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runti
 room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
   USES ${model} runtime/schema runtime/input runtime/scene runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
-       platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/service platform/signature
-       platform/sqlite platform/terminal platform/x11
-  LIBRARIES fmt/ link.h malloc.h ${posix})
+       platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/pin platform/service
+       platform/signature platform/sqlite platform/terminal platform/x11
+  LIBRARIES fmt/ link.h malloc.h termios.h ${posix})
 
 room(runtime/update
   USES ${model} runtime/release runtime/schema config platform/file platform/https platform/signature platform/sqlite platform/terminal
@@ -57,6 +57,7 @@ room(platform/hid USES ${model} runtime/input platform platform/file platform/jo
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ drm.h gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
+room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
 room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)

@@ -5,8 +5,6 @@
 #include <iterator>
 
 namespace docent::hid {
-namespace {
-
 std::string kind_of(const HidDevice& device) {
   if (!device.unreadable.empty() || !device.kind.ignored.empty() || !device.refused.empty())
     return "ignored";
@@ -18,6 +16,8 @@ std::string reason_of(const HidDevice& device) {
   if (!device.refused.empty()) return device.refused;
   return device.closed.empty() || !is_for_visitors(device) ? device.kind.ignored : device.closed;
 }
+
+namespace {
 
 std::string field_name(input::Usage usage) {
   switch (usage) {

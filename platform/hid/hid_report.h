@@ -7,6 +7,11 @@
 
 namespace docent::hid {
 
+/// "touch screen", "keypad" or "ignored".
+std::string kind_of(const HidDevice& device);
+/// Why it is ignored or cannot be opened, as a sentence part; empty where all is well.
+std::string reason_of(const HidDevice& device);
+
 /// What `docent hid list` prints: a line or more for each device, what it is taken for, and its
 /// fields.
 std::string describe_devices(std::span<const HidDevice> devices);

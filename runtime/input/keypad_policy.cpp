@@ -16,7 +16,8 @@ std::optional<std::uint64_t> hexadecimal(std::string_view text, std::size_t figu
 }
 
 bool is_named(const KeypadCandidate& device, const NamedKeypad& keypad) noexcept {
-  return keypad.id == device.id && keypad.descriptor.value_or(device.descriptor) == device.descriptor;
+  return keypad.id == device.id &&
+         keypad.descriptor.value_or(device.descriptor) == device.descriptor;
 }
 
 }  // namespace
@@ -24,7 +25,8 @@ bool is_named(const KeypadCandidate& device, const NamedKeypad& keypad) noexcept
 std::uint64_t descriptor_hash(std::span<const std::byte> descriptor) noexcept {
   constexpr std::uint64_t offset_basis = 0xcbf29ce484222325ULL, prime = 0x100000001b3ULL;
   std::uint64_t hash = offset_basis;
-  for (const std::byte byte : descriptor) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * prime;
+  for (const std::byte byte : descriptor)
+    hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * prime;
   return hash;
 }
 
@@ -61,8 +63,9 @@ std::string refusal(const KeypadCandidate& device, std::span<const KeypadCandida
                ? ""
                : "it is none of the keypads in kiosk.toml";
   if (device.is_keyboard) return "a keyboard: it is listened to only where kiosk.toml names it";
-  const bool came_with_keyboard = std::ranges::any_of(
-      present, [&](const KeypadCandidate& other) { return other.is_keyboard && other.id == device.id; });
+  const bool came_with_keyboard = std::ranges::any_of(present, [&](const KeypadCandidate& other) {
+    return other.is_keyboard && other.id == device.id;
+  });
   return came_with_keyboard ? "it belongs to a keyboard" : "";
 }
 

@@ -45,6 +45,19 @@ int decode(const std::string& file) {
 
 }  // namespace
 
+std::vector<StaffFact> device_facts(std::span<const input::NamedKeypad> keypads) {
+  std::vector<hid::HidDevice> devices = hid::list_hid_devices();
+  hid::refuse_all_but(keypads, devices);
+  std::vector<StaffFact> facts;
+  for (const hid::HidDevice& device : devices)
+    facts.emplace_back(
+        hid::kind_of(device),
+        fmt::format("{:04x}:{:04x} {}{}{}", device.vendor, device.product, device.name,
+                    hid::reason_of(device).empty() ? "" : ": ", hid::reason_of(device)));
+  if (facts.empty()) facts.emplace_back("Devices", "neither a touch screen nor a keypad");
+  return facts;
+}
+
 std::vector<input::NamedKeypad> named_keypads(const config::KioskConfig& config) {
   std::vector<input::NamedKeypad> keypads;
   for (const config::KeypadSection& section : config.keypads)

@@ -32,6 +32,7 @@
 #include "runtime/kiosk/screen_hours.h"
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/signals.h"
+#include "runtime/kiosk/staff.h"
 #include "runtime/kiosk/start_code.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
@@ -96,13 +97,19 @@ class Kiosk {
         simulated_(edges_.headless != nullptr),
         hours_(config.screen_on, config.idle_reset),
         started_(started),
-        status_(started, edges.display->description()) {
+        status_(started, edges.display->description()),
+        staff_(
+            {.pin = config.staff_pin, .folder = staff_folder(), .repeats_exactly = simulated_},
+            [this] { return staff_facts(); },
+            [keypads = named_keypads(config)] { return device_facts(keypads); }) {
     if (!simulated_) heat_.emplace();
     database_ = options.content.value_or(config.content);
   }
 
   Result<void> open(const std::optional<Visit>& visit);
   Result<void> run(FrameGuard& guard);
+  /// Have staff ended it, not to be started again?
+  bool was_ended_by_staff() const noexcept { return staff_.wants_exit(); }
 
  private:
   guide::GuideSettings guide_settings() const {
@@ -118,9 +125,16 @@ class Kiosk {
     return shape_of(target.size, inches(), config_);
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
+  guide::GuideCounters guide_counters() const {
+    guide::GuideCounters counters = exhibition_->guide->counters();
+    counters += counted_;
+    return counters;
+  }
 
   guide::Seconds since_last_frame() noexcept;
+  void take(const input::InputEvent& event) noexcept;
   void take_input() noexcept;
+  std::vector<StaffFact> staff_facts() const;
   void make_frame(guide::Seconds passed) noexcept;
   void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
   void keep_hours(guide::Seconds passed) noexcept;
@@ -146,6 +160,7 @@ class Kiosk {
   ScreenHours hours_;
   std::chrono::nanoseconds started_;
   StatusBoard status_;
+  Staff staff_;
   std::filesystem::path database_;
   std::vector<signature::PublicKey> keys_;  ///< None: any database is shown.
   std::unique_ptr<Exhibition> exhibition_;
@@ -249,6 +264,7 @@ void Kiosk::tell_seats() {
 
 bool Kiosk::is_over() const noexcept {
   if (take_signal(SIGTERM) || take_signal(SIGINT) || (visit_ && visit_->has_quit())) return true;
+  if (staff_.wants_exit()) return true;
   if (options_.seconds) return time_ >= *options_.seconds;
   return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
 }
@@ -275,8 +291,7 @@ Result<void> Kiosk::run(FrameGuard& guard) {
   notice_.ends();
   if (!simulated_) journal::tell(journal::Message::Ended, "ends, as it was asked to");
 
-  guide::GuideCounters counters = guide().counters();
-  counters += counted_;
+  const guide::GuideCounters counters = guide_counters();
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
@@ -296,13 +311,33 @@ guide::Seconds Kiosk::since_last_frame() noexcept {
   return std::min(guide::Seconds(passed), longest_step);
 }
 
+/// The staff's screens come first; what is not theirs is the visitors'.
+void Kiosk::take(const input::InputEvent& event) noexcept {
+  if (!staff_.take(event, time_)) guide().touch(staff_.corrected(event));
+}
+
+/// What staff are told of this kiosk.
+std::vector<StaffFact> Kiosk::staff_facts() const {
+  return {
+      {"Version", std::string(terminal::version())},
+      {"Shows", summary(exhibition_->museum)},
+      {"Database", database_.string()},
+      {"Screen", std::string(edges_.display->description())},
+      {"Frames", fmt::format("{} made, {} late", statistics_.frames, statistics_.dropped_frames)},
+      {"A frame takes", fmt::format("{:.1f} ms, {:.1f} ms at most, and {:.1f} ms of drawing",
+                                    statistics_.frame_cpu.milliseconds_at(0.5),
+                                    statistics_.frame_cpu.longest_milliseconds(),
+                                    statistics_.gl.milliseconds_at(0.5))},
+      {"Touches", fmt::format("{} since it began", guide_counters().touches)}};
+}
+
 void Kiosk::take_input() noexcept {
   // Bounded, so that a device gone mad costs a frame and no more: four of 1,000 reports a second
   // with ten fingers each make 670 events a frame.
   constexpr int most_batches = 8;
   for (int batch = 0; batch < most_batches; ++batch) {
     const std::size_t count = arrived(edges_, events_);
-    for (const input::InputEvent& event : std::span(events_).first(count)) guide().touch(event);
+    for (const input::InputEvent& event : std::span(events_).first(count)) take(event);
     if (count > 0) touched_ = clock::monotonic_now();
     if (count < events_.size()) break;
   }
@@ -315,7 +350,10 @@ Result<void> Kiosk::frame() {
                      : time_ + static_cast<double>(passed.count());
   const std::uint64_t touches = guide().counters().touches;
   if (visit_)
-    if (const Result<void> played = visit_->play(time_, guide()); !played) return played;
+    if (const Result<void> played =
+            visit_->play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
+        !played)
+      return played;
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
@@ -382,7 +420,8 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   watch.stepped();
   if (apply_pieces(guide(), renderer_)) shown_.forget();
   watch.uploaded();
-  const scene::DrawList& list = guide().draw_list();
+  staff_.step(time_, shape(target), renderer_);
+  const scene::DrawList& list = staff_.over(guide().draw_list());
   watch.listed();
   const bool seen = is_seen() && would_change(list, target);
   if (seen) show(list, target);
@@ -441,6 +480,7 @@ void Kiosk::take_up_content() {
     return;
   }
   renderer_.release_textures();
+  staff_.lost_textures();
   counted_ += guide().counters();
   exhibition_ = std::move(*next);
   tell_museum(journal::Message::TakenUp, "has taken up");
@@ -482,7 +522,7 @@ int open_and_run(const Options& options, const config::KioskConfig& config,
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
   if (const Result<void> ended = kiosk.run(guard); !ended)
     return say(ended.error(), journal::Message::ScreenLost);
-  return 0;
+  return kiosk.was_ended_by_staff() ? ended_by_staff : 0;
 }
 
 }  // namespace

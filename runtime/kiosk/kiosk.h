@@ -7,6 +7,9 @@
 
 namespace docent::kiosk {
 
+/// The exit code of a kiosk that staff ended on its glass: docent.service does not start it again.
+inline constexpr int ended_by_staff = 42;
+
 /// From here on SIGHUP asks for a new database instead of ending the program. The first thing in
 /// main(): a console sends SIGHUP too, as soon as another program takes it.
 void expect_reloads() noexcept;

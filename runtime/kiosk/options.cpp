@@ -11,6 +11,7 @@
 #include "runtime/kiosk/check_command.h"
 #include "runtime/kiosk/counts_command.h"
 #include "runtime/kiosk/hid_command.h"
+#include "runtime/kiosk/pin_command.h"
 #include "runtime/kiosk/status_command.h"
 
 namespace docent::kiosk {
@@ -91,6 +92,12 @@ terminal::Section signals() {
                    {"SIGHUP", "Take up a new database as soon as nobody is being guided"}}};
 }
 
+terminal::Section exit_codes() {
+  terminal::Section codes = terminal::exit_codes();
+  codes.rows.emplace_back("42", "Staff ended it on its glass: it is not started again by itself");
+  return codes;
+}
+
 }  // namespace
 
 terminal::Command program(Options& options, std::function<int()> run) {
@@ -98,8 +105,8 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {check_command(), counts_command(), hid_command(), status_command()},
-          .sections = {files(), signals(), terminal::exit_codes()}};
+          .commands = {check_command(), counts_command(), hid_command(), pin_command(), status_command()},
+          .sections = {files(), signals(), exit_codes()}};
 }
 
 int say(const Error& error, journal::Message message) {

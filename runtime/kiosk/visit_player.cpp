@@ -27,37 +27,37 @@ bool VisitPlayer::is_over() const noexcept {
   return quit_ || (next_ == visit_.commands.size() && named_.empty() && lifts_.empty());
 }
 
-Result<void> VisitPlayer::play(double time, guide::Guide& guide) {
+Result<void> VisitPlayer::play(double time, const guide::Guide& guide, const TakeEvent& take) {
   constexpr double tolerance = 1e-9;
   std::erase_if(lifts_, [&](const Lift& lift) {
     if (lift.time > time + tolerance) return false;
-    guide.touch({.kind = input::InputEvent::Kind::Up, .contact = lift.contact});
+    take({.kind = input::InputEvent::Kind::Up, .contact = lift.contact});
     return true;
   });
   while (next_ < visit_.commands.size() && visit_.commands[next_].time <= time + tolerance &&
          !quit_)
-    play(visit_.commands[next_++], time, guide);
-  return continue_named_tap(time, guide);
+    play(visit_.commands[next_++], time, take);
+  return continue_named_tap(time, guide, take);
 }
 
-void VisitPlayer::play(const VisitCommand& command, double time, guide::Guide& guide) {
+void VisitPlayer::play(const VisitCommand& command, double time, const TakeEvent& take) {
   using Kind = VisitCommand::Kind;
   switch (command.kind) {
     case Kind::Tap:
-      return tap(command.contact.x, command.contact.y, time, guide);
+      return tap(command.contact.x, command.contact.y, time, take);
     case Kind::TapNamed:
       return named_.push_back(command);
     case Kind::Down:
-      return guide.touch({.kind = input::InputEvent::Kind::Down, .contact = command.contact});
+      return take({.kind = input::InputEvent::Kind::Down, .contact = command.contact});
     case Kind::Move:
-      return guide.touch({.kind = input::InputEvent::Kind::Move, .contact = command.contact});
+      return take({.kind = input::InputEvent::Kind::Move, .contact = command.contact});
     case Kind::Up:
-      return guide.touch({.kind = input::InputEvent::Kind::Up, .contact = command.contact});
+      return take({.kind = input::InputEvent::Kind::Up, .contact = command.contact});
     case Kind::Press: {
       input::InputEvent key = command.key;
-      guide.touch(key);
+      take(key);
       key.kind = input::InputEvent::Kind::KeyUp;
-      return guide.touch(key);
+      return take(key);
     }
     case Kind::Shot:
       return shots_.push_back(command.name);
@@ -66,14 +66,15 @@ void VisitPlayer::play(const VisitCommand& command, double time, guide::Guide& g
   }
 }
 
-void VisitPlayer::tap(float x, float y, double time, guide::Guide& guide) {
+void VisitPlayer::tap(float x, float y, double time, const TakeEvent& take) {
   const input::Contact contact{first_tap_finger + fingers_++, x, y};
-  guide.touch({.kind = input::InputEvent::Kind::Down, .contact = contact});
+  take({.kind = input::InputEvent::Kind::Down, .contact = contact});
   lifts_.push_back({time + tap_seconds, contact});
 }
 
 /// One touch at a time, each when the last one's view is on the screen.
-Result<void> VisitPlayer::continue_named_tap(double time, guide::Guide& guide) {
+Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& guide,
+                                             const TakeEvent& take) {
   if (named_.empty() || !lifts_.empty()) return {};
   const VisitCommand& wanted = named_.front();
   if (wanted.seat && *wanted.seat > guide.seats())
@@ -96,7 +97,7 @@ Result<void> VisitPlayer::continue_named_tap(double time, guide::Guide& guide) {
   if (control == nullptr || (control->role == interface::Role::Spot && !guide.is_settled(part)))
     return {};
   tap(control->rect.x + control->rect.width / 2, control->rect.y + control->rect.height / 2, time,
-      guide);
+      take);
   if (touches.size() == 1) named_.pop_front();
   return {};
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +14,11 @@
 
 namespace docent::kiosk {
 
-/// Plays a visit: gives the guide the touches and keys of a visitor, before each of its steps.
+/// Takes what a visitor does at the glass or the keypad.
+using TakeEvent = std::function<void(const input::InputEvent&)>;
+
+/// Plays a visit: gives the kiosk the touches and keys of a visitor, before each of the guide's
+/// steps.
 /// Named taps look for their control as a visitor would: on this screen or up to three touches
 /// away.
 class VisitPlayer {
@@ -22,7 +27,7 @@ class VisitPlayer {
 
   /// Does what is due at `time` (seconds since the first frame). Fails when a named control cannot
   /// be reached.
-  Result<void> play(double time, guide::Guide& guide);
+  Result<void> play(double time, const guide::Guide& guide, const TakeEvent& take);
 
   bool wants_shot() const noexcept { return !shots_.empty(); }
   /// Pictures asked for since the last call: they show the frame about to be drawn.
@@ -36,9 +41,9 @@ class VisitPlayer {
     double time = 0;
     input::Contact contact;
   };
-  void play(const VisitCommand& command, double time, guide::Guide& guide);
-  void tap(float x, float y, double time, guide::Guide& guide);
-  Result<void> continue_named_tap(double time, guide::Guide& guide);
+  void play(const VisitCommand& command, double time, const TakeEvent& take);
+  void tap(float x, float y, double time, const TakeEvent& take);
+  Result<void> continue_named_tap(double time, const guide::Guide& guide, const TakeEvent& take);
 
   Visit visit_;
   std::size_t next_ = 0;

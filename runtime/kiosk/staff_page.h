@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/interface/measures.h"
+#include "runtime/interface/text.h"
+#include "runtime/interface/view.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent::kiosk {
+
+/// What staff can press. Figures come first, so that their number is their value.
+enum class StaffAction : std::uint8_t {
+  Figure0,
+  Figure9 = 9,
+  Delete,
+  Enter,
+  Close,
+  Calibrate,
+  Diagnose,
+  Exit,
+  Keep,
+  Menu,
+};
+
+enum class StaffScreen : std::uint8_t {
+  Pad,        ///< Asks for the PIN.
+  Menu,       ///< What staff can do.
+  Calibrate,  ///< One of four marks to touch.
+  Confirm,    ///< Was the calibration right? Touching the button proves it.
+  Diagnose,   ///< What is running here, and where it is touched.
+};
+
+/// What a page of the staff's says: a label and its value.
+using StaffFact = std::pair<std::string, std::string>;
+
+struct StaffPageRequest {
+  StaffScreen screen = StaffScreen::Pad;
+  interface::ScreenShape shape;
+  std::string message;           ///< Below the heading; may be empty.
+  std::vector<StaffFact> facts;  ///< Diagnose.
+  std::size_t mark = 0;          ///< Calibrate: of input::calibration_marks.
+  std::uint32_t first_texture = 0;  ///< Its texts take the numbers from there.
+};
+
+/// One of the staff's pages, laid out: over the whole glass, in the colours and letters of the
+/// house. Screen frame.
+struct StaffPage {
+  struct Button {
+    StaffAction action = StaffAction::Close;
+    scene::Rect rect;
+  };
+  StaffScreen screen = StaffScreen::Pad;
+  std::vector<Button> buttons;  ///< In focus order.
+  std::vector<scene::Quad> quads;
+  scene::Rect entry;      ///< Pad: where the figures that were typed are shown, as dots.
+  float unit_px = 8;      ///< 1/135 of the shorter side.
+  float width = 1, height = 1;  ///< Pixels of the screen.
+  std::vector<interface::PieceUpload> uploads;
+};
+
+/// Lays a page out. Takes milliseconds: not for the frame thread.
+StaffPage make_staff_page(const StaffPageRequest& request, const interface::SetText& set_text);
+
+/// A page has no more texts than that.
+inline constexpr std::uint32_t most_staff_texts = 64;
+
+}  // namespace docent::kiosk
