@@ -32,7 +32,7 @@ room(runtime/plan USES ${model} runtime/path runtime/motion runtime/crowd runtim
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
-  USES ${model} runtime/input runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
+  USES ${model} runtime/input runtime/scene runtime/interface runtime/plan runtime/guide config platform platform/clock platform/file
        platform/gles platform/headless platform/hid platform/image platform/kms platform/pango platform/signature platform/sqlite platform/terminal
        platform/x11
   LIBRARIES fmt/ malloc.h ${posix})

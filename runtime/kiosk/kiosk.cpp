@@ -22,6 +22,7 @@
 #include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
 #include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/setup_screen.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/kiosk/visit_player.h"
@@ -35,6 +36,8 @@ constexpr double frame_seconds = 1.0 / 60;
 constexpr guide::Seconds longest_step{0.1F};
 /// A headless visit that does not say when to quit is given this long after its last command.
 constexpr double after_visit_seconds = 10;
+/// A new museum waits for visitors no longer than this.
+constexpr double longest_wait_to_change = 300;
 
 /// Until here nothing would be left behind, and a signal ends the program by itself.
 void expect_end() noexcept {
@@ -83,12 +86,17 @@ class Kiosk {
 
   Result<void> open(const std::optional<Visit>& visit);
   Result<void> run(FrameGuard& guard);
+  bool has_museum() const noexcept { return exhibition_ != nullptr; }
 
  private:
   guide::GuideSettings guide_settings() const {
     return {.shape = shape_of(target_of(edges_).size, config_),
             .idle_reset = config_.idle_reset,
             .visitors = static_cast<std::uint32_t>(config_.visitors)};
+  }
+  /// On a screen of its own a kiosk says what is missing; a person at a desk is told at once.
+  bool waits_for_content() const noexcept {
+    return !simulated_ && (edges_.window == nullptr || !options_.content);
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
 
@@ -101,6 +109,7 @@ class Kiosk {
   void tell_seats();
   Result<void> frame();
   Result<void> record();
+  bool is_a_moment_to_change() noexcept;
   void take_up_content();
   bool is_over() const noexcept;
 
@@ -123,6 +132,7 @@ class Kiosk {
   std::array<input::InputEvent, 256> events_{};
   double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
   double last_command_ = 0;
+  double asked_to_change_ = 0;                       ///< When a new database was last asked for.
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
 };
@@ -131,9 +141,13 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   auto keys = signature::read_public_keys(config_.keys);
   if (!keys) return std::unexpected(keys.error());
   keys_ = std::move(*keys);
-  auto exhibition = load_exhibition(database_, keys_, guide_settings());
+  const auto load = [this] { return load_exhibition(database_, keys_, guide_settings()); };
+  auto exhibition = load();
+  if (!exhibition && waits_for_content())
+    exhibition = wait_for_content(edges_, renderer_, database_, exhibition.error(), load);
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
+  if (!exhibition_) return {};  // it was told to end
   if (visit) {
     const auto mistakes = unknown_names(exhibition_->museum, *visit, options_.visit.string());
     config::tell(mistakes);
@@ -286,10 +300,16 @@ Result<void> Kiosk::record() {
   return {};
 }
 
+/// Nobody is in the middle of something; or somebody always is.
+bool Kiosk::is_a_moment_to_change() noexcept {
+  return guide().is_vacant() || time_ - asked_to_change_ > longest_wait_to_change;
+}
+
 /// SIGHUP takes up a new database: it is read beside the frames and changed to while nobody is
-/// being guided. A database that cannot be read changes nothing.
+/// being guided, after five minutes in any case. A database that cannot be read changes nothing.
 void Kiosk::take_up_content() {
   if (!loading_.valid() && take_signal(SIGHUP)) {
+    asked_to_change_ = time_;
     loading_ = std::async(
         std::launch::async, [file = database_, keys = keys_, settings = guide_settings()] {
           Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
@@ -298,7 +318,7 @@ void Kiosk::take_up_content() {
           return loaded;
         });
   }
-  if (!loading_.valid() || !guide().is_vacant()) return;
+  if (!loading_.valid() || !is_a_moment_to_change()) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return;
   Result<std::unique_ptr<Exhibition>> next = loading_.get();
@@ -345,6 +365,7 @@ int run_kiosk(const Options& options, std::chrono::nanoseconds started) {
   if (!renderer) return say(renderer.error());
   Kiosk kiosk(options, *config.value, *edges, std::move(*renderer), started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
+  if (!kiosk.has_museum()) return 0;
   if (const Result<void> ended = kiosk.run(guard); !ended) return say(ended.error());
   return 0;
 }
