@@ -31,6 +31,7 @@
 #include "runtime/kiosk/reporter.h"
 #include "runtime/kiosk/screen_hours.h"
 #include "runtime/kiosk/service_notice.h"
+#include "runtime/kiosk/setup_screen.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/staff.h"
 #include "runtime/kiosk/start_code.h"
@@ -47,6 +48,8 @@ constexpr double frame_seconds = 1.0 / 60;
 constexpr guide::Seconds longest_step{0.1F};
 /// A headless visit that does not say when to quit is given this long after its last command.
 constexpr double after_visit_seconds = 10;
+/// A new museum waits for visitors no longer than this.
+constexpr double longest_wait_to_change = 300;
 
 /// Until here nothing would be left behind, and a signal ends the program by itself.
 void expect_end() noexcept {
@@ -110,6 +113,7 @@ class Kiosk {
   Result<void> run(FrameGuard& guard);
   /// Have staff ended it, not to be started again?
   bool was_ended_by_staff() const noexcept { return staff_.wants_exit(); }
+  bool has_museum() const noexcept { return exhibition_ != nullptr; }
 
  private:
   guide::GuideSettings guide_settings() const {
@@ -123,6 +127,10 @@ class Kiosk {
   }
   interface::ScreenShape shape(const RenderTarget& target) const noexcept {
     return shape_of(target.size, inches(), config_);
+  }
+  /// On a screen of its own a kiosk says what is missing; a person at a desk is told at once.
+  bool waits_for_content() const noexcept {
+    return !simulated_ && (edges_.window == nullptr || !options_.content);
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
   guide::GuideCounters guide_counters() const {
@@ -147,6 +155,7 @@ class Kiosk {
   void count() noexcept;
   Result<void> frame();
   Result<void> record();
+  bool is_a_moment_to_change() noexcept;
   void take_up_content();
   bool is_over() const noexcept;
 
@@ -178,11 +187,12 @@ class Kiosk {
   double last_command_ = 0;
   scene::ShownList shown_;  ///< On the display.
   RenderTarget shown_on_;
-  bool could_show_ = false;    ///< In the frame before.
-  bool was_drawn_ = false;     ///< The frame before.
-  bool entered_view_ = false;  ///< In this frame.
-  StatusCounts counts_;        ///< For `docent status`.
-  bool is_vacant_ = true;      ///< Was nobody being guided in the last frame?
+  bool could_show_ = false;     ///< In the frame before.
+  bool was_drawn_ = false;      ///< The frame before.
+  bool entered_view_ = false;   ///< In this frame.
+  StatusCounts counts_;         ///< For `docent status`.
+  bool is_vacant_ = true;       ///< Was nobody being guided in the last frame?
+  double asked_to_change_ = 0;  ///< When a new database was last asked for.
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
   std::optional<service::StatusSocket> asked_;       ///< The last: its thread reads `status_`.
@@ -193,9 +203,13 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   if (!keys) return std::unexpected(keys.error());
   keys_ = std::move(*keys);
   notice_.starts("reads the database");
-  auto exhibition = load_exhibition(database_, keys_, guide_settings());
+  const auto load = [this] { return load_exhibition(database_, keys_, guide_settings()); };
+  auto exhibition = load();
+  if (!exhibition && waits_for_content())
+    exhibition = wait_for_content(edges_, renderer_, notice_, database_, exhibition.error(), load);
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
+  if (!exhibition_) return {};  // it was told to end
   if (visit) {
     const auto mistakes = unknown_names(exhibition_->museum, *visit, options_.visit.string());
     config::tell(mistakes);
@@ -458,10 +472,16 @@ Result<void> Kiosk::record() {
   return {};
 }
 
+/// Nobody is in the middle of something; or somebody always is.
+bool Kiosk::is_a_moment_to_change() noexcept {
+  return guide().is_vacant() || time_ - asked_to_change_ > longest_wait_to_change;
+}
+
 /// SIGHUP takes up a new database: it is read beside the frames and changed to while nobody is
-/// being guided. A database that cannot be read changes nothing.
+/// being guided, after five minutes in any case. A database that cannot be read changes nothing.
 void Kiosk::take_up_content() {
   if (!loading_.valid() && take_signal(SIGHUP)) {
+    asked_to_change_ = time_;
     loading_ = std::async(
         std::launch::async, [file = database_, keys = keys_, settings = guide_settings()] {
           Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
@@ -470,7 +490,7 @@ void Kiosk::take_up_content() {
           return loaded;
         });
   }
-  if (!loading_.valid() || !guide().is_vacant()) return;
+  if (!loading_.valid() || !is_a_moment_to_change()) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return;
   Result<std::unique_ptr<Exhibition>> next = loading_.get();
@@ -520,6 +540,7 @@ int open_and_run(const Options& options, const config::KioskConfig& config,
   if (!renderer) return say(renderer.error());
   Kiosk kiosk(options, config, *edges, std::move(*renderer), notice, started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
+  if (!kiosk.has_museum()) return 0;
   if (const Result<void> ended = kiosk.run(guard); !ended)
     return say(ended.error(), journal::Message::ScreenLost);
   return kiosk.was_ended_by_staff() ? ended_by_staff : 0;

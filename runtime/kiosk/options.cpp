@@ -89,7 +89,9 @@ terminal::Section files() {
 terminal::Section signals() {
   return {.title = "signals",
           .rows = {{"SIGTERM, SIGINT", "End cleanly within a second"},
-                   {"SIGHUP", "Take up a new database as soon as nobody is being guided"}}};
+                   {"SIGHUP",
+                    "Take up a new database as soon as nobody is being guided, and after five "
+                    "minutes in any case"}}};
 }
 
 terminal::Section exit_codes() {

@@ -104,6 +104,33 @@ class AWindow : public testing::Test {
   }
 };
 
+TEST_F(AWindow, WithoutAMuseumSaysWhatToDoAndShowsItAsSoonAsItIsThere) {
+  const TemporaryFolder folder;
+  const VirtualDesktop desktop;
+  ASSERT_TRUE(desktop.is_there());
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  std::ofstream(file("kiosk.toml")) << "content = \"museum.db\"\n";
+  const std::string empty = desktop.picture();
+  StartedProgram kiosk(program("docent"),
+                       {"--config", file("kiosk.toml"), "--display", "window", "--size", "640x360"},
+                       file("said"));
+  ASSERT_TRUE(kiosk.runs_until([&] { return desktop.picture() != empty; }));
+  EXPECT_TRUE(kiosk.runs_until(
+      [&] { return text_of(file("said")).contains("museum.db: there is no such database"); }));
+
+  std::ofstream(file("museum.part")) << "half a museum";
+  std::filesystem::rename(file("museum.part"), file("museum.db"));
+  EXPECT_TRUE(kiosk.runs_until(
+      [&] { return text_of(file("said")).contains("museum.db: is not a docent database"); }));
+  std::filesystem::copy_file(sample_database(), file("museum.part"));
+  std::filesystem::rename(file("museum.part"), file("museum.db"));
+
+  EXPECT_TRUE(kiosk.runs_until([&] { return text_of(file("said")).contains("docent: shows '"); }));
+  EXPECT_TRUE(shows_pictures(kiosk, desktop, 3));
+  kiosk.signal(SIGTERM);
+  EXPECT_EQ(kiosk.wait(), 0);
+}
+
 TEST_F(AWindow, OnAVirtualDesktopTakesTheMouseForAFinger) {
   KioskInAWindow window;
   ASSERT_TRUE(window.is_shown());
