@@ -15,7 +15,10 @@ constexpr double short_flight_seconds = 0.7;
 constexpr double turn_time_constant = 0.9;  ///< The camera turns slower than the guide...
 constexpr double most_turn = 0.8;           ///< ... and never faster than 46 degrees a second.
 constexpr float way_fade_seconds = 0.3F;
-constexpr float flow_speed = 0.35F;  ///< Metres a second that the ribbon's pattern moves.
+constexpr double flow_speed = 0.35;  ///< Metres a second that the ribbon's pattern moves.
+/// Metres: a whole number of each pattern's periods, and of the 2.4 of the solid way's sheen. A
+/// kiosk runs for months, and metres without end would be too coarse for a float after three days.
+constexpr double flow_wraps = 7.2;
 
 bool seen_from_above(interface::Screen screen) noexcept {
   return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing;
@@ -151,7 +154,7 @@ void Stage::advance(const interface::InterfaceState& state, const Avatar& leader
     if (screen_ != interface::Screen::Walking || !shows_walk(leader)) cut_to(state, leader);
     return;
   }
-  time_ += seconds;
+  flow_ = std::fmod(flow_ + seconds * flow_speed, flow_wraps);
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
   const AheadPoints ahead = ahead_of(leader);
   const scene::Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
@@ -236,7 +239,7 @@ void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& l
                             .revision = revision_,
                             .length = way_length_,
                             .walked = static_cast<float>(leader.along),
-                            .flow = time_ * flow_speed,
+                            .flow = static_cast<float>(flow_),
                             .opacity = way_opacity_});
 }
 
@@ -245,7 +248,7 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
   for (const LedVisitor& one : led_visitors) {
     const Agent& guide = crowd[one.guide];
     if (!one.exhibit || guide.avatar.floor != list.floor) continue;
-    if (guide.is_on_its_way) draw_trail(guide.avatar, time_ * flow_speed, list);
+    if (guide.is_on_its_way) draw_trail(guide.avatar, static_cast<float>(flow_), list);
     const Placement& view = museum_.exhibits[*one.exhibit].viewing_point;
     if (!one.arrived)
       list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,

@@ -73,7 +73,7 @@ class Stage {
   double yaw_ = 0;             ///< Of the walking camera; turns slower than the guide.
   double distance_ = 9;        ///< Of the walking camera.
   scene::CameraRig overview_;  ///< The whole floor in the free part.
-  float time_ = 0;
+  double flow_ = 0;  ///< Metres that patterns of ways have moved; wrapped where it cannot be seen.
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;
   RouteKind way_kind_ = RouteKind::Shortest;

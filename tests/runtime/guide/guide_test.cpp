@@ -73,6 +73,34 @@ TEST(Guide, WelcomesFirst) {
   EXPECT_EQ(session.guide().draw_list().avatars.size(), 1U);
 }
 
+/// Metres that the way's pattern moves in a second, whatever it is wrapped at.
+float flow_in_a_second(Session& session) {
+  session.tap(first_exhibit());
+  session.run(1);
+  const auto& ribbons = session.guide().draw_list().ribbons;
+  if (ribbons.empty()) return 0;
+  const float before = ribbons.front().flow;
+  session.run(1);
+  const float moved = session.guide().draw_list().ribbons.front().flow - before;
+  return moved < 0 ? moved + 7.2F : moved;
+}
+
+TEST(Guide, ShowsItsWayFlowAsFastAfterAMonthAsOnTheFirstDay) {
+  Session young, old;
+  // A month of nights: nobody comes, and time is all that passes.
+  for (int hour = 0; hour < 30 * 24; ++hour) old.guide().step(Seconds{3600});
+  for (Session* session : {&young, &old}) {
+    session->touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+    session->touch(input::InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+    session->run(1);
+  }
+
+  const float first = flow_in_a_second(young);
+
+  EXPECT_NEAR(first, 0.35F, 0.001F);
+  EXPECT_NEAR(flow_in_a_second(old), first, 0.001F);
+}
+
 TEST(Guide, BeginsWhereverTheWelcomeIsTouched) {
   Session session;
   session.touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
