@@ -31,7 +31,8 @@ NEVER = r"\b(libx11|xserver|xorg|gcc-|g\+\+|clang|libcgal|libgmp|libmpfr|libboos
 
 LIVES = """set -ex
 id -u docent
-test "$(stat -c '%a %U' /var/lib/docent)" = '755 root'
+id -u docent-update
+test "$(stat -c '%a %U' /var/lib/docent)" = '755 docent-update'
 test -e /etc/systemd/system/multi-user.target.wants/docent.service
 grep -q GROUP=\\"input\\" /lib/udev/rules.d/70-docent.rules
 journalctl --list-catalog 1f67ddceca984559b931dec9c982f135 | grep docent
@@ -39,6 +40,9 @@ test -s /usr/share/bash-completion/completions/docent
 test -s /usr/share/man/man1/docent.1.gz
 install -m 644 /root/museum.db /var/lib/docent/museum.db
 docent check /var/lib/docent/museum.db
+docent-update --version
+for unit in lock start update; do test -s /lib/systemd/system/docent-$unit.service; done
+test ! -e /etc/systemd/system/timers.target.wants/docent-update.timer
 setpriv --reuid docent --regid docent --clear-groups env HOME=/tmp docent --display headless --size 320x180 --seconds 1 --stats /tmp/stats.json
 grep '"frames": 6[0-9],' /tmp/stats.json
 """
