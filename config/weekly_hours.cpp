@@ -107,9 +107,8 @@ std::expected<WeeklyHours, std::string> parse_weekly_hours(std::string_view text
     std::array<bool, 7> days{};
     std::vector<WeeklyHours::Span> spans;
     if (!read_days(rest, days) || !read_times(rest, spans) || !rest.is_empty())
-      return std::unexpected(
-          fmt::format("'{}' are no hours of a week: \"Mo-Fr 08:30-18:00; Sa,Su 10:00-19:00\"",
-                      rule));
+      return std::unexpected(fmt::format(
+          "'{}' are no hours of a week: \"Mo-Fr 08:30-18:00; Sa,Su 10:00-19:00\"", rule));
     for (std::size_t i = 0; i < days.size(); ++i)
       if (days[i]) hours.day[i] = spans;
     has_rule = true;

@@ -93,16 +93,22 @@ bool has_size(const Connector& connector, PixelSize size) {
   return std::ranges::find(connector.modes, size, &Mode::size) != connector.modes.end();
 }
 
-/// The largest size in which all of them have a mode.
-std::optional<PixelSize> common_size(const CardState& card,
-                                     std::span<const std::size_t> connectors) {
+/// A size in which all of them have a mode: the largest that has no more pixels than `wanted`, else
+/// the smallest. Screens take more than they can show, which would be drawn for nothing.
+std::optional<PixelSize> common_size(const CardState& card, std::span<const std::size_t> connectors,
+                                     PixelSize wanted) {
   std::optional<PixelSize> best;
-  for (const Mode& mode : card.connectors[connectors[0]].modes) {
-    if (best && area(mode.size) <= area(*best)) continue;
-    const bool all = std::ranges::all_of(
-        connectors, [&](std::size_t i) { return has_size(card.connectors[i], mode.size); });
-    if (all) best = mode.size;
-  }
+  const auto is_better = [&](PixelSize size) {
+    if (!best) return true;
+    const bool fits = area(size) <= area(wanted), best_fits = area(*best) <= area(wanted);
+    if (fits != best_fits) return fits;
+    return fits ? area(size) > area(*best) : area(size) < area(*best);
+  };
+  for (const Mode& mode : card.connectors[connectors[0]].modes)
+    if (is_better(mode.size) && std::ranges::all_of(connectors, [&](std::size_t i) {
+          return has_size(card.connectors[i], mode.size);
+        }))
+      best = mode.size;
   return best;
 }
 
@@ -113,8 +119,8 @@ std::vector<std::size_t> modes_of_size(const CardState& card,
   std::vector<std::size_t> modes;
   for (const std::size_t i : connectors) {
     const Connector& connector = card.connectors[i];
-    modes.push_back(best_mode(connector.modes, has_size(connector, size) ? size : PixelSize{},
-                              refresh_hz));
+    modes.push_back(
+        best_mode(connector.modes, has_size(connector, size) ? size : PixelSize{}, refresh_hz));
   }
   return modes;
 }
@@ -133,8 +139,7 @@ std::size_t best_mode(std::span<const Mode> modes, PixelSize size,
     return std::tuple(off, refresh_off, !mode.is_preferred, mode.is_interlaced,
                       -static_cast<double>(mode.refresh_mhz));
   };
-  return static_cast<std::size_t>(std::ranges::min_element(modes, {}, strangeness) -
-                                  modes.begin());
+  return static_cast<std::size_t>(std::ranges::min_element(modes, {}, strangeness) - modes.begin());
 }
 
 std::vector<OutputPlan> output_plans(const CardState& card, const WantedOutput& wanted) {
@@ -148,7 +153,7 @@ std::vector<OutputPlan> output_plans(const CardState& card, const WantedOutput& 
   };
   std::vector<OutputPlan> plans{in_size(picture, connectors.size())};
   if (connectors.size() == 1) return plans;
-  if (const auto common = common_size(card, connectors); common && *common != picture)
+  if (const auto common = common_size(card, connectors, picture); common && *common != picture)
     plans.push_back(in_size(*common, connectors.size()));
   plans.push_back(in_size(picture, 1));
   return plans;
@@ -171,20 +176,14 @@ PixelRect letterbox(PixelSize picture, PixelSize screen) noexcept {
 std::optional<double> diagonal_inches(std::uint32_t width_mm, std::uint32_t height_mm,
                                       PixelSize mode) noexcept {
   // Proportions where the size should be: what televisions and adapters write (E-EDID 1.4, 3.6.2).
-  constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 8> proportions{{{16, 9},
-                                                                                {16, 10},
-                                                                                {160, 90},
-                                                                                {160, 100},
-                                                                                {1600, 900},
-                                                                                {1600, 1000},
-                                                                                {40, 30},
-                                                                                {400, 300}}};
+  constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 8> proportions{
+      {{16, 9}, {16, 10}, {160, 90}, {160, 100}, {1600, 900}, {1600, 1000}, {40, 30}, {400, 300}}};
   constexpr double smallest = 5, largest = 120, least_likely = 0.75, mm_per_inch = 25.4;
   if (width_mm == 0 || height_mm == 0 || area(mode) == 0) return std::nullopt;
   if (std::ranges::find(proportions, std::pair(width_mm, height_mm)) != proportions.end())
     return std::nullopt;
-  const double stretch = (static_cast<double>(width_mm) / height_mm) /
-                         (static_cast<double>(mode.width) / mode.height);
+  const double stretch =
+      (static_cast<double>(width_mm) / height_mm) / (static_cast<double>(mode.width) / mode.height);
   if (stretch < least_likely || stretch > 1 / least_likely) return std::nullopt;
   const double inches = std::hypot(width_mm, height_mm) / mm_per_inch;
   if (inches < smallest || inches > largest) return std::nullopt;

@@ -47,9 +47,9 @@ struct CardState {
 
 /// What an operator asked for.
 struct WantedOutput {
-  std::string connector{};  ///< Empty: the first connected one.
-  bool mirror = false;      ///< The same picture on every connected one.
-  PixelSize size{};         ///< 0 by 0: what the screen prefers.
+  std::string connector{};       ///< Empty: the first connected one.
+  bool mirror = false;           ///< The same picture on every connected one.
+  PixelSize size{};              ///< 0 by 0: what the screen prefers.
   std::uint32_t refresh_hz = 0;  ///< 0: what the screen prefers.
 };
 

@@ -40,14 +40,14 @@ enum class ScanoutStep : std::uint8_t {
 struct Scanout {
   bool has_screen = false;
   bool is_master = true;
-  bool is_here = true;  ///< False while the console shows another terminal.
+  bool is_here = true;    ///< False while the console shows another terminal.
   bool is_wanted = true;  ///< False while the screen is to be off.
   bool is_lit = false;    ///< A picture was committed since the screen was last turned off.
   bool is_mode_set = false;
   bool is_flipping = false;
   bool looks_again = true;  ///< What is connected may have changed.
   std::chrono::nanoseconds flip_begun{0};
-  std::chrono::nanoseconds next_look{0}, next_try{0};  ///< Not before.
+  std::chrono::nanoseconds next_look{0}, next_try{0};       ///< Not before.
   std::optional<std::chrono::nanoseconds> refused_since{};  ///< Without a taken one between.
 };
 

@@ -16,8 +16,9 @@ struct ThermalZone {
   long passive_trip = 0;  ///< From here on the machine should work less.
 };
 
-/// Reads the thermal zones that have a passive trip point (Linux, Documentation/driver-api/thermal);
-/// `folder` holds one folder for each zone. Empty where there is none.
+/// Reads the thermal zones that have a passive trip point (Linux,
+/// Documentation/driver-api/thermal); `folder` holds one folder for each zone. Empty where there is
+/// none.
 std::vector<ThermalZone> read_thermal_zones(const std::filesystem::path& folder);
 
 /// Should the machine work less? It goes on so until every zone is three degrees below its trip.

@@ -20,8 +20,7 @@ void copy_into(std::vector<T>& to, const std::vector<T>& from) {
 
 /// Metres that something at `place` has to move to be seen to have.
 float seen_movement(const CameraView& camera, Vec3 place, float pixels_high) noexcept {
-  const float metres_high =
-      2 * std::tan(camera.vertical_fov / 2) * glm::length(camera.eye - place);
+  const float metres_high = 2 * std::tan(camera.vertical_fov / 2) * glm::length(camera.eye - place);
   return least_seen * metres_high / pixels_high;
 }
 
@@ -56,8 +55,8 @@ bool ShownList::bodies_differ(const DrawList& list, float pixels_high) const noe
       if (glm::length(now.feet[side] - before.feet[side]) > seen ||
           std::abs(now.foot_height[side] - before.foot_height[side]) > least_height)
         return true;
-    const std::size_t end = i + 1 < list.avatars.size() ? list.avatars[i + 1].first_matrix
-                                                        : list.palette.size();
+    const std::size_t end =
+        i + 1 < list.avatars.size() ? list.avatars[i + 1].first_matrix : list.palette.size();
     for (std::size_t j = now.first_matrix; j < end; ++j)
       if (movement(list.joint[j], kept_.joint[j], list.palette[j], kept_.palette[j]) > seen)
         return true;

@@ -8,6 +8,8 @@ What is proved, with the unit and the udev rule of the package:
  - the service takes the first console over from getty, keeps it quiet, and getty is not there after a reboot either;
  - systemd is told when it is ready, `docent status` says how it is, the journal's lines have their identifiers, and the sandbox
    is as tight as promised;
+ - a screen that is pulled out and put back, or replaced by one of another size, ends nothing, and the guide is there again;
+ - another terminal of the console can be looked at meanwhile;
  - killed or restarted, the service draws again, and takes touches again;
  - touch screens that come and go every few hundredths of a second do it no harm;
  - who wants the console gets it by starting getty, and the guide comes back by starting docent;
@@ -46,6 +48,9 @@ STORM_SECONDS = 20
 ALTOGETHER = 1400.0  # less than ctest's patience, so that there is time to keep the evidence
 SAME_SCREEN = 2.0  # the mean difference of a channel: of one screen 0.01, of two of them 8
 RIBBON_PIXELS = 150  # the way on the floor has at least 399; welcome and choosing have at most 7 of that colour
+OTHER_SIZE = (400, 300)
+MANY_COLOURS = 12  # a console has fewer
+SCREEN = "/sys/class/drm/card0-Virtual-1/status"
 CHECKOUT = "/root/docent"  # in the machine
 DATABASE = "/var/lib/docent/museum.db"
 GLASS = "/run/glass"
@@ -194,6 +199,17 @@ class Kiosk:
         if mode != "1 4":
             raise Failure(f"{when}: the console is not quiet: its display and keyboard modes are {mode} instead of 1 4")
 
+    def journal_says(self, words: str, times: int) -> bool:
+        pid = self.property("docent", "MainPID")
+        return self.machine.must(f"journalctl --no-pager -o cat _PID={pid}").count(words) >= times
+
+    def hears(self, when: str, words: str, times: int = 1) -> None:
+        self.machine.wait_until(f"{when}: the journal says '{words}'", lambda: self.journal_says(words, times), TO_DRAW)
+
+    def shows_something_of(self, size: tuple[int, int]) -> bool:
+        now = self.machine.picture()
+        return (now.width, now.height) == size and now.colours() >= MANY_COLOURS
+
     def owns_console(self, when: str) -> None:
         for unit, wanted in (("docent", "active"), ("getty@tty1", "inactive")):
             state = self.property(unit, "ActiveState")
@@ -261,6 +277,35 @@ def console_and_back(kiosk: Kiosk) -> None:
     kiosk.machine.must("systemctl --no-block start docent")
 
 
+def screen_comes_and_goes(kiosk: Kiosk) -> None:
+    """The kernel is told that the screen has gone, and that it is back: what it says to programs is what a cable says."""
+    before = kiosk.property("docent", "MainPID")
+    tell = "echo change >/sys/class/drm/card0/uevent"
+    kiosk.machine.must(f"echo off >{SCREEN}; {tell}")
+    kiosk.hears("pulled out", "no screen is connected")
+    kiosk.machine.must(f"echo detect >{SCREEN}; {tell}")
+    kiosk.hears("put back", "draws on", 2)
+    kiosk.draws("put-back")
+    kiosk.machine.plug_in_screen(*OTHER_SIZE)
+    kiosk.machine.wait_until("a screen of another size shows the guide", lambda: kiosk.shows_something_of(OTHER_SIZE), TO_DRAW)
+    kiosk.machine.keep_picture("another-screen")
+    kiosk.machine.plug_in_screen(*SIZE)
+    kiosk.draws("first-screen-again")
+    if kiosk.property("docent", "MainPID") != before:
+        raise Failure("screens came and went, and the service was another afterwards: see journal.log")
+    say("a screen was pulled out, put back and replaced: the service is still the same")
+
+
+def other_terminal(kiosk: Kiosk) -> None:
+    switch = "python3 -c \"import fcntl, os; fcntl.ioctl(os.open('/dev/tty0', os.O_RDWR | os.O_NOCTTY), 0x5606, {})\""  # VT_ACTIVATE
+    kiosk.machine.must(switch.format(2))
+    kiosk.hears("another terminal", "shows another terminal")
+    kiosk.machine.wait_until("the other terminal", lambda: not kiosk.shows_welcome(), TO_DRAW)
+    kiosk.machine.must(switch.format(1))
+    kiosk.hears("back from it", "is the guide's again")
+    kiosk.draws("after-another-terminal")
+
+
 def storm(kiosk: Kiosk) -> None:
     """Devices that come and go all the time cost the kiosk no more than a look at each."""
     before = kiosk.property("docent", "MainPID")
@@ -303,6 +348,9 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str) -> None:
     kiosk.machine.must("systemctl --no-block restart docent")
     kiosk.draws("restarted")
     kiosk.owns_console("restarted")
+    screen_comes_and_goes(kiosk)
+    other_terminal(kiosk)
+    kiosk.owns_console("after-another-terminal")
     storm(kiosk)
     kiosk.leads_the_way("after-the-storm")
 

@@ -3,7 +3,9 @@
 import json
 import pathlib
 import socket
+import struct
 import subprocess
+import tempfile
 import time
 from collections.abc import Callable
 
@@ -41,6 +43,44 @@ class Line:
         return before.decode(errors="replace")
 
 
+class Viewer:
+    """Somebody who looks at the machine's screen from afar, by RFB (RFC 6143), and may give it another size: the machine's
+    graphics card then tells its kernel that another screen was plugged in."""
+
+    def __init__(self, address: str) -> None:
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(60)
+        self.socket.connect(address)
+        self.read(12)
+        self.socket.sendall(b"RFB 003.008\n")
+        self.read(self.read(1)[0])  # kinds of security, of which the first is none
+        self.socket.sendall(b"\1")
+        self.read(4)
+        self.socket.sendall(b"\1")  # others may look too
+        self.read(20)
+        self.read(struct.unpack(">I", self.read(4))[0])
+
+    def read(self, count: int) -> bytes:
+        data = b""
+        while len(data) < count:
+            more = self.socket.recv(count - len(data))
+            if not more:
+                raise Failure("QEMU's screen cannot be looked at from afar")
+            data += more
+        return data
+
+    def set_size(self, width: int, height: int) -> None:
+        extended_desktop_size, set_encodings, request_update, set_desktop_size = -308, 2, 3, 251
+        self.socket.sendall(struct.pack(">BxHi", set_encodings, 1, extended_desktop_size))
+        self.socket.sendall(struct.pack(">BBHHHH", request_update, 0, 0, 0, 1, 1))
+        time.sleep(0.5)
+        self.socket.sendall(struct.pack(">BxHHBxIHHHHI", set_desktop_size, width, height, 1, 0, 0, 0, width, height, 0))
+        time.sleep(0.5)
+
+    def close(self) -> None:
+        self.socket.close()
+
+
 class Machine:
     """A running machine with a screen of the given size. What it says is kept under `logs`. Nobody waits for anything on
     its screen beyond `deadline`, a time of the monotonic clock."""
@@ -48,6 +88,8 @@ class Machine:
     def __init__(self, image: RootImage, luggage: pathlib.Path, size: tuple[int, int], logs: pathlib.Path, deadline: float) -> None:
         self.logs, self.deadline = logs, deadline
         self.shell, self.monitor = Line(), Line()
+        self.folder = tempfile.TemporaryDirectory(prefix="machine-")  # a socket's address has to be short
+        self.viewers = f"{self.folder.name}/screen"
         ends = {line: line.theirs.fileno() for line in (self.shell, self.monitor)}
         # fmt: off
         command = [
@@ -55,6 +97,7 @@ class Machine:
             "qemu-system-x86_64", "-accel", "tcg,thread=multi,tb-size=512",  # a KVM that is there and gets nowhere has been seen
             "-smp", "2", "-cpu", "Nehalem", "-m", "1536",
             "-nodefaults", "-display", "none", "-vga", "none", "-nic", "none",
+            "-vnc", f"unix:{self.viewers}",
             "-kernel", str(image.kernel), "-initrd", str(image.initial_root),
             "-append", "console=ttyS0 quiet mitigations=off nokaslr systemd.show_status=0",
             "-device", f"virtio-gpu-pci,id=screen,xres={size[0]},yres={size[1]}",
@@ -79,6 +122,7 @@ class Machine:
     def __exit__(self, *_: object) -> None:
         self.process.kill()
         self.process.wait()
+        self.folder.cleanup()
 
     def ask_monitor(self, command: str, **arguments: object) -> None:
         self.monitor.send(json.dumps({"execute": command, "arguments": arguments}).encode() + b"\n")
@@ -112,6 +156,12 @@ class Machine:
         if status != 0:
             raise Failure(f"`{command}` ended with {status}: {said}")
         return said
+
+    def plug_in_screen(self, width: int, height: int) -> None:
+        """Another screen takes the place of the one that is plugged in."""
+        viewer = Viewer(self.viewers)
+        viewer.set_size(width, height)
+        viewer.close()
 
     def picture(self) -> Picture:
         file = self.logs / "now.ppm"

@@ -24,6 +24,10 @@ class Picture:
         first, second, third = channels
         return (first & second & third).bit_count()
 
+    def colours(self) -> int:
+        """How many there are, of some of its pixels."""
+        return len({self.rgb[at : at + 3] for at in range(0, len(self.rgb) - 2, 303)})
+
     def panel(self) -> "Picture":
         """The part on the left with the words; it stays still while the guide walks."""
         width, row = self.width * 3 // 8, self.width * 3

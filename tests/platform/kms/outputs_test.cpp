@@ -34,7 +34,8 @@ Connector screen(std::string name, std::vector<Mode> modes) {
 
 /// Two CRTCs, each with a plane of its own.
 CardState card_with(std::vector<Connector> connectors) {
-  CardState card{.connectors = std::move(connectors), .crtcs = {50, 51}, .planes = {{60, 1}, {61, 2}}};
+  CardState card{
+      .connectors = std::move(connectors), .crtcs = {50, 51}, .planes = {{60, 1}, {61, 2}}};
   for (std::uint32_t i = 0; i < card.connectors.size(); ++i) card.connectors[i].id = 40 + i;
   return card;
 }
@@ -70,9 +71,8 @@ TEST(BestMode, IsInterlacedOnlyWhereNothingElseHasTheSize) {
 }
 
 TEST(OutputPlans, DriveTheFirstConnectedScreen) {
-  const CardState card =
-      card_with({screen("DP-1", {}), screen("HDMI-A-1", {preferred(full_hd)}),
-                 screen("HDMI-A-2", {preferred(ultra_hd)})});
+  const CardState card = card_with({screen("DP-1", {}), screen("HDMI-A-1", {preferred(full_hd)}),
+                                    screen("HDMI-A-2", {preferred(ultra_hd)})});
   const std::vector<OutputPlan> plans = output_plans(card, {});
 
   ASSERT_EQ(plans.size(), 1U);
@@ -94,9 +94,8 @@ TEST(OutputPlans, AreNoneWithoutAScreen) {
 }
 
 TEST(OutputPlans, MirrorAtTheNamedScreensSizeThenInOneModeThenAlone) {
-  const CardState card =
-      card_with({screen("HDMI-A-1", {preferred(xga)}),
-                 screen("HDMI-A-2", {preferred(ultra_hd), other(xga)})});
+  const CardState card = card_with({screen("HDMI-A-1", {preferred(xga)}),
+                                    screen("HDMI-A-2", {preferred(ultra_hd), other(xga)})});
   const std::vector<OutputPlan> plans =
       output_plans(card, {.connector = "HDMI-A-2", .mirror = true});
 
@@ -109,8 +108,19 @@ TEST(OutputPlans, MirrorAtTheNamedScreensSizeThenInOneModeThenAlone) {
   EXPECT_EQ(plans[2].routes.size(), 1U);
 }
 
+TEST(OutputPlans, MirrorInNoLargerModeThanTheFirstScreenLikesWhereThereIsOne) {
+  constexpr PixelSize small{640, 480}, own{320, 200};
+  CardState card = card_with({screen("A", {preferred(full_hd), other(ultra_hd), other(small)}),
+                              screen("B", {preferred(xga), other(ultra_hd), other(small)})});
+  EXPECT_EQ(output_plans(card, {.mirror = true})[1].picture, small);
+
+  card.connectors[0].modes[0] = preferred(own);
+  EXPECT_EQ(output_plans(card, {.mirror = true})[1].picture, small) << "the smallest of the larger";
+}
+
 TEST(OutputPlans, FindACrtcForBothWhereTheFirstChoiceWouldLeaveNone) {
-  CardState card = card_with({screen("A", {preferred(full_hd)}), screen("B", {preferred(full_hd)})});
+  CardState card =
+      card_with({screen("A", {preferred(full_hd)}), screen("B", {preferred(full_hd)})});
   card.connectors[1].crtcs = 0b01;
 
   const OutputPlan plan = output_plans(card, {.mirror = true})[0];

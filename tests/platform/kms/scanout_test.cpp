@@ -159,7 +159,10 @@ nanoseconds drawn_again_after_trouble(const std::function<int(int)>& chance, nan
       case ScanoutStep::Draw: {
         constexpr CommitResult any[]{CommitResult::Taken, CommitResult::Taken, CommitResult::Busy,
                                      CommitResult::Refused};
-        committed(s, others_have_it ? CommitResult::NoMaster : trouble ? any[chance(4)] : any[0],
+        committed(s,
+                  others_have_it ? CommitResult::NoMaster
+                  : trouble      ? any[chance(4)]
+                                 : any[0],
                   now);
         flip_comes = !trouble || chance(4) != 0;
         break;

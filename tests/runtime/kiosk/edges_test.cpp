@@ -10,9 +10,7 @@ class TurnedPanel final : public Display {
  public:
   explicit TurnedPanel(Rotation panel) : panel_(panel) {}
   DisplayState wait_for_page_flip() noexcept override { return DisplayState::Open; }
-  RenderTarget target() const noexcept override {
-    return {.size = {800, 480}, .rotation = panel_};
-  }
+  RenderTarget target() const noexcept override { return {.size = {800, 480}, .rotation = panel_}; }
   void present() noexcept override {}
   std::string description() const override { return "a panel"; }
 
