@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <future>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "platform/image/image.h"
 #include "platform/pango/text_setter.h"
@@ -23,6 +25,13 @@ constexpr std::uint32_t scenery_picture_side = 144;
 Pixels decode(const Museum& museum, std::uint32_t image) {
   if (image >= museum.images.size()) return {};
   return image::decode_image(museum.images[image].bytes).value_or(Pixels{});
+}
+
+std::vector<Pixels> scenery_pictures(const Museum& museum) {
+  std::vector<Pixels> pictures;
+  for (std::uint32_t image = 0; image < museum.images.size(); ++image)
+    pictures.push_back(image::shrink(decode(museum, image), scenery_picture_side));
+  return pictures;
 }
 
 /// The guide walks with one radius; labels of the others would lie in memory for the rare way that
@@ -79,9 +88,9 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   exhibition->content = std::move(content);
   keep_what_is_walked(exhibition->museum);
   const Museum& kept = exhibition->museum;
-  for (std::uint32_t image = 0; image < kept.images.size(); ++image)
-    exhibition->scenery_pictures.push_back(
-        image::shrink(decode(kept, image), scenery_picture_side));
+  // On another processor, while the rest is made.
+  std::future<std::vector<Pixels>> pictures =
+      std::async(std::launch::async, [&kept] { return scenery_pictures(kept); });
   interface::SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width,
                                               std::uint32_t height) {
     return image::fill(decode(kept, image), width, height);
@@ -92,6 +101,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       size.parts);
   exhibition->guide =
       std::make_unique<guide::Guide>(exhibition->museum, *exhibition->planner, settings);
+  exhibition->scenery_pictures = pictures.get();
   return exhibition;
 }
 

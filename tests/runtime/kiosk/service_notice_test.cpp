@@ -6,6 +6,7 @@
 
 #include "runtime/kiosk/allocations.h"
 #include "tests/support/datagrams.h"
+#include "tests/support/run_program.h"
 #include "tests/support/sample_database.h"
 #include "tests/support/started_program.h"
 
@@ -137,6 +138,23 @@ TEST_F(AServiceNotice, TellsOfAWholeRun) {
   EXPECT_LT(place("STATUS=shows '"), place("READY=1"));
   EXPECT_LT(place("READY=1"), place("\nWATCHDOG=1\n"));
   EXPECT_THAT(all, HasSubstr("STOPPING=1\n"));
+}
+
+/// The manager starts it again at once, so the program itself waits for what may come.
+TEST_F(AServiceNotice, OfAStartThatFailsComesWithAPause) {
+  setenv("NOTIFY_SOCKET", manager_.path().c_str(), 1);
+  const test::TemporaryFolder folder;
+  const auto begun = std::chrono::steady_clock::now();
+  test::StartedProgram kiosk(
+      test::program("docent"),
+      {"--content", "/there/is/none.db", "--display", "headless", "--size", "64x64"},
+      folder.path() / "said");
+  unsetenv("NOTIFY_SOCKET");
+
+  EXPECT_EQ(kiosk.wait(), 3);
+  EXPECT_GE(std::chrono::steady_clock::now() - begun, 2s);
+  EXPECT_THAT(test::text_of(folder.path() / "said"), HasSubstr("there is no such database"));
+  while (const auto line = told()) EXPECT_EQ(line->find("READY=1"), std::string::npos) << *line;
 }
 
 }  // namespace
