@@ -55,7 +55,7 @@ room(platform/gles USES ${model} runtime/scene platform platform/image LIBRARIES
 room(platform/headless USES ${model} platform platform/egl platform/image LIBRARIES fmt/ EGL/ GLES3/)
 room(platform/hid USES ${model} runtime/input platform platform/file platform/journal LIBRARIES fmt/ hidapi/ linux/ ${posix})
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
-room(platform/kms USES ${model} platform platform/egl LIBRARIES fmt/ EGL/ drm.h gbm.h linux/ xf86drm ${posix})
+room(platform/kms USES ${model} platform platform/egl platform/journal LIBRARIES fmt/ EGL/ drm.h gbm.h linux/ xf86drm ${posix})
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)

@@ -62,12 +62,37 @@ constexpr std::array kinds{
                 "The kiosk cannot be asked for its status",
                 "Everything else works. The line says why the socket in /run/docent could not be "
                 "made."},
+    MessageKind{Message::ScreenTaken, Priority::Info, "9a646aa1efee41039caedc3c2d078c61",
+                "The kiosk draws on a screen",
+                "The line says which screen and in which mode. Nothing is to be done."},
+    MessageKind{Message::NoScreen, Priority::Warning, "640dd353a10f46cdb66feae77d71c683",
+                "No screen is connected",
+                "The kiosk goes on without one, and is there as soon as one is. Look at the cable, "
+                "the screen's\npower and its chosen input, and at `output` in "
+                "/etc/docent/kiosk.toml."},
+    MessageKind{Message::CardTaken, Priority::Warning, "2daaf9dcf964458997cabb1ee8693e60",
+                "The graphics card draws for somebody else",
+                "Another terminal was chosen, or another program has taken the graphics card. "
+                "`chvt 1` brings the\nguide back from a terminal; `fuser -v /dev/dri/card*` names "
+                "a program."},
+    MessageKind{Message::CardBack, Priority::Info, "bc4866fb50fd4b4083274d31bd25d0eb",
+                "The graphics card draws for the kiosk again", "Nothing is to be done."},
+    MessageKind{Message::TooHot, Priority::Warning, "1cf35e5923204d94b0a43983ffe22dd5",
+                "The machine is too hot",
+                "The kiosk draws 30 frames a second instead of 60 until it has cooled down. Let "
+                "air to the machine:\ndust, a closed cabinet, the sun."},
+    MessageKind{Message::CooledDown, Priority::Notice, "442e9c7f041c4cd093a7ff2ae41c24e5",
+                "The machine has cooled down", "The kiosk draws 60 frames a second again."},
+    MessageKind{Message::ReportUnwritten, Priority::Warning, "5ed81884f99c40b4893842805a473511",
+                "Health or counts cannot be written",
+                "Visitors notice nothing. The line says which file, and why: mostly a full disk, or "
+                "a folder that\ndoes not belong to the user docent."},
 };
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (static_cast<std::size_t>(kinds[i].message) != i) return false;
-  return kinds.size() == static_cast<std::size_t>(Message::NoStatus) + 1;
+  return kinds.size() == static_cast<std::size_t>(Message::ReportUnwritten) + 1;
 }
 static_assert(are_in_order());
 

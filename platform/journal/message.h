@@ -22,6 +22,13 @@ enum class Message : std::uint8_t {
   DeviceGone,
   DeviceUnusable,
   NoStatus,
+  ScreenTaken,
+  NoScreen,
+  CardTaken,
+  CardBack,
+  TooHot,
+  CooledDown,
+  ReportUnwritten,
 };
 
 /// As syslog(3) counts them.

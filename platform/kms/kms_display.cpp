@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "platform/egl/context.h"
+#include "platform/journal/journal.h"
 #include "platform/kms/console.h"
 #include "platform/kms/graphics_card.h"
 #include "platform/kms/hotplug.h"
@@ -27,6 +28,8 @@
 
 namespace docent::kms {
 namespace {
+
+using journal::Message;
 
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
@@ -145,7 +148,8 @@ class Kms final : public KmsDisplay {
       chain_.flipping = next;
     else
       gbm_surface_release_buffer(chain_.gbm.get(), next);
-    if (result == CommitResult::NoMaster) tell("another program has taken the graphics card");
+    if (result == CommitResult::NoMaster) 
+      tell(Message::CardTaken, "another program has taken the graphics card");
   }
 
   std::string description() const override {
@@ -171,8 +175,8 @@ class Kms final : public KmsDisplay {
   }
 
   /// For the journal; never in an ordinary frame.
-  void tell(std::string_view what) const noexcept {
-    fmt::print(stderr, "docent: {} ({})\n", what, card_.path);
+  void tell(journal::Message message, std::string_view what) const noexcept {
+    journal::tell(message, fmt::format("{} ({})", what, card_.path));
   }
 
   /// When the next vertical blank will be, by those before it.
@@ -268,19 +272,20 @@ class Kms final : public KmsDisplay {
     chain_.flipped();
     left_console(scanout_);
     drmDropMaster(fd());
-    tell("the console shows another terminal");
+    tell(Message::CardTaken, "the console shows another terminal");
   }
 
   void take_card() noexcept {
     const bool is_granted = drmSetMaster(fd()) == 0;
     asked_for_card(scanout_, is_granted, now());
-    if (is_granted) tell("the graphics card is the guide's again");
+    if (is_granted) tell(Message::CardBack, "the graphics card is the guide's again");
     if (is_granted || waits_for_card_) {
       waits_for_card_ = !is_granted;
       return;
     }
     waits_for_card_ = true;
-    tell("another program draws on the graphics card; the guide goes on when that has ended");
+    tell(Message::CardTaken,
+         "another program draws on the graphics card; the guide goes on when that has ended");
   }
 
   // Which screens there are.
@@ -299,9 +304,10 @@ class Kms final : public KmsDisplay {
     if (has_screen == had_screen && was_told_) return;
     was_told_ = true;
     if (has_screen)
-      tell(fmt::format("draws on {}", description()));
+      tell(Message::ScreenTaken, fmt::format("draws on {}", description()));
     else
-      tell(wanted_.connector.empty() || wanted_.mirror
+      tell(Message::NoScreen,
+           wanted_.connector.empty() || wanted_.mirror
                ? "no screen is connected; the guide appears as soon as one is"
                : fmt::format("no screen is connected to {}; the guide appears as soon as one is",
                              wanted_.connector));
@@ -321,7 +327,7 @@ class Kms final : public KmsDisplay {
     if (next.pipes.size() > 1 && !is_possible(next, plan.picture)) return false;
     if (chain_.size != plan.picture || !chain_.gbm)
       if (const auto sized = use_size(plan.picture); !sized) {
-        tell(sized.error().what);
+        tell(Message::NoScreen, sized.error().what);
         return false;
       }
     std::swap(outputs_, next);

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "platform/journal/journal.h"
+
 namespace docent::kiosk {
 namespace {
 
@@ -72,10 +74,12 @@ void HeatWatch::watch(const std::stop_token& stop, const std::filesystem::path& 
     const bool is = kiosk::is_too_hot(read_thermal_zones(folder), was);
     is_too_hot_.store(is, std::memory_order_relaxed);
     if (is && !was)
-      fmt::print(stderr,
-                 "docent: the machine is too hot; 30 frames a second until it has cooled down. Is "
-                 "its air free?\n");
-    if (was && !is) fmt::print(stderr, "docent: the machine has cooled down; 60 frames a second\n");
+      journal::tell(journal::Message::TooHot,
+                    "the machine is too hot; 30 frames a second until it has cooled down. Is its "
+                    "air free?");
+    if (was && !is)
+      journal::tell(journal::Message::CooledDown,
+                    "the machine has cooled down; 60 frames a second");
     stopped.wait_for(lock, stop, look_every, [] { return false; });
   }
 }

@@ -1,7 +1,5 @@
 #include "runtime/kiosk/reporter.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "platform/file/read_file.h"
+#include "platform/journal/journal.h"
 #include "runtime/interface/control.h"
 #include "runtime/model/last_catch.h"
 
@@ -135,7 +134,8 @@ void Reporter::write(bool is_up) {
     if (!told) written = told;
   }
   const std::string complaint = written ? std::string() : written.error().what;
-  if (!complaint.empty() && complaint != said_) fmt::print(stderr, "docent: {}\n", complaint);
+  if (!complaint.empty() && complaint != said_)
+    journal::tell(journal::Message::ReportUnwritten, complaint);
   said_ = complaint;
 }
 
