@@ -10,11 +10,11 @@ namespace docent::input {
 namespace {
 
 constexpr std::string_view heading = "docent calibration 1\n";
-constexpr double most_moved = 0.25;    // shares of the glass
+constexpr double most_moved = 0.25;  // shares of the glass
 constexpr double most_residual = 0.03;
 
-/// One row of the map: the least-squares solution of p x + q y + r = wanted, by Cramer's rule on the
-/// normal equations.
+/// One row of the map: the least-squares solution of p x + q y + r = wanted, by Cramer's rule on
+/// the normal equations.
 std::optional<std::array<double, 3>> fit_row(std::span<const TouchedMark> touched,
                                              float TouchedMark::* wanted) noexcept {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0, sw = 0, sxw = 0, syw = 0;
@@ -23,16 +23,16 @@ std::optional<std::array<double, 3>> fit_row(std::span<const TouchedMark> touche
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
     sw += w, sxw += x * w, syw += y * w;
   }
-  const double det = sxx * (syy * n - sy * sy) - sxy * (sxy * n - sy * sx) +
-                     sx * (sxy * sy - syy * sx);
+  const double det =
+      sxx * (syy * n - sy * sy) - sxy * (sxy * n - sy * sx) + sx * (sxy * sy - syy * sx);
   constexpr double touches_in_a_line = 1e-6;
   if (!(std::abs(det) > touches_in_a_line)) return std::nullopt;
-  const double p = sxw * (syy * n - sy * sy) - sxy * (syw * n - sy * sw) +
-                   sx * (syw * sy - syy * sw);
-  const double q = sxx * (syw * n - sw * sy) - sxw * (sxy * n - sy * sx) +
-                   sx * (sxy * sw - syw * sx);
-  const double r = sxx * (syy * sw - sy * syw) - sxy * (sxy * sw - sx * syw) +
-                   sxw * (sxy * sy - syy * sx);
+  const double p =
+      sxw * (syy * n - sy * sy) - sxy * (syw * n - sy * sw) + sx * (syw * sy - syy * sw);
+  const double q =
+      sxx * (syw * n - sw * sy) - sxw * (sxy * n - sy * sx) + sx * (sxy * sw - syw * sx);
+  const double r =
+      sxx * (syy * sw - sy * syw) - sxy * (sxy * sw - sx * syw) + sxw * (sxy * sy - syy * sx);
   return std::array{p / det, q / det, r / det};
 }
 
@@ -43,13 +43,12 @@ std::array<double, 2> mapped(const Calibration& k, double x, double y) noexcept 
 }  // namespace
 
 bool is_plausible(const Calibration& calibration) noexcept {
-  return std::ranges::all_of(
-      std::array<std::array<double, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
-      [&](const std::array<double, 2>& corner) {
-        const auto at = mapped(calibration, corner[0], corner[1]);
-        return std::abs(at[0] - corner[0]) <= most_moved &&
-               std::abs(at[1] - corner[1]) <= most_moved;
-      });
+  return std::ranges::all_of(std::array<std::array<double, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+                             [&](const std::array<double, 2>& corner) {
+                               const auto at = mapped(calibration, corner[0], corner[1]);
+                               return std::abs(at[0] - corner[0]) <= most_moved &&
+                                      std::abs(at[1] - corner[1]) <= most_moved;
+                             });
 }
 
 std::optional<Calibration> fit(std::span<const TouchedMark> touched) noexcept {

@@ -42,15 +42,16 @@ std::span<const InputEvent> EventMaker::lift_all() noexcept {
 
 std::size_t EventMaker::contact_changes(std::span<const Contact> now, Moves moves) noexcept {
   std::array<Contact, max_contacts> after{};
-  const std::size_t count = std::min(now.size(), after.size());
+  std::size_t count = 0;
   const std::span<const Contact> told(told_.data(), told_count_);
-  for (std::size_t i = 0; i < count; ++i) {
-    after[i] = now[i];
-    after[i].id = first_id_ + now[i].id % ids_per_device;
-    if (moves == Moves::All) continue;
+  for (Contact contact : now.first(std::min(now.size(), after.size()))) {
+    // Only a device whose identifiers are beyond all measure loses a finger here.
+    contact.id = first_id_ + contact.id % ids_per_device;
+    const auto same_finger = [&](const Contact& c) { return c.id == contact.id; };
+    if (std::ranges::any_of(std::span(after).first(count), same_finger)) continue;
     // A finger that is known stays where it was last told to be; the next step tells the whole way.
-    const auto known = std::ranges::find(told, after[i].id, &Contact::id);
-    if (known != told.end()) after[i] = *known;
+    const auto known = std::ranges::find_if(told, same_finger);
+    after[count++] = moves == Moves::Later && known != told.end() ? *known : contact;
   }
   const std::size_t events = contact_events(told, std::span(after).first(count), events_);
   told_ = after;

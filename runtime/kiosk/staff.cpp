@@ -20,7 +20,7 @@
 namespace docent::kiosk {
 namespace {
 
-constexpr double pad_seconds = 30;      // without a touch, until the visitors have the glass again
+constexpr double pad_seconds = 30;  // without a touch, until the visitors have the glass again
 constexpr double pages_seconds = 120;
 constexpr double confirm_seconds = 15;
 /// The last that the renderer keeps: far above the building's pictures and the planner's pieces.
@@ -108,7 +108,8 @@ bool Staff::take(const input::InputEvent& event, double time) {
     case Kind::Down:
       if (!is_open()) return false;
       last_event_ = time;
-      if (fingers_.size() < most_fingers) fingers_.push_back({event.contact, at, button_at(at.x, at.y)});
+      if (fingers_.size() < most_fingers)
+        fingers_.push_back({event.contact, at, button_at(at.x, at.y)});
       focus_ = -1;
       return true;
     case Kind::Move:
@@ -154,9 +155,9 @@ void Staff::press_key(const input::InputEvent& event, double time) {
       focus_ = count > 0 ? (focus_ + 1) % count : -1;
       return;
     case input::Key::Back:
-      return press(open_ == StaffScreen::Pad && !typed_.empty() ? StaffAction::Delete
-                                                                : StaffAction::Close,
-                   time);
+      return press(
+          open_ == StaffScreen::Pad && !typed_.empty() ? StaffAction::Delete : StaffAction::Close,
+          time);
     case input::Key::Enter:
       if (focus_ >= 0 && focus_ < count)
         return press(page_->buttons[static_cast<std::size_t>(focus_)].action, time);
@@ -253,8 +254,8 @@ void Staff::take_lock_answer(double time) {
   const std::optional<bool> right = lock_.answer(time);
   if (!right || open_ != StaffScreen::Pad) return;
   if (*right) return open(StaffScreen::Menu);
-  open(StaffScreen::Pad, fmt::format("That was not it. Again in {:.0f} s",
-                                     std::ceil(lock_.pause_left(time))));
+  open(StaffScreen::Pad,
+       fmt::format("That was not it. Again in {:.0f} s", std::ceil(lock_.pause_left(time))));
 }
 
 void Staff::close_in_time(double time) {

@@ -11,9 +11,8 @@ namespace docent::kiosk {
 
 void StaffLock::try_pin(std::string pin, double time) {
   if (!has_pin() || is_checking() || pause_left(time) > 0) return;
-  checking_ = std::async(std::launch::async, [pin = std::move(pin), hash = hash_] {
-    return pin::matches(pin, hash);
-  });
+  checking_ = std::async(std::launch::async,
+                         [pin = std::move(pin), hash = hash_] { return pin::matches(pin, hash); });
 }
 
 std::optional<bool> StaffLock::answer(double time) {

@@ -85,8 +85,8 @@ class Layout {
     const float x = align == Align::Centre ? box.x + (box.width - w) / 2 : box.x;
     scene::Quad quad;
     quad.fill = scene::QuadFill::Text;
-    quad.texture = static_cast<scene::TextureId>(
-        request_.first_texture + static_cast<std::uint32_t>(page_.uploads.size()));
+    quad.texture = static_cast<scene::TextureId>(request_.first_texture +
+                                                 static_cast<std::uint32_t>(page_.uploads.size()));
     quad.rect = share({std::round(x), std::round(box.y + (box.height - h) / 2), w, h});
     quad.colour = colour;
     page_.quads.push_back(quad);
@@ -202,8 +202,8 @@ void lay_out_diagnose(Layout& layout, const std::vector<StaffFact>& facts) {
   const float button = m.touch;
   const float bottom = column.y + column.height - button - m.gap;
   const float row =
-      std::min(5 * m.mm * 2.1F, (bottom - rest.y) / static_cast<float>(std::max<std::size_t>(
-                                                       1, facts.size())));
+      std::min(5 * m.mm * 2.1F,
+               (bottom - rest.y) / static_cast<float>(std::max<std::size_t>(1, facts.size())));
   const float label_width = 0.26F * rest.width;
   for (const auto& [label, value] : facts) {
     if (rest.y + row > bottom + 1) break;

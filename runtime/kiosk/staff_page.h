@@ -41,9 +41,9 @@ using StaffFact = std::pair<std::string, std::string>;
 struct StaffPageRequest {
   StaffScreen screen = StaffScreen::Pad;
   interface::ScreenShape shape;
-  std::string message;           ///< Below the heading; may be empty.
-  std::vector<StaffFact> facts;  ///< Diagnose.
-  std::size_t mark = 0;          ///< Calibrate: of input::calibration_marks.
+  std::string message;              ///< Below the heading; may be empty.
+  std::vector<StaffFact> facts;     ///< Diagnose.
+  std::size_t mark = 0;             ///< Calibrate: of input::calibration_marks.
   std::uint32_t first_texture = 0;  ///< Its texts take the numbers from there.
 };
 
@@ -57,8 +57,8 @@ struct StaffPage {
   StaffScreen screen = StaffScreen::Pad;
   std::vector<Button> buttons;  ///< In focus order.
   std::vector<scene::Quad> quads;
-  scene::Rect entry;      ///< Pad: where the figures that were typed are shown, as dots.
-  float unit_px = 8;      ///< 1/135 of the shorter side.
+  scene::Rect entry;            ///< Pad: where the figures that were typed are shown, as dots.
+  float unit_px = 8;            ///< 1/135 of the shorter side.
   float width = 1, height = 1;  ///< Pixels of the screen.
   std::vector<interface::PieceUpload> uploads;
 };

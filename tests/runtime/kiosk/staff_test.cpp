@@ -35,11 +35,12 @@ class StaffVisit {
     std::ofstream(folder_.path() / "a.visit") << visit;
     setenv("STATE_DIRECTORY", (folder_.path() / "glass").c_str(), 1);
     test::ProgramRun run = test::run_program(
-        "docent", fmt::format("--content '{}' --display headless --size {}x{} --config '{}' --visit "
-                              "'{}' --stats '{}'",
-                              test::sample_database().string(), width, height,
-                              (folder_.path() / "kiosk.toml").string(),
-                              (folder_.path() / "a.visit").string(), path("stats.json")));
+        "docent",
+        fmt::format("--content '{}' --display headless --size {}x{} --config '{}' --visit "
+                    "'{}' --stats '{}'",
+                    test::sample_database().string(), width, height,
+                    (folder_.path() / "kiosk.toml").string(), (folder_.path() / "a.visit").string(),
+                    path("stats.json")));
     unsetenv("STATE_DIRECTORY");
     return run;
   }
@@ -54,8 +55,7 @@ class StaffVisit {
   test::TemporaryFolder folder_;
 };
 
-constexpr const char* two_corners =
-    "1 down 1 0.02 0.03\n1 down 2 0.98 0.97\n6.5 up 1\n6.5 up 2\n";
+constexpr const char* two_corners = "1 down 1 0.02 0.03\n1 down 2 0.98 0.97\n6.5 up 1\n6.5 up 2\n";
 
 std::string typed(std::string_view figures, double time) {
   std::string visit;
@@ -105,10 +105,10 @@ TEST(Staff, TypeTheirPinOnTheGlassToo) {
 
 TEST(Staff, AreNotThoseWithAnotherPin) {
   const StaffVisit visit;
-  const auto run = visit.play(two_corners + typed("471198", 7) +
-                              tap(8, StaffScreen::Menu, StaffAction::Exit) +
-                              typed(pin, 8.2) +  // within the pause
-                              tap(8.6, StaffScreen::Menu, StaffAction::Exit) + "20 quit\n");
+  const auto run =
+      visit.play(two_corners + typed("471198", 7) + tap(8, StaffScreen::Menu, StaffAction::Exit) +
+                 typed(pin, 8.2) +  // within the pause
+                 tap(8.6, StaffScreen::Menu, StaffAction::Exit) + "20 quit\n");
 
   EXPECT_EQ(run.exit_code, 0) << run.err;
 }
@@ -123,9 +123,8 @@ TEST(Staff, WithoutTheGestureAreVisitors) {
 
 TEST(Staff, LeaveTheGlassToTheVisitorsAgain) {
   const StaffVisit visit;
-  const auto run =
-      visit.play(two_corners + tap(8, StaffScreen::Pad, StaffAction::Close) +
-                 "9 tap @exhibit:tripod-ding\n40 quit\n");
+  const auto run = visit.play(two_corners + tap(8, StaffScreen::Pad, StaffAction::Close) +
+                              "9 tap @exhibit:tripod-ding\n40 quit\n");
 
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_GT(test::number_in(test::text_of(visit.path("stats.json")), "routes"), 0);
@@ -142,10 +141,9 @@ std::string touched_marks(double time, double off) {
 TEST(Staff, CalibrateAGlassThatIsOffAndProveItByATouch) {
   const StaffVisit visit;
   const auto [x, y] = middle_of(StaffScreen::Confirm, StaffAction::Keep);
-  const auto run = visit.play(two_corners + typed(pin, 7) +
-                              tap(8, StaffScreen::Menu, StaffAction::Calibrate) +
-                              touched_marks(9, 0.04) + fmt::format("13 tap {} {}\n", x + 0.04, y) +
-                              "15 quit\n");
+  const auto run =
+      visit.play(two_corners + typed(pin, 7) + tap(8, StaffScreen::Menu, StaffAction::Calibrate) +
+                 touched_marks(9, 0.04) + fmt::format("13 tap {} {}\n", x + 0.04, y) + "15 quit\n");
 
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto kept = input::parse_calibration(visit.calibration(), "glass");
@@ -156,11 +154,11 @@ TEST(Staff, CalibrateAGlassThatIsOffAndProveItByATouch) {
 
 TEST(Staff, GetTheOldCalibrationBackWhereNobodyConfirmsTheNew) {
   const StaffVisit visit;
-  const auto run = visit.play(two_corners + typed(pin, 7) +
-                              tap(8, StaffScreen::Menu, StaffAction::Calibrate) +
-                              touched_marks(9, 0.04) + "13 key DOWN\n13 key ENTER\n" +
-                              // 15 s later the menu is where it was, by the old calibration
-                              tap(28, StaffScreen::Menu, StaffAction::Exit) + "40 quit\n");
+  const auto run =
+      visit.play(two_corners + typed(pin, 7) + tap(8, StaffScreen::Menu, StaffAction::Calibrate) +
+                 touched_marks(9, 0.04) + "13 key DOWN\n13 key ENTER\n" +
+                 // 15 s later the menu is where it was, by the old calibration
+                 tap(28, StaffScreen::Menu, StaffAction::Exit) + "40 quit\n");
 
   EXPECT_EQ(run.exit_code, ended_by_staff) << run.err;
   EXPECT_EQ(visit.calibration(), "");
