@@ -23,6 +23,8 @@ packages_test=(
 packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)
 # For deploy/package, and to judge what it makes.
 packages_package=(debhelper dpkg-dev lintian)
+# For deploy/image.
+packages_image=(dosfstools e2fsprogs fdisk mmdebstrap mtools)
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)

@@ -59,7 +59,7 @@ bool send(const char* socket_path, Message message, std::string_view sentence) n
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (std::strlen(socket_path) >= sizeof address.sun_path) return false;
-  std::strcpy(address.sun_path, socket_path);
+  std::memcpy(address.sun_path, socket_path, std::strlen(socket_path));
 
   const MessageKind& kind = kind_of(message);
   const char priority = static_cast<char>('0' + static_cast<int>(kind.priority));
