@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -34,19 +33,37 @@ void keep_what_is_walked(Museum& museum) {
   museum.motion.foresight.raw = {};
 }
 
+Error no_such_kiosk(const Museum& museum, std::string_view id,
+                    const std::filesystem::path& database) {
+  std::vector<std::string> ids;
+  for (const KioskPlace& kiosk : museum.kiosks) ids.push_back(kiosk.id);
+  return {Errc::InvalidInput,
+          fmt::format("{}: has no kiosk '{}', which kiosk.toml says that this one is; {}",
+                      database.string(), id,
+                      ids.empty() ? std::string("its museum.toml names none")
+                                  : fmt::format("it has {}", fmt::join(ids, ", ")))};
+}
+
 }  // namespace
 
-Result<Museum> read_museum(const std::filesystem::path& database,
-                           std::span<const signature::PublicKey> keys) {
+Result<Selection> selection_of(const config::KioskConfig& config) {
+  auto keys = signature::read_public_keys(config.keys);
+  if (!keys) return std::unexpected(keys.error());
+  return Selection{.keys = std::move(*keys), .kiosk = config.kiosk};
+}
+
+Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection) {
   const Result<sqlite::Database> opened = sqlite::open_database(database);
   if (!opened) return std::unexpected(opened.error());
-  if (!keys.empty())
-    if (const Result<void> trusted = sqlite::check_signature(*opened, database, keys); !trusted)
+  if (!selection.keys.empty())
+    if (const auto trusted = sqlite::check_signature(*opened, database, selection.keys); !trusted)
       return std::unexpected(trusted.error());
   Result<Museum> museum = sqlite::read_museum(*opened, database);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
+  if (museum && !selection.kiosk.empty() && !stand_at(*museum, selection.kiosk))
+    return std::unexpected(no_such_kiosk(*museum, selection.kiosk, database));
   return museum;
 }
 
@@ -60,9 +77,9 @@ std::string summary(const Museum& museum) {
 }
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
-                                                    std::span<const signature::PublicKey> keys,
+                                                    const Selection& selection,
                                                     const guide::GuideSettings& settings) {
-  Result<Museum> museum = read_museum(database, keys);
+  Result<Museum> museum = read_museum(database, selection);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
