@@ -22,7 +22,7 @@ struct KioskFile {
   Located<double> text_scale, screen_inches;
   Located<bool> mirror, reduced_motion, pixel_shift;
   Located<std::vector<std::string>> keys;
-  Located<std::string> source, group;
+  Located<std::string> kiosk, source, group;
 };
 
 constexpr double shared_from_inches = 42;
@@ -40,6 +40,13 @@ constexpr std::array kiosk_file_fields{
     Field<KioskFile>{"keys", &KioskFile::keys, Presence::Optional,
                      "Public keys, files relative to this one, at most two: only databases signed "
                      "with one of them are shown; any database where it is not said"},
+    Field<KioskFile>{"kiosk",
+                     &KioskFile::kiosk,
+                     Presence::Optional,
+                     "Which of the museum's kiosks this one is, where museum.toml has several; the "
+                     "first where it is not said",
+                     {},
+                     Form::Identifier},
     Field<KioskFile>{"source", &KioskFile::source, Presence::Optional,
                      "Where docent-update finds releases: an https address or a folder"},
     Field<KioskFile>{"group",
@@ -186,6 +193,7 @@ class KioskSettings {
     if (written.content.given) config.content = file_.parent_path() / written.content.value;
     for (const std::string& key : written.keys.value)
       config.keys.push_back(file_.parent_path() / key);
+    config.kiosk = written.kiosk.value;
     config.source = written.source.value;
     config.group = written.group.value;
     if (config.keys.size() > most_keys)

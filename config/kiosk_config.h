@@ -25,6 +25,7 @@ struct KioskConfig {
   /// At most two files of public keys. Where there are any, only databases signed with one of them
   /// are shown.
   std::vector<std::filesystem::path> keys{};
+  std::string kiosk{};   ///< Which of the museum's kiosks it is. Empty: the first, or the only one.
   std::string source{};  ///< Of releases, for docent-update: a URL or a folder. Empty: none.
   std::string group{};   ///< Which releases are for this device, where they are for groups.
   std::chrono::seconds idle_reset{60};  ///< 10 to 600. Back to the welcome screen after this.

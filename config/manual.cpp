@@ -22,6 +22,11 @@ struct ManualVisitor {
             const std::vector<T>& /*sections*/) {
     sections.push_back({fmt::format("[[{}]]", name), manual, manual_of<T>(fields)});
   }
+  template <typename T, std::size_t n>
+  void one_or_many(std::string_view name, std::string_view manual,
+                   const std::array<Field<T>, n>& fields, const std::vector<T>& /*sections*/) {
+    sections.push_back({fmt::format("[{}]", name), manual, manual_of<T>(fields)});
+  }
 };
 
 }  // namespace

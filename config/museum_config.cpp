@@ -46,6 +46,19 @@ class SectionVisitor {
     }
   }
 
+  template <typename T, std::size_t n>
+  void one_or_many(std::string_view name, std::string_view manual,
+                   const std::array<Field<T>, n>& fields, std::vector<T>& sections) {
+    const TomlNode* node = find(name);
+    if (node != nullptr && node->kind == TomlNode::Kind::Array)
+      return many(name, manual, fields, sections);
+    known_.push_back(name);
+    if (node == nullptr) return;
+    T& section = sections.emplace_back();
+    section.place = reader_.place(node->range);
+    reader_.read<T>(*node, fmt::format("[{}]", name), fields, section);
+  }
+
   void report_unknown(std::string_view file) {
     for (const TomlEntry& entry : root_.entries)
       if (std::ranges::find(known_, entry.key) == known_.end())
@@ -82,6 +95,7 @@ class MuseumLoader {
     const bool readable =
         read(config_.folder / "museum.toml", [&](auto& visit) { museum_sections(visit, config_); });
     if (!readable) return {.value = std::nullopt, .diagnostics = std::move(diagnostics_)};
+    if (!config_.kiosks.empty()) config_.kiosk = config_.kiosks.front();
     for (const fs::path& file : toml_files(config_.folder / "exhibits"))
       read(file, [&](auto& visit) { exhibit_sections(visit, config_); });
     find_languages();
@@ -157,10 +171,20 @@ class MuseumLoader {
     check_unique("floor", "name", config_.floors, &FloorSection::name);
     check_unique("room", "id", config_.rooms, &RoomSection::id);
     check_unique("exhibit", "id", config_.exhibits, &ExhibitSection::id);
-    check_floor(config_.kiosk.floor);
+    check_kiosks();
     for (const RoomSection& room : config_.rooms) check_floor(room.floor);
     for (const DoorSection& door : config_.doors) check_floor(door.floor);
     for (const ExhibitSection& exhibit : config_.exhibits) check_floor(exhibit.floor);
+  }
+
+  void check_kiosks() {
+    check_unique("kiosk", "id", config_.kiosks, &KioskSection::id);
+    for (const KioskSection& kiosk : config_.kiosks) {
+      check_floor(kiosk.floor);
+      if (config_.kiosks.size() > 1 && !kiosk.id.given)
+        error(kiosk.place, "missing-field", "one of several [[kiosk]] lacks its 'id'", {},
+              "id = \"...\", and in that device's kiosk.toml: kiosk = \"...\"");
+    }
   }
 
   template <typename T>

@@ -23,6 +23,8 @@ struct FloorSection {
   Located<double> height;
 };
 struct KioskSection {
+  Place place;
+  Located<std::string> id;
   Located<std::string> floor;
   Located<Vec2> position;
   Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
@@ -77,7 +79,8 @@ struct MuseumConfig {
   std::vector<std::string> files;  ///< By FileIndex; as diagnostics name them.
   MuseumSection museum;
   std::vector<FloorSection> floors;
-  KioskSection kiosk;
+  KioskSection kiosk;                ///< The first of `kiosks`, else one of which nothing is said.
+  std::vector<KioskSection> kiosks;  ///< [kiosk], or several [[kiosk]], which then have ids.
   AvatarSection avatar;
   AmbientSection ambient;
   MotionSection motion;

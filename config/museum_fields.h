@@ -41,6 +41,13 @@ inline constexpr std::array floor_fields{
 };
 
 inline constexpr std::array kiosk_fields{
+    Field<KioskSection>{
+        "id",
+        &KioskSection::id,
+        Presence::Optional,
+        "What kiosk.toml calls it (kiosk = \"...\"); each of several [[kiosk]] has one",
+        {},
+        Form::Identifier},
     Field<KioskSection>{"floor", &KioskSection::floor, Presence::Optional,
                         "The floor it stands on; the first where it is not said"},
     Field<KioskSection>{"position", &KioskSection::position, Presence::Required,
@@ -175,7 +182,8 @@ inline constexpr std::array words_fields{
 void museum_sections(auto& visit, auto& config) {
   visit.one("museum", "The museum as a whole", museum_fields, config.museum);
   visit.many("floor", "A floor of the building", floor_fields, config.floors);
-  visit.one("kiosk", "Where the kiosk stands", kiosk_fields, config.kiosk);
+  visit.one_or_many("kiosk", "Where the kiosk stands; [[kiosk]] for each of several", kiosk_fields,
+                    config.kiosks);
   visit.one("avatar", "The guide", avatar_fields, config.avatar);
   visit.one("ambient", "Other visitors on the screen", ambient_fields, config.ambient);
   visit.one("motion", "How the guide moves", motion_fields, config.motion);

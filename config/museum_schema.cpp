@@ -96,6 +96,13 @@ struct SchemaVisitor {
             const std::vector<T>& /*sections*/) {
     properties[std::string(name)] = {{"type", "array"}, {"items", section_schema(manual, fields)}};
   }
+  template <typename T, std::size_t n>
+  void one_or_many(std::string_view name, std::string_view manual,
+                   const std::array<Field<T>, n>& fields, const std::vector<T>& /*sections*/) {
+    const Json section = section_schema(manual, fields);
+    properties[std::string(name)] = {
+        {"anyOf", {section, {{"type", "array"}, {"items", section}, {"minItems", 1}}}}};
+  }
 };
 
 Json file_schema(const SchemaVisitor& sections) {

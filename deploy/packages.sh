@@ -14,10 +14,10 @@ packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
   ca-certificates libcairo2 libcurl4 libdrm2 libegl-mesa0 libegl1 libfmt9 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
   libjpeg62-turbo libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libstdc++6
-  libxcb-icccm4 libxcb-keysyms1 libxcb1
+  libxcb-icccm4 libxcb-keysyms1 libxcb1 zchunk
 )
 packages_test=(
-  libgmock-dev libgtest-dev librapidcheck-dev mandoc python3 x11-utils xdotool xvfb zsh
+  libgmock-dev libgtest-dev librapidcheck-dev mandoc python3 x11-utils xdotool xvfb zchunk zsh
 )
 # For tests/kiosk, which boots a Debian and installs docent in it; that test is skipped without them.
 packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)

@@ -13,6 +13,7 @@
 #include "content/command/open_museum.h"
 #include "content/content_error.h"
 #include "content/write/replace_file.h"
+#include "content/write/zchunk.h"
 #include "platform/file/read_file.h"
 #include "platform/signature/digest.h"
 #include "platform/signature/signed_text.h"
@@ -111,6 +112,7 @@ ReleasedFile put_database(const std::string& file, const fs::path& folder,
   constexpr std::size_t enough = 16;
   made.name = fmt::format("museum-s{}-{}.db", schema, made.hash.substr(0, enough));
   write::replace_file(folder / made.name, bytes);
+  write::write_zchunk(folder / made.name);
   return made;
 }
 

@@ -37,6 +37,7 @@ class ExhibitCompiler {
     add_rooms();
     add_doors();
     place_kiosk();
+    name_kiosks();
     for (const config::ExhibitSection& section : config_.exhibits) add_exhibit(section);
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     museum_.ambient =
@@ -109,6 +110,31 @@ class ExhibitCompiler {
       return;
     }
     entrance_ = museum_.kiosk.position;
+  }
+
+  /// Kiosks that have names; the first is placed already, as the one that the museum is seen from.
+  void name_kiosks() {
+    for (const config::KioskSection& section : config_.kiosks) {
+      if (!section.id.given) continue;
+      KioskPlace kiosk{
+          .id = section.id.value,
+          .floor = static_cast<std::uint32_t>(config::floor_index(config_, section.floor.value)),
+          .placement = {section.position.value, to_radians(section.facing.value)}};
+      if (museum_.kiosks.empty())
+        kiosk.placement = museum_.kiosk;
+      else
+        check_standing(section, kiosk);
+      museum_.kiosks.push_back(std::move(kiosk));
+    }
+  }
+
+  void check_standing(const config::KioskSection& section, const KioskPlace& kiosk) {
+    if (!section.position.given || kiosk.floor >= maps_.size() || !maps_[kiosk.floor]) return;
+    if (const auto problem =
+            why_nobody_stands(*maps_[kiosk.floor], kiosk.placement.position, museum_.body_radius))
+      error(section.position.place, "kiosk-outside-floor",
+            fmt::format("nobody can stand where the kiosk '{}' is said to be", kiosk.id),
+            problem->label, problem->hint);
   }
 
   void add_exhibit(const config::ExhibitSection& section) {

@@ -1,6 +1,7 @@
 #include "content/compile/compile_scenery.h"
 
 #include <cstddef>
+#include <ranges>
 #include <vector>
 
 #include "content/scenery/scenery.h"
@@ -40,6 +41,8 @@ void compile_scenery(const config::MuseumConfig* config, Museum& museum) {
     scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
     // The overview is turned as the visitor stands at the kiosk.
+    for (const KioskPlace& kiosk : museum.kiosks | std::views::reverse)
+      if (kiosk.floor == i) options.up = kiosk.placement.heading;
     if (museum.kiosk_floor == i) options.up = museum.kiosk.heading;
     museum.scenery.push_back(scenery::make_scenery(museum.floors[i].plan, museum.exhibits, aspects,
                                                    paving_of(config, museum, i), options));

@@ -8,7 +8,6 @@
 
 #include "config/diagnostic_text.h"
 #include "config/kiosk_config.h"
-#include "platform/signature/key.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/options.h"
 
@@ -24,10 +23,10 @@ int check(const CheckOptions& options) {
   const config::Loaded<config::KioskConfig> config = config::load_kiosk_config(options.config);
   config::tell(config.diagnostics);
   if (!config.value || !config.diagnostics.empty()) return 1;
-  const auto keys = signature::read_public_keys(config.value->keys);
-  if (!keys) return say(keys.error());
+  const Result<Selection> selection = selection_of(*config.value);
+  if (!selection) return say(selection.error());
   const std::string& database = options.database;
-  const Result<Museum> museum = read_museum(database, *keys);
+  const Result<Museum> museum = read_museum(database, *selection);
   if (!museum) return say(museum.error(), journal::Message::Refused);
   fmt::print("{}: can be shown: {}\n", database, summary(*museum));
   return 0;
@@ -42,8 +41,8 @@ terminal::Command check_command() {
           .options = {{"DB", terminal::file("DB", options->database), "The compiled museum",
                        terminal::Times::Once},
                       {"--config", terminal::file("FILE", options->config),
-                       "This device's settings, for its keys", terminal::Times::AtMostOnce,
-                       default_config}},
+                       "This device's settings: its keys, and which kiosk it is",
+                       terminal::Times::AtMostOnce, default_config}},
           .run = [options] { return check(*options); }};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <future>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -44,24 +43,54 @@ void keep_what_is_walked(Museum& museum) {
   museum.motion.foresight.raw = {};
 }
 
+/// The keys that a database says it is signed with, for `docent status`.
+std::string signed_by(const sqlite::Database& database, const Selection& selection) {
+  if (database.signatures.empty()) return "none";
+  std::vector<std::string> names;
+  for (const signature::Signature& signature : database.signatures)
+    names.push_back(signature::name_of(signature.key));
+  return fmt::format("{}{}", fmt::join(names, ", "),
+                     selection.keys.empty() ? " (not verified: kiosk.toml names no keys)" : "");
+}
+
+Error no_such_kiosk(const Museum& museum, std::string_view id,
+                    const std::filesystem::path& database) {
+  std::vector<std::string> ids;
+  for (const KioskPlace& kiosk : museum.kiosks) ids.push_back(kiosk.id);
+  return {Errc::InvalidInput,
+          fmt::format("{}: has no kiosk '{}', which kiosk.toml says that this one is; {}",
+                      database.string(), id,
+                      ids.empty() ? std::string("its museum.toml names none")
+                                  : fmt::format("it has {}", fmt::join(ids, ", ")))};
+}
+
 }  // namespace
 
-Result<Museum> read_museum(const std::filesystem::path& database,
-                            std::span<const signature::PublicKey> keys, ContentFacts* facts) {
+Result<Selection> selection_of(const config::KioskConfig& config) {
+  auto keys = signature::read_public_keys(config.keys);
+  if (!keys) return std::unexpected(keys.error());
+  return Selection{.keys = std::move(*keys), .kiosk = config.kiosk};
+}
+
+Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
+                           ContentFacts* facts) {
   const Result<sqlite::Database> file = sqlite::open_database(database);
   if (!file) return std::unexpected(file.error());
-  if (!keys.empty())
-    if (const Result<void> trusted = sqlite::check_signature(*file, database, keys); !trusted)
+  if (!selection.keys.empty())
+    if (const auto trusted = sqlite::check_signature(*file, database, selection.keys); !trusted)
       return std::unexpected(trusted.error());
   Result<Museum> museum = sqlite::read_museum(*file, database);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
+  if (museum && !selection.kiosk.empty() && !stand_at(*museum, selection.kiosk))
+    return std::unexpected(no_such_kiosk(*museum, selection.kiosk, database));
   if (museum && facts != nullptr)
     *facts = {.path = database,
               .museum = std::string(interface::in_language(*museum, 0, museum->title)),
               .checksum = sqlite::checksum_text(*file),
-              .schema = schema::version};
+              .schema = schema::version,
+              .signature = signed_by(*file, selection)};
   return museum;
 }
 
@@ -75,10 +104,10 @@ std::string summary(const Museum& museum) {
 }
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
-                                                    std::span<const signature::PublicKey> keys,
+                                                    const Selection& selection,
                                                     const guide::GuideSettings& settings) {
   ContentFacts content;
-  Result<Museum> museum = read_museum(database, keys, &content);
+  Result<Museum> museum = read_museum(database, selection, &content);
   if (!museum) return std::unexpected(museum.error());
   Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
+#include "config/kiosk_config.h"
 #include "platform/gles/renderer.h"
 #include "platform/signature/key.h"
 #include "runtime/guide/guide.h"
@@ -30,17 +30,24 @@ struct Exhibition {
   Exhibition& operator=(const Exhibition&) = delete;
 };
 
-/// Reads a museum that can be shown and, where there are keys, is signed with one of them, and
-/// writes down of which database, where `facts` are wanted. Fails with a sentence.
-Result<Museum> read_museum(const std::filesystem::path& database,
-                           std::span<const signature::PublicKey> keys,
+/// What a device shows.
+struct Selection {
+  std::vector<signature::PublicKey> keys{};  ///< Where there are any, only what is signed with one.
+  std::string kiosk{};  ///< Which of the museum's kiosks it is; empty: the first.
+};
+/// As the settings say; fails where a key cannot be read.
+Result<Selection> selection_of(const config::KioskConfig& config);
+
+/// Reads a museum that can be shown, as this device shows it, and writes down of which database,
+/// where `facts` are wanted. Fails with a sentence.
+Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
                            ContentFacts* facts = nullptr);
 /// What a museum is, in a line for the journal: its title and how much it holds.
 std::string summary(const Museum& museum);
 
 /// Reads a database and makes all of it ready. Takes a while, so do not call on the frame thread.
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
-                                                    std::span<const signature::PublicKey> keys,
+                                                    const Selection& selection,
                                                     const guide::GuideSettings& settings);
 
 /// Carries the building with its pictures and the body into texture memory. Frame thread.

@@ -17,7 +17,6 @@
 #include "platform/gles/gpu_timer.h"
 #include "platform/journal/journal.h"
 #include "platform/service/status_socket.h"
-#include "platform/signature/key.h"
 #include "platform/terminal/command_line.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
@@ -171,7 +170,7 @@ class Kiosk {
   StatusBoard status_;
   Staff staff_;
   std::filesystem::path database_;
-  std::vector<signature::PublicKey> keys_;  ///< None: any database is shown.
+  Selection selection_;
   std::unique_ptr<Exhibition> exhibition_;
   std::future<Result<std::unique_ptr<Exhibition>>> loading_;
   std::optional<VisitPlayer> visit_;
@@ -199,11 +198,11 @@ class Kiosk {
 };
 
 Result<void> Kiosk::open(const std::optional<Visit>& visit) {
-  auto keys = signature::read_public_keys(config_.keys);
-  if (!keys) return std::unexpected(keys.error());
-  keys_ = std::move(*keys);
+  Result<Selection> selection = selection_of(config_);
+  if (!selection) return std::unexpected(selection.error());
+  selection_ = std::move(*selection);
   notice_.starts("reads the database");
-  const auto load = [this] { return load_exhibition(database_, keys_, guide_settings()); };
+  const auto load = [this] { return load_exhibition(database_, selection_, guide_settings()); };
   auto exhibition = load();
   if (!exhibition && waits_for_content())
     exhibition = wait_for_content(edges_, renderer_, notice_, database_, exhibition.error(), load);
@@ -482,13 +481,13 @@ bool Kiosk::is_a_moment_to_change() noexcept {
 void Kiosk::take_up_content() {
   if (!loading_.valid() && take_signal(SIGHUP)) {
     asked_to_change_ = time_;
-    loading_ = std::async(
-        std::launch::async, [file = database_, keys = keys_, settings = guide_settings()] {
-          Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
-              Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
-          guarded("reading a database", [&] { loaded = load_exhibition(file, keys, settings); });
-          return loaded;
-        });
+    loading_ = std::async(std::launch::async, [file = database_, selection = selection_,
+                                               settings = guide_settings()] {
+      Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
+          Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
+      guarded("reading a database", [&] { loaded = load_exhibition(file, selection, settings); });
+      return loaded;
+    });
   }
   if (!loading_.valid() || !is_a_moment_to_change()) return;
   if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/model/exhibit/exhibit.h"
@@ -42,6 +44,13 @@ struct Ambient {
   double look_least = 6, look_most = 20;
 };
 
+/// One of several kiosks that share a museum.
+struct KioskPlace {
+  std::string id;
+  std::uint32_t floor = 0;
+  Placement placement;
+};
+
 /// Everything the kiosk knows, as the database holds it. Immutable once loaded.
 struct Museum {
   LocalText title;
@@ -53,7 +62,9 @@ struct Museum {
   std::vector<Exhibit> exhibits;
   std::vector<EncodedImage> images;
   std::uint32_t kiosk_floor = 0;
-  Placement kiosk;            ///< "You are here"; the heading is where the visitor looks.
+  Placement kiosk;  ///< "You are here"; the heading is where the visitor looks.
+  /// Where they have names: all of them, the first being the one above. stand_at() changes that.
+  std::vector<KioskPlace> kiosks;
   double body_radius = 0.25;  ///< Metres.
   /// A walking body rounds corners a little inside its way, so ways are asked for with this much
   /// room to spare. Metres.
@@ -62,5 +73,16 @@ struct Museum {
   MotionGraph motion;  ///< Without clips where the museum was compiled with --no-motion.
   SkinnedMesh avatar;
 };
+
+/// Makes the kiosk the one with that id; false, and nothing changed, where there is none. Strollers
+/// stay away from a floor that their entrances are not on.
+[[nodiscard]] inline bool stand_at(Museum& museum, std::string_view id) {
+  const auto kiosk = std::ranges::find(museum.kiosks, id, &KioskPlace::id);
+  if (kiosk == museum.kiosks.end()) return false;
+  if (kiosk->floor != museum.kiosk_floor) museum.ambient = {};
+  museum.kiosk_floor = kiosk->floor;
+  museum.kiosk = kiosk->placement;
+  return true;
+}
 
 }  // namespace docent

@@ -345,6 +345,9 @@ std::string broken_invariant(const Museum& museum) {
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
+  for (const KioskPlace& kiosk : museum.kiosks)
+    if (kiosk.floor >= museum.floors.size() || !finite(kiosk.placement))
+      return "kiosk '" + kiosk.id + "'";
   if (!finite(museum.body_radius) || museum.body_radius <= 0) return "the body's radius";
   if (!keeps(museum.ambient)) return "its strolling visitors";
   if (!keeps(museum.motion)) return "its motion";

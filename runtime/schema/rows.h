@@ -24,6 +24,14 @@ void columns(auto& row, MaybeConst<Museum> auto& museum) {
   row("ambient_look_most", museum.ambient.look_most);
 }
 
+void columns(auto& row, MaybeConst<KioskPlace> auto& kiosk) {
+  row("name", kiosk.id);
+  row("floor", kiosk.floor);
+  row("x", kiosk.placement.position.x);
+  row("y", kiosk.placement.position.y);
+  row("heading", kiosk.placement.heading);
+}
+
 void columns(auto& row, MaybeConst<Language> auto& language) {
   row("tag", language.tag);
   row("name", language.name);
@@ -182,6 +190,7 @@ void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
 ///  - texts(subject, owner, map): rows of `text`.
 void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.row("museum", 0, museum);
+  store.rows("kiosk", museum.kiosks);
   store.texts("museum.title", 0, museum.title);
   store.texts("museum.welcome", 0, museum.welcome);
   store.rows("language", museum.languages);

@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 5 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 8 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -21,6 +21,15 @@ CREATE TABLE museum (        -- one row
   ambient_entrance BLOB NOT NULL,    -- Vec2
   ambient_look_least REAL NOT NULL,  -- seconds
   ambient_look_most REAL NOT NULL
+);
+
+CREATE TABLE kiosk (         -- where several share the museum: all, the first being the one above
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,        -- what kiosk.toml calls it
+  floor INTEGER NOT NULL,
+  x REAL NOT NULL,
+  y REAL NOT NULL,
+  heading REAL NOT NULL
 );
 
 CREATE TABLE language (      -- the first is the default

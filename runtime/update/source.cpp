@@ -12,10 +12,6 @@ namespace {
 
 using https::Response;
 
-bool is_url(std::string_view place) {
-  return place.starts_with("https://") || place.starts_with("http://");
-}
-
 Result<Response> read(const std::filesystem::path& file, std::uint64_t most,
                       const std::function<bool(std::span<const std::byte>)>& take) {
   const auto failed = [&](std::string_view why) {
@@ -42,6 +38,10 @@ Result<Response> read(const std::filesystem::path& file, std::uint64_t most,
 
 }  // namespace
 
+bool is_url(const Source& source) {
+  return source.place.starts_with("https://") || source.place.starts_with("http://");
+}
+
 std::string name_in(const Source& source, std::string_view name) {
   return source.place.ends_with('/') ? fmt::format("{}{}", source.place, name)
                                      : fmt::format("{}/{}", source.place, name);
@@ -51,8 +51,8 @@ Result<Response> fetch(const Source& source, std::string_view name, std::uint64_
                        const std::string& etag,
                        const std::function<bool(std::span<const std::byte>)>& take) {
   const std::string file = name_in(source, name);
-  return is_url(source.place) ? https::fetch({.url = file, .etag = etag, .most = most}, take)
-                              : read(file, most, take);
+  return is_url(source) ? https::fetch({.url = file, .etag = etag, .most = most}, take)
+                        : read(file, most, take);
 }
 
 Result<Text> fetch_text(const Source& source, std::string_view name, std::uint64_t most,

@@ -14,6 +14,8 @@ struct Source {
   std::string place{};
 };
 
+bool is_url(const Source& source);
+
 /// A file's name with its place, for sentences.
 std::string name_in(const Source& source, std::string_view name);
 

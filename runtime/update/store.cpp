@@ -17,6 +17,7 @@
 #include "platform/file/read_file.h"
 #include "platform/file/write_file.h"
 #include "platform/signature/digest.h"
+#include "runtime/update/delta.h"
 
 namespace docent::update {
 namespace {
@@ -116,6 +117,31 @@ Result<void> fetch_whole(const Source& source, const release::ReleasedFile& file
   return {};
 }
 
+fs::path zchunk_of(fs::path database) {
+  return database.replace_extension(".zck");
+}
+
+/// Brings the file by its differences from the newest kept one of the same schema version; false
+/// where that did not work, for whatever reason.
+bool fetch_differences(const Store& store, const Source& source, const release::ReleasedFile& file,
+                       const DeviceState& state, const fs::path& place) {
+  if (!is_url(source)) return false;
+  const Kept* const older = release::newest_kept(state, file.schema);
+  DeltaFiles files;
+  const bool fetched =
+      fetch_delta({.url = name_in(source, file.name),
+                   .most = file.size,
+                   .older = older != nullptr ? zchunk_of(file_of(store, *older)) : fs::path(),
+                   .folder = releases_folder(store) / "parts"},
+                  files);
+  // What zchunk made is copied as any other source is, and so verified and flushed.
+  const bool kept = fetched && fetch_whole({files.file.parent_path().string()}, file, place);
+  std::error_code ignored;
+  if (kept) fs::rename(files.zchunk, zchunk_of(place), ignored);
+  fs::remove_all(releases_folder(store) / "parts", ignored);
+  return kept;
+}
+
 /// A kept file with these bytes, by another release's name.
 bool link_same(const Store& store, const release::ReleasedFile& file, const DeviceState& state,
                const fs::path& place) {
@@ -192,7 +218,8 @@ Result<Kept> keep(const Store& store, const Source& source, std::uint64_t versio
   std::error_code status;
   fs::create_directories(releases_folder(store), status);
   if (status) return failure(releases_folder(store), "cannot be made", status.value());
-  if (!link_same(store, file, state, place))
+  if (!link_same(store, file, state, place) &&
+      !fetch_differences(store, source, file, state, place))
     if (const Result<void> fetched = fetch_whole(source, file, place); !fetched)
       return std::unexpected(fetched.error());
   if (std::ranges::find(state.kept, kept) == state.kept.end()) state.kept.push_back(kept);
@@ -235,10 +262,13 @@ void forget(const Store& store, DeviceState& state, std::uint32_t schema) {
   });
   if (!save_state(store, state)) return;  // then nothing is removed that the old one names
   std::set<fs::path> named;
-  for (const Kept& kept : state.kept) named.insert(file_of(store, kept));
+  for (const Kept& kept : state.kept) {
+    named.insert(file_of(store, kept));
+    named.insert(zchunk_of(file_of(store, kept)));
+  }
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(releases_folder(store), ignored))
-    if (!named.contains(entry.path())) fs::remove(entry.path(), ignored);
+    if (!named.contains(entry.path())) fs::remove_all(entry.path(), ignored);
 }
 
 }  // namespace docent::update

@@ -18,6 +18,7 @@ namespace docent::update {
 ///   update.lock                   held by whoever changes any of this
 ///   releases/000042-s7.db         release 42, for schema version 7: the last three, and of the
 ///                                 newest the ones that a newer program will show
+///   releases/000042-s7.zck        the same, as zchunk fetched it: what the next is put together of
 ///
 /// Everything is written beside its place, flushed and renamed. A new database is shown in this
 /// order: its file is in `releases`; the state says that it is to be shown; museum.db is renamed

@@ -129,6 +129,7 @@ Result<void> take(const Settings& settings, const Manifest& manifest, DeviceStat
   const Result<void> sound = check_database(file_of(settings.store, *kept), settings.keys);
   if (!sound) {
     state.refused.push_back(manifest.version);  // it would be no better the next time
+    state.etag.clear();                         // and whoever asks is told so
     static_cast<void>(save_state(settings.store, state));
     return sound;
   }

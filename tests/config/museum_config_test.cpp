@@ -289,5 +289,29 @@ TEST(DiagnosticText, IsOneJsonObjectALine) {
             "\"severity\":\"warning\",\"message\":\"broken \uFFFD byte\",\"hint\":\"\"}");
 }
 
+TEST(MuseumConfig, MayHaveSeveralKiosksWhichThenHaveIds) {
+  test::MuseumFolder museum;
+  museum.replace("museum.toml", "[kiosk]\n",
+                 "[[kiosk]]\nid = \"cafe\"\nposition = [3, 2]\n\n[[kiosk]]\n");
+
+  const auto unnamed = load_museum_config(museum.path());
+  EXPECT_THAT(unnamed.diagnostics,
+              testing::Contains(
+                  testing::Field(&Diagnostic::message, "one of several [[kiosk]] lacks its 'id'")));
+
+  museum.replace("museum.toml", "[[kiosk]]\nposition = [2",
+                 "[[kiosk]]\nid = \"cafe\"\nposition = [2");
+  const auto twice = load_museum_config(museum.path());
+  EXPECT_THAT(twice.diagnostics,
+              testing::Contains(testing::Field(&Diagnostic::code, "duplicate-id")));
+
+  museum.replace("museum.toml", "id = \"cafe\"\nposition = [2", "id = \"foyer\"\nposition = [2");
+  const auto loaded = load_museum_config(museum.path());
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  ASSERT_EQ(loaded.value->kiosks.size(), 2U);
+  EXPECT_EQ(loaded.value->kiosk.id.value, "cafe");
+  EXPECT_EQ(loaded.value->kiosks[1].position.value, Vec2(2, 2));
+}
+
 }  // namespace
 }  // namespace docent::config

@@ -19,11 +19,8 @@
 
 namespace docent::test {
 
-/// A museum's database whose title says which it is, signed.
-inline std::vector<std::byte> signed_museum(const std::string& title,
-                                            const signature::SecretKey& key) {
-  Museum museum = small_museum();
-  museum.title["en"] = title;
+/// A museum's database, signed.
+inline std::vector<std::byte> signed_museum(const Museum& museum, const signature::SecretKey& key) {
   std::vector<std::byte> file = write::encode_museum(museum);
   const std::filesystem::path name =
       std::filesystem::temp_directory_path() / fmt::format("docent-made-{}.db", ::getpid());
@@ -31,6 +28,14 @@ inline std::vector<std::byte> signed_museum(const std::string& title,
   file = sqlite::signed_file(sqlite::open_database(name).value(), name, key).value();
   std::filesystem::remove(name);
   return file;
+}
+
+/// A small one, whose title says which it is.
+inline std::vector<std::byte> signed_museum(const std::string& title,
+                                            const signature::SecretKey& key) {
+  Museum museum = small_museum();
+  museum.title["en"] = title;
+  return signed_museum(museum, key);
 }
 
 /// Makes releases in a folder, as `docent-content release` does, at any time.

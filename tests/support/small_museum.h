@@ -93,6 +93,8 @@ inline Museum small_museum() {
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
   museum.kiosk = {{1, 1}, 0.5};
+  museum.kiosks = {{.id = "foyer", .floor = 0, .placement = {{1, 1}, 0.5}},
+                   {.id = "cafe", .floor = 0, .placement = {{9, 4}, -1.5}}};
   museum.body_radius = 0.3;
   museum.ambient = {.count = 12, .entrances = {{2, 3}, {5, 7}}, .look_least = 4, .look_most = 9.5};
 

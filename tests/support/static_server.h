@@ -92,9 +92,42 @@ class StaticServer {
           "HTTP/1.1 304 Not Modified\r\nDate: Mon, 23 Nov 2026 15:00:00 GMT\r\nServer: nginx\r\n"
           "ETag: {}\r\nConnection: close\r\n\r\n",
           tag);
+    if (const std::size_t ranges = request.find("\r\nRange: bytes="); ranges != std::string::npos)
+      return parts_of(body,
+                      request.substr(ranges + 15, request.find("\r\n", ranges + 2) - ranges - 15));
     return fmt::format(
         "HTTP/1.1 200 OK\r\nETag: {}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n{}", tag,
         body.size(), body);
+  }
+
+  /// RFC 9110, section 14: "0-99" or "0-99,200-299".
+  static std::string parts_of(const std::string& body, const std::string& ranges) {
+    std::vector<std::pair<std::size_t, std::size_t>> wanted;
+    for (std::size_t at = 0; at < ranges.size(); at = ranges.find(',', at) + 1) {
+      const std::size_t first = std::stoul(ranges.substr(at));
+      const std::size_t last = std::stoul(ranges.substr(ranges.find('-', at) + 1));
+      wanted.emplace_back(first, std::min(last, body.size() - 1));
+      if (ranges.find(',', at) == std::string::npos) break;
+    }
+    const auto content_range = [&](const auto& range) {
+      return fmt::format("Content-Range: bytes {}-{}/{}\r\n", range.first, range.second,
+                         body.size());
+    };
+    std::string parts, type;
+    if (wanted.size() == 1) {
+      type = content_range(wanted[0]);
+      parts = body.substr(wanted[0].first, wanted[0].second - wanted[0].first + 1);
+    } else {
+      type = "Content-Type: multipart/byteranges; boundary=part\r\n";
+      for (const auto& range : wanted)
+        parts += fmt::format("\r\n--part\r\nContent-Type: application/octet-stream\r\n{}\r\n{}",
+                             content_range(range),
+                             body.substr(range.first, range.second - range.first + 1));
+      parts += "\r\n--part--\r\n";
+    }
+    return fmt::format(
+        "HTTP/1.1 206 Partial Content\r\n{}Content-Length: {}\r\nConnection: close\r\n\r\n{}", type,
+        parts.size(), parts);
   }
 
   std::filesystem::path folder_;

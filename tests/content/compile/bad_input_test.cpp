@@ -84,6 +84,17 @@ TEST(BadInput, AKioskInAWall) {
                     HasSubstr("3.00 m outside the floor")));
 }
 
+TEST(BadInput, OneOfSeveralKiosksInAWall) {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "[kiosk]\n",
+                 "[[kiosk]]\nid = \"cafe\"\nposition = [3, 6]\n[[kiosk]]\nid = \"foyer\"\n");
+  museum.replace("museum.toml", "position = [2.0, 2.0]", "position = [-3.0, 2.0]");
+
+  EXPECT_THAT(failing_compile(museum).err,
+              AllOf(HasSubstr("museum.toml:13:12: error[kiosk-outside-floor]"),
+                    HasSubstr("nobody can stand where the kiosk 'foyer' is said to be")));
+}
+
 TEST(BadInput, TwoExhibitsWithOneId) {
   const MuseumFolder museum;
   museum.replace("exhibits/hall.toml", "\"portrait\"", "\"jade-disc\"");

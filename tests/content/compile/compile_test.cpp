@@ -45,6 +45,21 @@ TEST(Compile, TurnsAFolderIntoAMuseum) {
   EXPECT_NEAR(museum.kiosk.heading, std::numbers::pi / 2, 1e-12);
 }
 
+TEST(Compile, PlacesEachOfSeveralKiosks) {
+  const MuseumFolder folder;
+  folder.replace("museum.toml", "[kiosk]\n",
+                 "[[kiosk]]\nid = \"cafe\"\nposition = [3, 6]\nfacing = 180\n"
+                 "[[kiosk]]\nid = \"foyer\"\n");
+
+  Museum museum = compiled(folder);
+
+  ASSERT_EQ(museum.kiosks.size(), 2U);
+  EXPECT_EQ(museum.kiosk.position, Vec2(3, 6)) << "the first, where kiosk.toml does not say";
+  ASSERT_TRUE(stand_at(museum, "foyer"));
+  EXPECT_EQ(museum.kiosk.position, Vec2(2, 2));
+  EXPECT_NEAR(museum.kiosk.heading, std::numbers::pi / 2, 1e-12);
+}
+
 TEST(Compile, KeepsWhereStrollingVisitorsComeFromAndHowLongTheyLook) {
   const MuseumFolder folder;
   folder.replace("museum.toml", "count = 3", "count = 5\nfrom = [[1, 4], [9, 1.5]]\nlook = [3, 8]");

@@ -170,6 +170,8 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"kiosk", [](Museum& m) { m.kiosk_floor = 1; }},
+      {"kiosk 'cafe'", [](Museum& m) { m.kiosks[1].floor = 1; }},
+      {"kiosk 'foyer'", [](Museum& m) { m.kiosks[0].placement.position.x = INFINITY; }},
       {"radius", [](Museum& m) { m.body_radius = 0; }},
       {"strolling visitors", [](Museum& m) { m.ambient.count = 100000; }},
       {"strolling visitors", [](Museum& m) { m.ambient.entrances[1].y = NAN; }},

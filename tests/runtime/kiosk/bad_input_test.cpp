@@ -97,6 +97,17 @@ TEST_F(ADatabase, ThatIsNotSignedIsRefusedWhereAKeyIsConfigured) {
   EXPECT_THAT(keyless.err, HasSubstr("museum.pub: there is no such file"));
 }
 
+TEST_F(ADatabase, WithoutTheKioskThatThisOneIsSaidToBeIsRefused) {
+  std::ofstream(folder_.path() / "kiosk.toml") << "kiosk = \"cafe\"\n";
+
+  const ProgramRun run =
+      run_program("docent", "check '" + sample_database().string() + "' --config '" +
+                                (folder_.path() / "kiosk.toml").string() + "'");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("has no kiosk 'cafe', which kiosk.toml says that this one is"));
+}
+
 TEST(ADisplay, ThatCannotBeOpenedIsAnEnvironmentFault) {
   const std::string content = "--content '" + sample_database().string() + "' --seconds 1 ";
   const ProgramRun window = run_program("docent", content + "--display window </dev/null");

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <random>
 
 #include "platform/sqlite/content_reader.h"
 #include "runtime/update/update.h"
 #include "tests/support/recorded_disk.h"
 #include "tests/support/release_maker.h"
+#include "tests/support/started_program.h"
 
 namespace docent::test {
 namespace {
@@ -92,6 +94,33 @@ TEST_F(AnUpdate, KilledBeforeAnyOfItsOperationsLeavesTheOldOrTheNew) {
     ASSERT_EQ(run.exit_code, -1) << run.err;
   }
   EXPECT_GT(kills, 20) << "how many operations an update has";
+}
+
+/// As many as DOCENT_KILLS says, for a long night.
+TEST_F(AnUpdate, KilledAtRandomMomentsLeavesAWholeDatabase) {
+  const char* const asked = std::getenv("DOCENT_KILLS");
+  const int kills = asked != nullptr ? std::atoi(asked) : 30;
+  std::mt19937 random(static_cast<unsigned>(kills));
+  int killed = 0;
+  std::uint64_t version = 2;
+  std::chrono::microseconds whole{20'000};  // how long an update takes: measured as it goes on
+  for (int i = 0; i < kills; ++i) {
+    const auto begun = std::chrono::steady_clock::now();
+    StartedProgram run(program("docent-update"), {"--once", "--config", path("kiosk.toml")},
+                       path("said"));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % (2 * whole.count())));
+    run.signal(SIGKILL);
+    const int end = run.wait();
+    killed += end == -SIGKILL ? 1 : 0;
+    ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << i;
+    if (end != 0) continue;
+    ASSERT_EQ(end, 0);
+    whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                                  begun);
+    ++version;
+    publish(version, version % 2 == 0 ? "new" : "old");
+  }
+  EXPECT_GT(killed, kills / 10);
 }
 
 TEST_F(AnUpdate, CutOffFromPowerAtAnyMomentLeavesTheOldOrTheNew) {

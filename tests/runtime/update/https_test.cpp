@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <random>
+
 #include "platform/https/fetch.h"
 #include "platform/sqlite/content_reader.h"
 #include "runtime/update/update.h"
@@ -93,6 +96,50 @@ TEST_F(AServer, ThatSendsMoreThanItShouldIsNotListenedTo) {
   write::replace_file(maker_.folder / "release.txt", std::vector<std::byte>(20'000));
 
   EXPECT_THAT(look().error().what, HasSubstr("it has more than 16384 bytes"));
+}
+
+/// A database with a few hundred kilobytes that do not shrink, as a museum's walls and walks are.
+std::vector<std::byte> large_museum(const std::string& title, const signature::SecretKey& key) {
+  Museum museum = test::small_museum();
+  museum.title["en"] = title;
+  std::mt19937 random(7);
+  museum.images[0].bytes.resize(1'000'000);
+  for (std::byte& byte : museum.images[0].bytes) byte = static_cast<std::byte>(random());
+  return test::signed_museum(museum, key);
+}
+
+TEST_F(AServer, GivesOnlyWhatDiffersWhereThereIsZchunk) {
+  if (std::system("command -v zck >/dev/null") != 0)  // NOLINT(bugprone-command-processor)
+    GTEST_SKIP() << "needs the package zchunk";
+  const auto publish_large = [&](std::uint64_t version) {
+    release::Manifest manifest{
+        .version = version, .issued = noon + static_cast<int>(version), .expires = noon + 86400};
+    maker_.add(manifest, large_museum(std::to_string(version), maker_.key));
+    const std::string file = (maker_.folder / manifest.files[0].name).string();
+    const std::string zck = "zck -o '" + file + ".zck' '" + file + "'";
+    EXPECT_EQ(std::system(zck.c_str()), 0);  // NOLINT(bugprone-command-processor)
+    fs::remove(file);                        // so that nothing else can be fetched
+    maker_.publish(manifest);
+  };
+  publish_large(1);
+  ASSERT_EQ(look().value().status, "taken");
+  const std::size_t before = server_.bytes();
+  publish_large(2);
+
+  ASSERT_EQ(look().value().status, "taken");
+
+  EXPECT_EQ(shown(), "2");
+  EXPECT_LT(server_.bytes() - before, 200'000U) << "of a megabyte";
+}
+
+TEST_F(AServer, WhoseZchunkIsRubbishIsAskedForTheWholeFile) {
+  publish(1);
+  for (const auto& entry : fs::directory_iterator(maker_.folder))
+    if (entry.path().extension() == ".db")
+      std::ofstream(entry.path().string() + ".zck") << "rubbish";
+
+  EXPECT_EQ(look().value().status, "taken");
+  EXPECT_EQ(shown(), "1");
 }
 
 TEST_F(AServer, ThatHasNoReleaseSaysSo) {

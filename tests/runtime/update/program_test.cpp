@@ -60,6 +60,20 @@ TEST_F(DocentUpdate, TakesWhatDocentContentReleased) {
   EXPECT_EQ(update("--starting").exit_code, 0);
 }
 
+TEST_F(DocentUpdate, FindsWhatZchunkMadeBesideTheDatabaseOfARelease) {
+  if (std::system("command -v zck >/dev/null") != 0)  // NOLINT(bugprone-command-processor)
+    GTEST_SKIP() << "needs the package zchunk";
+  ASSERT_EQ(release("first").exit_code, 0);
+
+  std::size_t databases = 0, zchunks = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(file("server"))) {
+    databases += entry.path().extension() == ".db" ? 1 : 0;
+    zchunks += entry.path().extension() == ".zck" ? 1 : 0;
+  }
+  EXPECT_EQ(databases, 1U);
+  EXPECT_EQ(zchunks, 1U);
+}
+
 TEST_F(DocentUpdate, SaysWhatIsMissing) {
   const ProgramRun none = update("--once");
   EXPECT_EQ(none.exit_code, 3);
