@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -404,9 +405,9 @@ class Kms final : public KmsDisplay {
     }
   }
 
-  CommitResult apply(std::uint32_t flags, std::uint64_t number = 0) noexcept {
+  CommitResult apply(std::uint32_t flags, std::uintptr_t number = 0) noexcept {
     const int status =
-        drmModeAtomicCommit(fd(), request_.get(), flags, reinterpret_cast<void*>(number));
+        drmModeAtomicCommit(fd(), request_.get(), flags, std::bit_cast<void*>(number));
     return result_of(status < 0 ? -status : status);
   }
 
@@ -437,7 +438,7 @@ class Kms final : public KmsDisplay {
   Swapchain chain_;
   Outputs outputs_;
   AtomicRequest request_;
-  std::uint64_t flip_number_ = 0;
+  std::uintptr_t flip_number_ = 0;
   std::size_t flips_missing_ = 0;  ///< Screens that have not flipped to the last frame yet.
   nanoseconds last_blank_{0};
   bool was_presented_ = false;  ///< Since the last wait.

@@ -486,6 +486,35 @@ TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {
   EXPECT_EQ(differing, 0);
 }
 
+/// A panel of 320 x 180 pixels, which keeps what it is given.
+class Panel {
+ public:
+  Panel() {
+    glGenRenderbuffers(1, &buffer_);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 320, 180);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer_);
+  }
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+  ~Panel() {
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteRenderbuffers(1, &buffer_);
+  }
+  GLuint framebuffer() const { return framebuffer_; }
+  Rgb pixel(int x, int y_down) const {
+    std::array<unsigned char, 4> p{};
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glReadPixels(x, 179 - y_down, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p.data());
+    return Rgb{p[0], p[1], p[2]};
+  }
+
+ private:
+  GLuint buffer_ = 0, framebuffer_ = 0;
+};
+
 TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
   scene::DrawList list = paper_only();
   scene::Quad corner;  // the visitor's upper left
@@ -493,29 +522,35 @@ TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
   corner.colour = scene::srgb(0xD2452D);
   list.quads.push_back(corner);
   // A panel of 320 x 180 whose upper edge hangs to the right: the visitor sees 180 x 320.
-  GLuint buffer = 0, panel = 0;
-  glGenRenderbuffers(1, &buffer);
-  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 320, 180);
-  glGenFramebuffers(1, &panel);
-  glBindFramebuffer(GL_FRAMEBUFFER, panel);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer);
+  const Panel panel;
 
-  renderer_->draw(list, {panel, {180, 320}, Encoding::Plain, Rotation::Quarter});
+  renderer_->draw(list, {panel.framebuffer(), {180, 320}, Encoding::Plain, Rotation::Quarter});
 
-  const auto panel_pixel = [&](int x, int y_down) {
-    std::array<unsigned char, 4> p{};
-    glBindFramebuffer(GL_FRAMEBUFFER, panel);
-    glReadPixels(x, 179 - y_down, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p.data());
-    return Rgb{p[0], p[1], p[2]};
-  };
   // Seen upright, the panel's lower left corner is the visitor's upper left.
-  expect_near(panel_pixel(5, 174), {0xD2, 0x45, 0x2D}, 1, "lower left");
-  expect_near(panel_pixel(5, 5), paper, 1, "upper left");
-  expect_near(panel_pixel(314, 5), paper, 1, "upper right");
-  expect_near(panel_pixel(314, 174), paper, 1, "lower right");
-  glDeleteFramebuffers(1, &panel);
-  glDeleteRenderbuffers(1, &buffer);
+  expect_near(panel.pixel(5, 174), {0xD2, 0x45, 0x2D}, 1, "lower left");
+  expect_near(panel.pixel(5, 5), paper, 1, "upper left");
+  expect_near(panel.pixel(314, 5), paper, 1, "upper right");
+  expect_near(panel.pixel(314, 174), paper, 1, "lower right");
+}
+
+TEST_F(Rendering, ShiftsThePictureAndDrawsItsEdgeOutToThePanels) {
+  scene::DrawList list = paper_only();
+  scene::Quad corner;  // to pixel 160 and 90
+  corner.rect = {0, 0, 0.5F, 0.5F};
+  corner.colour = scene::srgb(0xD2452D);
+  list.quads.push_back(corner);
+  const Rgb red{0xD2, 0x45, 0x2D};
+  const Panel panel;
+
+  renderer_->draw(
+      list, {.framebuffer = panel.framebuffer(), .size = {320, 180}, .shift_x = 4, .shift_y = 2});
+
+  expect_near(panel.pixel(163, 50), red, 1, "four to the right");
+  expect_near(panel.pixel(164, 50), paper, 1, "and no more");
+  expect_near(panel.pixel(50, 91), red, 1, "two down");
+  expect_near(panel.pixel(50, 92), paper, 1, "and no more");
+  expect_near(panel.pixel(0, 0), red, 1, "the edge");
+  expect_near(panel.pixel(319, 0), paper, 1, "the other edge");
 }
 
 TEST_F(Rendering, AllocatesNothingInAFrame) {
