@@ -102,7 +102,7 @@ int run(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   for (const WalkShape& one : basic_shapes()) {
     if (!shape.empty() && one.name != shape) continue;
-    auto exhibition = kiosk::load_exhibition(database, Selection{}, {});
+    auto exhibition = kiosk::load_exhibition(database, kiosk::Selection{}, {});
     if (!exhibition) {
       fmt::print(stderr, "{}\n", exhibition.error().what);
       return 1;

@@ -44,7 +44,7 @@ guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const Po
 /// Six guides with their trails, as in the paper's Figure 1.
 TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
   constexpr PixelSize size{1280, 720};
-  auto loaded = kiosk::load_exhibition(sample_database(), Selection{}, {});
+  auto loaded = kiosk::load_exhibition(sample_database(), kiosk::Selection{}, {});
   ASSERT_TRUE(loaded.has_value()) << loaded.error().what;
   kiosk::Exhibition& exhibition = **loaded;
   auto display = headless::open_headless(size);
