@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <future>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -26,11 +28,19 @@ Pixels decode(const Museum& museum, std::uint32_t image) {
   return image::decode_image(museum.images[image].bytes).value_or(Pixels{});
 }
 
-std::vector<Pixels> scenery_pictures(const Museum& museum) {
-  std::vector<Pixels> pictures;
-  for (std::uint32_t image = 0; image < museum.images.size(); ++image)
-    pictures.push_back(image::shrink(decode(museum, image), scenery_picture_side));
-  return pictures;
+/// Makes the pictures of the building, on other processors while the rest of the start goes on.
+/// `pictures` has one for each image of the museum, and stays where it is until all are made.
+std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
+                                                     std::span<Pixels> pictures) {
+  const std::size_t at_a_time = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+  std::vector<std::future<void>> made;
+  for (std::size_t first = 0; first < at_a_time; ++first)
+    made.push_back(std::async(std::launch::async, [&museum, pictures, first, at_a_time] {
+      for (std::size_t image = first; image < pictures.size(); image += at_a_time)
+        pictures[image] =
+            image::shrink(decode(museum, static_cast<std::uint32_t>(image)), scenery_picture_side);
+    }));
+  return made;
 }
 
 /// The guide walks with one radius; labels of the others would lie in memory for the rare way that
@@ -117,9 +127,8 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   exhibition->content = std::move(content);
   keep_what_is_walked(exhibition->museum);
   const Museum& kept = exhibition->museum;
-  // On another processor, while the rest is made.
-  std::future<std::vector<Pixels>> pictures =
-      std::async(std::launch::async, [&kept] { return scenery_pictures(kept); });
+  exhibition->scenery_pictures.resize(kept.images.size());
+  auto pictures_made = make_scenery_pictures(kept, exhibition->scenery_pictures);
   interface::SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width,
                                               std::uint32_t height) {
     return image::fill(decode(kept, image), width, height);
@@ -130,7 +139,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       size.parts);
   exhibition->guide =
       std::make_unique<guide::Guide>(exhibition->museum, *exhibition->planner, settings);
-  exhibition->scenery_pictures = pictures.get();
+  for (std::future<void>& made : pictures_made) made.get();
   return exhibition;
 }
 
