@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_frames{100};
 constexpr int frames_between_looks = 5;
+constexpr int frames_between_drawings = 10;  // nothing moves on it
 
 struct Paragraph {
   std::string_view text;
@@ -98,12 +99,15 @@ Result<std::unique_ptr<Exhibition>> wait_for_content(
     if (state == DisplayState::Lost)
       return std::unexpected(Error{Errc::Environment, std::string(edges.display->loss())});
     const RenderTarget target = target_of(edges);
-    if (!screen || target.size != size) {
+    const bool is_new = !screen || target.size != size;
+    if (is_new) {
       size = target.size;
       screen = std::make_unique<SetupScreen>(*set_text, size, why.what, renderer);
     }
-    renderer.draw(screen->draw_list(), target);
-    edges.display->present();
+    if (is_new || frame % frames_between_drawings == 0) {
+      renderer.draw(screen->draw_list(), target);
+      edges.display->present();
+    }
     std::this_thread::sleep_for(between_frames);
     if (frame % frames_between_looks != 0 && !is_signal_waiting(SIGHUP)) continue;
     // The first time in any case: it may have come since `why` was found out.
