@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_frames{100};
 constexpr int frames_between_looks = 5;
+constexpr int frames_between_drawings = 10;  // nothing moves on it
 
 struct Paragraph {
   std::string_view text;
@@ -100,11 +101,13 @@ Result<std::unique_ptr<Exhibition>> wait_for_content(
     if (state == DisplayState::Lost)
       return std::unexpected(Error{Errc::Environment, std::string(edges.display->loss())});
     const RenderTarget target = target_of(edges);
-    if (!screen || target.size != size) {
+    const bool is_new = !screen || target.size != size;
+    if (is_new) {
       size = target.size;
       screen = std::make_unique<SetupScreen>(*set_text, size, why.what, renderer);
     }
-    if (edges.display->can_show()) {
+    const bool is_due = is_new || frame % frames_between_drawings == 0;
+    if (edges.display->can_show() && (is_due || edges.display->wants_frame())) {
       renderer.draw(screen->draw_list(), target);
       edges.display->present();
     }
