@@ -8,7 +8,7 @@ _docent() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent check' | 'docent hid' | 'docent hid list' | 'docent hid decode' | 'docent status') path+=" ${COMP_WORDS[i]}" ;;
+    'docent check' | 'docent counts' | 'docent hid' | 'docent hid list' | 'docent hid decode' | 'docent pin' | 'docent status') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -27,12 +27,13 @@ _docent() {
     'docent check --config') _docent_offer -f; return ;;
   esac
   case "$path" in
-    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --hid -h --help --version'; else _docent_offer -W 'check hid status'; fi ;;
-    'docent check') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;
+    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --health --counts --hid -h --help --version'; else _docent_offer -W 'check counts hid pin status'; fi ;;
+    'docent check') if [[ $word == -* ]]; then _docent_offer -W '--config -h --help'; else _docent_offer -f; fi ;;
     'docent counts') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -d; fi ;;
     'docent hid') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -W 'list decode'; fi ;;
     'docent hid list') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else :; fi ;;
     'docent hid decode') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -f; fi ;;
+    'docent pin') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else :; fi ;;
     'docent status') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else :; fi ;;
   esac
 }

@@ -83,10 +83,11 @@ constexpr std::array kinds{
                 "air to the machine:\ndust, a closed cabinet, the sun."},
     MessageKind{Message::CooledDown, Priority::Notice, "442e9c7f041c4cd093a7ff2ae41c24e5",
                 "The machine has cooled down", "The kiosk draws 60 frames a second again."},
-    MessageKind{Message::ReportUnwritten, Priority::Warning, "5ed81884f99c40b4893842805a473511",
-                "Health or counts cannot be written",
-                "Visitors notice nothing. The line says which file, and why: mostly a full disk, or "
-                "a folder that\ndoes not belong to the user docent."},
+    MessageKind{
+        Message::ReportUnwritten, Priority::Warning, "5ed81884f99c40b4893842805a473511",
+        "Health or counts cannot be written",
+        "Visitors notice nothing. The line says which file, and why: mostly a full disk, or "
+        "a folder that\ndoes not belong to the user docent."},
 };
 
 constexpr bool are_in_order() {

@@ -149,7 +149,7 @@ class Kms final : public KmsDisplay {
       chain_.flipping = next;
     else
       gbm_surface_release_buffer(chain_.gbm.get(), next);
-    if (result == CommitResult::NoMaster) 
+    if (result == CommitResult::NoMaster)
       tell(Message::CardTaken, "another program has taken the graphics card");
   }
 

@@ -186,12 +186,12 @@ class Kiosk {
   double last_command_ = 0;
   scene::ShownList shown_;  ///< On the display.
   RenderTarget shown_on_;
-  bool could_show_ = false;     ///< In the frame before.
-  bool was_drawn_ = false;      ///< The frame before.
-  bool entered_view_ = false;   ///< In this frame.
-  StatusCounts counts_;         ///< For `docent status`.
-  bool is_vacant_ = true;       ///< Was nobody being guided in the last frame?
-  double asked_to_change_ = 0;  ///< When a new database was last asked for.
+  bool could_show_ = false;                          ///< In the frame before.
+  bool was_drawn_ = false;                           ///< The frame before.
+  bool entered_view_ = false;                        ///< In this frame.
+  StatusCounts counts_;                              ///< For `docent status`.
+  bool is_vacant_ = true;                            ///< Was nobody being guided in the last frame?
+  double asked_to_change_ = 0;                       ///< When a new database was last asked for.
   std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
   std::optional<service::StatusSocket> asked_;       ///< The last: its thread reads `status_`.

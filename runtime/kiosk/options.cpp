@@ -107,7 +107,8 @@ terminal::Command program(Options& options, std::function<int()> run) {
           .manual = "the museum's guide: a visitor touches an exhibit, and it walks there",
           .options = options_of(options),
           .run = std::move(run),
-          .commands = {check_command(), counts_command(), hid_command(), pin_command(), status_command()},
+          .commands = {check_command(), counts_command(), hid_command(), pin_command(),
+                       status_command()},
           .sections = {files(), signals(), exit_codes()}};
 }
 

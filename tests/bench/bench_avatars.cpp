@@ -104,7 +104,8 @@ int measure(const std::string& database, int frames) {
   constexpr PixelSize full_hd{1920, 1080};
   auto display = headless::open_headless(full_hd);
   auto renderer = gles::make_renderer();
-  auto loaded = kiosk::load_exhibition(database, kiosk::Selection{}, {.shape = {.width = 1920, .height = 1080}});
+  auto loaded = kiosk::load_exhibition(database, kiosk::Selection{},
+                                       {.shape = {.width = 1920, .height = 1080}});
   if (!display || !renderer || !loaded) {
     const Error& error =
         !display ? display.error() : (!renderer ? renderer.error() : loaded.error());

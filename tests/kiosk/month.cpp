@@ -102,8 +102,9 @@ class Kiosk {
 
   void take_up(const std::filesystem::path& database) {
     renderer_.release_textures();
-    exhibition_ = value_of(kiosk::load_exhibition(
-        database, kiosk::Selection{}, {.shape = shape_of(size_), .idle_reset = guide::Seconds{20}}));
+    exhibition_ = value_of(
+        kiosk::load_exhibition(database, kiosk::Selection{},
+                               {.shape = shape_of(size_), .idle_reset = guide::Seconds{20}}));
     kiosk::upload(*exhibition_, renderer_);
     if (frames_ == 0) renderer_.warm_up(display_->target());
     kiosk::prepare_allocator_for(kiosk::Phase::Frames);
@@ -240,7 +241,8 @@ Reference reference_visit(Kiosk& kiosk) {
   std::optional<double> flow_at_4;
   for (int i = 0; i * frame_seconds < most_seconds; ++i) {
     const double time = i * frame_seconds;
-    if (const auto played = player.play(time, kiosk.guide(), kiosk.take()); !played) give_up(played.error().what);
+    if (const auto played = player.play(time, kiosk.guide(), kiosk.take()); !played)
+      give_up(played.error().what);
     kiosk.frame(frame_seconds);
     if (seen.walk_seconds == 0 && kiosk.guide().state().arrived) seen.walk_seconds = time - 1;
     const auto& ribbons = kiosk.guide().draw_list().ribbons;
