@@ -12,12 +12,15 @@ namespace {
 
 bool is_within_its_manual(const config::KioskConfig& config) {
   const auto pixels = [](int count) { return count == 0 || (count >= 64 && count <= 16384); };
+  const auto is_said_within = [](const auto& said, auto least, auto most) {
+    return !said || (*said >= least && *said <= most);
+  };
   return config.idle_reset >= std::chrono::seconds(10) &&
          config.idle_reset <= std::chrono::seconds(600) && config.text_scale >= 1 &&
-         config.text_scale <= 2 && config.screen_inches >= 5 && config.screen_inches <= 120 &&
-         config.visitors >= 1 && config.visitors <= 8 && config.rotate >= 0 &&
-         config.rotate <= 270 && config.rotate % 90 == 0 && pixels(config.width) &&
-         pixels(config.height);
+         config.text_scale <= 2 && is_said_within(config.screen_inches, 5.0, 120.0) &&
+         is_said_within(config.visitors, 1, 8) && config.rotate >= 0 && config.rotate <= 270 &&
+         config.rotate % 90 == 0 && pixels(config.width) && pixels(config.height) &&
+         config.keys.size() <= 2;
 }
 
 }  // namespace
