@@ -18,7 +18,8 @@ std::string deployed(const char* file) {
 TEST(Units, DoNotStartAgainWhatStaffEndedOnTheGlass) {
   const std::string unit = deployed("systemd/docent.service");
 
-  EXPECT_THAT(unit, HasSubstr(fmt::format("\nRestartPreventExitStatus={}\n", kiosk::ended_by_staff)));
+  EXPECT_THAT(unit,
+              HasSubstr(fmt::format("\nRestartPreventExitStatus={}\n", kiosk::ended_by_staff)));
   EXPECT_THAT(unit, HasSubstr(fmt::format("\nSuccessExitStatus={}\n", kiosk::ended_by_staff)));
 }
 
