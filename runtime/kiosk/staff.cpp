@@ -221,8 +221,7 @@ void Staff::calibrate_from(double time) {
   const double off = std::hypot((found->a + found->b) / 2 + found->c - 0.5,
                                 (found->d + found->e) / 2 + found->f - 0.5);
   open(StaffScreen::Confirm,
-       fmt::format("Moved by {:.1f} % in the middle. Untouched for 15 s, the old one returns",
-                   100 * off));
+       fmt::format("Moved by {:.1f} %. Untouched for 15 s, the old one returns", 100 * off));
 }
 
 void Staff::keep_calibration() {

@@ -107,10 +107,11 @@ class Layout {
   /// The page's heading and its message, from the top of a column; returns what is left of it.
   Box heading(Box column, std::string_view title) {
     const float title_height = 11 * m_.mm * 2;
-    text({column.x, column.y, column.width, title_height}, title, 9, theme.ink, Align::Centre,
+    const float wide = width() - 2 * m_.margin;  // what is said is wider than the keys below it
+    text({m_.margin, column.y, wide, title_height}, title, 9, theme.ink, Align::Centre,
          interface::Family::Serif);
     const float message_height = 5 * m_.mm * 2.6F;
-    text({column.x, column.y + title_height, column.width, message_height}, request_.message, 5,
+    text({m_.margin, column.y + title_height, wide, message_height}, request_.message, 5,
          theme.quiet_ink);
     const float used = title_height + message_height + m_.gap;
     return {column.x, column.y + used, column.width, column.height - used};
@@ -171,7 +172,7 @@ void lay_out_menu(Layout& layout) {
   };
   add(StaffAction::Diagnose, "What is running here", Layout::Emphasis::Plain);
   add(StaffAction::Calibrate, "Calibrate the glass", Layout::Emphasis::Plain);
-  add(StaffAction::Exit, "End docent and use the keyboard", Layout::Emphasis::Plain);
+  add(StaffAction::Exit, "End, and use the keyboard", Layout::Emphasis::Plain);
   add(StaffAction::Close, "Back to the visitors", Layout::Emphasis::Strong);
 }
 
