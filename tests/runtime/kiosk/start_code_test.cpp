@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "runtime/kiosk/allocations.h"
+#include "tests/support/kiosk_run.h"
 
 namespace docent::kiosk {
 namespace {
@@ -56,6 +57,18 @@ TEST(CodeOfTheStart, IsGivenBackAndComesBackWhereItIsNeeded) {
   void* again = create();            // and the code works
   EXPECT_NE(again, nullptr);
   dispose(again);
+}
+
+TEST(TheWholeProgram, IsAtMost120MegabytesOnAScreenOf1080Lines) {
+#ifndef NDEBUG
+  GTEST_SKIP() << "what is released is";
+#endif
+  const test::VisitRun visit("1 tap @exhibit:tripod-ding\n4 quit\n");
+  const test::ProgramRun run =
+      visit.play("--stats '" + visit.file("stats.json").string() + "'", "1920x1080");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+
+  EXPECT_LE(test::number_in(test::text_of(visit.file("stats.json")), "rss_mb"), 120);
 }
 
 }  // namespace
