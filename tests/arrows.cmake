@@ -39,7 +39,7 @@ room(runtime/kiosk
 
 room(runtime/update
   USES ${model} runtime/release runtime/schema config platform/file platform/https platform/signature platform/sqlite platform/terminal
-  LIBRARIES fmt/ nlohmann/ spawn.h ${posix})
+  LIBRARIES fmt/ grp.h nlohmann/ spawn.h ${posix})
 
 # The edges: one system interface each.
 room(platform)

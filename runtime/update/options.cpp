@@ -66,6 +66,7 @@ Result<void> check_whence(const Options& options, const Settings& settings) {
 }
 
 int run_with(const Options& options, const Settings& settings) {
+  become_owner(settings.store);
   if (options.starting) return say(options, prepare_start(settings, now()));
   if (options.back) return say(options, go_back(settings, now()));
   if (const Result<void> known = check_whence(options, settings); !known)

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <grp.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -173,7 +174,7 @@ Result<void> put_in_place(const Store& store, const Kept& kept) {
 
 StoreLock::StoreLock(const Store& store, int seconds) {
   const fs::path file = folder_of(store) / "update.lock";
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0644);
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   while (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     if (std::chrono::steady_clock::now() >= until) {
@@ -183,6 +184,15 @@ StoreLock::StoreLock(const Store& store, int seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   descriptor_ = descriptor;
+}
+
+void become_owner(const Store& store) noexcept {
+  struct stat status{};
+  if (::geteuid() != 0 || ::stat(folder_of(store).c_str(), &status) != 0 || status.st_uid == 0)
+    return;
+  // In this order: whoever is no longer root cannot change his groups. Where it fails, he is root.
+  if (::setgroups(0, nullptr) == 0 && ::setgid(status.st_gid) == 0)
+    static_cast<void>(::setuid(status.st_uid) == 0);
 }
 
 StoreLock::~StoreLock() {

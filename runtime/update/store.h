@@ -27,6 +27,10 @@ struct Store {
   std::filesystem::path database;  ///< museum.db
 };
 
+/// Root becomes the owner of the store's folder for good, so that what a person does by hand leaves
+/// nothing that the timer's own user could not change.
+void become_owner(const Store& store) noexcept;
+
 /// Nobody else changes the store while it lives.
 class StoreLock {
  public:

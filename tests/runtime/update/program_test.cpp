@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -72,6 +74,22 @@ TEST_F(DocentUpdate, FindsWhatZchunkMadeBesideTheDatabaseOfARelease) {
   }
   EXPECT_EQ(databases, 1U);
   EXPECT_EQ(zchunks, 1U);
+}
+
+TEST_F(DocentUpdate, CalledByRootLeavesWhatTheUserOfTheTimerCanChange) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  constexpr unsigned nobody = 65534;
+  ASSERT_EQ(release("first").exit_code, 0);
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
+  ASSERT_EQ(::chown(file("device").c_str(), nobody, nobody), 0);
+
+  ASSERT_EQ(update("--once").exit_code, 0);
+
+  for (const char* name : {"museum.db", "update.state", "update.lock", "releases"}) {
+    struct stat status{};
+    ASSERT_EQ(::stat(file(std::string("device/") + name).c_str(), &status), 0) << name;
+    EXPECT_EQ(status.st_uid, nobody) << name;
+  }
 }
 
 TEST_F(DocentUpdate, SaysWhatIsMissing) {
