@@ -5,9 +5,10 @@ packages_build=(
   cmake g++ ninja-build pkg-config
   libcli11-dev libdrm-dev libegl-dev libfmt-dev libgbm-dev libgles-dev libglm-dev libhidapi-dev
   libjpeg62-turbo-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libtomlplusplus-dev
+  nlohmann-json3-dev
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
-packages_content=(libboost-dev libcgal-dev librsvg2-dev nlohmann-json3-dev)
+packages_content=(libboost-dev libcgal-dev librsvg2-dev)
 # All that a docent which was built elsewhere needs to run.
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
