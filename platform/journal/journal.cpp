@@ -35,7 +35,7 @@ void remember(std::string_view sentence) noexcept {
   LastProblem& last = problem();
   const std::lock_guard lock(last.mutex);
   last.size = std::min(sentence.size(), last.text.size());
-  std::copy_n(sentence.data(), last.size, last.text.data());
+  std::ranges::copy(sentence.substr(0, last.size), last.text.begin());
 }
 
 iovec part(std::string_view text) noexcept {

@@ -321,6 +321,7 @@ void Staff::take_page(gles::Renderer& renderer) {
 }
 
 const scene::DrawList& Staff::over(const scene::DrawList& list) noexcept {
+  // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the guide's list outlives the frame
   if (!is_open() || !page_) return list;
   list_.floor = list.floor;
   list_.camera = list.camera;

@@ -9,8 +9,6 @@
 
 #include "platform/file/read_file.h"
 
-extern char** environ;
-
 namespace docent::update {
 namespace {
 

@@ -223,7 +223,7 @@ Result<void> save_state(const Store& store, const DeviceState& state) {
 
 Result<Kept> keep(const Store& store, const Source& source, std::uint64_t version,
                   const release::ReleasedFile& file, DeviceState& state) {
-  const Kept kept{.version = version, .schema = file.schema, .hash = file.hash};
+  Kept kept{.version = version, .schema = file.schema, .hash = file.hash};
   const fs::path place = file_of(store, kept);
   std::error_code status;
   fs::create_directories(releases_folder(store), status);

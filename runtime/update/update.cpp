@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 
 #include "platform/file/read_file.h"
@@ -45,9 +46,9 @@ Result<void> check_database(const std::filesystem::path& file,
 void tell_metrics(const Settings& settings, const DeviceState& state) {
   const std::string text = metrics(state);
   auto file = settings.store.database;
-  // Not being able to is no reason to stop.
-  static_cast<void>(
-      file::replace_file(file.replace_filename("update.prom"), std::as_bytes(std::span(text))));
+  const Result<void> told =
+      file::replace_file(file.replace_filename("update.prom"), std::as_bytes(std::span(text)));
+  if (!told) fmt::print(stderr, "docent-update: {}\n", told.error().what);  // no reason to stop
 }
 
 /// A manifest that was read and verified, with what the server calls its version.
@@ -117,8 +118,9 @@ bool is_final(Answer answer) {
 void keep_for_newer_programs(const Settings& settings, const Manifest& manifest,
                              DeviceState& state) {
   for (const release::ReleasedFile& file : manifest.files)
-    if (file.schema > settings.device.schema)
-      static_cast<void>(keep(settings.store, settings.source, manifest.version, file, state));
+    if (file.schema > settings.device.schema &&
+        !keep(settings.store, settings.source, manifest.version, file, state))
+      return;
 }
 
 Result<void> take(const Settings& settings, const Manifest& manifest, DeviceState& state,
@@ -130,7 +132,7 @@ Result<void> take(const Settings& settings, const Manifest& manifest, DeviceStat
   if (!sound) {
     state.refused.push_back(manifest.version);  // it would be no better the next time
     state.etag.clear();                         // and whoever asks is told so
-    static_cast<void>(save_state(settings.store, state));
+    if (const Result<void> saved = save_state(settings.store, state); !saved) return saved;
     return sound;
   }
   keep_for_newer_programs(settings, manifest, state);

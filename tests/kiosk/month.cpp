@@ -68,11 +68,18 @@ T value_of(Result<T> result) {
   return std::move(*result);
 }
 
-double resident_mb() {
+/// Resident, in MB. `own` is the program's alone; the rest are pages of files (libraries, fonts),
+/// which come with the first letter that needs them and which the system takes back as it likes.
+struct Memory {
+  double own = 0, all = 0;
+};
+
+Memory memory() {
   std::ifstream statm("/proc/self/statm");
-  std::uint64_t total = 0, resident = 0;
-  statm >> total >> resident;
-  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  double total = 0, resident = 0, of_files = 0;
+  statm >> total >> resident >> of_files;
+  const double page_mb = static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+  return {.own = (resident - of_files) * page_mb, .all = resident * page_mb};
 }
 
 /// The same museum under another title: what an update brings.
@@ -278,7 +285,7 @@ class Month {
       if (time_ >= next_hour_) tell_hour();
       if (std::fmod(time_, 86400) > opening_hours * 3600) night();
     }
-    const double last_mb = resident_mb();
+    const double last_mb = memory().own;
     const double drift = kiosk_.drift();
     for (int i = 0; i < 1200; ++i) kiosk_.frame(0.1);  // whoever led the last visitor walks home
     const Reference old = reference_visit(kiosk_);     // of the guide that has been there for long
@@ -375,9 +382,10 @@ class Month {
   }
 
   void tell_hour() {
-    if (!first_hour_) first_hour_ = resident_mb();
-    fmt::print("{:5.0f} h: {} visits, {} frames, {:.1f} MB\n", time_ / 3600, doings_.visits,
-               kiosk_.frames(), resident_mb());
+    if (!first_hour_) first_hour_ = memory().own;
+    const Memory now = memory();
+    fmt::print("{:5.0f} h: {} visits, {} frames, {:.1f} MB of its own, {:.1f} with files\n",
+               time_ / 3600, doings_.visits, kiosk_.frames(), now.own, now.all);
     std::fflush(stdout);
     next_hour_ = time_ + 3600;
   }
@@ -388,7 +396,7 @@ class Month {
     if (const auto taken = counts_.take(day, kiosk_.counted()); !taken) give_up(taken.error().what);
     for (const double morning = 86400 * (today + 1); time_ < morning;)
       wait_for(std::min(3600.0, morning - time_));
-    if (!first_day_) first_day_ = resident_mb();
+    if (!first_day_) first_day_ = memory().own;
   }
 
   /// Often at first, then rarely: the last guide is to grow old.
