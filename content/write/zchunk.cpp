@@ -6,8 +6,6 @@
 #include <array>
 #include <string>
 
-extern char** environ;
-
 namespace docent::write {
 
 bool write_zchunk(const std::filesystem::path& file) {
