@@ -16,8 +16,8 @@ What is proved, with the unit and the udev rule of the package:
  - nobody ends it by a hang-up.
 
 It needs amd64, root rights, the packages of `packages_booted` (deploy/packages.sh) and, the first time, a Debian mirror;
-without them it is skipped and says why. There is no hardware acceleration, so it judges order and not speed: nine minutes were
-seen on two cores beside a build, and a minute and a half more the first time. What it saw is in a folder that it names when it
+without them it is skipped and says why. There is no hardware acceleration, so it judges order and not speed: four minutes were
+seen on two quiet cores, eighteen beside other work, and a minute and a half more the first time. What it saw is in a folder that it names when it
 fails.
 """
 

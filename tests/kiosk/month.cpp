@@ -462,7 +462,7 @@ bool Month::judge(const Reference& first, const Reference& second, const Referen
                  fmt::format("{} allocations in frames", kiosk_.allocations()));
   verdict.expect(never_vacant_ == 0,
                  fmt::format("{} visitors left a screen that did not notice", never_vacant_));
-  fmt::print("note: {} collisions\n", kiosk_.collisions());
+  verdict.expect(kiosk_.collisions() == 0, fmt::format("{} collisions", kiosk_.collisions()));
   // What the caches and the driver learn of a museum, they have learnt by the end of the first day.
   if (first_hour_)
     fmt::print("note: {:.1f} MB after the first hour, {:.1f} at the end\n", *first_hour_, last_mb);
