@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
+#include "config/alike.h"
 #include "platform/file/text_encoding.h"
 
 namespace docent::config {
@@ -30,6 +34,29 @@ std::size_t bytes_of(std::string_view text, std::size_t count) {
   return at;
 }
 
+/// A text with a picture of each control character, so that whatever a file holds neither moves a
+/// terminal's cursor nor colours it. Tabs stay, and line ends where `lines` says so.
+enum class Lines : std::uint8_t { One, Several };
+std::string visible(std::string_view text, Lines lines = Lines::One) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool is_second_set =
+        c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    const bool is_kept = c == '\t' || (c == '\n' && lines == Lines::Several);
+    if (!is_kept && (c < 0x20 || c == 0x7F)) {
+      shown +=
+          {'\xE2', '\x90', static_cast<char>(0x80U + (c == 0x7F ? 0x21U : c))};  // U+2400 and on
+    } else if (is_second_set) {
+      shown += "\uFFFD";
+      ++i;
+    } else {
+      shown += text[i];
+    }
+  }
+  return shown;
+}
+
 /// A line of a source, as it can be shown.
 struct SourceLine {
   std::string text;
@@ -45,9 +72,10 @@ std::optional<SourceLine> read_line(const std::string& file, std::uint32_t numbe
   std::string line;
   for (std::uint32_t i = 0; i < number; ++i)
     if (!std::getline(in, line)) return {};
+  if (line.find('\0') != std::string::npos) return {};  // no text
   if (line.ends_with('\r')) line.pop_back();
   if (number == 1) line = file::without_byte_order_mark(line);
-  SourceLine shown{.text = file::shown_as_utf8(line)};
+  SourceLine shown{.text = visible(file::shown_as_utf8(line))};
   shown.is_ascii = std::ranges::all_of(
       shown.text, [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
   return shown;
@@ -112,7 +140,7 @@ std::string source_excerpt(const Diagnostic& d, terminal::ColourUse colour, Sour
   const std::string carets(std::clamp<std::size_t>(d.length, 1, longest_underline), '^');
   text += fmt::format("       | {}{}{}{}\n", indentation(shown, column),
                       terminal::painted(carets, ink_of(d), colour), d.label.empty() ? "" : " ",
-                      d.label);
+                      visible(d.label));
   return text;
 }
 
@@ -122,10 +150,10 @@ std::string text_of(const Diagnostic& d, terminal::ColourUse colour, SourceLines
   if (d.line > 0 && d.column > 0) place += fmt::format(":{}", d.column);
   const std::string separator = place.empty() ? "" : ": ";
   const std::string kind = fmt::format("{}[{}]", name_of(d.severity), d.code);
-  std::string text = fmt::format("{}{}{}: {}\n", place, separator,
-                                 terminal::painted(kind, ink_of(d), colour), d.message);
+  std::string text = fmt::format("{}{}{}: {}\n", visible(place), separator,
+                                 terminal::painted(kind, ink_of(d), colour), visible(d.message));
   text += source_excerpt(d, colour, sources);
-  if (!d.hint.empty()) text += fmt::format("   hint: {}\n", d.hint);
+  if (!d.hint.empty()) text += fmt::format("   hint: {}\n", visible(d.hint, Lines::Several));
   return text;
 }
 
@@ -148,7 +176,10 @@ std::string to_json(const Diagnostic& d) {
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-void tell(std::span<const Diagnostic> diagnostics, DiagnosticForm form) {
+void tell(std::span<const Diagnostic> all, DiagnosticForm form) {
+  const std::vector<Diagnostic> fewer =
+      form == DiagnosticForm::Text ? without_alike(all) : std::vector<Diagnostic>{};
+  const std::span<const Diagnostic> diagnostics = form == DiagnosticForm::Text ? fewer : all;
   constexpr std::size_t most_on_terminal = 20;
   const bool shortens = form == DiagnosticForm::Text && terminal::is_terminal(stderr);
   const auto shown = diagnostics.first(shortens ? std::min(diagnostics.size(), most_on_terminal)

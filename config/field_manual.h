@@ -18,12 +18,12 @@ namespace docent::config {
 
 /// "whole number from 1 to 8"
 std::string kind_of_number(std::string_view kind, FieldLimits limits);
-std::string_view kind_of_text(Form form) noexcept;
+std::string kind_of_text(Form form, std::span<const std::string_view> choices);
 
 template <typename T, typename Value>
 std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
   if constexpr (std::is_same_v<Value, std::string>)
-    return std::string(kind_of_text(field.form));
+    return kind_of_text(field.form, field.choices);
   else if constexpr (std::is_same_v<Value, double>)
     return kind_of_number("number", field.limits);
   else if constexpr (std::is_same_v<Value, std::int64_t>)
@@ -38,8 +38,10 @@ std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return "[x, y] or [[x, y], ...]";
   else if constexpr (std::is_same_v<Value, Range>)
     return "[least, most]";
-  else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+  else if constexpr (std::is_same_v<Value, LocatedList>)
     return "list of texts";
+  else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
+    return "[{floor, position, facing}, ...]";
   else
     return "text by key";
 }

@@ -4,59 +4,28 @@
 
 #include <cmath>
 
+#include "config/field_hints.h"
+#include "config/museum_fields.h"
 #include "platform/terminal/suggest.h"
 
 namespace docent::config {
 
 namespace {
 
-bool is_identifier(std::string_view text) {
-  return !text.empty() && std::ranges::all_of(text, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  });
-}
-
-bool has_form(Form form, std::string_view text) {
+bool has_form(Form form, std::span<const std::string_view> choices, std::string_view text) {
   switch (form) {
     case Form::Free:
+    case Form::Keys:
       return true;
     case Form::Name:
     case Form::File:
       return !text.empty();
     case Form::Identifier:
       return is_identifier(text);
-    case Form::Direction:
-      return text == "left-to-right" || text == "right-to-left";
-    case Form::Paving:
-      return text == "oak" || text == "stone";
+    case Form::OneOf:
+      return std::ranges::find(choices, text) != choices.end();
   }
   return false;
-}
-
-std::string_view manual_of(Form form) {
-  switch (form) {
-    case Form::Identifier:
-      return "use letters, digits and hyphens, without spaces";
-    case Form::Direction:
-      return "write \"left-to-right\" or \"right-to-left\"";
-    case Form::Paving:
-      return "write \"oak\" or \"stone\"";
-    case Form::Free:
-    case Form::Name:
-    case Form::File:
-      break;
-  }
-  return "it should not be empty";
-}
-
-bool is_number(const TomlNode& node) {
-  return node.kind == TomlNode::Kind::Integer || node.kind == TomlNode::Kind::Number;
-}
-
-bool is_pair_of_numbers(const TomlNode& node) {
-  return node.kind == TomlNode::Kind::Array && node.items.size() == 2 && is_number(node.items[0]) &&
-         is_number(node.items[1]);
 }
 
 }  // namespace
@@ -76,23 +45,24 @@ void SectionReader::report(SourceRange range, std::string code, std::string mess
 
 void SectionReader::unknown_key(const TomlEntry& entry, std::string_view section,
                                 const std::vector<std::string_view>& known) {
-  const std::string_view meant = terminal::closest(entry.key, known);
   report(entry.key_range, "unknown-key", fmt::format("{} has no '{}'", section, entry.key),
          "not known here",
-         meant.empty() ? fmt::format("it may hold {}", fmt::join(known, ", "))
-                       : fmt::format("did you mean '{}'?", meant));
+         section == "museum.toml" && terminal::edit_distance(entry.key, "exhibit") < 2
+             ? "exhibits are written in files of their own: exhibits/NAME.toml"
+             : key_hint(entry.key, section, known));
 }
 
 void SectionReader::missing(const Place& place, std::string_view section, std::string_view key,
-                            std::string_view manual) {
-  report(place.range, "missing-field", fmt::format("{} lacks '{}'", section, key), {},
-         fmt::format("{}: {}", key, manual));
+                            std::string_view manual, std::string_view example) {
+  report(
+      place.range, "missing-field", fmt::format("{} lacks '{}'", section, key), {},
+      fmt::format("write {}{}{}: {}", key, example.starts_with('.') ? "" : " ", example, manual));
 }
 
 bool SectionReader::wrong_type(const TomlNode& node, std::string_view key,
                                std::string_view expected) {
   report(node.range, "wrong-type", fmt::format("'{}' should be {}", key, expected),
-         fmt::format("this is {}", name_of(node.kind)));
+         fmt::format("this is {}", name_of(node.kind)), type_hint(node, key, expected));
   return false;
 }
 
@@ -103,16 +73,21 @@ bool SectionReader::in_range(const TomlNode& node, const Rules& rules) {
   report(node.range, "out-of-range",
          std::isinf(most) ? fmt::format("'{}' should be at least {}", rules.key, least)
                           : fmt::format("'{}' should be from {} to {}", rules.key, least, most),
-         fmt::format("this is {}", node.number));
+         fmt::format("this is {}", node.number),
+         node.number > rules.limits.most
+             ? fmt::format("write {} or less; is it in the right unit, and the point in its place?",
+                           rules.limits.most)
+             : fmt::format("write {} or more", rules.limits.least));
   return false;
 }
 
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, std::string& value) {
   if (node.kind != TomlNode::Kind::Text)
     return wrong_type(node, rules.key, "a text in quotation marks");
-  if (!has_form(rules.form, node.text)) {
-    report(node.range, "bad-value", fmt::format("'{}' cannot be \"{}\"", rules.key, node.text), {},
-           std::string(manual_of(rules.form)));
+  if (!has_form(rules.form, rules.choices, node.text)) {
+    report(node.range, "bad-value", fmt::format("'{}' cannot be \"{}\"", rules.key, node.text),
+           form_label(rules.form, node.text),
+           form_hint(rules.key, rules.form, rules.choices, node.text));
     return false;
   }
   value = node.text;
@@ -182,12 +157,25 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Range& 
   return true;
 }
 
-bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
-                               std::vector<std::string>& value) {
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedList& value) {
   const auto is_text = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Text; };
   if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_text))
     return wrong_type(node, rules.key, "a list of texts: [\"...\", \"...\"]");
-  for (const TomlNode& item : node.items) value.push_back(item.text);
+  for (const TomlNode& item : node.items) value.push_back({item.text, place(item.range), true});
+  return true;
+}
+
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
+                               std::vector<StopSection>& value) {
+  const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Table; };
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_table))
+    return wrong_type(node, rules.key,
+                      "a list of places: [{floor = \"...\", position = [east, north]}, ...]");
+  for (const TomlNode& item : node.items) {
+    StopSection& stop = value.emplace_back();
+    stop.place = place(item.range);
+    read<StopSection>(item, fmt::format("an item of '{}'", rules.key), stop_fields, stop);
+  }
   return true;
 }
 
@@ -196,8 +184,18 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
     return wrong_type(node, rules.key,
                       fmt::format("given by language: {}.en = \"...\"", rules.key));
   for (const TomlEntry& entry : node.entries) {
+    if (entry.value.kind == TomlNode::Kind::Table) {
+      report(
+          entry.key_range, "wrong-type",
+          fmt::format("'{}.{}' should be a text in quotation marks", rules.key, entry.key),
+          "this is a table",
+          fmt::format("write {}.en = \"...\" and no heading for it, which takes all lines below it",
+                      rules.key));
+      continue;
+    }
     Located<std::string>& text = value[entry.key];
     text.place = place(entry.value.range);
+    text.key = entry.key_range;
     text.given = read_value(
         entry.value, {fmt::format("{}.{}", rules.key, entry.key), {}, Form::Free}, text.value);
   }

@@ -7,10 +7,13 @@
 #include <ranges>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "config/field_manual.h"
 #include "config/fields.h"
+#include "config/letters.h"
 #include "platform/file/read_file.h"
+#include "platform/terminal/suggest.h"
 
 namespace docent::config {
 
@@ -21,7 +24,7 @@ struct KioskFile {
   Located<std::int64_t> idle_reset, rotate, visitors;
   Located<double> text_scale, screen_inches;
   Located<bool> mirror, reduced_motion, pixel_shift;
-  Located<std::vector<std::string>> keys;
+  Located<LocatedList> keys;
   Located<std::string> kiosk, source, group;
 };
 
@@ -182,6 +185,30 @@ bool parse_size(std::string_view text, KioskConfig& config) {
   return true;
 }
 
+/// The size that "1920X1080", "1920 × 1080" or "1080p" stands for; that of most screens where none
+/// can be told.
+std::string size_meant(std::string_view text) {
+  std::string numbers;
+  for (const char c : text)
+    if (is_digit(c))
+      numbers += c;
+    else if (!numbers.empty() && is_digit(numbers.back()))
+      numbers += 'x';
+  KioskConfig any;
+  if (parse_size(numbers, any)) return numbers;
+  if (numbers.starts_with("2160")) return "3840x2160";
+  if (numbers.starts_with("720")) return "1280x720";
+  return "1920x1080";
+}
+
+std::string display_meant(std::string_view text, const std::vector<std::string_view>& names) {
+  const std::string small = in_small_letters(std::string(text));
+  if (small.starts_with("hdmi") || small.starts_with("dp") || small.starts_with("vga"))
+    return fmt::format("the socket is written output = \"HDMI-A-1\"; leave display out");
+  const std::string_view near = terminal::closest(small, names);
+  return fmt::format("write display = \"{}\"", near.empty() ? "auto" : near);
+}
+
 /// Turns what was written into settings and says what cannot be one.
 class KioskSettings {
  public:
@@ -191,23 +218,26 @@ class KioskSettings {
   KioskConfig from(const KioskFile& written) {
     KioskConfig config;
     if (written.content.given) config.content = file_.parent_path() / written.content.value;
-    for (const std::string& key : written.keys.value)
-      config.keys.push_back(file_.parent_path() / key);
+    for (const Located<std::string>& key : written.keys.value)
+      config.keys.push_back(file_.parent_path() / key.value);
     config.kiosk = written.kiosk.value;
     config.source = written.source.value;
     config.group = written.group.value;
     if (config.keys.size() > most_keys)
-      bad_value(written.keys.place, "'keys' should be at most two files");
+      bad_value(written.keys.value[most_keys].place, "'keys' should be at most two files",
+                "keep the key of today and the one that follows it");
     if (written.idle_reset.given)
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;
     if (written.screen_inches.given) config.screen_inches = written.screen_inches.value;
     if (written.visitors.given) config.visitors = static_cast<int>(written.visitors.value);
     if (written.rotate.value % 90 != 0)
-      bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270");
+      bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270",
+                fmt::format("write rotate = {}", (written.rotate.value + 45) / 90 % 4 * 90));
     config.rotate = static_cast<int>(written.rotate.value);
     if (written.size.given && !parse_size(written.size.value, config))
-      bad_value(written.size.place, "'size' should be pixels: \"1920x1080\" or \"1920x1080@50\"");
+      bad_value(written.size.place, "'size' should be pixels: \"1920x1080\" or \"1920x1080@50\"",
+                fmt::format("write size = \"{}\"", size_meant(written.size.value)));
     if (written.display.given) set_display(written.display, config);
     config.output = written.output.value;
     config.mirror = written.mirror.value;
@@ -223,11 +253,15 @@ class KioskSettings {
     if (keypad.device.given && (id.size() != 9 || id[4] != ':' ||
                                 !is_hexadecimal(id.substr(0, 4)) || !is_hexadecimal(id.substr(5))))
       bad_value(keypad.device.place,
-                "'device' should be two numbers as docent hid list tells them: \"04e7:0022\"");
+                "'device' should be two numbers as docent hid list tells them: \"04e7:0022\"",
+                in_small_letters(id) != id
+                    ? fmt::format("write device = \"{}\", in small letters", in_small_letters(id))
+                    : "four figures, a colon, four figures: run docent hid list and copy them");
     const std::string& hash = keypad.descriptor.value;
     if (keypad.descriptor.given && (hash.size() != 16 || !is_hexadecimal(hash)))
       bad_value(keypad.descriptor.place,
-                "'descriptor' should be the sixteen figures that docent hid list tells");
+                "'descriptor' should be the sixteen figures that docent hid list tells",
+                "run docent hid list and copy them, or leave the line out");
   }
 
  private:
@@ -236,25 +270,28 @@ class KioskSettings {
     const auto at = std::ranges::find(names, written.value);
     if (at == names.end())
       return bad_value(written.place,
-                       fmt::format("'display' should be one of {}", fmt::join(names, ", ")));
+                       fmt::format("'display' should be one of {}", fmt::join(names, ", ")),
+                       display_meant(written.value, {names.begin(), names.end()}));
     config.display = display_kinds[static_cast<std::size_t>(at - names.begin())].second;
   }
 
   void set_staff_pin(const Located<std::string>& written, KioskConfig& config) {
     constexpr std::string_view argon2 = "$argon2id$";
     if (!written.value.starts_with(argon2))
-      return bad_value(written.place,
-                       "'staff_pin' should be what docent pin prints, no PIN itself");
+      return bad_value(written.place, "'staff_pin' should be what docent pin prints, no PIN itself",
+                       "run docent pin, type the PIN, and copy the line that it prints");
     config.staff_pin = written.value;
   }
 
   void set_hours(const Located<std::string>& written, KioskConfig& config) {
     auto hours = parse_weekly_hours(written.value);
-    if (!hours) return bad_value(written.place, "'screen_on': " + hours.error());
+    if (!hours)
+      return bad_value(written.place, "'screen_on': " + hours.error(),
+                       "weekdays are Mo, Tu, We, Th, Fr, Sa, Su, and times are written 09:30");
     config.screen_on = std::move(*hours);
   }
 
-  void bad_value(const Place& place, std::string message) {
+  void bad_value(const Place& place, std::string message, std::string hint) {
     Diagnostic diagnostic;
     diagnostic.file = file_.string();
     diagnostic.line = place.range.line;
@@ -262,6 +299,7 @@ class KioskSettings {
     diagnostic.length = place.range.length;
     diagnostic.code = "bad-value";
     diagnostic.message = std::move(message);
+    diagnostic.hint = std::move(hint);
     diagnostics_.push_back(std::move(diagnostic));
   }
 

@@ -30,10 +30,14 @@ struct Located {
   T value{};
   Place place;         ///< Where it was not given: the section that could have held it.
   bool given = false;  ///< False: `value` is the default.
+  SourceRange key{};   ///< Where its key was written, in the same file; line 0 where it has none.
 };
 
 /// Texts by language or by key.
 using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
+
+/// Texts in a list, each with its place.
+using LocatedList = std::vector<Located<std::string>>;
 
 /// One point or several.
 using LocatedPoints = std::vector<Located<Vec2>>;

@@ -38,17 +38,16 @@ std::string kind_of_number(std::string_view kind, FieldLimits limits) {
                                  : fmt::format("{} from {} to {}", kind, limits.least, limits.most);
 }
 
-std::string_view kind_of_text(Form form) noexcept {
+std::string kind_of_text(Form form, std::span<const std::string_view> choices) {
   switch (form) {
     case Form::Identifier:
       return "identifier";
     case Form::File:
       return "file";
-    case Form::Direction:
-      return "left-to-right or right-to-left";
-    case Form::Paving:
-      return "oak or stone";
+    case Form::OneOf:
+      return fmt::format("{}", fmt::join(choices, " or "));
     case Form::Free:
+    case Form::Keys:
     case Form::Name:
       break;
   }

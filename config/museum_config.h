@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/located.h"
@@ -15,12 +17,37 @@ namespace docent::config {
 
 struct MuseumSection {
   Located<LocatedTexts> title, welcome;
-  Located<std::vector<std::string>> languages;
+  Located<LocatedList> languages;
+  Located<Vec2> origin;  ///< Degrees: latitude and longitude of [0, 0].
+  Located<std::string> time_zone;
+  Located<LocatedList> holidays;
 };
 struct FloorSection {
   Place place;
-  Located<std::string> name, plan;
+  Located<std::string> name, plan, short_name;
+  Located<std::int64_t> ordinal;
   Located<double> height;
+  Located<LocatedTexts> title;
+};
+/// Where a connection meets a floor.
+struct StopSection {
+  Place place;
+  Located<std::string> floor;
+  Located<Vec2> position;
+  Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
+};
+/// By ConnectionKind and by ConnectionDirection.
+inline constexpr std::array<std::string_view, 4> connection_kinds{"stairs", "escalator", "lift",
+                                                                  "ramp"};
+inline constexpr std::array<std::string_view, 3> connection_directions{"both", "up", "down"};
+struct ConnectionSection {
+  Place place;
+  Located<std::string> id, kind, direction;
+  Located<std::vector<StopSection>> stops;
+  Located<bool> step_free, closed;
+  Located<std::string> hours;
+  Located<double> wait_seconds, seconds_per_floor;
+  Located<double> slope;  ///< Of a ramp: metres up for a metre along.
 };
 struct KioskSection {
   Place place;
@@ -47,12 +74,24 @@ struct RoomSection {
   Located<Vec2> label;
   Located<std::vector<Vec2>> outline;
   Located<std::string> paving;
+  Located<bool> closed;
+  Located<std::string> hours;
 };
 struct DoorSection {
   Place place;
-  Located<std::string> name, floor;
+  Located<std::string> id, name, floor;
   Located<Vec2> a, b;
   Located<bool> closed;
+  Located<std::string> hours;
+
+  /// What it goes by: its id, else its name.
+  const Located<std::string>& called() const noexcept { return id.given ? id : name; }
+};
+struct PlaceSection {
+  Place place;  ///< In the file.
+  Located<std::string> id, kind, floor;
+  Located<Vec2> position;
+  Located<LocatedTexts> title;
 };
 struct ExhibitSection {
   Place place;
@@ -62,6 +101,27 @@ struct ExhibitSection {
   Located<Vec2> view;
   Located<std::string> image;
   Located<LocatedTexts> title, text;
+  Located<bool> closed;
+  Located<std::string> hours;
+  Located<double> weight, looking_seconds;
+};
+struct TourSection {
+  Place place;
+  Located<std::string> id;
+  Located<LocatedTexts> title;
+  Located<LocatedList> exhibits;
+  Located<bool> fixed;
+  Located<double> minutes;
+};
+
+/// Where exhibits come from besides the files of exhibits/: a spreadsheet (CSV), of which a line is
+/// an object, or IIIF manifests. The fields of an exhibit name columns; IIIF needs none.
+struct SourceSection {
+  Place place;
+  Located<std::string> file, encoding, separator;
+  Located<std::string> id, image, floor, facing;
+  Located<LocatedTexts> title, text;
+  Located<LocatedList> position;  ///< The columns of east and north.
 };
 
 /// The words of the interface in one language.
@@ -86,9 +146,13 @@ struct MuseumConfig {
   MotionSection motion;
   std::vector<RoomSection> rooms;
   std::vector<DoorSection> doors;
+  std::vector<ConnectionSection> connections;
+  std::vector<PlaceSection> places;
+  std::vector<SourceSection> sources;
   std::vector<ExhibitSection> exhibits;  ///< In the order of the files' names.
-  std::vector<std::string> languages;    ///< As given, else those of the texts. Never empty.
-  std::vector<WordsFile> words;          ///< In the order of `languages`, where the file exists.
+  std::vector<TourSection> tours;
+  std::vector<std::string> languages;  ///< As given, else those of the texts. Never empty.
+  std::vector<WordsFile> words;        ///< In the order of `languages`, where the file exists.
 };
 
 /// Reads a museum folder. All mistakes of all files are found in one run.
@@ -97,12 +161,20 @@ Loaded<MuseumConfig> load_museum_config(const std::filesystem::path& folder);
 /// Reads the words of one language. Their places are in file 0.
 Loaded<WordsFile> load_words(const std::filesystem::path& file, const std::string& tag);
 
+/// What tours name that is no exhibit, each with its place. With a [source] that is known only once
+/// its objects are read; without one the loader has asked already.
+std::vector<Diagnostic> unknown_exhibits(const MuseumConfig& config);
+
 /// The floor that a name stands for: an index into config.floors. An empty name is the first.
 std::size_t floor_index(const MuseumConfig& config, const std::string& name);
 
 /// A diagnostic about a place in one of the config's files.
 Diagnostic diagnostic_at(const MuseumConfig& config, const Place& place, std::string code,
                          std::string message, std::string label = {}, std::string hint = {});
+
+/// What an exhibit lacks that it must have. With a [source] that is known only once its objects are
+/// read; without one the loader has asked already.
+std::vector<Diagnostic> missing_fields(const MuseumConfig& config, const ExhibitSection& exhibit);
 
 /// The JSON Schema of the museum's files, made from the same table that checks them.
 std::string museum_schema();

@@ -2,13 +2,19 @@
 
 #include <array>
 #include <limits>
+#include <string_view>
 
 #include "config/fields.h"
 #include "config/museum_config.h"
 #include "runtime/model/museum.h"
+#include "runtime/model/place_kind.h"
 
 /// The fields of a museum's files: their one definition. Internal to config.
 namespace docent::config {
+
+/// What `hours` hold, wherever they are.
+inline constexpr std::string_view hours_manual =
+    "When it is open, as OpenStreetMap's opening_hours: \"Tu-Su 10:00-18:00; Dec 24,25 off\"";
 
 inline constexpr std::array museum_fields{
     Field<MuseumSection>{"title", &MuseumSection::title, Presence::Optional,
@@ -18,6 +24,15 @@ inline constexpr std::array museum_fields{
     Field<MuseumSection>{
         "languages", &MuseumSection::languages, Presence::Optional,
         "Language tags such as \"en\"; the first is the one the kiosk starts with"},
+    Field<MuseumSection>{"origin", &MuseumSection::origin, Presence::Optional,
+                         "Latitude and longitude of [0, 0], where plans in degrees begin; written "
+                         "by import, and the same for all floors"},
+    Field<MuseumSection>{"time_zone", &MuseumSection::time_zone, Presence::Optional,
+                         "Whose time all hours are in, such as \"Europe/Berlin\"; the kiosk's own "
+                         "where it is not said"},
+    Field<MuseumSection>{"holidays", &MuseumSection::holidays, Presence::Optional,
+                         "The public holidays, PH in hours: \"Dec 25\" of every year, "
+                         "\"2027 Mar 26\" of one"},
 };
 
 inline constexpr std::array floor_fields{
@@ -33,11 +48,108 @@ inline constexpr std::array floor_fields{
                         "A GeoJSON file: where one can walk",
                         {},
                         Form::File},
+    Field<FloorSection>{"ordinal",
+                        &FloorSection::ordinal,
+                        Presence::Optional,
+                        "Which storey it is: 0 on the ground, -1 below it; where it is not said, "
+                        "how many floors are written before it",
+                        {-100, 1000}},
     Field<FloorSection>{"height",
                         &FloorSection::height,
                         Presence::Optional,
-                        "Metres above the ground",
+                        "Metres above the ground; 4 for each ordinal where it is not said",
                         {-1000, 1000}},
+    Field<FloorSection>{"title", &FloorSection::title, Presence::Optional,
+                        "What visitors call it, by language"},
+    Field<FloorSection>{"short", &FloorSection::short_name, Presence::Optional,
+                        "What a lift's button says, such as \"G\"; the ordinal where it is not "
+                        "said"},
+};
+
+inline constexpr std::array stop_fields{
+    Field<StopSection>{"floor",
+                       &StopSection::floor,
+                       Presence::Required,
+                       "The floor that it leads to",
+                       {},
+                       Form::Name},
+    Field<StopSection>{"position", &StopSection::position, Presence::Required,
+                       "Where one stands before going in: [east, north] in metres"},
+    Field<StopSection>{"facing",
+                       &StopSection::facing,
+                       Presence::Optional,
+                       "Where one looks who goes in, degrees counter-clockwise from east",
+                       {-360, 360}},
+};
+
+inline constexpr std::array connection_fields{
+    Field<ConnectionSection>{"id",
+                             &ConnectionSection::id,
+                             Presence::Required,
+                             "A short name that stays: letters, digits and hyphens",
+                             {},
+                             Form::Identifier},
+    Field<ConnectionSection>{"kind",
+                             &ConnectionSection::kind,
+                             Presence::Required,
+                             "What it is",
+                             {},
+                             Form::OneOf,
+                             connection_kinds},
+    Field<ConnectionSection>{"stops", &ConnectionSection::stops, Presence::Required,
+                             "Where it meets floors: two or more, each on another floor"},
+    Field<ConnectionSection>{"direction",
+                             &ConnectionSection::direction,
+                             Presence::Optional,
+                             "Which way one may go; both where it is not said",
+                             {},
+                             Form::OneOf,
+                             connection_directions},
+    Field<ConnectionSection>{"step_free", &ConnectionSection::step_free, Presence::Optional,
+                             "Can wheels take it? Lifts and ramps can where it is not said"},
+    Field<ConnectionSection>{"closed", &ConnectionSection::closed, Presence::Optional,
+                             "true while nobody may take it"},
+    Field<ConnectionSection>{"hours", &ConnectionSection::hours, Presence::Optional, hours_manual},
+    Field<ConnectionSection>{"wait_seconds",
+                             &ConnectionSection::wait_seconds,
+                             Presence::Optional,
+                             "How long one waits for it on the average; 25 for a lift where it is "
+                             "not said, doors included",
+                             {0, 3600}},
+    Field<ConnectionSection>{"seconds_per_floor",
+                             &ConnectionSection::seconds_per_floor,
+                             Presence::Optional,
+                             "How long it takes from floor to floor; 3 for a lift where it is not "
+                             "said, for the others as long as their floors' heights take",
+                             {0, 3600}},
+    Field<ConnectionSection>{"slope",
+                             &ConnectionSection::slope,
+                             Presence::Optional,
+                             "Of a ramp: metres up for each metre along; 0.06 where it is not said",
+                             {0.005, 0.5}},
+};
+
+inline constexpr std::array place_fields{
+    Field<PlaceSection>{"id",
+                        &PlaceSection::id,
+                        Presence::Required,
+                        "A short name that stays: letters, digits and hyphens",
+                        {},
+                        Form::Identifier},
+    Field<PlaceSection>{"kind",
+                        &PlaceSection::kind,
+                        Presence::Required,
+                        "What it is",
+                        {},
+                        Form::OneOf,
+                        place_kind_names},
+    Field<PlaceSection>{"floor", &PlaceSection::floor, Presence::Optional,
+                        "The floor it is on; the first where it is not said"},
+    Field<PlaceSection>{"position", &PlaceSection::position, Presence::Required,
+                        "[east, north] in metres: where one stands to use it, or a wall or a door "
+                        "behind which it is"},
+    Field<PlaceSection>{"title", &PlaceSection::title, Presence::Optional,
+                        "What it is called, by language; its kind's name where it is not said"},
 };
 
 inline constexpr std::array kiosk_fields{
@@ -94,6 +206,8 @@ inline constexpr std::array motion_fields{
                          Form::File},
 };
 
+inline constexpr std::array<std::string_view, 2> pavings{"oak", "stone"};
+
 inline constexpr std::array room_fields{
     Field<RoomSection>{"id",
                        &RoomSection::id,
@@ -114,20 +228,33 @@ inline constexpr std::array room_fields{
                        Presence::Optional,
                        "oak or stone; oak where it is not said",
                        {},
-                       Form::Paving},
+                       Form::OneOf,
+                       pavings},
+    Field<RoomSection>{"closed", &RoomSection::closed, Presence::Optional,
+                       "true while nobody may enter: all doors of its outline are closed"},
+    Field<RoomSection>{"hours", &RoomSection::hours, Presence::Optional, hours_manual},
 };
 
 inline constexpr std::array door_fields{
+    Field<DoorSection>{"id",
+                       &DoorSection::id,
+                       Presence::Optional,
+                       "A short name that stays: letters, digits and hyphens; its name where it is "
+                       "not said",
+                       {},
+                       Form::Identifier},
     Field<DoorSection>{
-        "name", &DoorSection::name, Presence::Required, "What staff call it", {}, Form::Name},
+        "name", &DoorSection::name, Presence::Optional, "What staff call it", {}, Form::Name},
     Field<DoorSection>{"floor", &DoorSection::floor, Presence::Optional,
                        "The floor it is on; the first where it is not said"},
     Field<DoorSection>{"a", &DoorSection::a, Presence::Required,
-                       "One side of the doorway: [east, north] in metres"},
+                       "One side of the doorway: [east, north] in metres; in a wall between two "
+                       "rooms, a door opens the wall"},
     Field<DoorSection>{"b", &DoorSection::b, Presence::Required,
                        "The other side of the doorway: [east, north] in metres"},
     Field<DoorSection>{"closed", &DoorSection::closed, Presence::Optional,
                        "true while nobody may pass"},
+    Field<DoorSection>{"hours", &DoorSection::hours, Presence::Optional, hours_manual},
 };
 
 inline constexpr std::array exhibit_fields{
@@ -139,11 +266,11 @@ inline constexpr std::array exhibit_fields{
                           Form::Identifier},
     Field<ExhibitSection>{"floor", &ExhibitSection::floor, Presence::Optional,
                           "The floor it is on; the first where it is not said"},
-    Field<ExhibitSection>{"position", &ExhibitSection::position, Presence::Required,
+    Field<ExhibitSection>{"position", &ExhibitSection::position, Presence::UnlessSource,
                           "[east, north] in metres: on the floor, on a wall or inside a case"},
     Field<ExhibitSection>{"facing",
                           &ExhibitSection::facing,
-                          Presence::Required,
+                          Presence::UnlessSource,
                           "Where the object looks, degrees counter-clockwise from east",
                           {-360, 360}},
     Field<ExhibitSection>{"view", &ExhibitSection::view, Presence::Optional,
@@ -152,14 +279,91 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"image",
                           &ExhibitSection::image,
                           Presence::Optional,
-                          "A picture of it: an SVG, PNG or JPEG file",
+                          "A picture of it: an SVG, PNG, JPEG, WebP, GIF or HEIC file",
                           {},
                           Form::File},
-    Field<ExhibitSection>{"title", &ExhibitSection::title, Presence::Required,
+    Field<ExhibitSection>{"title", &ExhibitSection::title, Presence::UnlessSource,
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,
                           "What there is to say about it, by language"},
+    Field<ExhibitSection>{"closed", &ExhibitSection::closed, Presence::Optional,
+                          "true while it cannot be seen"},
+    Field<ExhibitSection>{"hours", &ExhibitSection::hours, Presence::Optional, hours_manual},
+    Field<ExhibitSection>{"weight",
+                          &ExhibitSection::weight,
+                          Presence::Optional,
+                          "How much it is worth seeing beside the others, where there is no time "
+                          "for all: 0 never, 2 twice as much; 1 where it is not said",
+                          {0, 1000}},
+    Field<ExhibitSection>{"looking_seconds",
+                          &ExhibitSection::looking_seconds,
+                          Presence::Optional,
+                          "How long a visitor looks at it; 60 where it is not said",
+                          {0, 3600}},
 };
+
+inline constexpr std::array tour_fields{
+    Field<TourSection>{"id",
+                       &TourSection::id,
+                       Presence::Required,
+                       "A short name that stays: letters, digits and hyphens",
+                       {},
+                       Form::Identifier},
+    Field<TourSection>{"title", &TourSection::title, Presence::Required,
+                       "What visitors call it, by language"},
+    Field<TourSection>{"exhibits", &TourSection::exhibits, Presence::Optional,
+                       "The exhibits' ids; where they are not said, the best that there is time "
+                       "for in its minutes, by their weights"},
+    Field<TourSection>{"fixed", &TourSection::fixed, Presence::Optional,
+                       "true: in the order written; else in the order of the shortest walk"},
+    Field<TourSection>{"minutes",
+                       &TourSection::minutes,
+                       Presence::Optional,
+                       "How long it may take from the kiosk to the last look, ways and looking "
+                       "together",
+                       {1, 600}},
+};
+
+inline constexpr std::array<std::string_view, 4> separators{",", ";", "|", "tab"};
+
+inline constexpr std::array source_fields{
+    Field<SourceSection>{"file",
+                         &SourceSection::file,
+                         Presence::Required,
+                         "A CSV file, a IIIF manifest or collection (JSON), or a folder of them",
+                         {},
+                         Form::File},
+    Field<SourceSection>{"encoding", &SourceSection::encoding, Presence::Optional,
+                         "Of a CSV file: \"utf-8\", \"windows-1252\", \"utf-16\"; found out where "
+                         "it is not said"},
+    Field<SourceSection>{"separator",
+                         &SourceSection::separator,
+                         Presence::Optional,
+                         "What stands between the cells; found out where it is not said",
+                         {},
+                         Form::OneOf,
+                         separators},
+    Field<SourceSection>{"id", &SourceSection::id, Presence::Optional,
+                         "The column of the object's number; exhibits get it as their id, with a "
+                         "hyphen for what an id may not hold"},
+    Field<SourceSection>{"title", &SourceSection::title, Presence::Optional,
+                         "Columns by language: title.en = \"Title\""},
+    Field<SourceSection>{"text", &SourceSection::text, Presence::Optional,
+                         "Columns by language: text.en = \"Description\""},
+    Field<SourceSection>{
+        "image", &SourceSection::image, Presence::Optional,
+        "The column of the picture's file; it is looked for beside the CSV file, in "
+        "the museum's folder and in images/"},
+    Field<SourceSection>{"position", &SourceSection::position, Presence::Optional,
+                         "The two columns of its place: [\"east\", \"north\"]; objects without one "
+                         "are shown where a [[exhibit]] of that id gives it"},
+    Field<SourceSection>{"facing", &SourceSection::facing, Presence::Optional,
+                         "The column of where it looks, in degrees"},
+    Field<SourceSection>{"floor", &SourceSection::floor, Presence::Optional,
+                         "The column of the floor's name"},
+};
+
+inline constexpr std::array<std::string_view, 2> directions{"left-to-right", "right-to-left"};
 
 inline constexpr std::array words_fields{
     Field<WordsFile>{"name",
@@ -173,9 +377,14 @@ inline constexpr std::array words_fields{
                      Presence::Required,
                      "left-to-right or right-to-left",
                      {},
-                     Form::Direction},
-    Field<WordsFile>{"words", &WordsFile::words, Presence::Required,
-                     "The interface's words by key"},
+                     Form::OneOf,
+                     directions},
+    Field<WordsFile>{"words",
+                     &WordsFile::words,
+                     Presence::Required,
+                     "The interface's words by key",
+                     {},
+                     Form::Keys},
 };
 
 /// The sections of museum.toml: `visit.one` for [name], `visit.many` for [[name]].
@@ -188,7 +397,14 @@ void museum_sections(auto& visit, auto& config) {
   visit.one("ambient", "Other visitors on the screen", ambient_fields, config.ambient);
   visit.one("motion", "How the guide moves", motion_fields, config.motion);
   visit.many("room", "A gallery: a name for a part of a floor", room_fields, config.rooms);
+  visit.one_or_many("source", "Where exhibits come from besides exhibits/: CSV or IIIF",
+                    source_fields, config.sources);
+  visit.many("connection", "Stairs, an escalator, a lift or a ramp from floor to floor",
+             connection_fields, config.connections);
+  visit.many("place", "Toilets, an exit, a seat: what visitors ask for besides exhibits",
+             place_fields, config.places);
   visit.many("door", "A doorway that staff can close", door_fields, config.doors);
+  visit.many("tour", "A round of exhibits, one after another", tour_fields, config.tours);
 }
 
 /// The sections of a file of exhibits/.

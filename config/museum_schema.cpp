@@ -31,20 +31,22 @@ Json number(std::string_view type, FieldLimits limits) {
   return schema;
 }
 
-Json text(Form form) {
+Json text(Form form, std::span<const std::string_view> choices) {
   Json schema = {{"type", "string"}};
   if (form == Form::Name || form == Form::File) schema["minLength"] = 1;
   if (form == Form::Identifier) schema["pattern"] = "^[A-Za-z0-9._-]+$";
-  if (form == Form::Direction) schema["enum"] = {"left-to-right", "right-to-left"};
-  if (form == Form::Paving) schema["enum"] = {"oak", "stone"};
+  if (form == Form::OneOf) schema["enum"] = choices;
   return schema;
 }
+
+template <typename T, std::size_t n>
+Json section_schema(std::string_view manual, const std::array<Field<T>, n>& fields);
 
 /// The schema of a field's type, told by the type of the value that it goes into.
 template <typename T, typename Value>
 Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
   if constexpr (std::is_same_v<Value, std::string>)
-    return text(field.form);
+    return text(field.form, field.choices);
   else if constexpr (std::is_same_v<Value, double>)
     return number("number", field.limits);
   else if constexpr (std::is_same_v<Value, std::int64_t>)
@@ -59,8 +61,10 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"anyOf", {point(), {{"type", "array"}, {"items", point()}, {"minItems", 1}}}}};
   else if constexpr (std::is_same_v<Value, Range>)
     return pair(number("number", field.limits));
-  else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+  else if constexpr (std::is_same_v<Value, LocatedList>)
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
+  else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
+    return {{"type", "array"}, {"items", section_schema("", stop_fields)}, {"minItems", 2}};
   else
     return texts_by_language();
 }

@@ -24,6 +24,8 @@
 #include <ranges>
 #include <utility>
 
+#include "config/toml_fault.h"
+#include "platform/file/file_kind.h"
 #include "platform/file/read_file.h"
 #include "platform/file/text_encoding.h"
 
@@ -51,6 +53,20 @@ void convert_entries(const toml::table& table, TomlNode& out) {
   });
 }
 
+std::chrono::local_seconds day_of(const toml::date& date) {
+  return std::chrono::local_days(std::chrono::year(date.year) / date.month / date.day);
+}
+
+void read_date(const toml::node& node, TomlNode& out) {
+  if (const auto* day = node.as_date()) out.date = day_of(day->get());
+  const auto* at = node.as_date_time();
+  if (at == nullptr || at->get().offset) return;
+  const toml::time& time = at->get().time;
+  out.has_time = true;
+  out.date = day_of(at->get().date) + std::chrono::hours(time.hour) +
+             std::chrono::minutes(time.minute) + std::chrono::seconds(time.second);
+}
+
 TomlNode convert(const toml::node& node) {
   TomlNode out;
   out.range = range_of(node.source());
@@ -74,15 +90,9 @@ TomlNode convert(const toml::node& node) {
     out.boolean = boolean->get();
   } else {
     out.kind = TomlNode::Kind::Date;
+    read_date(node, out);
   }
   return out;
-}
-
-/// toml++ begins its sentences with what it was doing: "Error while parsing key: expected ...".
-std::string sentence_of(std::string_view description) {
-  constexpr std::string_view prefix = "Error while ";
-  if (description.starts_with(prefix)) description.remove_prefix(prefix.size());
-  return "cannot be read as TOML: while " + std::string(description);
 }
 
 constexpr std::ptrdiff_t most_full_stops = 200;
@@ -126,12 +136,26 @@ std::string_view name_of(TomlNode::Kind kind) noexcept {
 }
 
 TomlFile parse_toml(std::string_view text, const std::string& name) {
+  if (const file::FileKind kind = file::file_kind(text); !kind.name.empty())
+    return unreadable(
+        {.file = name,
+         .line = 1,
+         .column = 1,
+         .message = fmt::format("this is {}, and no plain text", kind.name),
+         .hint = std::string(kind.remedy.empty() ? "is this the right file?" : kind.remedy)});
   if (const auto fault = file::encoding_fault(text))
     return unreadable({.file = name,
                        .line = fault->line,
                        .column = fault->column,
                        .message = fault->message,
                        .hint = fault->hint});
+  if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
+    return unreadable(
+        {.file = name,
+         .line = 1,
+         .column = 1,
+         .message = "has the line ends of old Macs, a carriage return alone",
+         .hint = "save it with the line ends of Unix or Windows: editors ask for LF or CRLF"});
   if (const std::uint32_t line = line_of_too_many_parts(text); line > 0)
     return unreadable(
         {.file = name,
@@ -142,23 +166,26 @@ TomlFile parse_toml(std::string_view text, const std::string& name) {
   const toml::parse_result result = toml::parse(text, name);
   if (result) return {.root = convert(result.table())};
   const toml::parse_error& error = result.error();
-  const SourceRange range = range_of(error.source());
+  const bool redefines = error.description().find("redefine") != std::string_view::npos;
+  const TomlFault fault =
+      explain_toml_fault(file::without_byte_order_mark(text), range_of(error.source()), redefines);
   return unreadable({.file = name,
-                     .line = range.line,
-                     .column = range.column,
-                     .length = range.length,
-                     .message = sentence_of(error.description()),
-                     .hint = "nothing of this file was used; mend this line first"});
+                     .line = fault.range.line,
+                     .column = fault.range.column,
+                     .length = fault.range.length,
+                     .message = fault.message,
+                     .label = "nothing of this file was used",
+                     .hint = fault.hint});
 }
 
 TomlFile read_toml(const std::filesystem::path& file, const std::string& name) {
-  const Result<std::string> text = file::read_file(file);
+  const Result<std::string> text = file::read_file(file, largest_toml);
   if (text) return parse_toml(*text, name);
   return {.root = std::nullopt,
           .diagnostics = {{.file = name,
                            .code = "missing-file",
                            .message = without_file(text.error(), file.string()),
-                           .hint = "nothing of this file was used"}}};
+                           .hint = "nothing of it was used"}}};
 }
 
 }  // namespace docent::config

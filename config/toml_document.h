@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -15,6 +16,8 @@ namespace docent::config {
 struct SourceRange {
   std::uint32_t line = 1, column = 1;
   std::uint32_t length = 1;  ///< Characters, up to the end of the first line.
+
+  friend bool operator==(const SourceRange&, const SourceRange&) = default;
 };
 
 struct TomlEntry;
@@ -25,10 +28,14 @@ struct TomlNode {
   enum class Kind : std::uint8_t { Table, Array, Text, Integer, Number, Boolean, Date };
   Kind kind = Kind::Table;
   SourceRange range;
-  std::string text;                ///< Of a Text.
-  std::int64_t integer = 0;        ///< Of an Integer.
-  double number = 0;               ///< Of an Integer or a Number.
-  bool boolean = false;            ///< Of a Boolean.
+  std::string text;          ///< Of a Text.
+  std::int64_t integer = 0;  ///< Of an Integer.
+  double number = 0;         ///< Of an Integer or a Number.
+  bool boolean = false;      ///< Of a Boolean.
+  /// Of a Date with a day: that, and the time of it, if it says one. What says from where on Earth
+  /// it counts (a Z, an offset) has none.
+  std::optional<std::chrono::local_seconds> date;
+  bool has_time = false;           ///< Of such a date.
   std::vector<TomlNode> items;     ///< Of an Array.
   std::vector<TomlEntry> entries;  ///< Of a Table, in the order of the file.
 };
@@ -47,6 +54,9 @@ struct TomlFile {
   std::optional<TomlNode> root;           ///< A table. Empty where the file could not be read.
   std::vector<Diagnostic> diagnostics{};  ///< `missing-file` or `unreadable-toml`.
 };
+
+/// Bytes. No file that people write is larger: a larger one is the wrong one.
+inline constexpr std::size_t largest_toml = std::size_t{64} << 20U;
 
 /// Reads a TOML file. `name` is what diagnostics call it.
 TomlFile read_toml(const std::filesystem::path& file, const std::string& name);

@@ -4,27 +4,29 @@
 packages_build=(
   cmake g++ ninja-build pkg-config
   libcli11-dev libcurl4-openssl-dev libdrm-dev libegl-dev libfmt-dev libgbm-dev libgles-dev libglm-dev libhidapi-dev
-  libjpeg62-turbo-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libtomlplusplus-dev
+  libjpeg62-turbo-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev
   nlohmann-json3-dev
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
-packages_content=(libboost-dev libcgal-dev librsvg2-dev)
+packages_content=(libboost-dev libcgal-dev libexpat1-dev libgeos-dev libgif-dev libheif-dev libprotozero-dev libpugixml-dev librsvg2-dev libwebp-dev libzip-dev zlib1g-dev)
 # All that a docent which was built elsewhere needs to run.
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
   ca-certificates libcairo2 libcurl4 libdrm2 libegl-mesa0 libegl1 libfmt9 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
-  libjpeg62-turbo libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libstdc++6
+  libjpeg62-turbo libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libssl3 libstdc++6
   libxcb-icccm4 libxcb-keysyms1 libxcb1 zchunk
 )
 packages_test=(
-  libgmock-dev libgtest-dev librapidcheck-dev mandoc python3 x11-utils xdotool xvfb zchunk zsh
+  libgmock-dev libgtest-dev librapidcheck-dev mandoc openssl python3 x11-utils xdotool xvfb zchunk zsh
 )
 # For tests/kiosk, which boots a Debian and installs docent in it; that test is skipped without them.
-packages_booted=(busybox-static cpio e2fsprogs kmod mmdebstrap qemu-system-x86 seabios)
+packages_booted=(busybox-static cpio dosfstools e2fsprogs fdisk kmod mmdebstrap mtools qemu-system-x86 seabios)
 # For deploy/package, and to judge what it makes.
 packages_package=(debhelper dpkg-dev lintian)
 # For deploy/image.
-packages_image=(dosfstools e2fsprogs fdisk mmdebstrap mtools)
+packages_image=(dosfstools e2fsprogs fdisk grub-common grub-efi-amd64-bin mmdebstrap mtools rauc squashfs-tools)
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)
 packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev)
+# promtool tries the alerts: 100 MB, and a server that starts on a desk, so for .ci only; elsewhere that test is skipped.
+packages_alerts=(prometheus)

@@ -8,12 +8,15 @@ namespace docent::command {
 
 terminal::Command compile_command();
 terminal::Command check_command();
+terminal::Command import_command();
+terminal::Command translate_command();
 terminal::Command info_command();
 terminal::Command schema_command();
 terminal::Command route_command();
 terminal::Command at_command();
 terminal::Command see_command();
 terminal::Command near_command();
+terminal::Command tour_command();
 terminal::Command offset_command();
 terminal::Command show_command();
 terminal::Command graph_command();

@@ -9,9 +9,11 @@
 
 #include "config/diagnostic_text.h"
 #include "content/command/commands.h"
+#include "content/command/open_museum.h"
 #include "content/command/part_sizes.h"
 #include "content/command/stopwatch.h"
 #include "content/compile/compile.h"
+#include "content/compile/found.h"
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
 #include "platform/file/read_file.h"
@@ -65,6 +67,14 @@ std::vector<terminal::Option> source_options(CompileRequest& request) {
 
 /// A museum's folder is a whole museum; floor plans beside it would belong to none.
 void check_sources(const std::vector<std::string>& sources) {
+  for (const std::string& source : sources)
+    if (std::filesystem::path(source).extension() == ".toml" && !file::is_folder(source)) {
+      const std::string folder = std::filesystem::path(source).parent_path().string();
+      throw content::ContentError(
+          Errc::WrongUsage, source, "file-of-a-museum", "this is one file of a museum",
+          fmt::format("name the museum's folder: {}", folder.empty() ? "." : folder));
+    }
+
   const auto folder = std::ranges::find_if(sources, file::is_folder);
   if (sources.size() > 1 && folder != sources.end())
     throw content::ContentError(
@@ -76,11 +86,15 @@ void check_sources(const std::vector<std::string>& sources) {
 /// Sources and recordings that are not there: told at once, before anything is computed.
 std::vector<Diagnostic> missing_sources(const compile::CompileOptions& options) {
   std::vector<Diagnostic> missing;
+  std::error_code ignored;
   for (const auto* const names : {&options.sources, &options.clips})
     for (const std::string& name : *names)
       if (!file::is_there(name))
-        missing.push_back(
-            {.file = name, .code = "missing-source", .message = "there is no such file or folder"});
+        missing.push_back({.file = name,
+                           .code = "missing-source",
+                           .message = "there is no such file or folder",
+                           .hint = fmt::format("it is looked for from {}: check its name",
+                                               std::filesystem::current_path(ignored).string())});
   return missing;
 }
 
@@ -111,8 +125,25 @@ std::expected<Museum, int> compile_and_report(CompileRequest& request, compile::
   return std::move(*museum);
 }
 
-/// What `--json` tells at the end: where the time went, and the bytes.
-void print_stages(const compile::Progress& progress, const std::string& output) {
+/// The museum that the output held before; empty where it is none that this docent reads.
+std::optional<Museum> museum_before(const std::string& output) {
+  if (!file::is_there(output)) return {};
+  try {
+    return load_or_throw(output);
+  } catch (const content::ContentError&) {
+    return {};
+  }
+}
+
+nlohmann::ordered_json found_json(const Museum& museum) {
+  nlohmann::ordered_json found;
+  for (const auto& [name, count] : compile::found_in(museum)) found[name] = count;
+  return found;
+}
+
+/// What `--json` tells at the end: what was found, where the time went, and the bytes.
+void print_stages(const Museum& museum, const compile::Progress& progress,
+                  const std::string& output) {
   const PartSizes sizes = part_sizes(output);
   nlohmann::ordered_json stages = nlohmann::ordered_json::array();
   for (const compile::Progress::Stage& stage : progress.stages()) {
@@ -122,8 +153,10 @@ void print_stages(const compile::Progress& progress, const std::string& output) 
                       {"seconds", stage.seconds},
                       {"bytes", made == sizes.stages.end() ? 0 : made->second}});
   }
-  const nlohmann::ordered_json summary = {
-      {"stages", stages}, {"seconds", progress.seconds()}, {"bytes", sizes.file}};
+  const nlohmann::ordered_json summary = {{"stages", stages},
+                                          {"found", found_json(museum)},
+                                          {"seconds", progress.seconds()},
+                                          {"bytes", sizes.file}};
   fmt::print("{}\n", summary.dump());
 }
 
@@ -134,12 +167,17 @@ int run_compile(CompileRequest& request) {
     compile::Report report;
     const auto museum = compile_and_report(request, progress, report);
     if (!museum) return museum.error();
+    if (is_for_people(request)) {
+      const std::optional<Museum> before = museum_before(request.output);
+      progress.clear();
+      fmt::print(stderr, "found {}\n", compile::found_text(*museum, before ? &*before : nullptr));
+    }
     progress.plan("write", 1);
     {
       const auto stage = progress.start("write");
       write::write_museum(*museum, request.output);
     }
-    if (request.json) print_stages(progress, request.output);
+    if (request.json) print_stages(*museum, progress, request.output);
   }
   if (is_for_people(request)) stopwatch.say_wrote(request.output);
   return 0;
@@ -152,9 +190,9 @@ int run_check(CompileRequest& request) {
   if (!museum) return museum.error();
   const std::size_t warnings = report.in_order().size();
   if (is_for_people(request))
-    fmt::print(stderr, "{}: no errors, {} warning{}, in {:.1f} s\n",
+    fmt::print(stderr, "{}: no errors, {} warning{}, in {:.1f} s; found {}\n",
                fmt::join(request.options.sources, ", "), warnings, warnings == 1 ? "" : "s",
-               progress.seconds());
+               progress.seconds(), compile::found_text(*museum, nullptr));
   return 0;
 }
 

@@ -7,6 +7,8 @@
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/part_sizes.h"
+#include "platform/signature/key.h"
+#include "platform/sqlite/content_reader.h"
 #include "runtime/schema/schema.h"
 
 namespace docent::command {
@@ -39,13 +41,36 @@ Json coefficients_between(const std::vector<MotionClass>& classes) {
   return coefficients;
 }
 
-Json facts_about(const Museum& museum) {
+/// Whose keys have signed it, as each signature says of itself; `verify` knows.
+Json signers_of(const sqlite::Database& database) {
+  Json signers = Json::array();
+  for (const signature::Signature& each : database.signatures)
+    signers.push_back(signature::name_of(each.key));
+  return signers;
+}
+
+Json facts_about(const sqlite::Database& database, const Museum& museum) {
   Json facts;
   facts["schema_version"] = schema::version;
+  facts["checksum"] = sqlite::checksum_text(database);
+  facts["signed_with"] = signers_of(database);
+  facts["kiosks"] = Json::array();
+  for (const KioskPlace& kiosk : museum.kiosks) facts["kiosks"].push_back(kiosk.id);
   facts["floors"] = museum.floors.size();
   facts["exhibits"] = museum.exhibits.size();
   facts["exhibit_ids"] = Json::array();
   for (const Exhibit& exhibit : museum.exhibits) facts["exhibit_ids"].push_back(exhibit.id);
+  facts["connections"] = museum.connections.size();
+  facts["doors"] = count_on_floors(museum, [](const Floor& f) { return f.plan.doors.size(); });
+  facts["places"] = museum.places.size();
+  facts["place_kinds"] = Json::object();
+  for (const Place& place : museum.places) {
+    Json& count = facts["place_kinds"][std::string(info_of(place.kind).name)];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
+  facts["tours"] = museum.tours.size();
+  facts["tour_ids"] = Json::array();
+  for (const Tour& tour : museum.tours) facts["tour_ids"].push_back(tour.id);
   facts["languages"] = Json::array();
   for (const Language& language : museum.languages) facts["languages"].push_back(language.tag);
   facts["sites"] =
@@ -90,10 +115,14 @@ std::string line_of(const Json& value) {
   if (value.is_object()) {
     std::vector<std::string> items;
     for (const auto& [key, number] : value.items())
-      items.push_back(fmt::format("{} {:.2f}", key, number.get<double>()));
+      items.push_back(number.is_number_float() ? fmt::format("{} {:.2f}", key, number.get<double>())
+                                               : fmt::format("{} {}", key, number.dump()));
+    if (items.empty()) return "none";
     return fmt::format("{}", fmt::join(items, "; "));
   }
+  if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
+  if (value.empty()) return "none";
   std::vector<std::string> items;
   for (const Json& item : value) items.push_back(item.get<std::string>());
   return fmt::format("{}", fmt::join(items, ", "));
@@ -108,7 +137,8 @@ void print_for_people(const Json& facts, const Json& sizes) {
 }
 
 int run_info(const std::string& file, bool json) {
-  Json facts = facts_about(load_or_throw(file));
+  const sqlite::Database database = open_or_throw(file);
+  Json facts = facts_about(database, read_or_throw(database, file));
   const Json sizes = sizes_of(file);
   if (json) {
     facts["bytes"] = sizes;

@@ -12,10 +12,14 @@ sqlite::Database open_or_throw(const std::filesystem::path& file) {
   return std::move(*database);
 }
 
-Museum load_or_throw(const std::filesystem::path& file) {
-  Result<Museum> museum = sqlite::load_museum(file);
+Museum read_or_throw(const sqlite::Database& database, const std::filesystem::path& file) {
+  Result<Museum> museum = sqlite::read_museum(database, file);
   if (!museum) throw content::to_content_error(museum.error(), file.string(), "unusable-database");
   return std::move(*museum);
+}
+
+Museum load_or_throw(const std::filesystem::path& file) {
+  return read_or_throw(open_or_throw(file), file);
 }
 
 }  // namespace docent::command

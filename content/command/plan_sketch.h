@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,16 @@ struct SketchLine {
   bool closed = false;
 };
 
-/// An SVG of a floor's walls with lines over it: what `--svg` writes for people who want to look at
+/// A floor and what is drawn over it.
+struct FloorSketch {
+  const FloorPlan& plan;
+  std::vector<SketchLine> lines;
+};
+
+/// An SVG of floors' walls with lines over them, side by side, so that what lies above one another
+/// is at the same height: what `--svg` writes for people who want to look at
 /// an answer. (The `show` command draws the whole database.)
-std::string sketch_plan(const FloorPlan& plan, const std::vector<SketchLine>& lines);
+std::string sketch_plans(std::span<const FloorSketch> floors);
+std::string sketch_plan(const FloorPlan& plan, std::vector<SketchLine> lines);
 
 }  // namespace docent::command

@@ -42,14 +42,14 @@ void check_header(std::string_view line, const std::string& file,
 
 }  // namespace
 
-std::uint32_t floor_named(const Museum& museum, std::string_view name) {
+std::uint32_t floor_named(const Museum& museum, std::string_view name, std::string_view option) {
   if (name.empty()) return museum.kiosk_floor < museum.floors.size() ? museum.kiosk_floor : 0;
   std::vector<std::string_view> names;
   for (std::uint32_t i = 0; i < museum.floors.size(); ++i) {
     names.push_back(museum.floors[i].plan.name);
     if (names.back() == name) return i;
   }
-  throw content::ContentError(Errc::WrongUsage, "--floor", "unknown-floor",
+  throw content::ContentError(Errc::WrongUsage, std::string(option), "unknown-floor",
                               fmt::format("there is no floor '{}'", name),
                               fmt::format("the floors are: {}", fmt::join(names, ", ")));
 }

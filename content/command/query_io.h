@@ -14,8 +14,10 @@ namespace docent::command {
 
 // What the commands that question a database share. What can fail throws ContentError.
 
-/// The index of the floor of that name; the kiosk's floor where the name is empty.
-std::uint32_t floor_named(const Museum& museum, std::string_view name);
+/// The index of the floor of that name, which came from this option of the command line; the
+/// kiosk's floor where the name is empty.
+std::uint32_t floor_named(const Museum& museum, std::string_view name,
+                          std::string_view option = "--floor");
 
 /// The exhibit of that id, which came from this option of the command line.
 const Exhibit& exhibit_named(const Museum& museum, std::string_view id, std::string_view option);

@@ -106,6 +106,11 @@ ReleasedFile put_database(const std::string& file, const fs::path& folder,
     throw ContentError(Errc::InvalidInput, file, "unusable-database", "is not a docent database",
                        "name one made by 'docent-content compile'");
   const std::vector<std::byte> bytes = signed_bytes(file, schema, keys);
+  if (bytes.size() > schema::largest_shown)
+    throw ContentError(Errc::InvalidInput, file, "database-too-large",
+                       fmt::format("has {} MB, and the most that a kiosk shows is {}",
+                                   bytes.size() >> 20U, schema::largest_shown >> 20U),
+                       "compile it with fewer or smaller pictures, or several museums of it");
   signature::Digest digest;
   digest.add(bytes);
   ReleasedFile made{.schema = schema, .size = bytes.size(), .hash = digest.finish(), .name = {}};

@@ -5,19 +5,28 @@
 #include <chrono>
 #include <cstdio>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <random>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "config/museum_config.h"
+#include "config/today.h"
 #include "content/command/commands.h"
 #include "content/command/open_museum.h"
 #include "content/command/plan_sketch.h"
 #include "content/command/query_io.h"
 #include "content/command/stopwatch.h"
 #include "content/content_error.h"
+#include "runtime/model/closures.h"
+#include "runtime/path/building/nearest_place.h"
+#include "runtime/path/building/walled_doors.h"
 #include "runtime/path/route.h"
 
 namespace docent::command {
@@ -31,25 +40,37 @@ struct RouteOptions {
   path::Hand hand = path::Hand::Shorter;
   bool widest = false, smooth = false;
   std::optional<std::array<double, 2>> from, to;
-  std::string floor;
+  std::string floor, from_floor, to_floor;
+  std::optional<PlaceKind> to_place;
   std::vector<std::string> exhibits;
+  std::optional<path::Metric> metric;
+  bool step_free = false, no_escalators = false;
+  std::string at, today;
   bool json = false;
   std::string svg, queries, output;
   int repeat = 1;
 };
 
-const char* name_of(path::RouteStatus status) {
+const char* name_of(path::BuildingStatus status) {
   switch (status) {
-    case path::RouteStatus::Ok:
+    case path::BuildingStatus::Ok:
       return "ok";
-    case path::RouteStatus::StartBlocked:
+    case path::BuildingStatus::StartBlocked:
       return "start_blocked";
-    case path::RouteStatus::GoalBlocked:
+    case path::BuildingStatus::GoalBlocked:
       return "goal_blocked";
-    case path::RouteStatus::NoRoute:
+    case path::BuildingStatus::Closed:
+      return "closed";
+    case path::BuildingStatus::NoStepFree:
+      return "no_step_free";
+    case path::BuildingStatus::NoRoute:
       break;
   }
   return "no_route";
+}
+
+const char* name_of(path::RouteStatus status) {
+  return name_of(path::building_status(status));
 }
 
 path::RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
@@ -61,52 +82,254 @@ path::RouteQuery base_query(const RouteOptions& options, const Museum& museum) {
           .smooth = options.smooth};
 }
 
-std::string to_json(const path::Way& way) {
-  const bool ok = way.status == path::RouteStatus::Ok;
-  return fmt::format(R"({{"status": "{}", "length": {}, "clearance_min": {}, "points": {}}})",
-                     name_of(way.status), ok ? json_number(way.length) : "null",
-                     ok ? json_number(way.clearance_min) : "null", json_points(way.points));
+std::string json_leg(const Museum& museum, const path::Leg& leg) {
+  const auto floor = [&](std::uint32_t index) {
+    return nlohmann::json(museum.floors[index].plan.name).dump();
+  };
+  if (leg.is_along_floor())
+    return fmt::format(R"({{"floor": {}, "points": {}}})", floor(leg.floor),
+                       json_points(leg.points));
+  const Connection& connection = museum.connections[leg.connection];
+  return fmt::format(R"({{"connection": {}, "kind": "{}", "from": {}, "to": {}, "seconds": {}}})",
+                     nlohmann::json(connection.id).dump(),
+                     config::connection_kinds[static_cast<std::size_t>(connection.kind)],
+                     floor(leg.floor), floor(leg.to_floor), json_number(leg.seconds));
 }
 
-std::string to_sentence(const path::Way& way) {
-  if (way.status != path::RouteStatus::Ok) return name_of(way.status);
-  return fmt::format("ok: {:.3f} m, never nearer than {:.3f} m to a wall, {} points", way.length,
-                     way.clearance_min, way.points.size());
+/// What is in the way, by its ids.
+std::vector<std::string> closed_ids(const Museum& museum, const path::BuildingWay& way) {
+  std::vector<std::string> ids;
+  for (const path::DoorOfFloor& closed : way.closed_doors)
+    ids.push_back(museum.floors[closed.floor].plan.doors[closed.door].name);
+  for (const std::uint32_t connection : way.closed)
+    ids.push_back(museum.connections[connection].id);
+  return ids;
 }
 
-/// The viewing points of the exhibits, which must share a floor; `floor` is set to it.
-std::vector<Vec2> stops_at_exhibits(const Museum& museum, const RouteOptions& options,
-                                    std::uint32_t& floor) {
-  std::vector<Vec2> stops;
+std::string to_json(const Museum& museum, const path::BuildingWay& way) {
+  const bool ok = way.status == path::BuildingStatus::Ok;
+  std::vector<Vec2> points;
+  std::vector<std::string> legs, floors, closed;
+  for (const path::Leg& leg : way.legs) {
+    legs.push_back(json_leg(museum, leg));
+    if (!leg.is_along_floor()) continue;
+    points.insert(points.end(), leg.points.begin(), leg.points.end());
+    std::string floor = nlohmann::json(museum.floors[leg.floor].plan.name).dump();
+    if (floors.empty() || floors.back() != floor) floors.push_back(std::move(floor));
+  }
+  for (const std::string& id : closed_ids(museum, way)) closed.push_back(nlohmann::json(id).dump());
+  return fmt::format(
+      R"({{"status": "{}", "length": {}, "clearance_min": {}, "points": {}, "seconds": {}, )"
+      R"("floors": [{}], "legs": [{}]{}}})",
+      name_of(way.status), ok ? json_number(way.length) : "null",
+      ok ? json_number(way.clearance_min) : "null", json_points(points),
+      ok ? json_number(way.seconds) : "null", fmt::join(floors, ", "), fmt::join(legs, ", "),
+      closed.empty() ? "" : fmt::format(R"(, "closed": [{}])", fmt::join(closed, ", ")));
+}
+
+std::string to_sentence(const Museum& museum, const path::BuildingWay& way) {
+  if (way.status != path::BuildingStatus::Ok) {
+    const std::vector<std::string> closed = closed_ids(museum, way);
+    return closed.empty() ? std::string(name_of(way.status))
+                          : fmt::format("{}: {}", name_of(way.status), fmt::join(closed, ", "));
+  }
+  std::size_t points = 0;
+  std::vector<std::string> rides;
+  for (const path::Leg& leg : way.legs) {
+    points += leg.points.size();
+    if (!leg.is_along_floor())
+      rides.push_back(fmt::format("{} from {} to {}", museum.connections[leg.connection].id,
+                                  museum.floors[leg.floor].plan.name,
+                                  museum.floors[leg.to_floor].plan.name));
+  }
+  return fmt::format("ok: {:.3f} m, {:.0f} s, never nearer than {:.3f} m to a wall, {} points{}{}",
+                     way.length, way.seconds, way.clearance_min, points,
+                     rides.empty() ? "" : "; by ", fmt::join(rides, ", then "));
+}
+
+/// A place on a floor to go to, or from.
+struct Stop {
+  std::uint32_t floor = 0;
+  Vec2 position{};
+};
+
+std::vector<Stop> stops_asked_for(const Museum& museum, const RouteOptions& options) {
+  if (options.exhibits.empty()) {
+    const auto floor = [&](const std::string& own, std::string_view option) {
+      return own.empty() ? floor_named(museum, options.floor) : floor_named(museum, own, option);
+    };
+    return {{floor(options.from_floor, "--from-floor"), point_of(*options.from)},
+            {floor(options.to_floor, "--to-floor"), point_of(*options.to)}};
+  }
+  if (options.exhibits.size() < 2)
+    throw content::ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
+                                "a route needs two exhibits", "write --exhibits A,B");
+  std::vector<Stop> stops;
   for (const std::string& id : options.exhibits) {
     const Exhibit& exhibit = exhibit_named(museum, id, "--exhibits");
-    if (stops.empty() && options.floor.empty()) floor = exhibit.floor;
-    if (exhibit.floor != floor)
-      throw content::ContentError(Errc::WrongUsage, "--exhibits", "other-floor",
-                                  fmt::format("exhibit '{}' is on another floor, '{}'", id,
-                                              museum.floors[exhibit.floor].plan.name),
-                                  "a route stays on one floor");
-    stops.push_back(exhibit.viewing_point.position);
+    stops.push_back({exhibit.floor, exhibit.viewing_point.position});
   }
   return stops;
 }
 
-void answer_one(const Museum& museum, const RouteOptions& options) {
-  std::uint32_t floor = floor_named(museum, options.floor);
-  std::vector<Vec2> stops;
-  if (options.exhibits.empty()) {
-    stops = {point_of(*options.from), point_of(*options.to)};
-  } else {
-    if (options.exhibits.size() < 2)
-      throw content::ContentError(Errc::WrongUsage, "--exhibits", "one-exhibit",
-                                  "a route needs two exhibits", "write --exhibits A,B");
-    stops = stops_at_exhibits(museum, options, floor);
+/// A tour on one floor of a museum without connections, as `path::tour` finds it.
+path::BuildingWay tour_on_floor(const path::FloorMap& map, const path::RouteQuery& query,
+                                std::span<const Stop> stops) {
+  std::vector<Vec2> positions;
+  for (const Stop& stop : stops) positions.push_back(stop.position);
+  path::Way way = path::tour(map, query, positions);
+  path::BuildingWay whole{.status = path::building_status(way.status)};
+  if (way.status != path::RouteStatus::Ok) return whole;
+  whole.length = way.length;
+  whole.seconds = way.length / strolling_pace;
+  whole.clearance_min = way.clearance_min;
+  whole.legs.push_back({.floor = stops.front().floor,
+                        .to_floor = stops.front().floor,
+                        .length = way.length,
+                        .seconds = whole.seconds,
+                        .points = std::move(way.points)});
+  return whole;
+}
+
+std::vector<std::shared_ptr<const path::FloorMap>> maps_of(const Museum& museum) {
+  std::vector<std::shared_ptr<const path::FloorMap>> maps;
+  for (const Floor& floor : museum.floors) maps.push_back(path::make_floor_map(floor));
+  return maps;
+}
+
+/// The time of --at.
+std::optional<LocalMinute> moment_of(const RouteOptions& options) {
+  if (options.at.empty()) return {};
+  namespace chr = std::chrono;
+  int year = 0, used = 0;
+  unsigned month = 0, day = 0, hour = 0, minute = 0;
+  // NOLINTNEXTLINE(cert-err34-c): what is read is checked below
+  std::sscanf(options.at.c_str(), "%4d-%2u-%2uT%2u:%2u%n", &year, &month, &day, &hour, &minute,
+              &used);
+  const chr::year_month_day date{chr::year(year), chr::month(month), chr::day(day)};
+  const std::string_view rest = std::string_view(options.at).substr(static_cast<std::size_t>(used));
+  if (used == 0 || !date.ok() || hour > 23 || minute > 59 || !(rest.empty() || rest == ":00"))
+    throw content::ContentError(Errc::WrongUsage, "--at", "no-time",
+                                fmt::format("'{}' is no day and time", options.at),
+                                "by the museum's clock: --at 2026-12-24T16:30");
+  return chr::local_days(date) + chr::hours(hour) + chr::minutes(minute);
+}
+
+Today today_of(const RouteOptions& options, const Museum& museum) {
+  if (options.today.empty()) return {};
+  const config::Loaded<Today> today = config::load_today(options.today, museum);
+  if (today.value) return *today.value;
+  const Diagnostic& first = today.diagnostics.front();
+  throw content::ContentError(first.file, first.line, first.column, first.code, first.message,
+                              first.hint);
+}
+
+path::BuildingQuery building_query(const RouteOptions& options, const Museum& museum,
+                                   const path::BuildingMap& building) {
+  path::BuildingQuery query{.way = base_query(options, museum), .metric = options.metric};
+  query.permissions = {.step_free = options.step_free, .no_escalators = options.no_escalators};
+  if (options.at.empty() && options.today.empty()) return query;
+  query.closed =
+      building.closure(ClosureRules(museum).at(moment_of(options), today_of(options, museum)));
+  return query;
+}
+
+/// Where there is no way: is that because of doors that are closed for good?
+path::BuildingWay with_walled_doors(const Museum& museum, const path::BuildingMap& building,
+                                    const path::BuildingQuery& query, path::BuildingWay way) {
+  if (way.status != path::BuildingStatus::NoRoute) return way;
+  way.closed_doors = path::walled_doors_in_the_way(museum, building, query);
+  if (!way.closed_doors.empty()) way.status = path::BuildingStatus::Closed;
+  return way;
+}
+
+/// May anything be closed?
+bool may_be_closed(const RouteOptions& options, const Museum& museum) {
+  return !options.at.empty() || !options.today.empty() ||
+         std::ranges::any_of(museum.floors, [](const Floor& floor) {
+           return std::ranges::any_of(floor.plan.doors, &Door::closed);
+         });
+}
+
+path::BuildingWay tour_through(const Museum& museum, const RouteOptions& options,
+                               std::span<const Stop> stops) {
+  const path::RouteQuery way = base_query(options, museum);
+  std::vector<std::shared_ptr<const path::FloorMap>> maps = maps_of(museum);
+  const bool one_floor = std::ranges::all_of(
+      stops, [&](const Stop& stop) { return stop.floor == stops.front().floor; });
+  if (one_floor && museum.connections.empty() && !may_be_closed(options, museum))
+    return tour_on_floor(*maps[stops.front().floor], way, stops);
+
+  const path::BuildingMap building(museum, std::move(maps));
+  path::BuildingQuery query = building_query(options, museum, building);
+  if (!one_floor && !query.metric) query.metric = path::Metric::Time;
+  path::BuildingWay whole;
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    query.way.from = stops[i - 1].position;
+    query.way.to = stops[i].position;
+    query.from_floor = stops[i - 1].floor;
+    query.to_floor = stops[i].floor;
+    path::BuildingWay next = building.route(query);
+    if (next.status != path::BuildingStatus::Ok)
+      return with_walled_doors(museum, building, query, std::move(next));
+    whole = i == 1 ? std::move(next) : path::joined(std::move(whole), std::move(next));
   }
-  const auto map = path::make_floor_map(museum.floors[floor]);
-  const path::Way way = path::tour(*map, base_query(options, museum), stops);
-  if (!options.svg.empty())
-    write_text(options.svg, sketch_plan(museum.floors[floor].plan, {{way.points, false}}));
-  fmt::print("{}\n", options.json ? to_json(way) : to_sentence(way));
+  return whole;
+}
+
+void draw(const Museum& museum, const path::BuildingWay& way, std::uint32_t start,
+          const std::string& file) {
+  std::map<std::uint32_t, std::vector<SketchLine>> lines{{start, {}}};
+  for (const path::Leg& leg : way.legs)
+    if (leg.is_along_floor()) lines[leg.floor].push_back({leg.points, false});
+  std::vector<FloorSketch> floors;
+  for (auto& [floor, drawn] : lines)
+    floors.push_back({museum.floors[floor].plan, std::move(drawn)});
+  write_text(file, sketch_plans(floors));
+}
+
+/// "toilets, exit": the kinds of places that a museum has.
+std::string kinds_of_places(const Museum& museum) {
+  std::vector<std::string_view> names;
+  for (const PlaceKindInfo& info : place_kinds)
+    if (std::ranges::find(museum.places, info.kind, &Place::kind) != museum.places.end())
+      names.push_back(info.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void answer_nearest(const Museum& museum, const RouteOptions& options) {
+  const path::BuildingMap building(museum, maps_of(museum));
+  path::BuildingQuery query = building_query(options, museum, building);
+  query.way.from = point_of(*options.from);
+  query.from_floor = options.from_floor.empty()
+                         ? floor_named(museum, options.floor)
+                         : floor_named(museum, options.from_floor, "--from-floor");
+  const path::NearestPlace nearest =
+      path::nearest_place(building, query, museum.places, *options.to_place);
+  const std::string_view kind = info_of(*options.to_place).name;
+  if (nearest.place == none)
+    throw content::ContentError(Errc::InvalidInput, "--to-place", "no-such-place",
+                                fmt::format("the museum has no place of the kind '{}'", kind),
+                                museum.places.empty()
+                                    ? "write a [[place]] in museum.toml"
+                                    : fmt::format("it has: {}", kinds_of_places(museum)));
+  const Place& place = museum.places[nearest.place];
+  if (!options.svg.empty()) draw(museum, nearest.way, query.from_floor, options.svg);
+  if (options.json) {
+    std::string answer = to_json(museum, nearest.way);
+    answer.pop_back();
+    fmt::print("{}, \"place\": {}}}\n", answer, nlohmann::json(place.id).dump());
+  } else {
+    fmt::print("{}: {}\n", place.id, to_sentence(museum, nearest.way));
+  }
+}
+
+void answer_one(const Museum& museum, const RouteOptions& options) {
+  if (options.to_place) return answer_nearest(museum, options);
+  const std::vector<Stop> stops = stops_asked_for(museum, options);
+  const path::BuildingWay way = tour_through(museum, options, stops);
+  if (!options.svg.empty()) draw(museum, way, stops.front().floor, options.svg);
+  fmt::print("{}\n", options.json ? to_json(museum, way) : to_sentence(museum, way));
 }
 
 /// Answers every query once a round, each round in a new order, and times each on its own: the way,
@@ -165,8 +388,9 @@ void answer_table(const Museum& museum, const RouteOptions& options) {
     query.radius = row[4];
     queries.push_back(query);
   }
-  const auto map = path::make_floor_map(museum.floors[floor]);
-  TimedRounds rounds(*map, std::move(queries));
+  path::BuildingMap building(museum, maps_of(museum));
+  building.close(building_query(options, museum, building).closed);
+  TimedRounds rounds(building.floor(floor), std::move(queries));
   rounds.run(options.repeat);
   std::string text = "x0,y0,x1,y1,r,status,length,clearance_min,microseconds\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -184,11 +408,13 @@ void answer_table(const Museum& museum, const RouteOptions& options) {
 
 void run_route(const RouteOptions& options) {
   const int ways_to_ask = (options.queries.empty() ? 0 : 1) + (options.exhibits.empty() ? 0 : 1) +
-                          (options.from || options.to ? 1 : 0);
-  if (ways_to_ask != 1 || options.from.has_value() != options.to.has_value())
-    throw content::ContentError(
-        Errc::WrongUsage, "route", "no-ends", "say from where to where, once",
-        "give --from X,Y --to X,Y, or --exhibits A,B, or --queries Q.csv -o A.csv");
+                          (options.from || options.to || options.to_place ? 1 : 0);
+  const int goals = (options.to ? 1 : 0) + (options.to_place ? 1 : 0);
+  if (ways_to_ask != 1 || goals != (options.from ? 1 : 0))
+    throw content::ContentError(Errc::WrongUsage, "route", "no-ends",
+                                "say from where to where, once",
+                                "give --from X,Y --to X,Y, or --from X,Y --to-place KIND, or "
+                                "--exhibits A,B, or --queries Q.csv -o A.csv");
   const Museum museum = load_or_throw(options.database);
   if (options.queries.empty())
     answer_one(museum, options);
@@ -202,6 +428,19 @@ std::vector<std::pair<std::string_view, RouteKind>> named_kinds() {
   return named;
 }
 
+std::vector<std::pair<std::string_view, PlaceKind>> named_places() {
+  std::vector<std::pair<std::string_view, PlaceKind>> named;
+  for (const PlaceKindInfo& info : place_kinds) named.emplace_back(info.name, info.kind);
+  return named;
+}
+
+/// The kinds are too many for a line of help; museum.toml(5) lists them.
+terminal::Value place_kind(std::optional<PlaceKind>& target) {
+  terminal::Value value = terminal::one_of<PlaceKind>(named_places(), target);
+  value.name = "KIND";
+  return value;
+}
+
 /// From where to where, and by which kind of way.
 std::vector<terminal::Option> question(RouteOptions* options) {
   using terminal::Times;
@@ -211,6 +450,8 @@ std::vector<terminal::Option> question(RouteOptions* options) {
        "The shortest way, along the middle of the rooms, or along the walls", Times::Once},
       {"--from", terminal::numbers("X,Y", options->from), "From this point, metres"},
       {"--to", terminal::numbers("X,Y", options->to), "To this point, metres"},
+      {"--to-place", place_kind(options->to_place),
+       "To the nearest place of this kind (as in museum.toml), by time"},
       {"--exhibits", terminal::list("A,B,...", options->exhibits),
        "From one exhibit's viewing point to the next, in this order"},
       {"--radius", terminal::number("R", terminal::not_negative, options->radius),
@@ -234,6 +475,20 @@ std::vector<terminal::Option> answer(RouteOptions* options) {
   return {
       {"--floor", terminal::text("NAME", options->floor), "Name of the floor", Times::AtMostOnce,
        "the kiosk's"},
+      {"--from-floor", terminal::text("NAME", options->from_floor), "The floor of --from",
+       Times::AtMostOnce, "that of --floor"},
+      {"--to-floor", terminal::text("NAME", options->to_floor), "The floor of --to",
+       Times::AtMostOnce, "that of --floor"},
+      {"--metric",
+       terminal::one_of<path::Metric>(
+           {{"time", path::Metric::Time}, {"length", path::Metric::Length}}, options->metric),
+       "What is to be least", Times::AtMostOnce, "time across floors, length on one"},
+      {"--step-free", terminal::flag(options->step_free), "By lifts and ramps only"},
+      {"--no-escalators", terminal::flag(options->no_escalators), "Not by escalators"},
+      {"--at", terminal::text("TIME", options->at),
+       "What is closed at 2026-12-24T16:30 by the museum's clock", Times::AtMostOnce,
+       "nothing that hours close"},
+      {"--today", terminal::file("FILE", options->today), "A today.toml: what is closed live"},
       {"--json", terminal::flag(options->json), "Print the way as JSON"},
       {"--svg", terminal::file("FILE", options->svg), "Draw the way into this file"},
       {"--queries", terminal::file("Q.csv", options->queries),

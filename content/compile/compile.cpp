@@ -8,12 +8,15 @@
 #include <span>
 
 #include "config/museum_config.h"
+#include "content/compile/add_collections.h"
+#include "content/compile/add_languages.h"
 #include "content/compile/compile_avatar.h"
 #include "content/compile/compile_exhibits.h"
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"
 #include "content/compile/compile_scenery.h"
 #include "content/compile/shipped_files.h"
+#include "content/compile/zone_rules.h"
 #include "content/content_error.h"
 #include "platform/file/read_file.h"
 
@@ -23,14 +26,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a step; what it throws goes into the report.
-bool attempt(Report& report, const std::function<void()>& step) {
+/// Runs a step on a file; what it throws goes into the report, at the file's beginning where it is
+/// about all of it.
+bool attempt(Report& report, const std::string& file, const std::function<void()>& step) {
   try {
     step();
     return true;
   } catch (const content::ContentError& error) {
     if (exit_code(error.kind) != exit_code(Errc::InvalidInput)) throw;
-    report.add(content::to_diagnostic(error));
+    Diagnostic diagnostic = content::to_diagnostic(error);
+    if (!file::is_there(diagnostic.file)) diagnostic.file = file;
+    if (diagnostic.line == 0) diagnostic.line = diagnostic.column = 1;
+    if (diagnostic.hint.empty()) diagnostic.hint = "draw it otherwise, or export it again";
+    report.add(std::move(diagnostic));
     return false;
   }
 }
@@ -43,31 +51,6 @@ std::vector<double> radius_classes(double body_radius, const std::vector<double>
   const auto repeated = std::ranges::unique(radii);
   radii.erase(repeated.begin(), repeated.end());
   return radii;
-}
-
-/// Adds the interface's words in a language, from the museum's own file or else the shipped one.
-void add_language(const std::string& tag, const config::WordsFile* own, Museum& museum,
-                  Report& report) {
-  Language language;
-  language.tag = language.name = tag;
-  config::Loaded<config::WordsFile> shipped;
-  if (own == nullptr) {
-    shipped = config::load_words(shipped_words(tag), tag);
-    if (!shipped.value) {
-      Diagnostic missing;
-      missing.file = "words/" + tag + ".toml";
-      missing.code = "missing-translation";
-      missing.message = fmt::format("there are no words of the interface in '{}'", tag);
-      missing.hint = "write this file in the museum's folder, with the keys of another language";
-      report.add(std::move(missing));
-      return;
-    }
-    own = &*shipped.value;
-  }
-  if (!own->name.value.empty()) language.name = own->name.value;
-  language.right_to_left = own->direction.value == "right-to-left";
-  for (const auto& [key, word] : own->words.value) language.words[key] = word.value;
-  museum.languages.push_back(std::move(language));
 }
 
 /// Must the avatar be made? The clips that ship hold no mistakes: a check needs to look only at
@@ -122,8 +105,10 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
   if (needs_avatar(options, nullptr, report))
     avatar.emplace(options, clip_folders(options, nullptr), progress);
   museum.title["en"] = name;
-  add_language("en", nullptr, museum, report);
-  attempt(report, [&] {
+  config::MuseumConfig plain;
+  plain.languages = {"en"};
+  add_languages(plain, museum, report);
+  attempt(report, options.sources.front(), [&] {
     CompiledFloor compiled = compile_floor(name, options.sources, options.coordinates,
                                            radius_classes(museum.body_radius, options.radii),
                                            report, progress, options.jobs);
@@ -147,10 +132,19 @@ void take_texts(const config::MuseumConfig& config, Museum& museum, Report& repo
   museum.welcome = plain_texts(config.museum.welcome.value);
   if (museum.title.empty())
     for (const std::string& tag : config.languages) museum.title[tag] = folder_name(config.folder);
-  for (const std::string& tag : config.languages) {
-    const auto own = std::ranges::find(config.words, tag, &config::WordsFile::tag);
-    add_language(tag, own == config.words.end() ? nullptr : &*own, museum, report);
-  }
+  add_languages(config, museum, report);
+}
+
+/// What staff say of a floor beside its plan.
+void name_floor(const config::FloorSection& section, std::size_t index, Floor& floor) {
+  constexpr double storey = 4;
+  FloorPlan& plan = floor.plan;
+  plan.ordinal = static_cast<std::int32_t>(
+      section.ordinal.given ? section.ordinal.value : static_cast<std::int64_t>(index));
+  plan.height = section.height.given ? section.height.value : storey * plan.ordinal;
+  plan.short_name =
+      section.short_name.given ? section.short_name.value : std::to_string(plan.ordinal);
+  floor.title = plain_texts(section.title.value);
 }
 
 /// Compiles every floor whose plan can be used; the others stay empty, and are in the report.
@@ -165,13 +159,21 @@ std::vector<CompiledFloor> compile_floors(const config::MuseumConfig& config,
     const config::FloorSection& section = config.floors[i];
     const std::string file = (config.folder / section.plan.value).string();
     if (!section.plan.given || !file::is_there(file)) continue;  // already reported
-    attempt(report, [&] {
-      floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
-                                report, progress, options.jobs);
+    attempt(report, file, [&] {
+      floors[i] =
+          compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii, report,
+                        progress, options.jobs, doors_of(config, i), label_entries(floors.size()));
     });
-    floors[i].floor.plan.height = section.height.value;
+    name_floor(section, i, floors[i].floor);
   }
   return floors;
+}
+
+std::string joined(const config::LocatedList& days) {
+  std::string text;
+  for (const config::Located<std::string>& day : days)
+    text += (text.empty() ? "" : ",") + day.value;
+  return text;
 }
 
 /// A museum's folder.
@@ -180,8 +182,10 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   config::Loaded<config::MuseumConfig> loaded = config::load_museum_config(options.sources.front());
   report.add(loaded.diagnostics);
   if (!loaded.value) return;
+  add_collections(*loaded.value, report);
   const config::MuseumConfig& config = *loaded.value;
   report.set_file_order(config.files);
+  if (config.floors.empty()) return;  // already reported
   plan_floor_stages(progress);
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
@@ -192,6 +196,8 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
 
   take_texts(config, museum, report);
   museum.body_radius = config.avatar.radius.value;
+  museum.time_zone = zone_rules(config, report);
+  museum.holidays = joined(config.museum.holidays.value);
   {
     const std::vector<CompiledFloor> floors = compile_floors(config, options, report, progress);
     for (const CompiledFloor& compiled : floors) museum.floors.push_back(compiled.floor);
@@ -200,7 +206,8 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   }
   {
     const auto stage = progress.start("images");
-    compile_images(config, options.jobs, museum, report);
+    compile_images(config, options.only_check ? Images::Check : Images::Make, options.jobs, museum,
+                   report);
   }
   if (!options.only_check && !report.has_errors()) {
     const auto stage = progress.start("scenery");

@@ -5,14 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
+#include "content/compile/check_scale.h"
 #include "content/compile/compile_ambient.h"
+#include "content/compile/compile_connections.h"
+#include "content/compile/compile_places.h"
+#include "content/compile/compile_tours.h"
 #include "content/compile/narrow_doors.h"
 #include "content/compile/place_exhibits.h"
+#include "runtime/model/geometry/door_leaf.h"
 #include "runtime/model/geometry/polygon.h"
+#include "runtime/path/building/building_map.h"
 #include "runtime/path/route.h"
 
 namespace docent::compile {
@@ -21,6 +29,17 @@ namespace {
 
 double to_radians(double degrees) {
   return degrees * std::numbers::pi / 180;
+}
+
+/// The doors of a floor that have both ends.
+std::vector<const config::DoorSection*> door_sections(const config::MuseumConfig& config,
+                                                      std::size_t floor) {
+  std::vector<const config::DoorSection*> sections;
+  for (const config::DoorSection& section : config.doors)
+    if (section.a.given && section.b.given &&
+        config::floor_index(config, section.floor.value) == floor)
+      sections.push_back(&section);
+  return sections;
 }
 
 class ExhibitCompiler {
@@ -35,14 +54,23 @@ class ExhibitCompiler {
 
   void run() {
     add_rooms();
-    add_doors();
+    check_door_places();
+    compile_connections(config_, maps_, museum_, report_);
     place_kiosk();
     name_kiosks();
     for (const config::ExhibitSection& section : config_.exhibits) add_exhibit(section);
+    compile_places(config_, maps_, entrance_, museum_, report_);
+    check_spots();
+    check_other_floors();
+    report_gaps();
+    check_scales();
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     museum_.ambient =
         compile_ambient(config_, {*maps_[kiosk_floor_], entrance_, museum_.body_radius}, report_);
-    if (entrance_) check_doors();
+    if (entrance_) {
+      check_doors();
+      compile_tours(config_, maps_, museum_, report_);
+    }
   }
 
  private:
@@ -52,6 +80,19 @@ class ExhibitCompiler {
                                       std::move(label), std::move(hint)));
   }
 
+  void warn_closed_off(const std::string& exhibit, const config::Place& place) {
+    Diagnostic diagnostic = config::diagnostic_at(
+        config_, place, "exhibit-closed-off",
+        fmt::format("no visitor can reach exhibit '{}' from the kiosk while doors are closed",
+                    exhibit));
+    diagnostic.severity = Severity::Warning;
+    report_.add(std::move(diagnostic));
+  }
+
+  bool has_closed_door(std::size_t floor) const {
+    return std::ranges::any_of(floors_[floor].floor.plan.doors, &Door::closed);
+  }
+
   void add_rooms() {
     for (const config::RoomSection& section : config_.rooms) {
       Room room{
@@ -59,13 +100,40 @@ class ExhibitCompiler {
           .floor = static_cast<std::uint32_t>(config::floor_index(config_, section.floor.value)),
           .title = plain_texts(section.title.value),
           .label = section.label.value,
-          .outline = section.outline.value};
-      if (section.outline.given && (room.outline.size() < 3 || signed_area(room.outline) == 0))
-        error(section.outline.place, "bad-value",
-              fmt::format("the outline of room '{}' holds no area", room.id));
+          .outline = section.outline.value,
+          .closed = section.closed.value,
+          .hours = section.hours.value};
+      if (section.outline.given) check_outline(section, room);
       if (signed_area(room.outline) < 0) std::ranges::reverse(room.outline);
+      check_room_place(section, room);
       museum_.rooms.push_back(std::move(room));
     }
+  }
+
+  void check_outline(const config::RoomSection& section, const Room& room) {
+    if (const auto crossing = crossing_of(room.outline))
+      return error(section.outline.place, "bad-value",
+                   fmt::format("the outline of room '{}' crosses itself at {}", room.id,
+                               point_text(*crossing)),
+                   {}, "write its corners in the order in which one walks round the room");
+    if (room.outline.size() < 3 || signed_area(room.outline) == 0)
+      error(section.outline.place, "bad-value",
+            fmt::format("the outline of room '{}' holds no area", room.id), {},
+            "write three corners or more: [[east, north], ...]");
+  }
+
+  /// Where two sides of an outline cross that have no corner in common.
+  static std::optional<Vec2> crossing_of(const std::vector<Vec2>& outline) {
+    const std::size_t n = outline.size();
+    for (std::size_t i = 0; i + 2 < n; ++i)
+      for (std::size_t j = i + 2; j < n; ++j) {
+        const Vec2 a = outline[i], b = outline[i + 1], c = outline[j], d = outline[(j + 1) % n];
+        const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+        const double c_side = side(a, b, c), d_side = side(a, b, d);
+        if (c_side * d_side < 0 && side(c, d, a) * side(c, d, b) < 0)
+          return c + c_side / (c_side - d_side) * (d - c);
+      }
+    return {};
   }
 
   /// A room for exhibits of a floor on which staff named none: the floor itself.
@@ -73,25 +141,210 @@ class ExhibitCompiler {
     Room room;
     room.id = config_.floors[floor].name.value;
     room.floor = floor;
-    for (const std::string& tag : config_.languages) room.title[tag] = room.id;
+    // What staff call a floor among themselves is not for visitors.
+    room.title = museum_.floors[floor].title.empty() ? museum_.title : museum_.floors[floor].title;
     museum_.rooms.push_back(std::move(room));
     return static_cast<std::uint32_t>(museum_.rooms.size() - 1);
   }
 
-  void add_doors() {
-    for (const config::DoorSection& section : config_.doors) {
-      const std::size_t floor = config::floor_index(config_, section.floor.value);
-      const Door door{.name = section.name.value,
-                      .a = section.a.value,
-                      .b = section.b.value,
-                      .closed = section.closed.value};
-      if (floor >= museum_.floors.size() || !section.a.given || !section.b.given) continue;
-      if (maps_[floor] && !path::is_inside(*maps_[floor], (door.a + door.b) * 0.5))
-        error(section.a.place, "door-outside-floor",
-              fmt::format("door '{}' does not cross the floor", door.name),
-              "its middle is not where one can walk");
-      museum_.floors[floor].plan.doors.push_back(door);
+  void warning(const config::Place& place, std::string code, std::string message,
+               std::string label = {}, std::string hint = {}) {
+    Diagnostic diagnostic = config::diagnostic_at(
+        config_, place, std::move(code), std::move(message), std::move(label), std::move(hint));
+    diagnostic.severity = Severity::Warning;
+    report_.add(std::move(diagnostic));
+  }
+
+  /// Does a room lie where the plan has floor?
+  void check_room_place(const config::RoomSection& section, const Room& room) {
+    if (room.floor >= maps_.size() || !maps_[room.floor]) return;
+    const path::FloorMap& map = *maps_[room.floor];
+    const std::string& floor = config_.floors[room.floor].name.value;
+    const double share = share_on_floor(map, room.outline);
+    if (share == 0)
+      return error(section.outline.place, "room-outside-floor",
+                   fmt::format("the outline of room '{}' lies elsewhere: no part of it is on floor "
+                               "'{}'",
+                               room.id, floor),
+                   {}, "write its corners as they are on the plan: [[east, north], ...] in metres");
+    if (share < 0.25)
+      warning(section.outline.place, "room-outside-floor",
+              fmt::format("only {:.0f} % of the outline of room '{}' is on floor '{}'", 100 * share,
+                          room.id, floor),
+              {}, "is it the right room, and in metres?");
+    if (section.label.given && !map.is_inside(room.label))
+      warning(section.label.place, "label-outside-floor",
+              fmt::format("the name of room '{}' would stand outside floor '{}'", room.id, floor),
+              fmt::format("{:.2f} m outside", map.clearance_at(room.label)), label_hint(map, room));
+    else if (section.label.given && room.outline.size() > 2 && !contains(room.outline, room.label))
+      warning(section.label.place, "label-outside-room",
+              fmt::format("the name of room '{}' would stand outside its outline", room.id), {},
+              label_hint(map, room));
+  }
+
+  /// A place for a room's name: the most open one of its outline, by a grid of points.
+  static std::string label_hint(const path::FloorMap& map, const Room& room) {
+    std::optional<Vec2> best;
+    double clearance = 0;
+    const auto consider = [&](Vec2 p) {
+      if (!map.is_inside(p) || map.clearance_at(p) <= clearance) return;
+      clearance = map.clearance_at(p);
+      best = p;
+    };
+    for_grid(room.outline, consider);
+    if (!best) best = nearest_free_point(map, room.label, 0);
+    return best ? fmt::format("write label = {}", point_text(*best))
+                : "write where the name should stand on the plan: [east, north]";
+  }
+
+  /// Calls `visit` for the points of a grid that lie in an outline.
+  template <typename Visit>
+  static void for_grid(const std::vector<Vec2>& outline, const Visit& visit) {
+    if (outline.size() < 3) return;
+    Vec2 low = outline.front(), high = outline.front();
+    for (const Vec2 p : outline) low = glm::min(low, p), high = glm::max(high, p);
+    constexpr int points = 24;
+    for (int i = 0; i < points * points; ++i) {
+      const Vec2 share{(i % points + 0.5) / points, (i / points + 0.5) / points};  // NOLINT
+      const Vec2 p = low + share * (high - low);
+      if (contains(outline, p)) visit(p);
     }
+  }
+
+  /// How much of an outline is floor, by a grid of points; 1 where there is no outline.
+  static double share_on_floor(const path::FloorMap& map, const std::vector<Vec2>& outline) {
+    int inside = 0, walkable = 0;
+    for_grid(outline, [&](Vec2 p) {
+      ++inside;
+      walkable += map.is_inside(p) ? 1 : 0;
+    });
+    return inside == 0 ? 1 : static_cast<double>(walkable) / inside;
+  }
+
+  /// Two things cannot stand on one spot, and visitors could touch only one of them.
+  void check_spots() {
+    std::map<std::tuple<std::uint32_t, long, long>, std::size_t> seen;
+    for (std::size_t i = 0; i < museum_.exhibits.size(); ++i) {
+      const Exhibit& exhibit = museum_.exhibits[i];
+      if (!config_.exhibits[i].position.given || !config_.exhibits[i].id.given) continue;
+      const Vec2 p = exhibit.placement.position;
+      const auto [first, is_new] =
+          seen.emplace(std::tuple(exhibit.floor, std::lround(p.x * 50), std::lround(p.y * 50)), i);
+      const config::ExhibitSection& other = config_.exhibits[first->second];
+      if (is_new || other.id.value == exhibit.id) continue;  // a copy is reported already
+      warning(
+          config_.exhibits[i].position.place, "same-spot",
+          fmt::format("the exhibits '{}' and '{}' stand on one spot", other.id.value, exhibit.id),
+          {},
+          fmt::format("the first is at {}:{}; move one of them",
+                      config_.files[static_cast<std::size_t>(other.position.place.file)],
+                      other.position.place.range.line));
+    }
+  }
+
+  /// Where things stand outside of a plan, the plan itself may be what is wrong.
+  void check_scales() {
+    if (!report_.has_errors()) return;
+    for (std::size_t floor = 0; floor < floors_.size(); ++floor) {
+      if (!maps_[floor]) continue;
+      const auto doubt = scale_doubt(floors_[floor].floor.plan.vertex, things_on(floor));
+      if (doubt)
+        warning(config_.floors[floor].plan.place, "odd-plan",
+                fmt::format("the plan of floor '{}' does not fit: {}",
+                            config_.floors[floor].name.value, doubt->message),
+                {}, doubt->hint);
+    }
+  }
+
+  std::vector<Vec2> things_on(std::size_t floor) const {
+    std::vector<Vec2> things;
+    const auto is_here = [&](const config::Located<std::string>& name) {
+      return config::floor_index(config_, name.value) == floor;
+    };
+    for (const config::RoomSection& room : config_.rooms)
+      if (is_here(room.floor) && room.outline.given)
+        things.insert(things.end(), room.outline.value.begin(), room.outline.value.end());
+    const auto add = [&](const auto& sections) {
+      for (const auto& section : sections)
+        if (section.position.given && is_here(section.floor))
+          things.push_back(section.position.value);
+    };
+    add(config_.exhibits);
+    add(config_.places);
+    add(config_.kiosks);
+    for (const config::ConnectionSection& connection : config_.connections)
+      add(connection.stops.value);
+    return things;
+  }
+
+  /// A slit in the plan is told in place of what lies beyond it.
+  void report_gaps() {
+    for (std::size_t floor = 0; floor < floors_.size(); ++floor)
+      for (const PlanGap& gap : floors_[floor].gaps) {
+        const auto& beyond = beyond_gaps_[floor];
+        report_.add({.file = floors_[floor].drawn.files[gap.place.file],
+                     .line = gap.place.line,
+                     .column = gap.place.column,
+                     .severity = beyond.empty() ? Severity::Warning : Severity::Error,
+                     .code = "plan-gap",
+                     .message = fmt::format("there is a gap of {} in the plan at {}: what lies on "
+                                            "its two sides is not joined",
+                                            gap_text(gap.width), point_text(gap.at)),
+                     .hint = beyond.empty()
+                                 ? "draw the areas so that they touch or overlap"
+                                 : fmt::format("draw the areas so that they touch or overlap; no "
+                                               "visitor can get to {}",
+                                               some_of(beyond))});
+      }
+  }
+
+  static std::string gap_text(double metres) {
+    return metres < 0.0095 ? fmt::format("{:.1f} mm", metres * 1000)
+                           : fmt::format("{:.0f} cm", metres * 100);
+  }
+
+  static std::string some_of(const std::vector<std::string>& ids) {
+    constexpr std::size_t most = 3;
+    std::string text =
+        fmt::format("'{}'", fmt::join(std::span(ids).first(std::min(ids.size(), most)), "', '"));
+    if (ids.size() > most) text += fmt::format(" and {} more", ids.size() - most);
+    return text;
+  }
+
+  void check_door_places() {
+    for (std::size_t floor = 0; floor < maps_.size(); ++floor) {
+      if (!maps_[floor]) continue;
+      const std::vector<const config::DoorSection*> sections = door_sections(config_, floor);
+      for (const floor::DoorFault& fault : floors_[floor].door_faults)
+        report_fault(*sections[fault.door], fault);
+      for (const config::DoorSection* section : sections)
+        if (!section->closed.value) check_open_door(*maps_[floor], *section);
+    }
+  }
+
+  void check_open_door(const path::FloorMap& map, const config::DoorSection& section) {
+    if (!path::is_inside(map, (section.a.value + section.b.value) * 0.5))
+      return report_fault(section, {});
+    const double at_a = map.clearance_at(section.a.value), at_b = map.clearance_at(section.b.value);
+    if (std::max(at_a, at_b) <= largest_door_gap) return;
+    warning(at_a > at_b ? section.a.place : section.b.place, "door-in-the-open",
+            fmt::format("door '{}' stands in the open floor: one could go round it",
+                        section.called().value),
+            fmt::format("{:.2f} m from any wall", std::max(at_a, at_b)),
+            "let both ends of the door lie at a wall, where the frame is");
+  }
+
+  void report_fault(const config::DoorSection& section, const floor::DoorFault& fault) {
+    if (fault.kind == floor::DoorFault::Kind::Outside)
+      return error(section.a.place, "door-outside-floor",
+                   fmt::format("door '{}' does not cross the floor", section.called().value),
+                   "its middle is not where one can walk",
+                   "write the doorway's two ends: on the floor, or in the wall between two rooms, "
+                   "which it then opens");
+    error(fault.end == section.a.value ? section.a.place : section.b.place, "door-leaves-gap",
+          fmt::format("door '{}' is closed, but one can go round it", section.called().value),
+          fmt::format("{:.2f} m from the wall", fault.gap),
+          "let both ends of the door lie at a wall, where the frame is");
   }
 
   void place_kiosk() {
@@ -144,6 +397,10 @@ class ExhibitCompiler {
     exhibit.placement = {section.position.value, to_radians(section.facing.value)};
     exhibit.title = plain_texts(section.title.value);
     exhibit.text = plain_texts(section.text.value);
+    exhibit.closed = section.closed.value;
+    exhibit.hours = section.hours.value;
+    if (section.weight.given) exhibit.weight = section.weight.value;
+    if (section.looking_seconds.given) exhibit.looking_seconds = section.looking_seconds.value;
     if (section.position.given && section.facing.given && exhibit.floor < maps_.size() &&
         maps_[exhibit.floor])
       place(section, exhibit);
@@ -165,7 +422,8 @@ class ExhibitCompiler {
     exhibit.place = placed.place;
     exhibit.viewing_point = placed.view;
     if (placed.problem) report_problem(section, *placed.problem);
-    if (placed.problem && placed.problem->kind == PlaceProblem::Kind::Unreachable)
+    if (placed.problem && placed.problem->kind == PlaceProblem::Kind::Unreachable &&
+        !has_closed_door(kiosk_floor_))
       unreached_.push_back(placed.view.position);
   }
 
@@ -187,10 +445,56 @@ class ExhibitCompiler {
                      fmt::format("nobody can stand at the viewing point of exhibit '{}'", id),
                      problem.label, problem.hint);
       case PlaceProblem::Kind::Unreachable:
+        if (has_closed_door(kiosk_floor_)) return warn_closed_off(id, view_place);
+        if (!floors_[kiosk_floor_].gaps.empty()) return beyond_gaps_[kiosk_floor_].push_back(id);
         return error(view_place, "exhibit-unreachable",
                      fmt::format("no visitor can reach exhibit '{}' from the kiosk", id),
                      problem.label, problem.hint);
     }
+  }
+
+  /// Can visitors get from the kiosk to what stands on the other floors?
+  void check_other_floors() {
+    // What is wrong with connections and plans is reported already.
+    if (!entrance_ || std::ranges::find(maps_, nullptr) != maps_.end() ||
+        museum_.connections.size() < config_.connections.size())
+      return;
+    const path::BuildingMap building(museum_, maps_);
+    for (std::size_t i = 0; i < museum_.exhibits.size(); ++i) {
+      const Exhibit& exhibit = museum_.exhibits[i];
+      if (exhibit.floor == kiosk_floor_) continue;
+      const path::BuildingWay way = building.route({.way = {.from = *entrance_,
+                                                            .to = exhibit.viewing_point.position,
+                                                            .radius = museum_.body_radius,
+                                                            .tell_clearance = false},
+                                                    .from_floor = museum_.kiosk_floor,
+                                                    .to_floor = exhibit.floor,
+                                                    .permissions = {.closed_too = true}});
+      if (way.status != path::BuildingStatus::NoRoute) continue;
+      const config::Place& place = config_.exhibits[i].position.place;
+      if (has_closed_door(kiosk_floor_) || has_closed_door(exhibit.floor))
+        warn_closed_off(exhibit.id, place);
+      else if (!floors_[exhibit.floor].gaps.empty())
+        beyond_gaps_[exhibit.floor].push_back(exhibit.id);
+      else
+        report_.add(no_way_to(exhibit, place));
+    }
+  }
+
+  Diagnostic no_way_to(const Exhibit& exhibit, const config::Place& place) const {
+    const std::string& floor = config_.floors[exhibit.floor].name.value;
+    const bool has_stop = std::ranges::any_of(museum_.connections, [&](const Connection& c) {
+      return std::ranges::find(c.stops, exhibit.floor, &ConnectionStop::floor) != c.stops.end();
+    });
+    return config::diagnostic_at(
+        config_, place, "exhibit-unreachable",
+        fmt::format("no visitor can get from the kiosk to exhibit '{}' on floor '{}'", exhibit.id,
+                    floor),
+        {},
+        has_stop ? "look whether the connections' stops, and the doors between, leave room"
+                 : fmt::format("no connection leads to '{}': write a [[connection]] with a stop "
+                               "there",
+                               floor));
   }
 
   /// Names the doors that the guide does not fit through, if that keeps it from anything.
@@ -253,6 +557,7 @@ class ExhibitCompiler {
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< Null for floors without a plan.
   std::size_t kiosk_floor_ = 0;
   std::optional<Vec2> entrance_;
+  std::map<std::size_t, std::vector<std::string>> beyond_gaps_;  ///< Exhibits, by floor.
   std::vector<Vec2> unreached_;  ///< Viewing points to which there is no way on the kiosk's floor.
 };
 
@@ -264,6 +569,17 @@ Placement most_open_place(const Floor& floor) {
   if (widest == clearance.end()) return {};
   const auto node = static_cast<std::size_t>(widest - clearance.begin());
   return {floor.roadmap.position[node], std::numbers::pi / 2};
+}
+
+std::vector<Door> doors_of(const config::MuseumConfig& config, std::size_t floor) {
+  std::vector<Door> doors;
+  for (const config::DoorSection* section : door_sections(config, floor))
+    doors.push_back({.name = section->called().value,
+                     .a = section->a.value,
+                     .b = section->b.value,
+                     .closed = section->closed.value,
+                     .hours = section->hours.value});
+  return doors;
 }
 
 LocalText plain_texts(const config::LocatedTexts& texts) {

@@ -5,9 +5,12 @@
 #include "content/content_error.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
+#include "content/floor/open_doors.h"
 #include "content/floor/sight.h"
 #include "content/floor/voronoi.h"
+#include "content/import/geojson/indoor_geojson.h"
 #include "content/parallel.h"
+#include "content/read_source.h"
 #include "runtime/path/shortest/make_hub_labels.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
 
@@ -25,6 +28,26 @@ void report_left_out(const import::ImportedPlan& plan, Report& report) {
     diagnostic.code = "left-out";
     diagnostic.message = fmt::format("a {} is no area and was left out", left_out.what);
     report.add(std::move(diagnostic));
+  }
+}
+
+/// A plan of rooms is no plan of a floor: where rooms touch there are walls, which a union of their
+/// insides would lose without a word. Import gives them a thickness, and doors.
+void refuse_plan_of_rooms(std::span<const std::string> files) {
+  for (const std::string& file : files) {
+    const std::string text = content::read_source(file, "missing-file");
+    if (text.find("\"indoor\"") == std::string::npos) continue;
+    const std::size_t rooms = import::count_rooms(
+        import::read_geojson_features(file, file::without_byte_order_mark(text)));
+    if (rooms < 2) continue;
+    throw content::ContentError(
+        file, 0, 0, "plan-of-rooms",
+        fmt::format(
+            "this is a plan of {} rooms (indoor=room and the like), and a floor is one area "
+            "to walk on: the walls between them would be lost",
+            rooms),
+        fmt::format("make a museum of it: docent-content import {} -o MUSEUM, then compile MUSEUM",
+                    file));
   }
 }
 
@@ -75,14 +98,20 @@ void plan_floor_stages(Progress& progress) {
 
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             import::Coordinates coordinates, std::span<const double> radii,
-                            Report& report, Progress& progress, unsigned jobs) {
+                            Report& report, Progress& progress, unsigned jobs,
+                            std::vector<Door> doors, std::size_t most_entries) {
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
     const auto stage = progress.start("plan");
+    refuse_plan_of_rooms(files);
     compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
-    floor.plan = mend(compiled.drawn, report);
+    floor::open_doors(compiled.drawn, doors);
+    compiled.gaps = plan_gaps(compiled.drawn);
+    report.add(dangling_doorways(compiled.drawn));
+    floor.plan = floor::close_doors(mend(compiled.drawn, report), doors, compiled.door_faults);
+    floor.plan.doors = std::move(doors);
     floor.plan.name = name;
   }
   {
@@ -96,7 +125,8 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
   floor.hub_labels.resize(radii.size());
   content::for_each_index(radii.size(), jobs, [&](std::size_t i) {
     floor.tangent_graphs[i] = path::make_tangent_graph(floor.plan, floor.sight, radii[i]);
-    floor.hub_labels[i] = path::make_hub_labels(floor.plan, floor.tangent_graphs[i]);
+    floor.hub_labels[i] =
+        path::make_hub_labels(floor.plan, floor.tangent_graphs[i], {}, most_entries);
   });
   report_searched(floor, files.front(), report);
   return compiled;

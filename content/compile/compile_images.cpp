@@ -1,13 +1,18 @@
 #include "content/compile/compile_images.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "content/compile/linked_pictures.h"
 #include "content/compile/load_image.h"
 #include "content/content_error.h"
 #include "content/parallel.h"
+#include "content/read_source.h"
 #include "platform/file/read_file.h"
 
 namespace docent::compile {
@@ -19,6 +24,8 @@ struct WantedImage {
   std::string name;  ///< Empty: the blank card.
   config::Place place;
   std::optional<content::ContentError> problem;
+  std::vector<std::string>
+      lost;  ///< Pictures that an SVG drawing links to, and that are not shown.
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
@@ -29,34 +36,67 @@ std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museu
     const config::Located<std::string>& image = config.exhibits[i].image;
     const auto [known, is_new] =
         index.emplace(image.value, static_cast<std::uint32_t>(wanted.size()));
-    if (is_new) wanted.push_back({image.value, image.place, std::nullopt});
+    if (is_new) wanted.push_back({image.value, image.place, std::nullopt, {}});
     museum.exhibits[i].image = known->second;
   }
   return wanted;
 }
 
-void load(const config::MuseumConfig& config, WantedImage& wanted, EncodedImage& image) {
+void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
+          EncodedImage& image) {
   const std::filesystem::path file = config.folder / wanted.name;
   if (!wanted.name.empty() && !file::is_there(file)) return;  // already reported
   try {
-    image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
+    if (use == Images::Make)
+      image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
+    else if (!wanted.name.empty())
+      check_image(file);
+    if (file.extension() == ".svg") wanted.lost = linked_pictures(content::read_source(file));
   } catch (const content::ContentError& error) {
     wanted.problem = error;
   }
 }
 
+Diagnostic warning(Diagnostic diagnostic) {
+  diagnostic.severity = Severity::Warning;
+  return diagnostic;
+}
+
+void tell(const config::MuseumConfig& config, const WantedImage& image, Report& report) {
+  if (image.problem)
+    report.add(config::diagnostic_at(config, image.place, image.problem->code,
+                                     fmt::format("'{}': {}", image.name, image.problem->what()), {},
+                                     image.problem->hint));
+  for (const std::string& lost : image.lost)
+    report.add(warning(config::diagnostic_at(
+        config, image.place, "picture-dropped",
+        fmt::format("the drawing '{}' links to the picture '{}', which is not shown", image.name,
+                    lost),
+        {}, "embed it in the drawing: in Inkscape, Extensions, Images, Embed Images")));
+}
+
+/// Exhibits of which visitors see a blank card.
+void report_blank_cards(const config::MuseumConfig& config, Report& report) {
+  for (const config::ExhibitSection& exhibit : config.exhibits)
+    if (!exhibit.image.given && exhibit.image.value.empty() && !exhibit.id.value.empty() &&
+        exhibit.image.place.range.line == exhibit.place.range.line)
+      report.add(warning(config::diagnostic_at(
+          config, exhibit.place, "no-picture",
+          fmt::format("exhibit '{}' has no picture, and visitors see a blank card",
+                      exhibit.id.value),
+          {}, "image = \"images/...\"")));
+}
+
 }  // namespace
 
-void compile_images(const config::MuseumConfig& config, unsigned jobs, Museum& museum,
+void compile_images(const config::MuseumConfig& config, Images use, unsigned jobs, Museum& museum,
                     Report& report) {
   std::vector<WantedImage> wanted = wanted_images(config, museum);
   museum.images.resize(wanted.size());
   content::for_each_index(wanted.size(), jobs,
-                          [&](std::size_t i) { load(config, wanted[i], museum.images[i]); });
-  for (const WantedImage& image : wanted)
-    if (image.problem)
-      report.add(config::diagnostic_at(config, image.place, image.problem->code,
-                                       image.problem->what(), {}, image.problem->hint));
+                          [&](std::size_t i) { load(config, use, wanted[i], museum.images[i]); });
+  for (const WantedImage& image : wanted) tell(config, image, report);
+  report_blank_cards(config, report);
 }
 
 }  // namespace docent::compile

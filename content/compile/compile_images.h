@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "config/museum_config.h"
 #include "content/compile/report.h"
 #include "runtime/model/museum.h"
@@ -8,7 +10,9 @@ namespace docent::compile {
 
 /// Reads the exhibits' images, each file once, and ties the exhibits to them. The museum's exhibits
 /// are those of the config, in its order. Problems go into the report, with the place of `image`.
-void compile_images(const config::MuseumConfig& config, unsigned jobs, Museum& museum,
+/// A check makes no pictures: they stay empty.
+enum class Images : std::uint8_t { Make, Check };
+void compile_images(const config::MuseumConfig& config, Images use, unsigned jobs, Museum& museum,
                     Report& report);
 
 }  // namespace docent::compile

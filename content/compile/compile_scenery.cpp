@@ -33,6 +33,30 @@ std::vector<scenery::PavedArea> paving_of(const config::MuseumConfig* config, co
   return areas;
 }
 
+/// Where a floor meets the connections: the flights up and down from it, and lifts.
+std::vector<scenery::Passage> passages_of(const Museum& museum, std::size_t floor) {
+  std::vector<scenery::Passage> passages;
+  for (const Connection& connection : museum.connections)
+    for (std::size_t i = 0; i < connection.stops.size(); ++i) {
+      const ConnectionStop& here = connection.stops[i];
+      if (here.floor != floor) continue;
+      if (connection.kind == ConnectionKind::Lift) {
+        passages.push_back({.kind = connection.kind, .here = here.placement});
+        continue;
+      }
+      const auto add = [&](const ConnectionStop& there) {
+        passages.push_back(
+            {.kind = connection.kind,
+             .here = here.placement,
+             .there = there.placement.position,
+             .rise = museum.floors[there.floor].plan.height - museum.floors[floor].plan.height});
+      };
+      if (i + 1 < connection.stops.size()) add(connection.stops[i + 1]);
+      if (i > 0) add(connection.stops[i - 1]);
+    }
+  return passages;
+}
+
 }  // namespace
 
 void compile_scenery(const config::MuseumConfig* config, Museum& museum) {
@@ -40,6 +64,7 @@ void compile_scenery(const config::MuseumConfig* config, Museum& museum) {
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
     scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
+    options.passages = passages_of(museum, i);
     // The overview is turned as the visitor stands at the kiosk.
     for (const KioskPlace& kiosk : museum.kiosks | std::views::reverse)
       if (kiosk.floor == i) options.up = kiosk.placement.heading;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -13,7 +14,9 @@
 #include <vector>
 
 #include "content/content_error.h"
+#include "content/import/picture/read_picture.h"
 #include "content/read_source.h"
+#include "platform/file/file_kind.h"
 #include "platform/handle.h"
 #include "platform/image/image.h"
 
@@ -21,7 +24,7 @@ namespace docent::compile {
 
 namespace {
 
-constexpr std::uint32_t drawn_side = 768;
+constexpr std::uint32_t drawn_side = 768, checked_side = 32;
 constexpr std::uint32_t kept_side = 2048;
 
 using CairoSurface = std::unique_ptr<cairo_surface_t, CloseWith<cairo_surface_destroy>>;
@@ -97,30 +100,64 @@ std::string take_message(GError* error) {
   return message;
 }
 
-Pixels draw_svg(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+/// A drawing that librsvg does not take. Its sentence is kept to itself, but for the line.
+content::ContentError damaged_drawing(const std::filesystem::path& file,
+                                      const std::string& sentence) {
+  content::ContentError error = unreadable(file, "this SVG drawing is damaged or cut short");
+  if (const std::size_t at = sentence.find("line "); at != std::string::npos)
+    if (const long line = std::strtol(sentence.c_str() + at + 5, nullptr, 10); line > 0)
+      return unreadable(file, fmt::format("this SVG drawing is damaged in its line {}", line));
+  return error;
+}
+
+Pixels draw_svg(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                std::uint32_t longest) {
   GError* error = nullptr;
   const Drawing drawing(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(bytes.data()),
                                                   static_cast<gsize>(bytes.size()), &error));
-  if (!drawing)
-    throw unreadable(file, "the image is no PNG, JPEG or SVG file: " + take_message(error));
+  if (!drawing) throw damaged_drawing(file, take_message(error));
   const double aspect = aspect_of(drawing.get());
-  const double width = std::max(1.0, std::round(drawn_side * std::min(1.0, aspect)));
-  const double height = std::max(1.0, std::round(drawn_side / std::max(1.0, aspect)));
+  const double width = std::max(1.0, std::round(longest * std::min(1.0, aspect)));
+  const double height = std::max(1.0, std::round(longest / std::max(1.0, aspect)));
   const CairoSurface surface(cairo_image_surface_create(
       CAIRO_FORMAT_ARGB32, static_cast<int>(width), static_cast<int>(height)));
   const CairoContext context(cairo_create(surface.get()));
   const RsvgRectangle viewport{0, 0, width, height};
   if (rsvg_handle_render_document(drawing.get(), context.get(), &viewport, &error) == 0)
-    throw unreadable(file, "the drawing cannot be drawn: " + take_message(error));
+    throw damaged_drawing(file, take_message(error));
   return to_pixels(surface.get());
 }
 
-bool begins_with(std::span<const std::byte> bytes, std::string_view magic) {
-  return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
+bool is_png_or_jpeg(std::string_view kind) {
+  return kind == "a PNG picture" || kind == "a JPEG picture";
 }
 
-bool is_png_or_jpeg(std::span<const std::byte> bytes) {
-  return begins_with(bytes, "\x89PNG\r\n\x1a\n") || begins_with(bytes, "\xff\xd8\xff");
+/// The pixels of a picture of any kind but PNG and JPEG; a drawing's longest side is `longest`.
+Pixels convert(const std::filesystem::path& file, const file::FileKind& kind,
+               std::span<const std::byte> bytes, std::uint32_t longest) {
+  if (bytes.empty()) throw unreadable(file, "this file is empty");
+  if (kind.name == "an SVG drawing") return draw_svg(file, bytes, longest);
+  if (kind.name == "a GIF picture") return import::read_gif(bytes);
+  if (kind.name == "a WebP picture") return import::read_webp(bytes);
+  if (kind.use == file::FileKind::For::Picture) return import::read_heif(bytes);
+  if (kind.name.empty())
+    throw unreadable(file,
+                     "this is no picture that can be read: neither PNG, JPEG, WebP, GIF, HEIC "
+                     "nor SVG");
+  content::ContentError error =
+      unreadable(file, fmt::format("this is {}, and no picture that can be read", kind.name));
+  if (!kind.remedy.empty()) error.hint = kind.remedy;
+  throw error;
+}
+
+file::FileKind kind_of(std::span<const std::byte> bytes) {
+  return file::file_kind({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Pixels decode(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  Result<Pixels> decoded = image::decode_image(bytes);
+  if (!decoded) throw unreadable(file, decoded.error().what);
+  return std::move(*decoded);
 }
 
 }  // namespace
@@ -129,19 +166,28 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
   EncodedImage image{.name = name, .width = 0, .height = 0, .bytes = read_bytes(file)};
   Pixels pixels;
   bool keep = false;
-  if (is_png_or_jpeg(image.bytes)) {
-    Result<Pixels> decoded = image::decode_image(image.bytes);
-    if (!decoded) throw unreadable(file, decoded.error().what);
-    pixels = std::move(*decoded);
+  const file::FileKind kind = kind_of(image.bytes);
+  if (is_png_or_jpeg(kind.name)) {
+    pixels = decode(file, image.bytes);
     keep = std::max(pixels.width, pixels.height) <= kept_side;
     if (!keep) pixels = image::shrink(std::move(pixels), drawn_side);
   } else {
-    pixels = draw_svg(file, image.bytes);
+    pixels = convert(file, kind, image.bytes, drawn_side);
+    if (kind.name != "an SVG drawing") pixels = image::shrink(std::move(pixels), drawn_side);
   }
   image.width = pixels.width;
   image.height = pixels.height;
   if (!keep) image.bytes = encoded(file, pixels);
   return image;
+}
+
+void check_image(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = read_bytes(file);
+  const file::FileKind kind = kind_of(bytes);
+  if (is_png_or_jpeg(kind.name))
+    decode(file, bytes);
+  else
+    convert(file, kind, bytes, checked_side);
 }
 
 EncodedImage blank_image() {

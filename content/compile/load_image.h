@@ -10,9 +10,13 @@ namespace docent::compile {
 /// Reads a picture. PNG and JPEG files are decoded once to see that they are whole, and kept as
 /// they are where they are at most 2048 pixels a side; larger ones, and SVG drawings, become JPEG
 /// (PNG where they are partly clear) with a longest side of 768 pixels, the most that a card on a
-/// kiosk shows. `name` is what the museum calls it. Throws ContentError (`unreadable-image`) where
-/// the file is none of these or damaged.
+/// kiosk shows. Pictures of the kinds that only staff's machines have (WebP, GIF, HEIC, AVIF)
+/// become JPEG or PNG, too; of a GIF that moves it is the first frame. `name` is what the museum
+/// calls it. Throws ContentError (`unreadable-image`) where the file is none of these or damaged.
 EncodedImage load_image(const std::filesystem::path& file, const std::string& name);
+
+/// Throws as load_image does, and makes nothing: an SVG is drawn as small as a stamp.
+void check_image(const std::filesystem::path& file);
 
 /// A plain picture for exhibits that have none.
 EncodedImage blank_image();

@@ -100,6 +100,12 @@ void Svg::end_group() {
   body_ += "</g>\n";
 }
 
+void Svg::embed(const Svg& drawing, Vec2 corner) {
+  begin_group(fmt::format("transform=\"translate({:.2f} {:.2f})\"", corner.x, corner.y));
+  body_ += drawing.body_;
+  end_group();
+}
+
 std::string Svg::document() const {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "

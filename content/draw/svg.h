@@ -51,10 +51,13 @@ class Svg {
   /// Defines a calm pattern of slanting lines, which `fill="url(#name)"` fills with.
   void hatch(std::string_view name, std::string_view ground, std::string_view line);
   void text(Vec2 at, std::string_view words, std::string_view style);
+  /// The whole of another drawing, its upper left corner at `corner`.
+  void embed(const Svg& drawing, Vec2 corner);
   /// Until the matching end_group, everything has these attributes.
   void begin_group(std::string_view attributes);
   void end_group();
 
+  [[nodiscard]] Vec2 size() const noexcept { return {width_, height_}; }
   /// The whole document.
   [[nodiscard]] std::string document() const;
 

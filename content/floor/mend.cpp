@@ -30,6 +30,7 @@ constexpr double largest_plan = 1e5;   ///< Metres.
 struct DrawnRing {
   OverlayRing ring;
   std::vector<import::SourcePlace> place;  ///< One per vertex.
+  bool doorway = false;                    ///< Overlaps on purpose.
 };
 
 /// Writes the warnings.
@@ -38,8 +39,9 @@ class Reporter {
   Reporter(const std::vector<std::string>& files, std::vector<Diagnostic>& mendings)
       : files_(files), mendings_(mendings) {}
 
-  void warn(const import::SourcePlace& place, std::string code, std::string message,
-            std::string hint = {}) const {
+  void warn(
+      const import::SourcePlace& place, std::string code, std::string message,
+      std::string hint = "nothing need be done if that is meant; else draw it otherwise") const {
     mendings_.push_back({.file = place.file < files_.size() ? files_[place.file] : "",
                          .line = place.line,
                          .column = place.column,
@@ -175,7 +177,9 @@ std::vector<DrawnRing> tidy(std::vector<DrawnRing> drawn, const Reporter* report
 std::vector<DrawnRing> collect(const import::ImportedPlan& imported) {
   std::vector<DrawnRing> drawn;
   const auto add = [&](const import::ImportedRing& ring, std::size_t polygon, bool hole) {
-    drawn.push_back({{ring.vertex, static_cast<std::uint32_t>(polygon), hole}, ring.place});
+    drawn.push_back({{ring.vertex, static_cast<std::uint32_t>(polygon), hole},
+                     ring.place,
+                     imported.polygons[polygon].doorway});
   };
   for (std::size_t p = 0; p < imported.polygons.size(); ++p) {
     add(imported.polygons[p].outer, p, false);
@@ -215,6 +219,7 @@ import::SourcePlace place_near(const DrawnRing& drawn, Vec2 point) {
 void report_contact(const RingContact& contact, const std::vector<DrawnRing>& drawn,
                     const Reporter& reporter) {
   const DrawnRing &a = drawn[contact.a], &b = drawn[contact.b];
+  if (a.doorway || b.doorway) return;
   const char* meets = contact.crossing ? "crosses" : "touches";
   const import::SourcePlace place = place_near(b, contact.at);
   const std::string at = written(contact.at);
@@ -296,11 +301,11 @@ void report(const RingOverlay& walls, const std::vector<DrawnRing>& drawn,
 /// Rounding a crossing moves the walls that end there by half a unit in the last place, which may
 /// make them cross a third; so the walls are overlaid again until nothing is left to round. Each
 /// round moves walls by less than the one before found them apart; two are usual.
-std::vector<std::vector<Vec2>> settle(RingOverlay walls, const import::ImportedPlan& imported) {
+std::vector<std::vector<Vec2>> settle(RingOverlay walls, const std::string& file) {
   constexpr int patience = 20;
   for (int round = 0; walls.adds_vertices; ++round) {
     if (round == patience)
-      throw content::ContentError(imported.files.front(), 0, 0, "cannot-mend",
+      throw content::ContentError(file, 0, 0, "cannot-mend",
                                   "the rings of this plan cross in too many places to be mended",
                                   "draw the outlines so that they do not cross");
     std::vector<DrawnRing> drawn;
@@ -393,10 +398,22 @@ FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& me
   const std::vector<DrawnRing> drawn = tidy(collect(imported), &reporter);
   RingOverlay walls = overlay(rings_of(drawn), Fill::Polygons);
   report(walls, drawn, reporter);
-  const std::vector<std::vector<Vec2>> rings =
-      drop_specks(settle(std::move(walls), imported), reporter);
+  const std::vector<std::vector<Vec2>> rings = drop_specks(
+      settle(std::move(walls), imported.files.empty() ? "" : imported.files.front()), reporter);
   if (rings.empty()) refuse(imported, drawn);
   return to_floor_plan(rings);
+}
+
+FloorPlan plan_of_walls(std::vector<OverlayRing> rings) {
+  std::vector<DrawnRing> drawn;
+  for (OverlayRing& ring : rings) drawn.push_back({std::move(ring), {}});
+  std::vector<Diagnostic> unsaid;
+  const Reporter reporter({}, unsaid);
+  const std::vector<std::vector<Vec2>> walls = drop_specks(
+      settle(overlay(rings_of(tidy(std::move(drawn), nullptr)), Fill::LeftOfRings), ""), reporter);
+  if (walls.empty())
+    throw content::ContentError("", 0, 0, "no-floor", "nothing of this plan is walkable");
+  return to_floor_plan(walls);
 }
 
 }  // namespace docent::floor

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "content/floor/ring_overlay.h"
 #include "content/import/floor/imported_plan.h"
 #include "runtime/model/diagnostic.h"
 #include "runtime/model/geometry/floor_plan.h"
@@ -24,5 +25,9 @@ namespace docent::floor {
 /// Throws ContentError where nothing walkable remains, and where the plan's size says that its
 /// numbers cannot be metres.
 FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& mendings);
+
+/// The same of rings that are walls already, with the floor on their left, and of obstacles that
+/// lie on their right: what remains walkable, without a word. Throws where nothing does.
+FloorPlan plan_of_walls(std::vector<OverlayRing> rings);
 
 }  // namespace docent::floor

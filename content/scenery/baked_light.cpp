@@ -303,7 +303,8 @@ Vec3 towards(const Sun& sun) noexcept {
 Light light_at(const HeightField& field, const Sun& sun, Vec2 point, double height,
                Vec3 normal) noexcept {
   // An upright face has the floor's own shade close by near its foot.
-  const double near_floor = (1 - std::abs(normal.y)) * 0.30 * std::exp(-height / 0.25);
+  const double near_floor =
+      (1 - std::abs(normal.y)) * 0.30 * std::exp(-std::max(height, 0.0) / 0.25);
   const double sky = sky_share(field, point, height, normal) * (1 - near_floor);
   // The field knows no overhangs: what a leaning board covers would be buried.
   constexpr double least = 0.4;

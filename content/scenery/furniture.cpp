@@ -295,7 +295,7 @@ std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit>
 
 void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers) {
-  if (kind == HoleKind::Wall) return;
+  if (kind == HoleKind::Wall || kind == HoleKind::Flight) return;
   const Outline outline = rounded(hole);
   if (kind == HoleKind::Column) {
     constexpr std::array rows{0.0, 0.12, 0.4, 0.9, cut_height};

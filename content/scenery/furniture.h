@@ -16,13 +16,15 @@ enum class HoleKind : std::uint8_t {
   Column,    ///< Round or square, cut like a wall.
   Pedestal,  ///< Open, with an object on it.
   Case,      ///< A closed base with glass on it.
+  Flight,    ///< Stairs, an escalator or a ramp (flight.h).
 };
 
 /// One kind per ring, by its size, shape and what stands in it; rings that are no holes count as
 /// Wall.
 std::vector<HoleKind> hole_kinds(const FloorPlan& plan, std::span<const Exhibit> exhibits);
 
-/// Something that keeps light away: everything over `outline` up to `height` metres.
+/// Something that keeps light away: everything over `outline` up to `height` metres. Below 0 it
+/// lets light in: an opening that is so deep.
 struct Blocker {
   Outline outline;
   double height = 0;

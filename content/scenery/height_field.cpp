@@ -12,7 +12,9 @@ HeightField::HeightField(Vec2 low, Vec2 high, double texel)
       height_(static_cast<std::uint32_t>(std::ceil((high.y - low.y) / texel))),
       metres_(std::size_t{width_} * height_) {}
 
-void HeightField::raise(std::span<const Vec2> polygon, double height) {
+/// Gives every texel whose centre lies in the convex polygon to `change`.
+template <typename Change>
+void HeightField::change(std::span<const Vec2> polygon, const Change& change) {
   double south = polygon[0].y;
   double north = polygon[0].y;
   for (const Vec2 p : polygon) {
@@ -39,11 +41,17 @@ void HeightField::raise(std::span<const Vec2> polygon, double height) {
     }
     if (west > east) continue;
     const auto to = column(east, width_);
-    for (auto x = column(west, width_); x < to; ++x) {
-      float& metres = metres_[std::size_t{row} * width_ + x];
-      metres = std::max(metres, static_cast<float>(height));
-    }
+    for (auto x = column(west, width_); x < to; ++x) change(metres_[std::size_t{row} * width_ + x]);
   }
+}
+
+void HeightField::raise(std::span<const Vec2> polygon, double height) {
+  change(polygon,
+         [height](float& metres) { metres = std::max(metres, static_cast<float>(height)); });
+}
+
+void HeightField::sink(std::span<const Vec2> polygon, double height) {
+  change(polygon, [height](float& metres) { metres = static_cast<float>(height); });
 }
 
 float HeightField::at(Vec2 point) const noexcept {

@@ -16,6 +16,8 @@ class HeightField {
 
   /// Raises the texels whose centre lies in the convex counter-clockwise polygon to `height`.
   void raise(std::span<const Vec2> polygon, double height);
+  /// Sets those texels to `height`: an opening in the floor.
+  void sink(std::span<const Vec2> polygon, double height);
 
   float at(Vec2 point) const noexcept;
 
@@ -35,6 +37,9 @@ class HeightField {
   Vec2 low_{};
   double texel_ = 1;
   std::uint32_t width_ = 0, height_ = 0;
+  template <typename Change>
+  void change(std::span<const Vec2> polygon, const Change& change);
+
   std::vector<float> metres_;
 };
 

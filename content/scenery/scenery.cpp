@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "content/scenery/baked_light.h"
+#include "content/scenery/flight.h"
 #include "content/scenery/furniture.h"
+#include "content/scenery/lift_car.h"
 #include "content/scenery/mesh_builder.h"
 #include "content/scenery/plates.h"
 #include "runtime/model/geometry/polygon.h"
@@ -45,10 +48,16 @@ Surface surface_of(const Plate& plate, std::span<const PavedArea> paving) {
   return Surface::Floor;
 }
 
-void build_plates(const Plates& plates, std::span<const PavedArea> paving, MeshBuilder& mesh,
-                  HeightField& field) {
+void build_plates(const Plates& plates, std::span<const PavedArea> paving,
+                  const std::vector<Outline>& openings, MeshBuilder& mesh, HeightField& field) {
   constexpr Vec3 up{0, 1, 0};
+  const auto is_open = [&](const Plate& plate) {
+    const Vec2 middle = (plate.corner[0] + plate.corner[1] + plate.corner[2]) / 3.0;
+    return plate.region == PlateKind::Hole &&
+           std::ranges::any_of(openings, [&](const Outline& o) { return contains(o, middle); });
+  };
   for (const Plate& plate : plates.plates) {
+    if (is_open(plate)) continue;
     const double height = plate.region == PlateKind::Wall ? cut_height : 0;
     mesh.use(surface_of(plate, paving));
     mesh.triangle({to_world(plate.corner[0], height), to_world(plate.corner[1], height),
@@ -61,21 +70,61 @@ void build_plates(const Plates& plates, std::span<const PavedArea> paving, MeshB
   for (const WallEdge& edge : plates.wall_edges) mesh.wall(edge.a, edge.b, rows);
 }
 
-/// The table on which the model stands.
-void build_ground(const HeightField& field, MeshBuilder& mesh) {
+/// What of some boxes lies outside of another.
+std::vector<Bounds> without(const std::vector<Bounds>& boxes, const Bounds& hole) {
+  std::vector<Bounds> rest;
+  const auto keep = [&](Vec2 low, Vec2 high) {
+    if (low.x < high.x && low.y < high.y) rest.push_back({low, high});
+  };
+  for (const Bounds& box : boxes) {
+    const Vec2 low = glm::clamp(hole.low, box.low, box.high);
+    const Vec2 high = glm::clamp(hole.high, box.low, box.high);
+    keep(box.low, {box.high.x, low.y});
+    keep({box.low.x, high.y}, box.high);
+    keep({box.low.x, low.y}, {low.x, high.y});
+    keep({high.x, low.y}, {box.high.x, high.y});
+  }
+  return rest;
+}
+
+/// The table on which the model stands. Where the floor is open, it is too.
+void build_ground(const HeightField& field, const std::vector<Outline>& openings,
+                  MeshBuilder& mesh) {
   constexpr double below = -0.01;
-  const Vec2 low = field.low();
-  const Vec2 high = field.high();
+  std::vector<Bounds> boxes{{field.low(), field.high()}};
+  for (const Outline& opening : openings) boxes = without(boxes, bounds_of(opening));
   mesh.use(Surface::Ground);
-  mesh.quad({to_world(low, below), to_world({high.x, low.y}, below), to_world(high, below),
-             to_world({low.x, high.y}, below)});
+  for (const auto& [low, high] : boxes)
+    mesh.quad({to_world(low, below), to_world({high.x, low.y}, below), to_world(high, below),
+               to_world({low.x, high.y}, below)});
+}
+
+/// The flights of a floor, each in a hole of its own, which becomes one of that kind.
+std::vector<Flight> flights_of(const FloorPlan& plan, const std::vector<Passage>& passages,
+                               std::vector<HoleKind>& kinds) {
+  std::vector<Flight> flights;
+  for (const Passage& passage : passages) {
+    const std::optional<Flight> flight = flight_of(plan, passage);
+    if (!flight || kinds[flight->ring] == HoleKind::Flight) continue;
+    kinds[flight->ring] = HoleKind::Flight;
+    flights.push_back(*flight);
+  }
+  return flights;
+}
+
+std::vector<Outline> openings_of(const std::vector<Flight>& flights) {
+  std::vector<Outline> openings;
+  for (const Flight& flight : flights)
+    if (flight.passage.rise < 0) openings.push_back(flight.footprint);
+  return openings;
 }
 
 /// The hole that an exhibit stands in, or null.
 const Outline* hole_under(const std::vector<Outline>& holes, const std::vector<HoleKind>& kinds,
                           Vec2 p, HoleKind& kind) {
   for (std::size_t r = 0; r < holes.size(); ++r) {
-    if (kinds[r] == HoleKind::Wall || !contains(holes[r], p)) continue;
+    if (kinds[r] == HoleKind::Wall || kinds[r] == HoleKind::Flight || !contains(holes[r], p))
+      continue;
     kind = kinds[r];
     return &holes[r];
   }
@@ -83,17 +132,18 @@ const Outline* hole_under(const std::vector<Outline>& holes, const std::vector<H
 }
 
 void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) {
-  std::vector<bool> is_glass(scenery.vertices.size());
+  // Glass holds its opacity; the others are lit by the lightmap.
+  constexpr std::array kept{Surface::Glass, Surface::Floor, Surface::Stone, Surface::Ground};
+  std::vector<bool> is_kept(scenery.vertices.size());
   for (const SceneryPart& part : scenery.parts)
-    if (part.surface == Surface::Glass)
+    if (std::ranges::find(kept, part.surface) != kept.end())
       for (std::uint32_t i = 0; i < part.index_count; ++i)
-        is_glass[scenery.indices[part.first_index + i]] = true;
+        is_kept[scenery.indices[part.first_index + i]] = true;
   for (std::size_t v = 0; v < scenery.vertices.size(); ++v) {
     SceneryVertex& vertex = scenery.vertices[v];
     // A little before the face, so that the field's texels of the solid behind it do not count.
     const Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
-    const bool is_level = vertex.normal.y > 0.999F && vertex.position.y <= 0;
-    if (is_level || is_glass[v]) continue;  // lit by the lightmap; holds its opacity
+    if (is_kept[v]) continue;
     const Light light = light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
     vertex.sky = static_cast<std::uint8_t>(std::lround(255 * light.sky));
     vertex.sun = static_cast<std::uint8_t>(std::lround(255 * light.sun));
@@ -124,19 +174,28 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
                      std::span<const float> image_aspect, std::span<const PavedArea> paving,
                      const SceneryOptions& options) {
   if (plan.vertex.empty()) return {};
-  const std::vector<HoleKind> kinds = hole_kinds(plan, exhibits);
+  FloorPlan drawn = plan;  // with alcoves that nobody walks in
+  std::vector<std::vector<Outline>> lift_doors;
+  for (const Passage& passage : options.passages)
+    if (passage.kind == ConnectionKind::Lift)
+      lift_doors.push_back(add_lift_car(passage.here, drawn));
+  std::vector<HoleKind> kinds = hole_kinds(drawn, exhibits);
+  const std::vector<Flight> flights = flights_of(drawn, options.passages, kinds);
+  const std::vector<Outline> openings = openings_of(flights);
   std::vector<bool> furniture;
   std::vector<Outline> outlines;
-  for (std::size_t r = 0; r < plan.ring.size(); ++r) {
+  for (std::size_t r = 0; r < drawn.ring.size(); ++r) {
     furniture.push_back(kinds[r] != HoleKind::Wall);
-    outlines.push_back(outline_of(plan, plan.ring[r]));
+    outlines.push_back(outline_of(drawn, drawn.ring[r]));
   }
 
-  HeightField field = make_field(plan, options.texel);
+  HeightField field = make_field(drawn, options.texel);
   MeshBuilder mesh;
-  build_plates(divide(plan, furniture, wall_thickness, paving), paving, mesh, field);
-  build_ground(field, mesh);
+  build_plates(divide(drawn, furniture, wall_thickness, paving), paving, openings, mesh, field);
+  build_ground(field, openings, mesh);
   std::vector<Blocker> blockers;
+  for (const Flight& flight : flights) build_flight(flight, mesh, blockers);
+  for (const std::vector<Outline>& leaves : lift_doors) build_lift_door(leaves, mesh);
   for (std::size_t r = 0; r < outlines.size(); ++r)
     build_hole(kinds[r], outlines[r], mesh, blockers);
   for (std::size_t e = 0; e < exhibits.size(); ++e) {
@@ -149,7 +208,12 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
       stand.hole = hole_under(outlines, kinds, exhibits[e].placement.position, stand.on);
     build_stand(stand, mesh, blockers);
   }
-  for (const Blocker& blocker : blockers) field.raise(blocker.outline, blocker.height);
+  for (const Blocker& blocker : blockers) {
+    if (blocker.height < 0)
+      field.sink(blocker.outline, blocker.height);
+    else
+      field.raise(blocker.outline, blocker.height);
+  }
 
   const Sun sun = late_afternoon(options.up);
   Scenery scenery = std::move(mesh).finish();

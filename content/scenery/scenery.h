@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "content/scenery/passage.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/scenery.h"
@@ -25,12 +26,14 @@ struct SceneryOptions {
   /// Floor frame, radians: the direction that is up in the overview. The sun stands to its left and
   /// behind, so that shadows fall to the lower right of the picture.
   double up = std::numbers::pi / 2;
+  /// How one gets to other floors: drawn where the plan leaves room for it (flight.h, lift_car.h).
+  std::vector<Passage> passages{};
   double texel = 0.05;  ///< Metres a lightmap texel; larger where the floor would need too many.
 };
 
 /// Builds what is drawn of a floor, as an architect's model: walls cut at shoulder height, cases
-/// and columns where the plan has holes, the exhibits as pictures on walls and stands in cases, and
-/// the light of one soft sun and of the sky on all of it.
+/// and columns where the plan has holes, stairs and lifts, the exhibits as pictures on walls and
+/// stands in cases, and the light of one soft sun and of the sky on all of it.
 ///
 /// `image_aspect` holds width over height of each exhibit's picture, one per exhibit.
 /// SceneryPart::exhibit counts in `exhibits`. Floor that no area covers is oak. A plan without

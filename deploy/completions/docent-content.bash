@@ -8,7 +8,7 @@ _docent_content() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent-content compile' | 'docent-content check' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
+    'docent-content compile' | 'docent-content check' | 'docent-content import' | 'docent-content translate' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content tour' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -21,18 +21,37 @@ _docent_content() {
     'docent-content check --coordinates') _docent_offer -W 'metres wgs84'; return ;;
     'docent-content check --radius') :; return ;;
     'docent-content check --jobs') :; return ;;
+    'docent-content import -o' | 'docent-content import --output') _docent_offer -d; return ;;
+    'docent-content import --unit') :; return ;;
+    'docent-content import --origin') :; return ;;
+    'docent-content import --level') :; return ;;
+    'docent-content import --layers') :; return ;;
+    'docent-content translate --out') _docent_offer -f; return ;;
+    'docent-content translate --in') _docent_offer -f; return ;;
+    'docent-content translate --from') :; return ;;
+    'docent-content translate --to') :; return ;;
     'docent-content route --kind') _docent_offer -W 'shortest skeleton offset'; return ;;
     'docent-content route --from') :; return ;;
     'docent-content route --to') :; return ;;
+    'docent-content route --to-place') _docent_offer -W 'toilets accessible_toilets all_gender_toilets womens_toilets mens_toilets baby_change exit emergency_exit entrance information tickets cloakroom lockers cafe restaurant shop lift stairs seat water first_aid defibrillator quiet_room prayer_room meeting_point lost_and_found cash_machine telephone library auditorium parking'; return ;;
     'docent-content route --exhibits') :; return ;;
     'docent-content route --radius') :; return ;;
     'docent-content route --offset') :; return ;;
     'docent-content route --hand') _docent_offer -W 'left right'; return ;;
     'docent-content route --floor') :; return ;;
+    'docent-content route --from-floor') :; return ;;
+    'docent-content route --to-floor') :; return ;;
+    'docent-content route --metric') _docent_offer -W 'time length'; return ;;
+    'docent-content route --at') :; return ;;
+    'docent-content route --today') _docent_offer -f; return ;;
     'docent-content route --svg') _docent_offer -f; return ;;
     'docent-content route --queries') _docent_offer -f; return ;;
     'docent-content route -o' | 'docent-content route --output') _docent_offer -f; return ;;
     'docent-content route --repeat') :; return ;;
+    'docent-content tour --exhibits') :; return ;;
+    'docent-content tour --first') :; return ;;
+    'docent-content tour --last') :; return ;;
+    'docent-content tour --minutes') :; return ;;
     'docent-content at --points') _docent_offer -f; return ;;
     'docent-content at -o' | 'docent-content at --output') _docent_offer -f; return ;;
     'docent-content at --floor') :; return ;;
@@ -73,12 +92,15 @@ _docent_content() {
     'docent-content release --program') :; return ;;
   esac
   case "$path" in
-    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check info schema route at see near offset show graph walk keygen sign verify release'; fi ;;
+    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph walk keygen sign verify release'; fi ;;
     'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
+    'docent-content import') if [[ $word == -* ]]; then _docent_offer -W '-o --output --unit --origin --level --layers --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content translate') if [[ $word == -* ]]; then _docent_offer -W '--out --in --from --to -h --help'; else _docent_offer -d; fi ;;
     'docent-content info') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else _docent_offer -f; fi ;;
     'docent-content schema') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else :; fi ;;
-    'docent-content route') if [[ $word == -* ]]; then _docent_offer -W '--kind --from --to --exhibits --radius --offset --hand --widest --smooth --floor --json --svg --queries -o --output --repeat -h --help'; else _docent_offer -f; fi ;;
+    'docent-content route') if [[ $word == -* ]]; then _docent_offer -W '--kind --from --to --to-place --exhibits --radius --offset --hand --widest --smooth --floor --from-floor --to-floor --metric --step-free --no-escalators --at --today --json --svg --queries -o --output --repeat -h --help'; else _docent_offer -f; fi ;;
+    'docent-content tour') if [[ $word == -* ]]; then _docent_offer -W '--exhibits --first --last --minutes --step-free --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content at') if [[ $word == -* ]]; then _docent_offer -W '--points -o --output --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content see') if [[ $word == -* ]]; then _docent_offer -W '--pairs -o --output --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content near') if [[ $word == -* ]]; then _docent_offer -W '--from --exhibit --within --speed --radius --floor --json -h --help'; else _docent_offer -f; fi ;;

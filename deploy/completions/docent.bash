@@ -17,6 +17,7 @@ _docent() {
     'docent --display') _docent_offer -W 'auto kms window headless'; return ;;
     'docent --size') :; return ;;
     'docent --rotate') _docent_offer -W '0 90 180 270'; return ;;
+    'docent --today') _docent_offer -f; return ;;
     'docent --visit') _docent_offer -f; return ;;
     'docent --record') _docent_offer -d; return ;;
     'docent --seconds') :; return ;;
@@ -27,7 +28,7 @@ _docent() {
     'docent check --config') _docent_offer -f; return ;;
   esac
   case "$path" in
-    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --visit --record --seconds --stats --health --counts --hid -h --help --version'; else _docent_offer -W 'check counts hid pin status'; fi ;;
+    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --today --visit --record --seconds --stats --health --counts --hid -h --help --version'; else _docent_offer -W 'check counts hid pin status'; fi ;;
     'docent check') if [[ $word == -* ]]; then _docent_offer -W '--config -h --help'; else _docent_offer -f; fi ;;
     'docent counts') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -d; fi ;;
     'docent hid') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -W 'list decode'; fi ;;

@@ -34,6 +34,9 @@ std::unexpected<Error> failure(Errc code, const std::filesystem::path& file,
 std::unexpected<Error> not_opened(const std::filesystem::path& file, int why) {
   if (why == ENOENT || why == ENOTDIR)
     return failure(Errc::NotFound, file, "there is no such file; check its name");
+  if (why == EACCES || why == EPERM)
+    return failure(Errc::Environment, file,
+                   "may not be read by this user; give it read permission: chmod a+r");
   return failure(
       Errc::Environment, file,
       fmt::format("cannot be opened ({}); check that it may be read", std::strerror(why)));
@@ -85,6 +88,10 @@ Result<std::string> read_file(const std::filesystem::path& file, std::size_t mos
 bool is_there(const std::filesystem::path& name) noexcept {
   std::error_code ignored;
   return std::filesystem::exists(name, ignored);
+}
+
+bool may_be_read(const std::filesystem::path& name) noexcept {
+  return ::access(name.c_str(), is_folder(name) ? R_OK | X_OK : R_OK) == 0;
 }
 
 bool is_folder(const std::filesystem::path& name) noexcept {

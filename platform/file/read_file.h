@@ -21,5 +21,7 @@ Result<std::string> read_file(const std::filesystem::path& file, std::size_t mos
 /// Is there anything of that name? False too where this user may not look.
 bool is_there(const std::filesystem::path& name) noexcept;
 bool is_folder(const std::filesystem::path& name) noexcept;
+/// May this user read it, and list it where it is a folder?
+bool may_be_read(const std::filesystem::path& name) noexcept;
 
 }  // namespace docent::file

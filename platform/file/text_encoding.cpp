@@ -10,6 +10,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr const char* save_as_utf8 =
+    "save the file again as UTF-8: in Notepad, Save as, Encoding; in Excel, CSV UTF-8; in other "
+    "editors it is the encoding";
 constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 
 /// A form of Unicode that we do not read.
@@ -40,15 +43,18 @@ bool has_zeros_of_utf32(std::string_view bytes, std::size_t high) {
 }
 
 /// Of UTF-16, line ends, digits and brackets have a zero byte even where every word is Chinese, and
-/// every file that we read begins with one of these; the other byte is zero in no letter of any
-/// language.
+/// every file that we read begins with one of these; the other byte is zero in few letters of any
+/// language, and both are in none.
 bool has_zeros_of_utf16(std::string_view bytes, std::size_t high) {
-  std::size_t zeros = 0;
+  std::size_t zeros = 0, others = 0;
   for (std::size_t i = 0; i < bytes.size(); i += 2) {
-    if (char_at(bytes, i + 1 - high) == 0) return false;
-    zeros += char_at(bytes, i + high) == 0 ? 1 : 0;
+    const bool is_zero = char_at(bytes, i + high) == 0,
+               is_other = char_at(bytes, i + 1 - high) == 0;
+    if (is_zero && is_other) return false;
+    zeros += is_zero ? 1 : 0;
+    others += is_other ? 1 : 0;
   }
-  return char_at(bytes, high) == 0 && zeros > bytes.size() / 32;
+  return char_at(bytes, high) == 0 && zeros > bytes.size() / 32 && 16 * others <= zeros;
 }
 
 /// Is this the form, to judge by zero bytes?
@@ -86,12 +92,58 @@ std::size_t first_character(std::string_view text) {
   return 0;
 }
 
-std::string sentence_about(unsigned char byte) {
-  if (byte < 0xA0) return fmt::format("the byte 0x{:02X} here is not UTF-8", byte);
+/// What the bytes 0x80 to 0x9F are in Windows-1252; empty where it has none.
+constexpr std::array<std::string_view, 32> windows_1252{
+    "€", "",  "‚", "ƒ", "„", "…", "†", "‡", "ˆ", "‰", "Š", "‹", "Œ", "", "Ž", "",
+    "",  "‘", "’", "“", "”", "•", "–", "—", "˜", "™", "š", "›", "œ", "", "ž", "Ÿ"};
+
+/// What they are on old Macs, where they are letters; empty where they are none.
+constexpr std::array<std::string_view, 32> mac_roman{
+    "Ä", "Å", "Ç", "É", "Ñ", "Ö", "Ü", "á", "à", "â", "ä", "ã", "å", "ç", "é", "è",
+    "ê", "ë", "í", "ì", "î", "ï", "ñ", "ó", "ò", "ô", "ö", "õ", "ú", "ù", "û", "ü"};
+
+/// Those of Windows-1252 that words hold; the others are quotation marks and the like.
+bool is_letter_of_1252(unsigned char byte) {
+  constexpr std::string_view letters = "\x8A\x8C\x8E\x9A\x9C\x9E\x9F";
+  return letters.find(static_cast<char>(byte)) != std::string_view::npos;
+}
+
+bool is_quote_of_1252(unsigned char byte) {
+  return (byte >= 0x91 && byte <= 0x97) || byte == 0x80 || byte == 0x84 || byte == 0x85;
+}
+
+/// How many bytes in a row are no ASCII.
+std::size_t run_of_high_bytes(std::string_view text) {
+  const auto end = std::ranges::find_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0x80U) == 0; });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
+/// What bytes that are no UTF-8 may be; `rest` begins with the first of them.
+std::string sentence_about(std::string_view rest) {
+  const auto byte = static_cast<unsigned char>(rest.front());
+  constexpr std::size_t word = 4;  // letters of one word: European languages have few in a row
+  if (run_of_high_bytes(rest) >= word && !is_quote_of_1252(byte))
+    return "is not UTF-8 but in an older encoding of another script, such as Windows-1256 "
+           "(Arabic), "
+           "GBK or Big5 (Chinese), Shift JIS (Japanese) or Windows-1251 (Cyrillic)";
   const std::array<char, 2> letter{static_cast<char>(0xC0U | (byte >> 6U)),
                                    static_cast<char>(0x80U | (byte & 0x3FU))};
-  return fmt::format("the byte 0x{:02X} here is not UTF-8; in Latin-1 it is '{}'", byte,
-                     std::string_view(letter.data(), letter.size()));
+  const std::string_view meant =
+      byte < 0xA0 ? windows_1252[byte - 0x80U] : std::string_view(letter.data(), letter.size());
+  if (byte < 0xA0 && !is_quote_of_1252(byte)) {
+    const std::string_view on_macs = mac_roman[byte - 0x80U];
+    if (!is_letter_of_1252(byte))
+      return fmt::format(
+          "is not UTF-8 but, it seems, Mac OS Roman: the byte 0x{:02X} here is '{}' in it", byte,
+          on_macs);
+    return fmt::format(
+        "is not UTF-8 but, it seems, Windows-1252 or Mac OS Roman: the byte 0x{:02X} here is '{}' "
+        "or '{}' in it",
+        byte, meant, on_macs);
+  }
+  return fmt::format("is not UTF-8 but, it seems, {}: the byte 0x{:02X} here is '{}' in it",
+                     byte < 0xA0 ? "Windows-1252" : "Windows-1252 (or Latin-1)", byte, meant);
 }
 
 }  // namespace
@@ -102,8 +154,10 @@ std::optional<EncodingFault> wide_encoding(std::string_view bytes) {
   auto form = std::ranges::find_if(wide_forms, is_meant);
   if (form == wide_forms.end()) form = std::ranges::find_if(wide_forms, looks_so);
   if (form == wide_forms.end()) return std::nullopt;
-  return EncodingFault{.message = fmt::format("is {}, and only UTF-8 is read", form->name),
-                       .hint = "save the file again as UTF-8; editors offer it as the encoding"};
+  return EncodingFault{.line = 1,
+                       .column = 1,
+                       .message = fmt::format("is {}, and only UTF-8 is read", form->name),
+                       .hint = save_as_utf8};
 }
 
 std::optional<EncodingFault> encoding_fault(std::string_view bytes) {
@@ -111,15 +165,14 @@ std::optional<EncodingFault> encoding_fault(std::string_view bytes) {
   std::string_view rest = without_byte_order_mark(bytes);
   for (std::uint32_t line = 1, column = 1; !rest.empty(); ++column) {
     const std::size_t size = first_character(rest);
-    if (size == 0 && bytes.contains('\0'))
-      return EncodingFault{.message = "is not a text: it holds zero bytes",
+    if (rest.front() == '\0')
+      return EncodingFault{.line = line,
+                           .column = column,
+                           .message = "is not a text: it holds zero bytes",
                            .hint = "is this the right file?"};
     if (size == 0)
       return EncodingFault{
-          .line = line,
-          .column = column,
-          .message = sentence_about(static_cast<unsigned char>(rest.front())),
-          .hint = "save the file again as UTF-8; editors offer it as the encoding"};
+          .line = line, .column = column, .message = sentence_about(rest), .hint = save_as_utf8};
     if (rest.front() == '\n') ++line, column = 0;
     rest.remove_prefix(size);
   }

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "platform/gles/shaders.h"
-#include "runtime/scene/body_detail.h"
 #include "runtime/scene/look.h"
 
 namespace docent::gles {
 namespace {
 
 constexpr std::size_t most_joints = 64;
-constexpr float modelled_stature = 1.7F;  // of skin.glsl's measures
 constexpr float body_height = 1.85F;
 constexpr float body_reach = 0.55F;  // metres from the hips to a hand or foot, along x or z
 
@@ -32,14 +30,6 @@ constexpr std::size_t tiles_a_row = 4;
 constexpr std::size_t tile_count = tiles_a_row * tiles_a_row;
 constexpr GLsizei atlas_levels = 5;  // the softest shadow is blurred over 16 texels
 static_assert(AvatarPass::most_avatars <= 4 * tile_count);
-
-/// Below this height on the screen, in pixels, a body is drawn from cells of this size, in metres:
-/// about two pixels.
-struct Coarseness {
-  float height, cell;
-};
-constexpr std::array<Coarseness, AvatarPass::level_count - 1> coarse_levels{
-    {{260, 0.017F}, {150, 0.030F}, {75, 0.050F}, {45, 0.075F}}};
 
 /// In a crowd everybody but the first avatar is drawn as if smaller, down to the last of these
 /// shares, until the bodies together have no more triangles than this.
@@ -108,21 +98,8 @@ std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   return parts;
 }
 
-void describe_skinned_vertices() noexcept {
-  constexpr auto stride = static_cast<GLsizei>(sizeof(SkinnedVertex));
-  for (GLuint i = 0; i < 6; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, position)));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, normal)));
-  glVertexAttribIPointer(2, 4, GL_UNSIGNED_BYTE, stride,
-                         buffer_offset(offsetof(SkinnedVertex, joint)));
-  glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, weight)));
-  glVertexAttribIPointer(4, 1, GL_UNSIGNED_BYTE, stride,
-                         buffer_offset(offsetof(SkinnedVertex, material)));
-  glVertexAttribPointer(5, 1, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, occlusion)));
+std::size_t joints_of(const Body& body) noexcept {
+  return std::min(body.joints, most_joints);
 }
 
 /// Middle and half size, in clip space, of the tile of the atlas that the avatar in this place has.
@@ -259,45 +236,6 @@ Result<void> AvatarPass::compile() {
   return {};
 }
 
-void AvatarPass::upload(const SkinnedMesh& mesh) {
-  joint_count_ = std::min(mesh.inverse_bind.size(), most_joints);
-  record_size_ = (first_matrix_row + 3 * joint_count_ + alignment - 1) / alignment * alignment;
-  capacity_ = 0;
-  stature_ = 0.01F;
-  for (const SkinnedVertex& vertex : mesh.vertices)
-    stature_ = std::max(stature_, vertex.position.y);
-
-  array_ = make_vertex_array();
-  glBindVertexArray(array_.get());
-  vertices_ = make_buffer();
-  glBindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  glBufferData(GL_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SkinnedVertex)),
-               mesh.vertices.data(), GL_STATIC_DRAW);
-  describe_skinned_vertices();
-
-  std::vector<std::uint32_t> indices = mesh.indices;
-  levels_[0] = {0, static_cast<GLsizei>(indices.size())};
-  for (std::size_t i = 0; i < coarse_levels.size(); ++i) {
-    const std::vector<std::uint32_t> coarse =
-        scene::coarser(mesh, coarse_levels[i].cell * stature_ / modelled_stature);
-    levels_[i + 1] = {indices.size(), static_cast<GLsizei>(coarse.size())};
-    indices.insert(indices.end(), coarse.begin(), coarse.end());
-  }
-  indices_ = make_buffer();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-  const auto keep = [](const auto& all) {
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(all.front())),
-                 all.data(), GL_STATIC_DRAW);
-  };
-  index_type_ = mesh.vertices.size() <= 0x10000 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-  if (index_type_ == GL_UNSIGNED_SHORT)
-    keep(std::vector<std::uint16_t>(indices.begin(), indices.end()));
-  else
-    keep(indices);
-  glBindVertexArray(0);
-}
-
 void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept {
   seen_count_ = 0;
   const Mat4 to_clip = list.camera.projection * list.camera.view;
@@ -334,20 +272,21 @@ void AvatarPass::choose_levels() noexcept {
     for (Seen& seen : std::span(seen_).first(seen_count_)) {
       const float pixels = seen.avatar == 0 ? seen.pixels : share * seen.pixels;
       seen.level = static_cast<std::uint32_t>(std::ranges::count_if(
-          coarse_levels, [&](const Coarseness& coarse) { return pixels < coarse.height; }));
-      triangles += static_cast<std::size_t>(levels_[seen.level].count) / 3;
+          scene::coarse_levels,
+          [&](const scene::Coarseness& coarse) { return pixels < coarse.height; }));
+      triangles += static_cast<std::size_t>(worn_->level[seen.level].size) / 3;
     }
     if (triangles <= most_triangles) return;
   }
 }
 
 void AvatarPass::reserve(std::size_t avatars) noexcept {
-  if (avatars <= capacity_) return;
-  capacity_ = std::max(avatars, std::min(2 * capacity_, most_avatars));
+  const std::size_t needed = avatars * record_size_;
+  if (needed <= capacity_) return;
+  capacity_ = std::max(needed, std::min(2 * capacity_, most_avatars * record_size_));
   // Whoever comes last is bound with a whole block, too.
   glBindBuffer(GL_UNIFORM_BUFFER, records_.get());
-  glBufferData(GL_UNIFORM_BUFFER,
-               static_cast<GLsizeiptr>(capacity_ * record_size_ * sizeof(Vec4) + block_bytes),
+  glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(capacity_ * sizeof(Vec4) + block_bytes),
                nullptr, GL_STREAM_DRAW);
 }
 
@@ -361,7 +300,7 @@ void AvatarPass::write_record(const scene::DrawList& list, std::size_t place,
   record[3] = seen.window;
   record[4] = tile_of(place, seen_count_);
   const std::size_t first = std::min<std::size_t>(avatar.first_matrix, list.palette.size());
-  const std::size_t joints = std::min(joint_count_, list.palette.size() - first);
+  const std::size_t joints = std::min(joints_of(*worn_), list.palette.size() - first);
   Vec4* row = record + first_matrix_row;
   for (std::size_t j = 0; j < joints; ++j) {
     const Mat4 rows = glm::transpose(list.palette[first + j]);
@@ -410,9 +349,10 @@ void AvatarPass::draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* 
 
 void AvatarPass::draw_level(std::uint32_t level, GLsizei instances) const noexcept {
   const std::size_t bytes =
-      index_type_ == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-  glDrawElementsInstanced(GL_TRIANGLES, levels_[level].count, index_type_,
-                          buffer_offset(levels_[level].first * bytes), instances);
+      worn_->index_type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+  const scene::BodyLevels::Run& run = worn_->level[level];
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(run.size), worn_->index_type,
+                          buffer_offset(run.first * bytes), instances);
 }
 
 void AvatarPass::draw_shadow_atlas() const noexcept {
@@ -425,10 +365,10 @@ void AvatarPass::draw_shadow_atlas() const noexcept {
   glClear(GL_COLOR_BUFFER_BIT);
   shadow_.use();
   glUniform1i(at_.shadow_record_size, static_cast<GLint>(record_size_));
-  glUniform1f(at_.shadow_stature, stature_);
-  glBindVertexArray(array_.get());
+  glUniform1f(at_.shadow_stature, worn_->stature);
+  glBindVertexArray(worn_->array.get());
   draw_batches({-1, 1}, &Seen::shadow, [&](std::uint32_t level, GLsizei instances) {
-    draw_level(std::min<std::uint32_t>(level + 2, level_count - 1), instances);
+    draw_level(std::min<std::uint32_t>(level + 2, scene::BodyLevels::count - 1), instances);
   });
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -446,9 +386,12 @@ void AvatarPass::soften_shadows() const noexcept {
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), soft_atlas_.get());
 }
 
-void AvatarPass::prepare(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept {
+void AvatarPass::prepare(const scene::DrawList& list, const Body& body, Vec3 sun,
+                         PixelSize picture) noexcept {
   seen_count_ = 0;
-  if (levels_[0].count == 0) return;
+  if (body.level[0].size == 0) return;
+  worn_ = &body;
+  record_size_ = (first_matrix_row + 3 * joints_of(body) + alignment - 1) / alignment * alignment;
   choose(list, sun, picture);
   if (seen_count_ == 0) return;
   send(list);
@@ -461,8 +404,8 @@ void AvatarPass::draw_bodies(SceneBuffer::Rows rows) const noexcept {
   if (seen_count_ == 0) return;
   body_.use();
   glUniform1i(at_.body_record_size, static_cast<GLint>(record_size_));
-  glUniform1f(at_.body_stature, stature_);
-  glBindVertexArray(array_.get());
+  glUniform1f(at_.body_stature, worn_->stature);
+  glBindVertexArray(worn_->array.get());
   draw_batches(rows, &Seen::body,
                [&](std::uint32_t level, GLsizei instances) { draw_level(level, instances); });
 }

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "platform/gles/body.h"
 #include "platform/gles/program.h"
 #include "platform/gles/scene_buffer.h"
-#include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::gles {
@@ -15,23 +15,18 @@ class AvatarPass {
  public:
   /// More avatars than this are not drawn.
   static constexpr std::size_t most_avatars = 64;
-  static constexpr std::size_t level_count = 5;  ///< Levels of detail.
 
   Result<void> compile();
-  void upload(const SkinnedMesh& mesh);
 
   /// Chooses who is in the picture and how detailed, sends the palettes and throws the bodies'
   /// shadows into the atlas. Called before the first strip; leaves its own framebuffer bound.
-  void prepare(const scene::DrawList& list, Vec3 sun, PixelSize picture) noexcept;
+  /// The body stays where it is until the picture is drawn.
+  void prepare(const scene::DrawList& list, const Body& body, Vec3 sun, PixelSize picture) noexcept;
   /// Draw the avatars or shadows that reach into these rows of the picture.
   void draw_bodies(SceneBuffer::Rows rows) const noexcept;
   void draw_shadows(SceneBuffer::Rows rows) const noexcept;
 
  private:
-  struct Level {
-    std::size_t first = 0;
-    GLsizei count = 0;  ///< Of indices.
-  };
   /// An avatar in the picture.
   struct Seen {
     std::uint32_t avatar = 0;  ///< Of the draw list.
@@ -52,16 +47,13 @@ class AvatarPass {
                     Draw draw) const noexcept;
   void draw_level(std::uint32_t level, GLsizei instances) const noexcept;
 
-  GlBuffer vertices_, indices_, records_, looks_;
-  GlVertexArray array_, no_attributes_;
+  GlBuffer records_, looks_;
+  GlVertexArray no_attributes_;
   GlTexture atlas_, soft_atlas_;
   GlFramebuffer atlas_framebuffer_, soft_framebuffer_;
-  std::array<Level, level_count> levels_{};  ///< The finest first.
-  GLenum index_type_ = GL_UNSIGNED_SHORT;
-  std::size_t joint_count_ = 0;
-  std::size_t record_size_ = 0;  ///< Vec4s of an avatar.
-  std::size_t capacity_ = 0;     ///< Avatars that `records_` has room for.
-  float stature_ = 1;
+  const Body* worn_ = nullptr;             ///< In this picture.
+  std::size_t record_size_ = 0;            ///< Vec4s of an avatar.
+  std::size_t capacity_ = 0;               ///< Vec4s that `records_` has room for.
   std::array<Seen, most_avatars> seen_{};  ///< Finest level first, then from below upwards.
   std::size_t seen_count_ = 0;
   Program body_, shadow_, soften_, decal_;

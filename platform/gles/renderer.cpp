@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "platform/gles/avatar_pass.h"
+#include "platform/gles/holdings_parts.h"
 #include "platform/gles/program.h"
 #include "platform/gles/quad_pass.h"
 #include "platform/gles/scene_buffer.h"
 #include "platform/gles/scenery_pass.h"
 #include "platform/gles/shaders.h"
-#include "platform/gles/textures.h"
 #include "platform/gles/way_pass.h"
 #include "runtime/scene/theme.h"
 
@@ -28,7 +28,6 @@ constexpr Vec4 sun_colour{1.20F, 1.11F, 0.97F, 0};
 constexpr Vec4 sky_colour{0.51F, 0.52F, 0.53F, 0};
 constexpr Vec4 bounce_colour{0.70F, 0.615F, 0.52F, 0};
 
-constexpr float fade_of_far_galleries = 0.62F;
 constexpr float light_of_goal = 0.16F;
 
 Vec4 colour_of(const scene::Colour& c) noexcept {
@@ -40,31 +39,33 @@ Vec4 place_on_floor(Vec2 place, float radius, float amount) noexcept {
   return {world.x, world.z, radius, amount};
 }
 
-FrameBlock frame_block(const scene::DrawList& list, const SceneryPass& buildings,
+FrameBlock frame_block(const scene::DrawList& list, const Building* building,
                        const scene::Theme& theme) noexcept {
-  const Scenery* scenery = buildings.scenery_of(list.floor);
   FrameBlock frame{};
   frame.view_projection = list.camera.projection * list.camera.view;
   frame.eye = Vec4(list.camera.eye, 1);
-  frame.focus = place_on_floor(list.focus, list.focus_radius, fade_of_far_galleries);
+  frame.focus = place_on_floor(list.focus, list.focus_radius, list.fade);
   frame.goal = place_on_floor(list.goal, list.goal_radius, light_of_goal);
   frame.paper = colour_of(theme.paper);
   frame.sun = Vec4(0, 1, 0, 0);
   frame.sun_colour = sun_colour;
   frame.sky_colour = sky_colour;
   frame.bounce_colour = bounce_colour;
-  if (scenery) {
-    const Vec2 size = scenery->lightmap_max - scenery->lightmap_min;
+  if (building) {
+    const Scenery& scenery = building->scenery;
+    const Vec2 size = scenery.lightmap_max - scenery.lightmap_min;
     // The lightmap's rows run north, world z runs south.
-    frame.lightmap = {static_cast<float>(scenery->lightmap_min.x),
-                      static_cast<float>(-scenery->lightmap_min.y), static_cast<float>(1 / size.x),
+    frame.lightmap = {static_cast<float>(scenery.lightmap_min.x),
+                      static_cast<float>(-scenery.lightmap_min.y), static_cast<float>(1 / size.x),
                       static_cast<float>(-1 / size.y)};
-    frame.sun = Vec4(scenery->sun, buildings.floor_height(list.floor));
+    frame.sun = Vec4(scenery.sun, building->floor_height);
   }
   return frame;
 }
 
 }  // namespace
+
+using Held = Holdings::Parts;
 
 struct Renderer::Parts {
   explicit Parts(const RendererOptions& options)
@@ -73,13 +74,14 @@ struct Renderer::Parts {
         array(make_vertex_array()) {}
 
   Result<void> compile();
-  void draw_model(const scene::DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
-  void draw_strip(const scene::DrawList& list, SceneBuffer::Rows rows) noexcept;
-  void draw_interface(const scene::DrawList& list, GLuint framebuffer, PixelSize size) noexcept;
+  void draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
+                  PixelSize size) noexcept;
+  void draw_strip(const scene::DrawList& list, const Held& held, SceneBuffer::Rows rows) noexcept;
+  void draw_interface(const scene::DrawList& list, const Held& held, GLuint framebuffer,
+                      PixelSize size) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
   scene::Theme theme;
-  Textures textures;
   SceneBuffer buffer;
   Picture picture;
   SceneryPass scenery;
@@ -107,7 +109,8 @@ Result<void> Renderer::Parts::compile() {
 }
 
 /// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
-void Renderer::Parts::draw_strip(const scene::DrawList& list, SceneBuffer::Rows rows) noexcept {
+void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
+                                 SceneBuffer::Rows rows) noexcept {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -115,8 +118,11 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, SceneBuffer::Rows 
   glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   avatars.draw_bodies(rows);
-  scenery.draw_solids(list.floor, list.highlighted_exhibit, textures);
-  scenery.draw_floors(list.floor);
+  const Building* building = held.building(list.floor);
+  if (building) {
+    scenery.draw_solids(*building, list.highlighted_exhibit, held.textures);
+    scenery.draw_floors(*building);
+  }
 
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
@@ -129,36 +135,37 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, SceneBuffer::Rows 
   avatars.draw_shadows(rows);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  scenery.draw_glass(list.floor);
+  if (building) scenery.draw_glass(*building);
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Parts::draw_model(const scene::DrawList& list, GLuint framebuffer,
+void Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
                                  PixelSize size) noexcept {
-  const FrameBlock block = frame_block(list, scenery, theme);
+  const Building* building = held.building(list.floor);
+  const FrameBlock block = frame_block(list, building, theme);
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
   way.prepare(list);
-  avatars.prepare(list, Vec3(block.sun), size);
-  scenery.bind_light(list.floor);
+  avatars.prepare(list, held.body, Vec3(block.sun), size);
+  bind_texture(static_cast<GLuint>(Unit::LightMap), building ? building->lightmap.get() : 0);
   buffer.fit(size);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
     buffer.begin(strip);
-    draw_strip(list, buffer.rows(strip));
+    draw_strip(list, held, buffer.rows(strip));
     buffer.resolve(strip, framebuffer);
   }
 }
 
-void Renderer::Parts::draw_interface(const scene::DrawList& list, GLuint framebuffer,
-                                     PixelSize size) noexcept {
+void Renderer::Parts::draw_interface(const scene::DrawList& list, const Held& held,
+                                     GLuint framebuffer, PixelSize size) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  quads.draw(list.quads, size, textures);
+  quads.draw(list.quads, size, held.textures);
 }
 
 void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
@@ -184,54 +191,26 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-void Renderer::upload_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
-                           std::span<const std::uint8_t> coverage) noexcept {
-  parts_->textures.add_text(id, width, height, coverage);
-}
-
-void Renderer::upload_image(scene::TextureId id, const Pixels& picture) noexcept {
-  parts_->textures.add_image(id, picture, Levels::One);
-}
-
-void Renderer::upload_scenery_image(scene::TextureId id, const Pixels& picture) noexcept {
-  parts_->textures.add_image(id, picture, Levels::All);
-}
-
-void Renderer::release(scene::TextureId id) noexcept {
-  parts_->textures.release(id);
-}
-
-void Renderer::release_textures() noexcept {
-  parts_->textures.release_all();
-}
-
-void Renderer::upload_scenery(std::uint32_t floor, const Scenery& scenery,
-                              std::span<const scene::TextureId> image_of) {
-  parts_->scenery.upload(floor, scenery, image_of);
-}
-
-void Renderer::upload_avatar(const SkinnedMesh& mesh) {
-  parts_->avatars.upload(mesh);
-}
-
-void Renderer::draw(const scene::DrawList& list, const RenderTarget& target) noexcept {
+void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
+                    const RenderTarget& target) noexcept {
   if (target.size.width == 0 || target.size.height == 0) return;
   const bool direct = target.encoding == Encoding::Srgb;
   if (!direct) parts_->picture.fit(target.size);
   const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
-  parts_->draw_model(list, framebuffer, target.size);
-  parts_->draw_interface(list, framebuffer, target.size);
+  parts_->draw_model(list, holdings.parts(), framebuffer, target.size);
+  parts_->draw_interface(list, holdings.parts(), framebuffer, target.size);
   if (!direct) parts_->copy_to_panel(target);
 }
 
 /// A driver that compiles shaders for the state they are used in does so here and not in a frame.
-void Renderer::warm_up(const RenderTarget& target) {
-  const Pixels dot{1, 1, std::vector<std::byte>(4, std::byte{255})};
-  const std::array<std::uint8_t, 1> coverage{255};
+void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
+  // Not 1 by 1: where sides are powers of two llvmpipe has code of its own.
+  const Pixels dot{3, 3, std::vector<std::byte>(36, std::byte{255})};
+  const std::vector<std::uint8_t> coverage(9, 255);
   constexpr auto image = static_cast<scene::TextureId>(Textures::most);
   constexpr auto text = static_cast<scene::TextureId>(Textures::most - 1);
-  upload_image(image, dot);
-  upload_text(text, 1, 1, coverage);
+  holdings.add_image(image, dot);
+  holdings.add_text(text, 3, 3, coverage);
   scene::DrawList list;
   list.camera.eye = {0, 10, 0};
   list.ribbon_point = {{0, 0}, {1, 0}};
@@ -249,10 +228,10 @@ void Renderer::warm_up(const RenderTarget& target) {
     quad.texture = fill == scene::QuadFill::Text ? text : image;
     list.quads.push_back(quad);
   }
-  draw(list, target);
+  draw(list, holdings, target);
   glFinish();
-  release(image);
-  release(text);
+  holdings.release(image);
+  holdings.release(text);
 }
 
 Result<Renderer> make_renderer(const RendererOptions& options) {

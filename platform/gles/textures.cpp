@@ -36,30 +36,25 @@ void Textures::add_text(scene::TextureId id, std::uint32_t width, std::uint32_t 
   keep(id, std::move(texture), width, height);
 }
 
-void Textures::add_image(scene::TextureId id, const Pixels& picture, Levels levels) noexcept {
-  if (picture.rgba.empty()) return;
-  GLsizei count = 1;
-  if (levels == Levels::All)
-    for (std::uint32_t side = picture.width | picture.height; side > 1; side /= 2) ++count;
+void Textures::add_image(scene::TextureId id, std::span<const Pixels> levels) noexcept {
+  if (levels.empty() || levels[0].rgba.empty()) return;
   GlTexture texture = make_texture();
   bind_texture(0, texture.get());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexStorage2D(GL_TEXTURE_2D, count, GL_SRGB8_ALPHA8, static_cast<GLsizei>(picture.width),
-                 static_cast<GLsizei>(picture.height));
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(picture.width),
-                  static_cast<GLsizei>(picture.height), GL_RGBA, GL_UNSIGNED_BYTE,
-                  picture.rgba.data());
-  if (levels == Levels::All) glGenerateMipmap(GL_TEXTURE_2D);
-  sample_with(levels == Levels::All ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
-  keep(id, std::move(texture), picture.width, picture.height);
+  glTexStorage2D(GL_TEXTURE_2D, static_cast<GLsizei>(levels.size()), GL_SRGB8_ALPHA8,
+                 static_cast<GLsizei>(levels[0].width), static_cast<GLsizei>(levels[0].height));
+  // The driver could make them (glGenerateMipmap), but a software one draws for that, and waits.
+  for (std::size_t level = 0; level < levels.size(); ++level)
+    glTexSubImage2D(GL_TEXTURE_2D, static_cast<GLint>(level), 0, 0,
+                    static_cast<GLsizei>(levels[level].width),
+                    static_cast<GLsizei>(levels[level].height), GL_RGBA, GL_UNSIGNED_BYTE,
+                    levels[level].rgba.data());
+  sample_with(levels.size() > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
+  keep(id, std::move(texture), levels[0].width, levels[0].height);
 }
 
 void Textures::release(scene::TextureId id) noexcept {
   keep(id, {}, 0, 0);
-}
-
-void Textures::release_all() noexcept {
-  for (Entry& entry : entries_) entry = {};
 }
 
 const Textures::Entry* Textures::find(scene::TextureId id) const noexcept {

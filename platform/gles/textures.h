@@ -10,10 +10,6 @@
 
 namespace docent::gles {
 
-/// Which sizes of a picture are kept: its own alone, drawn texel for pixel, or also all smaller
-/// ones for the distance, which take a third more.
-enum class Levels : std::uint8_t { One, All };
-
 /// The textures that draw lists name by TextureId: texts and pictures. Their table has a fixed
 /// size, so that an upload between frames does not allocate.
 class Textures {
@@ -25,9 +21,9 @@ class Textures {
   /// no pixels, or another id, is not kept and draws nothing.
   void add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
                 std::span<const std::uint8_t> coverage) noexcept;
-  void add_image(scene::TextureId id, const Pixels& picture, Levels levels) noexcept;
+  /// One level is drawn texel for pixel; all of them (image::mip_levels) from any distance.
+  void add_image(scene::TextureId id, std::span<const Pixels> levels) noexcept;
   void release(scene::TextureId id) noexcept;
-  void release_all() noexcept;
 
   struct Entry {
     GlTexture texture;

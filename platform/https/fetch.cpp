@@ -9,6 +9,9 @@
 #include <memory>
 #include <string_view>
 
+#include "platform/https/connection.h"
+#include "platform/https/session.h"
+
 namespace docent::https {
 namespace {
 
@@ -69,6 +72,43 @@ std::unexpected<Error> failure(const Request& request, std::string_view why) {
                                            request.url, why)});
 }
 
+/// What is asked for, besides how.
+void prepare(CURL* curl, const Request& request, const curl_slist* headers, Transfer& transfer) {
+  curl_easy_setopt(curl, CURLOPT_URL, request.url.c_str());
+  curl_easy_setopt(curl, CURLOPT_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(curl, CURLOPT_REDIR_PROTOCOLS_STR,
+                   request.url.starts_with("https:") ? "https" : "http,https");
+  curl_easy_setopt(curl, CURLOPT_FOLLOWLOCATION, 1L);
+  curl_easy_setopt(curl, CURLOPT_MAXREDIRS, most_redirections);
+  curl_easy_setopt(curl, CURLOPT_CONNECTTIMEOUT, connect_seconds);
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_LIMIT, 1L);
+  curl_easy_setopt(curl, CURLOPT_LOW_SPEED_TIME, silent_seconds);
+  curl_easy_setopt(curl, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(curl, CURLOPT_USERAGENT, "docent-update");
+  curl_easy_setopt(curl, CURLOPT_WRITEFUNCTION, take_body);
+  curl_easy_setopt(curl, CURLOPT_WRITEDATA, &transfer);
+  curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, take_header);
+  curl_easy_setopt(curl, CURLOPT_HEADERDATA, &transfer);
+  curl_easy_setopt(curl, CURLOPT_HTTPHEADER, headers);
+  if (const char* authorities = std::getenv("SSL_CERT_FILE"))  // which libcurl's own file hides
+    curl_easy_setopt(curl, CURLOPT_CAINFO, authorities);
+}
+
+/// Fetches with the session that is kept. Where the server does not answer to it, it is tried again
+/// as if there were none: a session never costs more than that.
+CURLcode perform(CURL* curl, const Request& request) {
+  Session session = read_session(request.session);
+  prepare_connection(curl, session);
+  CURLcode done = curl_easy_perform(curl);
+  if (done != CURLE_OK && session.is_offered && status_of(curl) == 0) {
+    session = {};
+    done = curl_easy_perform(curl);
+  }
+  if (!request.session.empty())
+    keep_session(done == CURLE_OK ? session : Session{}, request.session);
+  return done;
+}
+
 }  // namespace
 
 Result<Response> fetch(const Request& request,
@@ -77,28 +117,11 @@ Result<Response> fetch(const Request& request,
   const std::unique_ptr<CURL, CloseCurl> curl(started == CURLE_OK ? curl_easy_init() : nullptr);
   if (!curl) return failure(request, "libcurl does not start");
   Transfer transfer{.curl = curl.get(), .take = &take, .left = request.most, .etag = {}};
-  std::unique_ptr<curl_slist, CloseCurl> headers;
+  const std::unique_ptr<curl_slist, CloseCurl> headers(curl_slist_append(nullptr, "Accept:"));
   if (!request.etag.empty())
-    headers.reset(
-        curl_slist_append(nullptr, fmt::format("If-None-Match: {}", request.etag).c_str()));
-  curl_easy_setopt(curl.get(), CURLOPT_URL, request.url.c_str());
-  curl_easy_setopt(curl.get(), CURLOPT_PROTOCOLS_STR, "http,https");
-  curl_easy_setopt(curl.get(), CURLOPT_REDIR_PROTOCOLS_STR, "https");
-  curl_easy_setopt(curl.get(), CURLOPT_FOLLOWLOCATION, 1L);
-  curl_easy_setopt(curl.get(), CURLOPT_MAXREDIRS, most_redirections);
-  curl_easy_setopt(curl.get(), CURLOPT_CONNECTTIMEOUT, connect_seconds);
-  curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_LIMIT, 1L);
-  curl_easy_setopt(curl.get(), CURLOPT_LOW_SPEED_TIME, silent_seconds);
-  curl_easy_setopt(curl.get(), CURLOPT_NOSIGNAL, 1L);
-  curl_easy_setopt(curl.get(), CURLOPT_USERAGENT, "docent-update");
-  curl_easy_setopt(curl.get(), CURLOPT_WRITEFUNCTION, take_body);
-  curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &transfer);
-  curl_easy_setopt(curl.get(), CURLOPT_HEADERFUNCTION, take_header);
-  curl_easy_setopt(curl.get(), CURLOPT_HEADERDATA, &transfer);
-  if (headers) curl_easy_setopt(curl.get(), CURLOPT_HTTPHEADER, headers.get());
-  if (const char* authorities = std::getenv("SSL_CERT_FILE"))  // which libcurl's own file hides
-    curl_easy_setopt(curl.get(), CURLOPT_CAINFO, authorities);
-  const CURLcode done = curl_easy_perform(curl.get());
+    curl_slist_append(headers.get(), fmt::format("If-None-Match: {}", request.etag).c_str());
+  prepare(curl.get(), request, headers.get(), transfer);
+  const CURLcode done = perform(curl.get(), request);
   if (transfer.is_too_large)
     return failure(request, fmt::format("it has more than {} bytes", request.most));
   if (done != CURLE_OK) return failure(request, curl_easy_strerror(done));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -11,9 +12,10 @@
 namespace docent::https {
 
 struct Request {
-  std::string url{};       ///< http or https.
-  std::string etag{};      ///< Of what is known already; may be empty.
-  std::uint64_t most = 0;  ///< Bytes; a larger answer is an error.
+  std::string url{};                ///< http or https.
+  std::string etag{};               ///< Of what is known already; may be empty.
+  std::uint64_t most = 0;           ///< Bytes; a larger answer is an error.
+  std::filesystem::path session{};  ///< Where a session of TLS is kept (session.h); may be empty.
 };
 
 struct Response {
@@ -22,9 +24,10 @@ struct Response {
 };
 
 /// Fetches a file and gives its bytes, part by part, to `take`, which returns false to end it.
-/// Follows no redirection to another protocol. Environment, with a sentence, where the server
-/// cannot be reached, refuses, says nothing for a minute or sends more than it should. Authorities
-/// are the system's, or those of the file that SSL_CERT_FILE names.
+/// Follows five redirections, from https to https alone. Environment, with a sentence, where the
+/// server cannot be reached, refuses, says nothing for a minute or sends more than it should.
+/// Authorities are the system's, or those of the file that SSL_CERT_FILE names. Where a session is
+/// kept, the server's certificates are asked for only when the server no longer knows it.
 Result<Response> fetch(const Request& request,
                        const std::function<bool(std::span<const std::byte>)>& take);
 

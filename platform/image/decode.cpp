@@ -24,8 +24,9 @@ enum class PngPart : std::uint8_t { Header, Pixels };
 Result<Pixels> decode_png(std::span<const std::byte> file, const ImageLimits& limits,
                           PngPart part) {
   const auto broken = [](int status) {
-    return std::unexpected(Error{
-        Errc::InvalidInput, fmt::format("this PNG cannot be read: {}", spng_strerror(status))});
+    if (status == SPNG_EMEM)
+      return std::unexpected(Error{Errc::Environment, "there is no memory for this PNG"});
+    return std::unexpected(Error{Errc::InvalidInput, "this PNG is damaged or cut short"});
   };
   const PngContext reader(spng_ctx_new(0));
   if (!reader) return broken(SPNG_EMEM);
@@ -68,6 +69,11 @@ Result<Pixels> decode_image(std::span<const std::byte> file, const ImageLimits& 
   if (begins_with(file, png_mark)) return decode_png(file, limits, PngPart::Pixels);
   if (begins_with(file, jpeg_mark)) return decode_jpeg(file, limits, JpegPart::Pixels);
   return unknown_kind();
+}
+
+Result<Pixels> decode_at_least(std::span<const std::byte> file, std::uint32_t least_side) {
+  if (begins_with(file, jpeg_mark)) return decode_jpeg(file, {}, JpegPart::Pixels, least_side);
+  return decode_image(file);
 }
 
 Result<Pixels> read_image_size(std::span<const std::byte> file, const ImageLimits& limits) {

@@ -21,12 +21,21 @@ struct ImageLimits {
 /// large or of another kind is answered with a sentence.
 Result<Pixels> decode_image(std::span<const std::byte> file, const ImageLimits& limits = {});
 
+/// Likewise, for a picture that will be shrunk: where that is quicker, a half, a quarter or an
+/// eighth of the picture's size, with a longest side of `least_side` pixels or more.
+Result<Pixels> decode_at_least(std::span<const std::byte> file, std::uint32_t least_side);
+
 /// The size of a PNG or JPEG from its header alone: width and height set, no pixels.
 Result<Pixels> read_image_size(std::span<const std::byte> file, const ImageLimits& limits = {});
 
 /// The picture made smaller, so that no side is longer than `longest_side`: every pixel is the mean
 /// (in linear light) of its area. A picture that is small enough comes back as it is.
 Pixels shrink(Pixels picture, std::uint32_t longest_side);
+
+/// The picture and smaller ones of it, each half as wide and high as the one before (rounded down,
+/// but at least 1), to a single pixel: what a texture is for the distance. Empty where the picture
+/// is.
+std::vector<Pixels> mip_levels(Pixels picture);
 
 /// The largest middle part of the picture that has the shape of `width` by `height`, shrunk to that
 /// size. Nothing is made larger: a part with fewer pixels keeps them.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
@@ -44,14 +45,42 @@ struct Decoder {
   ~Decoder() { jpeg_destroy_decompress(&info); }
 };
 
-bool read_header(Decoder& decoder, std::span<const std::byte> file) {
+/// Eighths, quarters and halves of a picture are read from fewer frequencies of each block.
+void use_smallest_scale(Decoder& decoder, std::uint32_t least_side) noexcept {
+  decoder.info.scale_num = decoder.info.scale_denom = 1;
+  for (const unsigned parts : {8U, 4U, 2U}) {
+    const std::uint32_t longest = std::max(decoder.info.image_width, decoder.info.image_height);
+    if (least_side == 0 || longest / parts < least_side) continue;
+    decoder.info.scale_denom = parts;
+    break;
+  }
+  jpeg_calc_output_dimensions(&decoder.info);
+}
+
+bool read_header(Decoder& decoder, std::span<const std::byte> file, std::uint32_t least_side) {
   if (setjmp(decoder.error.jump) != 0) return false;  // NOLINT(cert-err52-cpp)
   jpeg_create_decompress(&decoder.info);
   jpeg_mem_src(&decoder.info, reinterpret_cast<const unsigned char*>(file.data()),
                static_cast<unsigned long>(file.size()));
   jpeg_read_header(&decoder.info, TRUE);
-  decoder.info.out_color_space = JCS_EXT_RGBA;
+  const bool for_print =
+      decoder.info.jpeg_color_space == JCS_CMYK || decoder.info.jpeg_color_space == JCS_YCCK;
+  decoder.info.out_color_space = for_print ? JCS_CMYK : JCS_EXT_RGBA;
+  use_smallest_scale(decoder, least_side);
   return true;
+}
+
+/// Makes RGBA of a row of cyan, magenta, yellow and black, without a press's profile. Adobe's
+/// programs, which make nearly all such files, write how much light is left rather than ink.
+void from_print_colours(unsigned char* row, std::size_t width, bool is_light) noexcept {
+  for (unsigned char* pixel = row; pixel != row + 4 * width; pixel += 4) {
+    const unsigned black = is_light ? pixel[3] : 255U - pixel[3];
+    for (int i = 0; i < 3; ++i) {
+      const unsigned light = is_light ? pixel[i] : 255U - pixel[i];
+      pixel[i] = static_cast<unsigned char>((light * black + 127) / 255);
+    }
+    pixel[3] = 255;
+  }
 }
 
 bool scan_lines(Decoder& decoder, std::byte* rgba) {
@@ -61,6 +90,8 @@ bool scan_lines(Decoder& decoder, std::byte* rgba) {
   while (decoder.info.output_scanline < decoder.info.output_height) {
     auto* row = reinterpret_cast<unsigned char*>(rgba + stride * decoder.info.output_scanline);
     jpeg_read_scanlines(&decoder.info, &row, 1);
+    if (decoder.info.out_color_space == JCS_CMYK)
+      from_print_colours(row, decoder.info.output_width, decoder.info.saw_Adobe_marker != 0);
   }
   jpeg_finish_decompress(&decoder.info);
   return true;
@@ -121,17 +152,18 @@ Result<std::vector<std::byte>> encode_jpeg(const Pixels& picture) {
 }
 
 Result<Pixels> decode_jpeg(std::span<const std::byte> file, const ImageLimits& limits,
-                           JpegPart part) {
+                           JpegPart part, std::uint32_t least_side) {
   Decoder decoder;
-  const auto broken = [&] {
-    return std::unexpected(Error{
-        Errc::InvalidInput, fmt::format("this JPEG cannot be read: {}", decoder.error.message)});
+  const auto broken = [] {
+    return std::unexpected(Error{Errc::InvalidInput, "this JPEG is damaged or cut short"});
   };
-  if (!read_header(decoder, file)) return broken();
+  if (!read_header(decoder, file, least_side)) return broken();
   Pixels picture{decoder.info.image_width, decoder.info.image_height, {}};
   if (auto sentence = too_large(picture.width, picture.height, limits); !sentence.empty())
     return std::unexpected(Error{Errc::InvalidInput, std::move(sentence)});
   if (part == JpegPart::Header) return picture;
+  picture.width = decoder.info.output_width;
+  picture.height = decoder.info.output_height;
   picture.rgba.resize(std::size_t{4} * picture.width * picture.height);
   if (!scan_lines(decoder, picture.rgba.data())) return broken();
   return picture;

@@ -114,6 +114,19 @@ Pixels shrink(Pixels picture, std::uint32_t longest_side) {
                   whole_pixels(picture.height * scale));
 }
 
+std::vector<Pixels> mip_levels(Pixels picture) {
+  std::vector<Pixels> levels;
+  if (picture.rgba.empty()) return levels;
+  levels.push_back(std::move(picture));
+  while (std::max(levels.back().width, levels.back().height) > 1) {
+    const Pixels& last = levels.back();
+    levels.push_back(resample(last, {0, static_cast<double>(last.width)},
+                              {0, static_cast<double>(last.height)}, std::max(1U, last.width / 2),
+                              std::max(1U, last.height / 2)));
+  }
+  return levels;
+}
+
 Pixels fill(const Pixels& picture, std::uint32_t width, std::uint32_t height) {
   if (picture.rgba.empty() || width == 0 || height == 0) return {};
   const double have_width = picture.width;

@@ -77,6 +77,13 @@ constexpr std::array kinds{
                 "a program."},
     MessageKind{Message::CardBack, Priority::Info, "bc4866fb50fd4b4083274d31bd25d0eb",
                 "The graphics card draws for the kiosk again", "Nothing is to be done."},
+    MessageKind{Message::FrameLost, Priority::Warning, "595d39725e954c969a572738f533091d",
+                "A frame did not reach the screen",
+                "For a second the graphics card was busy, or did not say that it shows a frame. "
+                "The kiosk sets\nthe screen's mode anew and goes on. Once is no harm; often means "
+                "a driver, a cable or a screen\nthat fails (`journalctl -k`)."},
+    MessageKind{Message::FramesBack, Priority::Info, "bf461b18d2fa4374908e901505d51bc0",
+                "Frames reach the screen again", "Nothing is to be done."},
     MessageKind{Message::TooHot, Priority::Warning, "1cf35e5923204d94b0a43983ffe22dd5",
                 "The machine is too hot",
                 "The kiosk draws 30 frames a second instead of 60 until it has cooled down. Let "
@@ -88,12 +95,19 @@ constexpr std::array kinds{
         "Health or counts cannot be written",
         "Visitors notice nothing. The line says which file, and why: mostly a full disk, or "
         "a folder that\ndoes not belong to the user docent."},
+    MessageKind{Message::TodayTakenUp, Priority::Info, "b7d063b22bee51ededfd79f3d5356e6f",
+                "What is closed today has been taken up",
+                "From now on ways go round what the file names. Nothing is to be done."},
+    MessageKind{Message::TodayRefused, Priority::Warning, "c41eaaaa98aa7e3cd7c1d123d6523cac",
+                "A today.toml was refused",
+                "What was closed before stays closed, and nothing more is. The line says what is\n"
+                "wrong and where; mend the file, and it is taken up within a second."},
 };
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (static_cast<std::size_t>(kinds[i].message) != i) return false;
-  return kinds.size() == static_cast<std::size_t>(Message::ReportUnwritten) + 1;
+  return kinds.size() == static_cast<std::size_t>(Message::TodayRefused) + 1;
 }
 static_assert(are_in_order());
 

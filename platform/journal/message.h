@@ -26,9 +26,13 @@ enum class Message : std::uint8_t {
   NoScreen,
   CardTaken,
   CardBack,
+  FrameLost,
+  FramesBack,
   TooHot,
   CooledDown,
   ReportUnwritten,
+  TodayTakenUp,
+  TodayRefused,
 };
 
 /// As syslog(3) counts them.

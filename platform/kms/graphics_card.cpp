@@ -173,13 +173,19 @@ Result<GraphicsCard> open_one(const std::string& path, const WantedOutput& wante
   return card;
 }
 
-Result<GraphicsCard> open_first(const WantedOutput& wanted, Use use) {
+std::vector<std::string> card_paths() {
   constexpr int most_cards = 16;
+  std::vector<std::string> paths;
+  for (int i = 0; i < most_cards; ++i)
+    if (std::string path = fmt::format("/dev/dri/card{}", i); access(path.c_str(), F_OK) == 0)
+      paths.push_back(std::move(path));
+  return paths;
+}
+
+Result<GraphicsCard> open_first(const WantedOutput& wanted, Use use) {
   Error why{Errc::Environment,
             "there is no graphics card (/dev/dri/card*); use --display window or headless"};
-  for (int i = 0; i < most_cards; ++i) {
-    const std::string path = fmt::format("/dev/dri/card{}", i);
-    if (access(path.c_str(), F_OK) != 0) continue;
+  for (const std::string& path : card_paths()) {
     auto card = open_one(path, wanted, use);
     if (card) return card;
     why = card.error();
@@ -196,6 +202,12 @@ Result<GraphicsCard> open_graphics_card(const WantedOutput& wanted) {
 
 bool is_a_card_free() noexcept {
   return open_first({}, Use::Now).has_value();
+}
+
+bool has_other_card(const GraphicsCard& card, const WantedOutput& wanted) noexcept {
+  return std::ranges::any_of(card_paths(), [&](const std::string& path) {
+    return path != card.path && open_one(path, wanted, Use::Now).has_value();
+  });
 }
 
 CardReading read_card(int fd, Probe probe) {

@@ -28,6 +28,8 @@ struct GraphicsCard {
 Result<GraphicsCard> open_graphics_card(const WantedOutput& wanted);
 /// Is there a card with a connected screen that nobody else draws on?
 bool is_a_card_free() noexcept;
+/// Is there another card than this that drives a screen as wanted, and on which nobody else draws?
+bool has_other_card(const GraphicsCard& card, const WantedOutput& wanted) noexcept;
 
 /// What a card has, and how each part is told to it.
 struct CardReading {

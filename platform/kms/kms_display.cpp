@@ -22,6 +22,7 @@
 #include "platform/egl/context.h"
 #include "platform/journal/journal.h"
 #include "platform/kms/console.h"
+#include "platform/kms/dumb_buffer.h"
 #include "platform/kms/graphics_card.h"
 #include "platform/kms/hotplug.h"
 #include "platform/kms/scanout.h"
@@ -87,7 +88,11 @@ class Kms final : public KmsDisplay {
     while (scanout_.is_flipping && now() < until) wait_for_events(until);
   }
 
-  Result<void> open() {
+  Result<void> open(const FindPoster& find_poster) {
+    request_.reset(drmModeAtomicAlloc());
+    if (!request_) return failed("out of memory");
+    if (auto console = QuietConsole::take()) console_.emplace(std::move(*console));
+    if (find_poster) show_poster(find_poster);
     gbm_.reset(gbm_create_device(fd()));
     if (!gbm_) return failed("GBM cannot use it");
     auto display = egl::open_egl(EGL_PLATFORM_GBM_KHR, gbm_.get());
@@ -100,9 +105,7 @@ class Kms final : public KmsDisplay {
     auto context = egl::make_context(egl_.get(), config_);
     if (!context) return std::unexpected(context.error());
     context_ = std::move(*context);
-    request_.reset(drmModeAtomicAlloc());
-    if (!request_) return failed("out of memory");
-    if (auto console = QuietConsole::take()) console_.emplace(std::move(*console));
+    await_poster();
     look_again();
     if (chain_.gbm) return {};
     return use_size(wanted_.size == PixelSize{} ? size_without_screen : wanted_.size);
@@ -141,7 +144,7 @@ class Kms final : public KmsDisplay {
     }
     gbm_bo* next = gbm_surface_lock_front_buffer(chain_.gbm.get());
     if (next == nullptr) return;
-    const CommitResult result = commit(framebuffer_of(fd(), next));
+    const CommitResult result = commit(chain_.size, framebuffer_of(fd(), next));
     committed(scanout_, result, now());
     was_presented_ = result == CommitResult::Taken;
     lacks_frame_ = !was_presented_;
@@ -161,9 +164,7 @@ class Kms final : public KmsDisplay {
                                     pipe.mode.hdisplay, pipe.mode.vdisplay, pipe.mode.vrefresh));
     return fmt::format("{} of {}", fmt::join(screens, " and "), card_.path);
   }
-  std::string_view loss() const noexcept override {
-    return "the graphics card takes no more frames; see what the kernel says of it (journalctl -k)";
-  }
+  std::string_view loss() const noexcept override { return loss_; }
   void abandon() noexcept override {
     if (console_) console_->give_back();
   }
@@ -178,6 +179,11 @@ class Kms final : public KmsDisplay {
   /// For the journal; never in an ordinary frame.
   void tell(journal::Message message, std::string_view what) const noexcept {
     journal::tell(message, fmt::format("{} ({})", what, card_.path));
+  }
+
+  /// Once until a frame is shown again.
+  void tell_frame_lost(std::string_view what) noexcept {
+    if (!std::exchange(lost_frames_, true)) tell(Message::FrameLost, what);
   }
 
   /// When the next vertical blank will be, by those before it.
@@ -196,6 +202,7 @@ class Kms final : public KmsDisplay {
         return wait_for_events(std::min(end, resume_at(scanout_, now())));
       case ScanoutStep::GiveUpFlip:
         gave_up_flip(scanout_);
+        tell_frame_lost("the screen did not show a frame within a second; its mode is set anew");
         return show_flipped();
       case ScanoutStep::LookAgain:
         return look_again();
@@ -204,6 +211,36 @@ class Kms final : public KmsDisplay {
       case ScanoutStep::TurnOff:
         return turn_off();
     }
+  }
+
+  // What is shown before anything is drawn.
+
+  void show_poster(const FindPoster& find_poster) {
+    const CardReading reading = read_card(fd(), Probe::No);  // who opened the card has just probed
+    const std::vector<OutputPlan> plans = output_plans(reading.state, wanted_);
+    if (plans.empty()) return;
+    const PixelSize size = plans[0].picture;
+    const bool is_scaled = std::ranges::any_of(plans[0].routes, [&](const Route& route) {
+      return route.place != PixelRect{0, 0, size.width, size.height};
+    });
+    const std::optional<Pixels> picture = is_scaled ? std::nullopt : find_poster(size);
+    if (!picture) return;
+    auto buffer = DumbBuffer::holding(fd(), *picture);
+    if (!buffer) return;
+    poster_.emplace(std::move(*buffer));
+    outputs_ = outputs_of(reading, plans[0]);
+    if (outputs_.pipes.empty()) return;
+    turn_off_others(reading);
+    const CommitResult result = commit(size, poster_->framebuffer());
+    committed(scanout_, result, now());
+    if (result != CommitResult::Taken) poster_.reset();
+  }
+
+  /// What is started takes longer than a flip is waited for.
+  void await_poster() noexcept {
+    const nanoseconds until = now() + longest_flip;
+    while (scanout_.is_flipping && now() < until) wait_for_events(until);
+    if (scanout_.is_flipping) gave_up_flip(scanout_);
   }
 
   // What the card, the kernel and the console tell.
@@ -233,8 +270,11 @@ class Kms final : public KmsDisplay {
       if (head.type == DRM_EVENT_FLIP_COMPLETE) {
         drm_event_vblank flip{};
         std::memcpy(&flip, events.data() + at, sizeof flip);
-        if (scanout_.is_flipping && flip.user_data == flip_number_ && --flips_missing_ == 0)
+        if (scanout_.is_flipping && flip.user_data == flip_number_ && --flips_missing_ == 0) {
           show_flipped();
+          if (std::exchange(lost_frames_, false))
+            tell(Message::FramesBack, "frames reach the screen again");
+        }
       }
       if (head.length < sizeof head) return;
       at += head.length;
@@ -246,6 +286,7 @@ class Kms final : public KmsDisplay {
     chain_.flipped();
     last_blank_ = now();
     retired_.reset();
+    if (chain_.shown != nullptr) poster_.reset();
   }
 
   void hear_console() noexcept {
@@ -302,29 +343,37 @@ class Kms final : public KmsDisplay {
       outputs_.modes.clear();
     }
     looked(scanout_, has_screen, now());
+    if (!has_screen && has_other_card(card_, wanted_)) {
+      state_ = DisplayState::Lost;
+      loss_ = "the screen is at another graphics card now, where the guide begins anew";
+    }
     if (has_screen == had_screen && was_told_) return;
     was_told_ = true;
     if (has_screen)
       tell(Message::ScreenTaken, fmt::format("draws on {}", description()));
     else
-      tell(Message::NoScreen,
-           wanted_.connector.empty() || wanted_.mirror
-               ? "no screen is connected; the guide appears as soon as one is"
-               : fmt::format("no screen is connected to {}; the guide appears as soon as one is",
-                             wanted_.connector));
+      tell(Message::NoScreen, why_none(reading.state, wanted_));
   }
 
-  bool use_plan(const CardReading& reading, const OutputPlan& plan) {
-    Outputs next;
-    next.pipes = pipes_of(fd(), reading, plan);
-    if (next.pipes.empty()) return false;
-    for (const Pipe& pipe : next.pipes) next.modes.emplace_back(fd(), pipe.mode);
+  /// Empty pipes where the driver lacks something.
+  Outputs outputs_of(const CardReading& reading, const OutputPlan& plan) const {
+    Outputs outputs;
+    outputs.pipes = pipes_of(fd(), reading, plan);
+    if (outputs.pipes.empty()) return outputs;
+    for (const Pipe& pipe : outputs.pipes) outputs.modes.emplace_back(fd(), pipe.mode);
     const Route& first = plan.routes[0];
     const Connector& connector = reading.state.connectors[first.connector];
     const Mode& mode = connector.modes[first.mode];
-    next.panel = connector.panel;
-    next.diagonal_inches = kms::diagonal_inches(connector.width_mm, connector.height_mm, mode.size);
-    if (mode.refresh_mhz > 0) next.period = nanoseconds(1'000'000'000'000 / mode.refresh_mhz);
+    outputs.panel = connector.panel;
+    outputs.diagonal_inches =
+        kms::diagonal_inches(connector.width_mm, connector.height_mm, mode.size);
+    if (mode.refresh_mhz > 0) outputs.period = nanoseconds(1'000'000'000'000 / mode.refresh_mhz);
+    return outputs;
+  }
+
+  bool use_plan(const CardReading& reading, const OutputPlan& plan) {
+    Outputs next = outputs_of(reading, plan);
+    if (next.pipes.empty()) return false;
     if (next.pipes.size() > 1 && !is_possible(next, plan.picture)) return false;
     if (chain_.size != plan.picture || !chain_.gbm)
       if (const auto sized = use_size(plan.picture); !sized) {
@@ -411,16 +460,18 @@ class Kms final : public KmsDisplay {
     return result_of(status < 0 ? -status : status);
   }
 
-  CommitResult commit(std::uint32_t framebuffer) noexcept {
+  CommitResult commit(PixelSize size, std::uint32_t framebuffer) noexcept {
     drmModeAtomicSetCursor(request_.get(), 0);
     std::uint32_t flags = DRM_MODE_PAGE_FLIP_EVENT;
     const CommitKind kind = commit_kind(scanout_, now());
     if (kind != CommitKind::SetModePatient) flags |= DRM_MODE_ATOMIC_NONBLOCK;
+    if (kind == CommitKind::SetModePatient)
+      tell_frame_lost("the graphics card has taken no frame for a second; its mode is set anew");
     if (kind != CommitKind::Flip) {
       add_modes(outputs_);
       flags |= DRM_MODE_ATOMIC_ALLOW_MODESET;
     }
-    add_picture(outputs_, chain_.size, framebuffer);
+    add_picture(outputs_, size, framebuffer);
     flips_missing_ = outputs_.pipes.size();
     return apply(flags, ++flip_number_);
   }
@@ -434,6 +485,7 @@ class Kms final : public KmsDisplay {
   egl::EglDisplay egl_;
   EGLConfig config_ = nullptr;
   egl::EglContext context_;
+  std::optional<DumbBuffer> poster_;  ///< Until the first frame is shown.
   std::optional<Swapchain> retired_;  ///< Still shown until the first frame in the new one is.
   Swapchain chain_;
   Outputs outputs_;
@@ -445,17 +497,21 @@ class Kms final : public KmsDisplay {
   bool can_show_ = false;
   bool lacks_frame_ = true;  ///< What was drawn last was not taken.
   bool was_told_ = false, waits_for_card_ = false;
+  bool lost_frames_ = false;  ///< And none has been shown since.
+  std::string_view loss_ =
+      "the graphics card takes no more frames; see what the kernel says of it (journalctl -k)";
   DisplayState state_ = DisplayState::Open;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<KmsDisplay>> open_kms(const WantedOutput& wanted) {
+Result<std::unique_ptr<KmsDisplay>> open_kms(const WantedOutput& wanted,
+                                             const FindPoster& find_poster) {
   QuietConsole::expect_signals();
   auto card = open_graphics_card(wanted);
   if (!card) return std::unexpected(card.error());
   auto kms = std::make_unique<Kms>(std::move(*card), wanted);
-  if (auto opened = kms->open(); !opened) return std::unexpected(opened.error());
+  if (auto opened = kms->open(find_poster); !opened) return std::unexpected(opened.error());
   return kms;
 }
 

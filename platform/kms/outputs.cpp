@@ -1,5 +1,7 @@
 #include "platform/kms/outputs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,9 +54,12 @@ struct Feeds {
   }
 };
 
-bool is_wanted(const Connector& connector, const WantedOutput& wanted) {
-  if (!connector.is_connected || connector.modes.empty()) return false;
+bool may_be_driven(const Connector& connector, const WantedOutput& wanted) {
   return wanted.mirror || wanted.connector.empty() || connector.name == wanted.connector;
+}
+
+bool is_wanted(const Connector& connector, const WantedOutput& wanted) {
+  return connector.is_connected && !connector.modes.empty() && may_be_driven(connector, wanted);
 }
 
 /// The connectors to drive, the one that decides the picture's size first, as many as the card can
@@ -136,7 +141,7 @@ std::size_t best_mode(std::span<const Mode> modes, PixelSize size,
     const double refresh_off =
         refresh_hz == 0 ? 0 : std::abs(mode.refresh_mhz / 1000.0 - refresh_hz);
     // 59.94 is 60 to whoever asks for 60, should there be no better one.
-    return std::tuple(off, refresh_off, !mode.is_preferred, mode.is_interlaced,
+    return std::tuple(off, refresh_off, mode.is_interlaced, !mode.is_preferred,
                       -static_cast<double>(mode.refresh_mhz));
   };
   return static_cast<std::size_t>(std::ranges::min_element(modes, {}, strangeness) - modes.begin());
@@ -157,6 +162,19 @@ std::vector<OutputPlan> output_plans(const CardState& card, const WantedOutput& 
     plans.push_back(in_size(*common, connectors.size()));
   plans.push_back(in_size(picture, 1));
   return plans;
+}
+
+std::string why_none(const CardState& card, const WantedOutput& wanted) {
+  for (const Connector& connector : card.connectors)
+    if (connector.is_connected && connector.modes.empty() && may_be_driven(connector, wanted))
+      return fmt::format(
+          "the screen at {} offers no mode that this graphics card has; the guide appears as soon "
+          "as another one is connected",
+          connector.name);
+  if (wanted.connector.empty() || wanted.mirror)
+    return "no screen is connected; the guide appears as soon as one is";
+  return fmt::format("no screen is connected to {}; the guide appears as soon as one is",
+                     wanted.connector);
 }
 
 PixelRect letterbox(PixelSize picture, PixelSize screen) noexcept {

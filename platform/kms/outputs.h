@@ -73,8 +73,8 @@ struct OutputPlan {
 };
 
 /// The mode to use: that nearest in size to `size`, or to what the screen prefers where that is 0
-/// by 0; among those the one nearest to `refresh_hz`, else the preferred one, else the quickest
-/// that is not interlaced. `modes` is not empty.
+/// by 0; among those the one nearest to `refresh_hz`, then one that is not interlaced, then the
+/// preferred one, then the quickest. `modes` is not empty.
 std::size_t best_mode(std::span<const Mode> modes, PixelSize size,
                       std::uint32_t refresh_hz) noexcept;
 
@@ -83,6 +83,9 @@ std::size_t best_mode(std::span<const Mode> modes, PixelSize size,
 /// its own. Mirrored: at first each screen in a mode of the picture's size, or else in its best
 /// mode with the picture scaled into it; then all in one mode that all have; then one screen alone.
 std::vector<OutputPlan> output_plans(const CardState& card, const WantedOutput& wanted);
+
+/// Why there is no plan, as a sentence for the journal.
+std::string why_none(const CardState& card, const WantedOutput& wanted);
 
 /// The largest place for a picture on a screen, in the middle, with the picture's proportions.
 PixelRect letterbox(PixelSize picture, PixelSize screen) noexcept;

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "platform/handle.h"
 
@@ -49,10 +53,68 @@ const char* families(const interface::TextStyle& style) {
   return serif ? "Noto Serif" : "Inter, Noto Sans";
 }
 
+/// How many font maps there are: Pango looks for fonts on a thread of its own, which keeps a map
+/// for as long as it looks.
+std::atomic<int> font_maps;
+
+FontMap open_font_map() {
+  FontMap fonts(pango_cairo_font_map_new());
+  if (!fonts) return fonts;
+  ++font_maps;
+  g_object_set_data_full(G_OBJECT(fonts.get()), "docent", &font_maps,
+                         [](gpointer) { --font_maps; });
+  return fonts;
+}
+
+/// Waits until no font map is left; false where one stays.
+bool font_maps_have_gone() {
+  constexpr std::chrono::milliseconds step{1}, patience{1000};
+  for (std::chrono::milliseconds waited{0}; waited < patience; waited += step) {
+    if (font_maps == 0) return true;
+    std::this_thread::sleep_for(step);
+  }
+  return false;
+}
+
+/// Fonts, and what has been learnt of them.
 class TextSetter {
  public:
-  explicit TextSetter(FontMap fonts)
-      : fonts_(std::move(fonts)), context_(pango_font_map_create_context(fonts_.get())) {
+  TextSetter() { open_fonts(); }
+
+  bool has_fonts() {
+    const std::lock_guard lock(one_at_a_time_);
+    PangoFontFamily** all = nullptr;
+    int count = 0;
+    if (fonts_) pango_font_map_list_families(fonts_.get(), &all, &count);
+    g_free(static_cast<void*>(all));
+    return count > 0;
+  }
+
+  interface::TextBitmap set(const interface::TextStyle& style, std::string_view text,
+                            std::uint32_t width) {
+    const std::lock_guard lock(one_at_a_time_);
+    ++texts_;
+    const Layout layout = lay_out(style, text, width);
+    return draw(layout.get());
+  }
+
+  /// Cairo gives back what it keeps of fonts (every letter, in every size and at every quarter of a
+  /// pixel, 1.6 KB each, up to 16,384) only where nothing of it is in use.
+  void forget() {
+    const std::lock_guard lock(one_at_a_time_);
+    if (texts_ < many_texts) return;
+    texts_ = 0;
+    context_.reset();
+    fonts_.reset();
+    if (font_maps_have_gone()) cairo_debug_reset_static_data();
+    open_fonts();
+  }
+
+ private:
+  void open_fonts() {
+    fonts_ = open_font_map();
+    if (!fonts_) return;
+    context_.reset(pango_font_map_create_context(fonts_.get()));
     // Letters are placed and drawn as designed, so that a text looks the same on every machine.
     const FontOptions options(cairo_font_options_create());
     cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
@@ -62,13 +124,6 @@ class TextSetter {
     pango_context_set_round_glyph_positions(context_.get(), FALSE);
   }
 
-  interface::TextBitmap set(const interface::TextStyle& style, std::string_view text,
-                            std::uint32_t width) const {
-    const Layout layout = lay_out(style, text, width);
-    return draw(layout.get());
-  }
-
- private:
   Layout lay_out(const interface::TextStyle& style, std::string_view text,
                  std::uint32_t width) const {
     const std::string language(style.language);
@@ -142,27 +197,39 @@ class TextSetter {
     return bitmap;
   }
 
+  static constexpr std::size_t many_texts = 25;
+
+  std::mutex one_at_a_time_;
   FontMap fonts_;
   Context context_;
+  std::size_t texts_ = 0;  ///< Set since the fonts were opened.
 };
+
+/// The one of the process, while somebody uses it: Cairo keeps what it learns for the process.
+std::shared_ptr<TextSetter> text_setter(bool make) {
+  static std::mutex guard;
+  static std::weak_ptr<TextSetter> living;
+  const std::lock_guard lock(guard);
+  std::shared_ptr<TextSetter> setter = living.lock();
+  if (!setter && make) living = setter = std::make_shared<TextSetter>();
+  return setter;
+}
 
 }  // namespace
 
 Result<interface::SetText> make_text_setter() {
-  FontMap fonts(pango_cairo_font_map_new());
-  PangoFontFamily** all = nullptr;
-  int count = 0;
-  if (fonts) pango_font_map_list_families(fonts.get(), &all, &count);
-  g_free(static_cast<void*>(all));
-  if (count == 0)
+  const std::shared_ptr<TextSetter> setter = text_setter(true);
+  if (!setter->has_fonts())
     return std::unexpected(Error{Errc::Environment,
                                  "no fonts are installed: install fonts-inter, fonts-noto-core and "
                                  "fonts-noto-cjk"});
-  // std::function copies what it holds, and a setter cannot be copied.
-  auto setter = std::make_shared<TextSetter>(std::move(fonts));
   return [setter](const interface::TextStyle& style, std::string_view text, std::uint32_t width) {
     return setter->set(style, text, width);
   };
+}
+
+void forget_letters() {
+  if (const std::shared_ptr<TextSetter> setter = text_setter(false)) setter->forget();
 }
 
 }  // namespace docent::pango

@@ -7,8 +7,14 @@ namespace docent::pango {
 
 /// A type setter on Pango and Cairo: shapes any script, breaks lines, right to left where the text
 /// is, and gives back coverage. Families by language: Inter and Noto Serif, Noto CJK SC, Noto Sans
-/// Arabic and Noto Naskh Arabic; what they lack comes from whatever font has it. The function that
-/// comes back may be called by one thread at a time. Fails where no font at all can be found.
+/// Arabic and Noto Naskh Arabic; what they lack comes from whatever font has it. Any thread may
+/// call the function that comes back: all of a process set one after another. Fails where no font
+/// at all can be found.
 Result<interface::SetText> make_text_setter();
+
+/// Gives back what all setters have learnt of fonts, once some texts have been set since the last
+/// time. The next texts take a few milliseconds longer, so call when nobody waits for one. Any
+/// thread.
+void forget_letters();
 
 }  // namespace docent::pango

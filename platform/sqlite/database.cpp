@@ -26,7 +26,13 @@ std::unexpected<Error> failure(Errc code, const std::filesystem::path& file,
   return std::unexpected(Error{code, fmt::format("{}: {}", file.string(), sentence)});
 }
 
-Result<std::vector<std::byte>> read_file(const std::filesystem::path& name) {
+/// A file that is there to be read, and how many bytes it has.
+struct OpenedFile {
+  File file;
+  std::uint64_t size = 0;
+};
+
+Result<OpenedFile> open_file(const std::filesystem::path& name) {
   std::error_code status;
   if (!std::filesystem::exists(name, status))
     return failure(Errc::NotFound, name,
@@ -36,16 +42,13 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& name) {
   // Opening a pipe would wait for somebody who writes.
   if (!std::filesystem::is_regular_file(name, status))
     return failure(Errc::InvalidInput, name, "is a pipe or a device; name a database file");
-  const File file(std::fopen(name.c_str(), "rb"));
+  File file(std::fopen(name.c_str(), "rb"));
   const auto size = std::filesystem::file_size(name, status);
   if (!file || status)
     return failure(Errc::Environment, name,
                    fmt::format("cannot be opened ({}); check its permissions",
                                status ? status.message() : std::strerror(errno)));
-  std::vector<std::byte> bytes(size);
-  if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
-    return failure(Errc::Environment, name, "cannot be read to its end; check the disk");
-  return bytes;
+  return OpenedFile{.file = std::move(file), .size = size};
 }
 
 /// Fields of SQLite's header are big-endian (https://www.sqlite.org/fileformat2.html, section 1.3).
@@ -66,29 +69,58 @@ std::uint64_t promised_size(std::span<const std::byte> header) {
   return std::uint64_t{page_size == 1 ? 65536 : page_size} * pages;
 }
 
-Result<void> check_header(const std::filesystem::path& name, std::span<const std::byte> bytes) {
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()),
-                               std::min(bytes.size(), magic.size()));
+/// Is it one that can be shown, by its first bytes and its size?
+Result<void> check_header(const std::filesystem::path& name, std::span<const std::byte> header,
+                          std::uint64_t size) {
+  const std::string_view start(reinterpret_cast<const char*>(header.data()),
+                               std::min(header.size(), magic.size()));
   if (start != magic.substr(0, start.size()))
     return failure(Errc::InvalidInput, name,
                    "is not a docent database; name one made by 'docent-content compile'");
-  if (bytes.size() < header_size)
+  if (header.size() < header_size)
     return failure(Errc::Damaged, name, "is cut short; copy it again or recompile the content");
-  if (big_endian(bytes, 68, 4) != schema::application_id)
+  if (big_endian(header, 68, 4) != schema::application_id)
     return failure(Errc::InvalidInput, name,
                    "is a database of another program; name one made by 'docent-content compile'");
-  if (const std::uint32_t version = big_endian(bytes, 60, 4); version != schema::version)
+  if (const std::uint32_t version = big_endian(header, 60, 4); version != schema::version)
     return failure(
         Errc::WrongVersion, name,
         fmt::format("has schema version {}, and this program reads version {}; recompile the "
                     "content",
                     version, schema::version));
-  if (const std::uint64_t promised = promised_size(bytes); bytes.size() < promised)
+  if (const std::uint64_t promised = promised_size(header); size < promised)
     return failure(Errc::Damaged, name,
                    fmt::format("is cut short ({} of {} bytes); copy it again or recompile the "
                                "content",
-                               bytes.size(), promised));
+                               size, promised));
   return {};
+}
+
+/// Reads all of a database. Its header is looked at first: something else may have any size.
+Result<std::vector<std::byte>> read_database(const std::filesystem::path& name,
+                                             std::uint64_t most) {
+  const Result<OpenedFile> opened = open_file(name);
+  if (!opened) return std::unexpected(opened.error());
+  std::FILE* const file = opened->file.get();
+  std::vector<std::byte> bytes(std::min<std::uint64_t>(opened->size, header_size));
+  const auto read_on = [&](std::size_t from) {
+    return std::fread(bytes.data() + from, 1, bytes.size() - from, file) == bytes.size() - from;
+  };
+  bool is_read = read_on(0);
+  if (is_read)
+    if (const auto header = check_header(name, bytes, opened->size); !header)
+      return std::unexpected(header.error());
+  if (opened->size > most)
+    return failure(Errc::InvalidInput, name,
+                   fmt::format("has {} MB, and the most that a kiosk shows is {}; compile it with "
+                               "fewer or smaller pictures, or several museums of it",
+                               opened->size >> 20U, most >> 20U));
+  const std::size_t begun = bytes.size();
+  bytes.resize(opened->size);
+  is_read = is_read && read_on(begun);
+  if (!is_read)
+    return failure(Errc::Environment, name, "cannot be read to its end; check the disk");
+  return bytes;
 }
 
 /// Opens the bytes, read-only, where they lie.
@@ -142,11 +174,9 @@ std::string checksum_text(const Database& database) {
   return text;
 }
 
-Result<Database> open_database(const std::filesystem::path& file) {
-  auto bytes = read_file(file);
+Result<Database> open_database(const std::filesystem::path& file, std::uint64_t most) {
+  auto bytes = read_database(file, most);
   if (!bytes) return std::unexpected(bytes.error());
-  if (const auto header = check_header(file, *bytes); !header)
-    return std::unexpected(header.error());
   Database database{.bytes = std::move(*bytes), .handle = nullptr};
   if (take_signatures(database)) database.handle = open_bytes(database.bytes);
   if (!database.handle || !read_checksum(database.handle.get(), database.checksum) ||

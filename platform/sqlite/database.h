@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,7 +37,11 @@ struct Database {
 ///  - InvalidInput: it is not a docent database;
 ///  - WrongVersion: it is of another schema version;
 ///  - Damaged: it is cut short, or a byte of it has changed.
-Result<Database> open_database(const std::filesystem::path& file);
+///
+/// Its header is looked at before the rest is read; InvalidInput where it has more than `most`
+/// bytes.
+Result<Database> open_database(const std::filesystem::path& file,
+                               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// The checksum that a database was compiled with, in hexadecimal; empty where it has none.
 std::string checksum_text(const Database& database);

@@ -18,6 +18,9 @@ constexpr double nearly_there = 0.6;  ///< Metres: from here on it looks at what
 constexpr double most_gaze = 0.75;    ///< Radians.
 constexpr double gaze_quickness = 7;  ///< Of a critically damped spring, 1/s.
 
+constexpr double lift_step_seconds = 1.2;  ///< In which one steps into a lift, or out of it.
+constexpr double lift_depth = 0.9;         ///< Metres from the stop to where one stands in it.
+
 Placement interpolated(const Placement& a, const Placement& b, double t) noexcept {
   return {glm::mix(a.position, b.position, t),
           a.heading + std::remainder(b.heading - a.heading, 2 * std::numbers::pi) * t};
@@ -36,6 +39,58 @@ void follow(Avatar& avatar) noexcept {
   avatar.along =
       std::lerp(static_cast<double>(walk.along[frame]), static_cast<double>(walk.along[after]), t);
   avatar.gait = has_finished(avatar) ? motion::Gait::Idle : walk.gait[frame];
+}
+
+const Connection& connection_of(const Museum& museum, const plan::Ride& ride) noexcept {
+  return museum.connections[ride.connection];
+}
+
+/// Is it carried, and does not walk from stop to stop?
+bool is_carried(const plan::Plan& plan) noexcept {
+  return plan.rests_until > 0;
+}
+
+/// How far a carried body is from where its plan has it: at the far stop. In a lift it steps in,
+/// stands within while it is carried, and steps out.
+Vec2 off_far_stop(const Connection& connection, const ConnectionStop& from,
+                  const ConnectionStop& to, double seconds, double whole) noexcept {
+  const double stepping = std::min(lift_step_seconds, whole / 4);
+  const double carried = std::clamp((seconds - stepping) / (whole - 2 * stepping), 0.0, 1.0);
+  const Vec2 off = from.placement.position - to.placement.position;
+  if (connection.kind != ConnectionKind::Lift) return (1 - seconds / whole) * off;
+  const auto into = [](const ConnectionStop& stop) {
+    return lift_depth * Vec2{std::cos(stop.placement.heading), std::sin(stop.placement.heading)};
+  };
+  const double in = std::clamp(seconds / stepping, 0.0, 1.0);
+  const double out = std::clamp((whole - seconds) / stepping, 0.0, 1.0);
+  return glm::mix(off + in * into(from), out * into(to), carried);
+}
+
+/// Where on its ride the body is: a walk tells where on the floor's plan, and how far it has come
+/// how high. Who is carried has the place of the far stop in its plan.
+void ride(const Museum& museum, Avatar& avatar) noexcept {
+  const auto floor_height = [&](std::uint32_t floor) { return museum.floors[floor].plan.height; };
+  avatar.height = floor_height(avatar.floor);
+  avatar.shown_floor = avatar.floor;
+  avatar.aside = {};
+  const plan::Ride* on = ride_of(avatar);
+  if (on == nullptr) return;
+  const Connection& connection = connection_of(museum, *on);
+  const ConnectionStop &from = connection.stops[on->from], &to = connection.stops[on->to];
+  const double share = ride_share(museum, avatar);
+  avatar.height = std::lerp(floor_height(from.floor), floor_height(to.floor), share);
+  if (share >= 0.5) avatar.shown_floor = to.floor;
+  if (!is_carried(*avatar.plan)) return;
+  const double whole = avatar.plan->seconds();
+  avatar.aside = off_far_stop(connection, from, to, std::min(avatar.seconds, whole), whole);
+  avatar.body.position += avatar.aside;
+}
+
+/// At the end of a ride it is on the other floor.
+void land(const Museum& museum, Avatar& avatar) noexcept {
+  const plan::Ride* on = ride_of(avatar);
+  if (on == nullptr || avatar.seconds < avatar.plan->seconds()) return;
+  avatar.floor = connection_of(museum, *on).stops[on->to].floor;
 }
 
 /// When the next plan takes over, in seconds of the present one.
@@ -92,8 +147,8 @@ void pose(const Museum& museum, Avatar& avatar) noexcept {
   }
   motion::turn_head(museum.motion.skeleton, static_cast<float>(avatar.gaze), view);
   motion::to_world_space(museum.motion.skeleton, view, avatar.world);
-  const auto height = static_cast<float>(museum.floors[avatar.floor].plan.height);
-  for (Mat4& joint : avatar.world) joint[3].y += height;
+  const Vec3 off = to_world(avatar.aside, avatar.height);
+  for (Mat4& joint : avatar.world) joint[3] += Vec4(off, 0);
 }
 
 /// World y of a body part; the floor where the skeleton has no such part.
@@ -104,6 +159,27 @@ Vec3 place_of(const Museum& museum, const Avatar& avatar, BodyPart part) noexcep
 }
 
 }  // namespace
+
+const plan::Ride* ride_of(const Avatar& avatar) noexcept {
+  const plan::WalkOrder& order = avatar.plan->order;
+  return order.ride && order.floor == avatar.floor ? &*order.ride : nullptr;
+}
+
+double ride_share(const Museum& museum, const Avatar& avatar) noexcept {
+  const plan::Ride* on = ride_of(avatar);
+  if (on == nullptr) return 0;
+  const Connection& connection = connection_of(museum, *on);
+  if (is_carried(*avatar.plan)) {
+    const double whole = avatar.plan->seconds();
+    const double still =
+        connection.kind == ConnectionKind::Lift ? std::min(lift_step_seconds, whole / 4) : 0.0;
+    return std::clamp((avatar.seconds - still) / (whole - 2 * still), 0.0, 1.0);
+  }
+  const Vec2 from = connection.stops[on->from].placement.position;
+  const Vec2 to = connection.stops[on->to].placement.position;
+  const double length = glm::distance(from, to);
+  return std::clamp(dot(avatar.body.position - from, to - from) / (length * length), 0.0, 1.0);
+}
 
 Avatar make_avatar(const Museum& museum, std::uint32_t floor,
                    std::unique_ptr<plan::Plan> standing) {
@@ -152,7 +228,9 @@ bool take_plan(Avatar& avatar, std::unique_ptr<plan::Plan> plan) noexcept {
 void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   avatar.seconds += seconds;
   change_plan(avatar);
+  land(museum, avatar);
   follow(avatar);
+  ride(museum, avatar);
   if (has_finished(avatar)) {
     if (avatar.idle_weight < 1) avatar.standing = 0;
     avatar.idle_weight = 1;
@@ -179,7 +257,7 @@ void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noe
   it.first_matrix = static_cast<std::uint32_t>(first);
   it.look = avatar.look;
   it.centre = Vec3(avatar.world[0][3]);
-  const auto floor = static_cast<float>(museum.floors[avatar.floor].plan.height);
+  const auto floor = static_cast<float>(avatar.height);
   constexpr std::array feet{std::pair{BodyPart::LeftAnkle, BodyPart::LeftToe},
                             std::pair{BodyPart::RightAnkle, BodyPart::RightToe}};
   for (std::size_t side = 0; side < feet.size(); ++side) {

@@ -24,7 +24,10 @@ struct Avatar {
   double idle_weight = 1;  ///< ... and this fades the idle motion out.
   bool breathes = true;    ///< False: it stands as still as at the first moment.
   Placement body;
-  double along = 0;  ///< Metres of the plan's way behind it.
+  double height = 0;              ///< World y of what it stands on, metres.
+  std::uint32_t shown_floor = 0;  ///< On which it is seen: half way along a ride, the next one.
+  Vec2 aside{};                   ///< Of a carried body: from its place in the plan's walk.
+  double along = 0;               ///< Metres of the plan's way behind it.
   motion::Gait gait = motion::Gait::Idle;
   double gaze = 0, gaze_rate = 0;  ///< Turn of the head from the body: radians; radians a second.
 
@@ -35,6 +38,11 @@ struct Avatar {
 
 /// An avatar that stands as the plan `standing` does. Allocates all that it will ever need.
 Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing);
+
+/// The ride that it is on; null where it is on its floor.
+const plan::Ride* ride_of(const Avatar& avatar) noexcept;
+/// How far it is along its ride, or 0: 0 to 1.
+double ride_share(const Museum& museum, const Avatar& avatar) noexcept;
 
 /// Is it at the end of its plan?
 bool has_finished(const Avatar& avatar) noexcept;

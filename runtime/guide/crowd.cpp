@@ -27,10 +27,23 @@ bool stands(const Avatar& avatar) noexcept {
   return !avatar.next && avatar.seconds >= avatar.plan->seconds();
 }
 
+bool is_between_floors(const Agent& one) noexcept {
+  return one.boards || ride_of(one.avatar) != nullptr;
+}
+
 Crowd::Crowd(const Museum& museum, plan::Planner& planner) : museum_(museum), planner_(planner) {
-  const std::uint32_t floor = museum.kiosk_floor;
-  if (floor < planner.maps().size())
-    proximity_.emplace(*planner.maps()[floor], floor, museum.body_radius, planner.avatars());
+  for (std::uint32_t floor = 0; floor < planner.maps().size(); ++floor)
+    proximity_.emplace_back(*planner.maps()[floor], floor, museum.body_radius, planner.avatars());
+}
+
+std::size_t Crowd::collisions() const noexcept {
+  std::size_t sum = 0;
+  for (const Proximity& floor : proximity_) sum += floor.collisions();
+  return sum;
+}
+
+const plan::Nearby& Crowd::near(std::uint32_t who) const noexcept {
+  return proximity_[members_[who].avatar.floor].near(who);
 }
 
 std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
@@ -47,16 +60,29 @@ void Crowd::hold_still() noexcept {
   for (Agent& one : members_) one.avatar.breathes = false;
 }
 
-void Crowd::send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept {
+void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal,
+                 RouteKind kind) noexcept {
   Agent& one = members_[who];
   one.goal = goal;
+  one.goal_floor = floor;
   one.kind = kind;
-  one.has_arrived = one.is_on_its_way = false;
+  one.has_arrived = one.is_on_its_way = one.has_ridden = false;
   one.route_summary.reset();
   one.ask_at = clock_;
+  one.boards_at = 0;
+  if (is_between_floors(one)) return;
   one.awaits_answer = false;
   one.avatar.next.reset();
   ask_for_next(who);
+}
+
+void Crowd::replan() noexcept {
+  for (std::uint32_t who = 0; who < members_.size(); ++who) {
+    Agent& one = members_[who];
+    if (!one.goal || one.has_arrived) continue;
+    send(who, one.goal_floor, *one.goal, one.kind);
+    one.replans = true;
+  }
 }
 
 void Crowd::stop(std::uint32_t who) noexcept {
@@ -65,6 +91,8 @@ void Crowd::stop(std::uint32_t who) noexcept {
   one.has_arrived = true;
   one.is_on_its_way = false;
   one.route_summary.reset();
+  one.boards_at = 0;
+  if (is_between_floors(one)) return;
   one.avatar.next.reset();
   if (stands(one.avatar)) return;
   ask(who, {}, one.avatar.seconds + one.lead);
@@ -91,7 +119,7 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
   if (members_.size() > 1) {
     order.previous_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
-    if (proximity_) order.near = proximity_->near(who);
+    order.near = near(who);
     order.blocked_seconds = one.blocked_seconds;
     order.rank = one.rank + urgency * one.blocked_seconds + 1e-6 * who;
   }
@@ -101,7 +129,8 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
 
 void Crowd::ask_for_room(std::uint32_t who, std::uint32_t for_whom) noexcept {
   Agent& one = members_[who];
-  if (one.awaits_answer || !stands(one.avatar) || clock_ - one.asked_for_room < ask_room_again)
+  if (one.awaits_answer || !stands(one.avatar) || is_between_floors(one) ||
+      clock_ - one.asked_for_room < ask_room_again)
     return;
   one.asked_for_room = clock_;
   one.is_on_its_way = false;
@@ -129,13 +158,22 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     one.ask_at = clock_ + appear_again;
     return;
   }
+  if (plan->order.ride) return take_ride(one, std::move(plan));
   if (plan->order.goal && (!plan->order.continues || plan->is_new_way)) {
     one.is_answered = true;
-    one.route_summary = interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal};
+    // What was told of the whole way stays true on its later floors.
+    if (!one.has_ridden || plan->status != path::RouteStatus::Ok)
+      one.route_summary =
+          interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal, plan->closed};
   }
+  const bool replans = std::exchange(one.replans, false);
   if (plan->status != path::RouteStatus::Ok) {
     one.goal.reset();
     one.has_arrived = true;
+    if (!replans) return;
+    const auto summary = one.route_summary;  // of no way: it goes on no farther on the old one
+    stop(who);
+    one.route_summary = summary;
     return;
   }
   if (plan->holds) {
@@ -156,6 +194,22 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
   one.is_on_its_way = leads_to_goal;
 }
 
+/// Where it cannot get on yet, it asks again; whatever it has been told since, it rides once it has
+/// a ride, because its place on this floor is no longer kept for it.
+void Crowd::take_ride(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
+  one.boards = !plan->holds;
+  if (plan->holds) {
+    one.ask_at = clock_ + ask_again;
+    return;
+  }
+  plan->order.previous_seconds = std::max(plan->order.previous_seconds, one.avatar.seconds);
+  if (!take_plan(one.avatar, std::move(plan))) return;
+  ++one.commitments;
+  one.has_ridden = true;
+  one.is_on_its_way = false;
+  one.boards_at = 0;
+}
+
 // What time brings.
 
 void Crowd::step(double seconds) noexcept {
@@ -163,9 +217,10 @@ void Crowd::step(double seconds) noexcept {
   for (Agent& one : members_) one.is_answered = false;
   take_answers();
   for (Agent& one : members_) advance(museum_, one.avatar, seconds);
-  if (proximity_) proximity_->look(members_, seconds);
+  for (Proximity& floor : proximity_) floor.look(members_, seconds);
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];
+    if (one.boards && ride_of(one.avatar) != nullptr) one.boards = false;
     const bool held = one.goal && !one.has_arrived && stands(one.avatar);
     one.blocked_seconds = held ? one.blocked_seconds + seconds : 0;
     ask_for_next(who);
@@ -181,10 +236,9 @@ bool Crowd::yields(const Agent& one) const noexcept {
 
 /// A number that changes when somebody near comes, goes or takes another plan.
 std::uint64_t Crowd::surroundings_of(std::uint32_t who) const noexcept {
-  if (!proximity_) return 0;
   constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;  // of bits; 2^64 by the golden ratio
   std::uint64_t sum = 0;
-  for (const std::uint32_t other : proximity_->near(who).agents())
+  for (const std::uint32_t other : near(who).agents())
     sum += (other + 1) * spread ^ members_[other].commitments * (spread >> 1);
   return sum;
 }
@@ -207,20 +261,29 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
     order.enters = true;
     return ask(who, order, avatar.seconds);
   }
-  if (!one.goal || one.has_arrived) return;
-  if (one.blocked_seconds > content_after &&
+  if (is_between_floors(one) || !one.goal || one.has_arrived) return;
+  go_on(who);
+}
+
+/// On the way to its goal.
+void Crowd::go_on(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  if (one.blocked_seconds > content_after && avatar.floor == one.goal_floor &&
       glm::distance(avatar.body.position, one.goal->position) < close_by)
     one.goal->position = avatar.body.position;  // somebody holds the place itself
   const double lead = stands(avatar) && members_.size() > 1 ? standing_lead : one.lead;
   plan::WalkOrder order;
   order.goal = one.goal;
+  order.goal_floor = one.goal_floor;
   order.kind = one.kind;
   if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {
+    if (avatar.plan->then) return ask_for_ride(who);
     one.has_arrived = stands(avatar);
     return;
   }
-  const double go_on = avatar.plan->handover_frame / avatar.plan->walk.frame_rate;
+  const double handover = avatar.plan->handover_frame / avatar.plan->walk.frame_rate;
   // Who stops on its way does so because of others.
   const bool stops = avatar.plan->handover_frame + 1 >= motion::frame_count(avatar.plan->walk);
   order.continues = true;
@@ -229,8 +292,21 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
     one.ask_again_at = clock_ + ask_again;
     return ask(who, order, avatar.seconds + lead);
   }
-  if (go_on - avatar.seconds > go_on_ahead + lead) return;
-  ask(who, order, std::max(go_on, avatar.seconds + lead));
+  if (handover - avatar.seconds > go_on_ahead + lead) return;
+  ask(who, order, std::max(handover, avatar.seconds + lead));
+}
+
+/// Stands at a stop, waits as one waits there, and gets on.
+void Crowd::ask_for_ride(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  if (!stands(avatar)) return;
+  if (one.boards_at == 0) one.boards_at = clock_ + avatar.plan->then->wait;
+  if (clock_ < one.boards_at) return;
+  plan::WalkOrder order;
+  order.ride = avatar.plan->then;
+  one.boards = true;
+  ask(who, order, avatar.seconds + (members_.size() > 1 ? standing_lead : 0));
 }
 
 }  // namespace docent::guide

@@ -16,12 +16,17 @@ struct Agent {
   Avatar avatar;
   bool is_here = false;           ///< It appears once there is room for it.
   std::optional<Placement> goal;  ///< Where it is sent; empty: it stands, or stops.
+  std::uint32_t goal_floor = 0;
   RouteKind kind = RouteKind::Shortest;
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   double pace = 1;  ///< Share of the ordinary speed.
   bool has_arrived = true;
   bool is_on_its_way = false;  ///< Its plan leads to its goal, and not aside for somebody else.
   bool awaits_answer = false;
+  bool replans = false;  ///< It was under way when something closed or opened.
+  bool boards = false;   ///< It has asked for a ride, or has been given one that it is not yet on.
+  double boards_at = 0;  ///< Crowd's clock: when its wait at a stop is over; 0: none has begun.
+  bool has_ridden = false;     ///< Since it was sent.
   bool is_answered = false;    ///< In this step, by a plan that begins a way.
   double blocked_seconds = 0;  ///< For how long others have been in its way.
 
@@ -38,11 +43,11 @@ struct Agent {
       route_summary;  ///< Of the way to its goal, once it is planned.
 };
 
-/// All agents of a floor. A step finds who is near whom, asks the planner for walks in good time,
-/// follows them, and asks those who hold up others to make room. An agent that is blocked, or walks
-/// towards a stop that others have forced on it, asks again as soon as somebody near has come, gone
-/// or changed plans. Nobody ever walks into anybody: the planner gives no such walk. Right of way
-/// goes by rank, which grows while an agent is held up, so that nobody waits for ever.
+/// All agents of a building. A step finds who is near whom, asks the planner for walks in good
+/// time, follows them, and asks those who hold up others to make room. An agent that is blocked, or
+/// walks towards a stop that others have forced on it, asks again as soon as somebody near has
+/// come, gone or changed plans. Nobody ever walks into anybody: the planner gives no such walk.
+/// Right of way goes by rank, which grows while an agent is held up, so that nobody waits for ever.
 ///
 /// Called by the frame thread. add() allocates; nothing else throws, allocates or waits.
 class Crowd {
@@ -59,13 +64,17 @@ class Crowd {
   }
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
-  void send(std::uint32_t who, const Placement& goal, RouteKind kind) noexcept;
+  /// Who is on a connection between two floors comes out first.
+  void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind) noexcept;
+  /// What is closed has changed: whoever is under way asks for a new way, and stops where there is
+  /// none.
+  void replan() noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;
 
   /// How many overlaps there are now, as Proximity counts them: 0, unless something is wrong.
-  std::size_t collisions() const noexcept { return proximity_ ? proximity_->collisions() : 0; }
+  std::size_t collisions() const noexcept;
   std::size_t size() const noexcept { return members_.size(); }
   const Agent& operator[](std::uint32_t who) const noexcept { return members_[who]; }
   const std::vector<Agent>& members() const noexcept { return members_; }
@@ -75,7 +84,11 @@ class Crowd {
  private:
   void take_answers() noexcept;
   void take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
+  void take_ride(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void ask_for_next(std::uint32_t who) noexcept;
+  void go_on(std::uint32_t who) noexcept;
+  void ask_for_ride(std::uint32_t who) noexcept;
+  const plan::Nearby& near(std::uint32_t who) const noexcept;
   void ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept;
   bool yields(const Agent& one) const noexcept;
   std::uint64_t surroundings_of(std::uint32_t who) const noexcept;
@@ -84,11 +97,15 @@ class Crowd {
 
   const Museum& museum_;
   plan::Planner& planner_;
-  std::optional<Proximity> proximity_;  ///< Of the kiosk's floor; none where there is none.
+  std::vector<Proximity> proximity_;  ///< Per floor.
   std::vector<Agent> members_;
   std::uint64_t last_order_ = 0;
   double clock_ = 0;
 };
+
+/// Is it on a connection, or about to be? Then it comes out on the other floor, whatever it is
+/// told.
+bool is_between_floors(const Agent& one) noexcept;
 
 /// Has the avatar come to the end of its plan, whether that leads to its goal or not?
 bool stands(const Avatar& avatar) noexcept;

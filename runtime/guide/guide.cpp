@@ -146,12 +146,14 @@ void Guide::touch(const input::InputEvent& event) noexcept {
       break;
     case input::InputEvent::Kind::Move:
     case input::InputEvent::Kind::Up:
+    case input::InputEvent::Kind::Cancel:
       break;
   }
   const auto held = std::ranges::find(held_, event.contact.id, &Held::contact);
   if (held == held_.end()) return;
   const Held finger = *held;
-  if (event.kind == input::InputEvent::Kind::Up) held_.erase(held);
+  if (event.kind != input::InputEvent::Kind::Down && event.kind != input::InputEvent::Kind::Move)
+    held_.erase(held);
   const bool meant = sessions_[finger.visitor].touch(event, sessions_[finger.surface].overlay());
   // Perhaps somebody who found no seat.
   if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
@@ -265,9 +267,9 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.joint.clear();
   list_.quads.clear();
   for (const Agent& one : crowd_.members())
-    if (one.is_here) draw(museum_, one.avatar, list_);
+    if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
   stage_.draw(state(), crowd_, led_visitors(), list_);
-  const double floor_height = museum_.floors[leader().floor].plan.height;
+  const double floor_height = museum_.floors[stage_.floor()].plan.height;
   const bool names = is_shared() || state().screen == interface::Screen::Choosing;
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, static_cast<float>(floor_height));

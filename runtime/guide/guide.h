@@ -73,6 +73,8 @@ class Guide {
   /// take_pieces() gives after that step have to be applied before it is drawn.
   const scene::DrawList& draw_list() noexcept;
 
+  /// Something has been closed or opened: whoever is under way looks for a new way.
+  void replan() noexcept { crowd_.replan(); }
   /// The screen has another size: a view is laid out for it.
   void resize(const interface::ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
@@ -89,6 +91,8 @@ class Guide {
   const interface::InterfaceState& state(std::size_t part = 0) const noexcept {
     return sessions_[part].state();
   }
+  /// The language of whoever touched last.
+  std::uint32_t language() const noexcept { return state(speaker_).language; }
   /// The view on the screen; empty before the first one. Its spots follow the camera.
   const interface::View* view(std::size_t part = 0) const noexcept {
     return sessions_[part].view();

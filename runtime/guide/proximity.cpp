@@ -33,7 +33,8 @@ void Proximity::look(std::span<const Agent> agents, double seconds) noexcept {
   for (std::uint32_t i = 0; i < std::min(agents.size(), near_.size()); ++i) {
     near_[i].count = 0;
     const Agent& one = agents[i];
-    const bool is_here = one.is_here && one.avatar.floor == floor_;
+    const bool is_here =
+        one.is_here && one.avatar.floor == floor_ && ride_of(one.avatar) == nullptr;
     const Vec2 place = one.avatar.body.position;
     if (is_here) {
       const bool moved = was_here_[i] && seconds > 0;

@@ -38,19 +38,27 @@ bool Session::shows_its_state() const noexcept {
 bool Session::is_out() const noexcept {
   const Avatar& avatar = agent().avatar;
   const Vec2 off = avatar.body.position - context_.homes[*guide_].position;
-  return dot(off, off) > at_home * at_home || !stands(avatar) ||
-         (agent().goal && !agent().has_arrived);
+  return avatar.floor != context_.museum.kiosk_floor || dot(off, off) > at_home * at_home ||
+         !stands(avatar) || (agent().goal && !agent().has_arrived);
 }
 
 double Session::remaining() const noexcept {
   if (!guide_) return 0;
   const Avatar& avatar = agent().avatar;
-  return (avatar.plan->reach.empty() ? 0 : avatar.plan->reach.back()) - avatar.along;
+  const plan::Plan& plan = *avatar.plan;
+  if (const plan::Ride* ride = ride_of(avatar))
+    return plan.metres_after + (1 - ride_share(context_.museum, avatar)) * ride->metres;
+  return (plan.reach.empty() ? 0 : plan.reach.back() - avatar.along) + plan.metres_after;
 }
 
 // What the visitor does.
 
 bool Session::touch(const input::InputEvent& event, Overlay& surface) noexcept {
+  if (event.kind == input::InputEvent::Kind::Cancel) {
+    gestures_.take(event);
+    surface.touch_up({event.contact, event.contact, 0});  // what it held is let go, not pressed
+    return true;
+  }
   // What lies on the glass and trembles is nobody.
   if (event.kind != input::InputEvent::Kind::Move) idle_seconds_ = 0;
   const std::optional<input::Gesture> gesture = gestures_.take(event);
@@ -129,6 +137,7 @@ void Session::act(interface::Action action) noexcept {
       set_out();  // where they have touched an exhibit first
       break;
     case interface::Action::Kind::Choose:
+    case interface::Action::Kind::FollowTour:
       set_out();
       break;
     case interface::Action::Kind::TakeRoute:
@@ -161,11 +170,12 @@ void Session::order(const Errand& errand) noexcept {
   route_summary_.reset();
   switch (errand.kind) {
     case Errand::Kind::ToExhibit:
-      context_.crowd.send(*guide_, context_.museum.exhibits[*errand.exhibit].viewing_point,
-                          errand.route);
+      context_.crowd.send(*guide_, context_.museum.exhibits[*errand.exhibit].floor,
+                          context_.museum.exhibits[*errand.exhibit].viewing_point, errand.route);
       break;
     case Errand::Kind::Home:
-      context_.crowd.send(*guide_, context_.homes[*guide_], errand.route);
+      context_.crowd.send(*guide_, context_.museum.kiosk_floor, context_.homes[*guide_],
+                          errand.route);
       break;
     default:
       context_.crowd.stop(*guide_);
@@ -236,6 +246,7 @@ void Session::notice_arrival() noexcept {
   interface::InterfaceState now = state_;
   if (now.arrived) return;
   now.arrived = true;
+  now.floor = context_.museum.exhibits[*errand_.exhibit].floor;  // that is where they are looking
   if (now.screen == interface::Screen::Walking) now.screen = interface::Screen::Arrived;
   show(now);
 }

@@ -15,6 +15,11 @@ constexpr double short_flight_seconds = 0.7;
 constexpr double turn_time_constant = 0.9;  ///< The camera turns slower than the guide...
 constexpr double most_turn = 0.8;           ///< ... and never faster than 46 degrees a second.
 constexpr float way_fade_seconds = 0.3F;
+constexpr double veil_seconds = 1.6;  ///< In which the model goes, and comes.
+constexpr double veil_shut = 0.1;
+constexpr float change_seconds = 0.25F;  ///< Twice: until one floor is gone, and the other there.
+constexpr float overview_radius = 80;    ///< Metres: an overview's model goes from that far.
+constexpr float veiled_radius = -4;
 constexpr double flow_speed = 0.35;  ///< Metres a second that the ribbon's pattern moves.
 /// Metres: a whole number of each pattern's periods, and of the 2.4 of the solid way's sheen. A
 /// kiosk runs for months, and metres without end would be too coarse for a float after three days.
@@ -26,6 +31,14 @@ bool seen_from_above(interface::Screen screen) noexcept {
 
 double height_of(const Museum& museum, std::uint32_t floor) noexcept {
   return floor < museum.floors.size() ? museum.floors[floor].plan.height : 0;
+}
+
+/// How far the model is taken away while the guide changes floors: all of it for a moment half way,
+/// when the one floor makes way for the other.
+float veil_over(const Museum& museum, const Avatar& leader) noexcept {
+  if (ride_of(leader) == nullptr) return 0;
+  const double off = std::abs(ride_share(museum, leader) - 0.5) * leader.plan->seconds();
+  return static_cast<float>(1 - scene::smooth_step((off - veil_shut) / veil_seconds));
 }
 
 /// What the guide is about to walk: points at every metre.
@@ -90,9 +103,8 @@ void Stage::enter(const interface::InterfaceState& state, const scene::Rect& fre
   free_ = free;
   aspect_ = aspect;
   screen_ = state.screen;
-  if (leader.floor < outlines_.size())
-    overview_ = scene::overview_of(outlines_[leader.floor], height_of(museum_, leader.floor),
-                                   museum_.kiosk.heading, free_, aspect_);
+  if (!entered_) floor_ = wanted_floor(state, leader);
+  show_floor(floor_);
   if (!entered_ || (flies && reduced_motion_)) {
     cut_to(state, leader);
   } else if (flies) {
@@ -103,9 +115,38 @@ void Stage::enter(const interface::InterfaceState& state, const scene::Rect& fre
   entered_ = true;
 }
 
+/// From above, what the visitor looks at; else where the guide is seen.
+std::uint32_t Stage::wanted_floor(const interface::InterfaceState& state,
+                                  const Avatar& leader) const noexcept {
+  if (!seen_from_above(screen_)) return leader.shown_floor;
+  return std::min(state.floor.value_or(museum_.kiosk_floor),
+                  static_cast<std::uint32_t>(outlines_.size()) - 1);
+}
+
+void Stage::show_floor(std::uint32_t floor) noexcept {
+  floor_ = floor;
+  overview_ = scene::overview_of(outlines_[floor_], height_of(museum_, floor_),
+                                 museum_.kiosk.heading, free_, aspect_);
+}
+
+/// The floor that is shown makes way for the one that is wanted. With a guide on a ride it does so
+/// half way; else within half a second, the model going behind paper in between.
+void Stage::change_floor(const interface::InterfaceState& state, const Avatar& leader,
+                         float seconds) noexcept {
+  const std::uint32_t wanted = wanted_floor(state, leader);
+  const bool rides = ride_of(leader) != nullptr && !seen_from_above(screen_);
+  if (wanted == floor_) {
+    changing_ = std::max(0.0F, changing_ - seconds / change_seconds);
+    return;
+  }
+  changing_ = std::min(1.0F, changing_ + seconds / change_seconds);
+  if (rides) changing_ = 0;
+  if (changing_ == 1 || rides || reduced_motion_) show_floor(wanted);
+}
+
 scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                                    const Avatar& leader) const noexcept {
-  const double height = height_of(museum_, leader.floor);
+  const double height = leader.height;
   if (state.screen == interface::Screen::Arrived && state.exhibit) {
     const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
     return scene::beside(leader.body, exhibit.placement.position, height, free_, aspect_);
@@ -122,7 +163,7 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
 void Stage::cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept {
   if (reduced_motion_ && screen_ == interface::Screen::Walking) {
     const AheadPoints ahead = ahead_of(leader);
-    const scene::Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
+    const scene::Walker walker{leader.body, leader.height, ahead.span()};
     yaw_ = scene::yaw_towards(walker, leader.body.heading);
     distance_ = scene::behind(walker, yaw_, free_, aspect_).distance;
   }
@@ -135,7 +176,7 @@ bool Stage::shows_walk(const Avatar& leader) const noexcept {
   constexpr float edge = 0.1F;
   constexpr std::size_t metres_ahead = 2;
   const scene::CameraView view = scene::view_of(rig_, aspect_);
-  const double height = height_of(museum_, leader.floor);
+  const double height = leader.height;
   const scene::Rect inner{free_.x + edge * free_.width, free_.y + edge * free_.height,
                           (1 - 2 * edge) * free_.width, (1 - 2 * edge) * free_.height};
   const auto is_inside = [&](Vec2 place) {
@@ -149,6 +190,7 @@ bool Stage::shows_walk(const Avatar& leader) const noexcept {
 
 void Stage::advance(const interface::InterfaceState& state, const Avatar& leader,
                     float seconds) noexcept {
+  change_floor(state, leader, seconds);
   if (reduced_motion_) {
     way_opacity_ = 1;
     if (screen_ != interface::Screen::Walking || !shows_walk(leader)) cut_to(state, leader);
@@ -157,7 +199,7 @@ void Stage::advance(const interface::InterfaceState& state, const Avatar& leader
   flow_ = std::fmod(flow_ + seconds * flow_speed, flow_wraps);
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
   const AheadPoints ahead = ahead_of(leader);
-  const scene::Walker walker{leader.body, height_of(museum_, leader.floor), ahead.span()};
+  const scene::Walker walker{leader.body, leader.height, ahead.span()};
   yaw_ = scene::turn_smoothly(yaw_, scene::yaw_towards(walker, leader.body.heading), seconds,
                               turn_time_constant, most_turn);
   const double roomy = scene::behind(walker, yaw_, free_, aspect_).distance;
@@ -172,6 +214,7 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   ++revision_;
   way_opacity_ = 0;
   way_kind_ = plan.order.kind;
+  way_floor_ = plan.order.floor;
   way_count_ =
       static_cast<std::uint32_t>(std::min(plan.points.size(), list.ribbon_point.capacity()));
   way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
@@ -182,12 +225,16 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
 void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
                  std::span<const LedVisitor> led_visitors, scene::DrawList& list) const noexcept {
   const Avatar& leader = crowd[0].avatar;
-  const double height = height_of(museum_, leader.floor);
-  list.floor = leader.floor;
+  const double height = height_of(museum_, floor_);
+  list.floor = floor_;
   list.camera = scene::view_of(rig_, aspect_);
   const bool above = seen_from_above(screen_);
   list.focus = leader.body.position;
-  list.focus_radius = above ? 1e3F : 16.0F;
+  const float ride_veil = above || reduced_motion_ ? 0 : veil_over(museum_, leader);
+  const float veil = std::max(ride_veil, reduced_motion_ ? 0 : changing_);
+  list.focus_radius =
+      std::lerp(above ? veil > 0 ? overview_radius : 1e3F : 16.0F, veiled_radius, veil);
+  list.fade = std::lerp(scene::DrawList{}.fade, 1.0F, veil);
   list.goal_radius = 0;
   list.highlighted_exhibit = state.exhibit;
 
@@ -199,7 +246,7 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
                             .radius = radius,
                             .heading = static_cast<float>(heading)});
   };
-  if (museum_.kiosk_floor == leader.floor)
+  if (museum_.kiosk_floor == floor_)
     mark(scene::MarkerDraw::Kind::YouAreHere, museum_.kiosk.position, 0.45F, museum_.kiosk.heading);
   const auto is_chosen = [&](std::uint32_t exhibit) {
     return exhibit == state.exhibit ||
@@ -208,7 +255,7 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
   };
   if (above)
     for (std::size_t i = 0; i < museum_.exhibits.size(); ++i)
-      if (museum_.exhibits[i].floor == leader.floor)
+      if (museum_.exhibits[i].floor == floor_)
         mark(is_chosen(static_cast<std::int32_t>(i)) ? scene::MarkerDraw::Kind::SelectedExhibit
                                                      : scene::MarkerDraw::Kind::Exhibit,
              museum_.exhibits[i].placement.position, 0.3F, 0);
@@ -219,20 +266,28 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
     draw_own_way(state, leader, list);
 }
 
+/// On this floor: at the exhibit, or where the guide leaves it for another.
+std::optional<Placement> Stage::end_of_way(const interface::InterfaceState& state,
+                                           const Avatar& leader) const noexcept {
+  if (!state.exhibit) return {};
+  const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
+  if (exhibit.floor == floor_) return exhibit.viewing_point;
+  if (leader.plan->then && leader.floor == floor_) return leader.plan->end;
+  return {};
+}
+
 void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
                          scene::DrawList& list) const noexcept {
-  if (state.exhibit) {
-    const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
-    list.goal = exhibit.viewing_point.position;
+  if (const auto end = end_of_way(state, leader)) {
+    list.goal = end->position;
     list.goal_radius = 6;
     if (!state.arrived)
-      list.markers.push_back(
-          {.kind = scene::MarkerDraw::Kind::Goal,
-           .position = to_world(exhibit.viewing_point.position, height_of(museum_, leader.floor)),
-           .radius = 0.35F,
-           .heading = static_cast<float>(exhibit.viewing_point.heading)});
+      list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
+                              .position = to_world(end->position, height_of(museum_, floor_)),
+                              .radius = 0.35F,
+                              .heading = static_cast<float>(end->heading)});
   }
-  if (way_count_ >= 2)
+  if (way_count_ >= 2 && way_floor_ == floor_)
     list.ribbons.push_back({.kind = way_kind_,
                             .first = 0,
                             .count = way_count_,
@@ -247,10 +302,12 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
                       scene::DrawList& list) const noexcept {
   for (const LedVisitor& one : led_visitors) {
     const Agent& guide = crowd[one.guide];
-    if (!one.exhibit || guide.avatar.floor != list.floor) continue;
-    if (guide.is_on_its_way) draw_trail(guide.avatar, static_cast<float>(flow_), list);
-    const Placement& view = museum_.exhibits[*one.exhibit].viewing_point;
-    if (!one.arrived)
+    if (!one.exhibit) continue;
+    if (guide.is_on_its_way && guide.avatar.floor == list.floor)
+      draw_trail(guide.avatar, static_cast<float>(flow_), list);
+    const Exhibit& exhibit = museum_.exhibits[*one.exhibit];
+    const Placement& view = exhibit.viewing_point;
+    if (!one.arrived && exhibit.floor == list.floor)
       list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
                               .look = guide.avatar.look,
                               .position = to_world(view.position, height_of(museum_, list.floor)),

@@ -46,7 +46,9 @@ class Stage {
   /// The leader follows another way: its points go into the draw list.
   void show_way(const plan::Plan& plan, scene::DrawList& list) noexcept;
 
-  bool is_flying() const noexcept { return flight_ < 1; }
+  bool is_flying() const noexcept { return flight_ < 1 || changing_ > 0; }
+  /// The floor that is shown.
+  std::uint32_t floor() const noexcept { return floor_; }
   const scene::CameraRig& rig() const noexcept { return rig_; }
 
  private:
@@ -57,12 +59,21 @@ class Stage {
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,
                               const Avatar& leader) const noexcept;
 
+  std::uint32_t wanted_floor(const interface::InterfaceState& state,
+                             const Avatar& leader) const noexcept;
+  void show_floor(std::uint32_t floor) noexcept;
+  void change_floor(const interface::InterfaceState& state, const Avatar& leader,
+                    float seconds) noexcept;
+  std::optional<Placement> end_of_way(const interface::InterfaceState& state,
+                                      const Avatar& leader) const noexcept;
   void cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept;
   bool shows_walk(const Avatar& leader) const noexcept;
 
   const Museum& museum_;
   bool reduced_motion_;
   std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
+  std::uint32_t floor_ = 0;                  ///< That is shown.
+  float changing_ = 0;  ///< How far the model has gone to make way for another floor.
   scene::CameraRig rig_, from_;
   double flight_ = 1;          ///< Share of the flight from `from_` that is done.
   double flight_seconds_ = 1;  ///< How long the flight takes.
@@ -77,7 +88,7 @@ class Stage {
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;
   RouteKind way_kind_ = RouteKind::Shortest;
-  std::uint32_t way_count_ = 0;
+  std::uint32_t way_count_ = 0, way_floor_ = 0;
   float way_length_ = 0;
 };
 

@@ -9,9 +9,10 @@
 namespace docent::guide {
 namespace {
 
-constexpr double slowest = 0.7;  // share of the clips' pace
-constexpr double taken = 0.9;    // metres about a place that somebody else holds or goes to
-constexpr double aimless = 0.2;  // share of the ways that lead just somewhere
+constexpr double slowest = 0.7;      // share of the clips' pace
+constexpr double taken = 0.9;        // metres about a place that somebody else holds or goes to
+constexpr double aimless = 0.2;      // share of the ways that lead just somewhere
+constexpr double other_floor = 0.3;  // share of the exhibits on other floors that tempt somebody
 constexpr int most_tries = 12;
 
 }  // namespace
@@ -70,16 +71,32 @@ void Strollers::step(Crowd& crowd) noexcept {
   }
 }
 
+/// Now and then to another floor, where there is a way up or down at all; not so many at a time
+/// that they would stand in a queue at the lift.
+bool Strollers::may_go_to(std::uint32_t floor, const Agent& one, const Crowd& crowd,
+                          Stroller& stroller) const noexcept {
+  if (floor == one.avatar.floor) return true;
+  const auto changes_floors = [](const Agent& other) {
+    return other.goal && !other.has_arrived && other.goal_floor != other.avatar.floor;
+  };
+  const auto on_their_way =
+      static_cast<std::size_t>(std::ranges::count_if(crowd.members(), changes_floors));
+  return 2 * on_their_way < museum_.connections.size() && random(stroller) < other_floor;
+}
+
 /// Where to next: to an exhibit that nobody else is at or goes to, or somewhere on the medial axis.
 void Strollers::choose(Stroller& stroller, Crowd& crowd) const noexcept {
-  const auto is_taken = [&](Vec2 place) {
+  const std::uint32_t floor = crowd[stroller.who].avatar.floor;
+  const auto is_taken = [&](std::uint32_t on, Vec2 place) {
     return std::ranges::any_of(crowd.members(), [&](const Agent& other) {
       if (&other == &crowd[stroller.who] || !other.is_here) return false;
-      return glm::distance(other.avatar.body.position, place) < taken ||
-             (other.goal && glm::distance(other.goal->position, place) < taken);
+      return (other.avatar.floor == on &&
+              glm::distance(other.avatar.body.position, place) < taken) ||
+             (other.goal && other.goal_floor == on &&
+              glm::distance(other.goal->position, place) < taken);
     });
   };
-  const Roadmap& roads = museum_.floors[museum_.kiosk_floor].roadmap;
+  const Roadmap& roads = museum_.floors[floor].roadmap;
   for (int i = 0; i < most_tries; ++i) {
     const RouteKind kind =
         route_kinds[static_cast<std::size_t>(random(stroller) *
@@ -89,15 +106,17 @@ void Strollers::choose(Stroller& stroller, Crowd& crowd) const noexcept {
       const auto node =
           static_cast<std::size_t>(random(stroller) * static_cast<double>(roads.position.size()));
       const double heading = 2 * std::numbers::pi * (random(stroller) - 0.5);
-      if (roads.clearance[node] < 2 * museum_.body_radius || is_taken(roads.position[node]))
+      if (roads.clearance[node] < 2 * museum_.body_radius || is_taken(floor, roads.position[node]))
         continue;
-      return crowd.send(stroller.who, {roads.position[node], heading}, RouteKind::Skeleton);
+      return crowd.send(stroller.who, floor, {roads.position[node], heading}, RouteKind::Skeleton);
     }
     if (museum_.exhibits.empty()) continue;
     const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(
         random(stroller) * static_cast<double>(museum_.exhibits.size()))];
-    if (exhibit.floor != museum_.kiosk_floor || is_taken(exhibit.viewing_point.position)) continue;
-    return crowd.send(stroller.who, exhibit.viewing_point, kind);
+    if (!may_go_to(exhibit.floor, crowd[stroller.who], crowd, stroller) ||
+        is_taken(exhibit.floor, exhibit.viewing_point.position))
+      continue;
+    return crowd.send(stroller.who, exhibit.floor, exhibit.viewing_point, kind);
   }
   stroller.looks = false;  // everything is taken: it looks on
 }

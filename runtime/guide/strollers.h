@@ -27,6 +27,8 @@ class Strollers {
     bool looks = true;         ///< It stands and looks.
   };
   double random(Stroller& stroller) const noexcept;
+  bool may_go_to(std::uint32_t floor, const Agent& one, const Crowd& crowd,
+                 Stroller& stroller) const noexcept;
   void choose(Stroller& stroller, Crowd& crowd) const noexcept;
   Placement start_of(std::size_t i) const noexcept;
 

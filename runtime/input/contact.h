@@ -28,9 +28,16 @@ enum class Key : std::uint8_t {
 
 /// What happened at the glass or the keypad. Scripted visits and devices produce the same events.
 struct InputEvent {
-  enum class Kind : std::uint8_t { Down, Move, Up, KeyDown, KeyUp };
+  enum class Kind : std::uint8_t {
+    Down,
+    Move,
+    Up,
+    Cancel,  ///< A contact has ended that no finger meant: a palm, or its device has gone.
+    KeyDown,
+    KeyUp
+  };
   Kind kind = Kind::Down;
-  Contact contact;      ///< For Down, Move and Up.
+  Contact contact;      ///< For Down, Move, Up and Cancel.
   Key key = Key::None;  ///< For KeyDown and KeyUp.
   char character = 0;   ///< Key::Character: 'A'..'Z', '0'..'9'. Key::Function: its number.
 };

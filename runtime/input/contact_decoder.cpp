@@ -35,6 +35,9 @@ class SlotCollector {
       case usages::in_range:
         current_.in_range = field;
         break;
+      case usages::tip_pressure:
+        if (!current_.pressure) current_.pressure = field;
+        break;
       case usages::confidence:
         current_.confidence = field;
         break;
@@ -157,9 +160,11 @@ bool is_blank(const ContactFields& slot, std::span<const std::byte> payload) noe
          is_zero(slot.confidence) && is_zero(slot.tip);
 }
 
-/// Is the finger on the glass? Where there is no tip switch, In Range says it.
+/// Is the finger on the glass? Where there is no tip switch, In Range says it, or else how hard it
+/// presses.
 bool is_down(const ContactFields& slot, std::span<const std::byte> payload) noexcept {
-  return is_set(slot.tip, payload, is_set(slot.in_range, payload, true));
+  return is_set(slot.tip, payload,
+                is_set(slot.in_range, payload, is_set(slot.pressure, payload, true)));
 }
 
 bool speaks(TouchRules::Valid valid, const ContactFields& slot,
@@ -207,7 +212,7 @@ ContactDecoder::ContactDecoder(const ReportDescriptor& descriptor, TouchLayout l
 }
 
 void ContactDecoder::reset() noexcept {
-  frame_count_ = received_ = expected_ = down_count_ = contact_count_ = 0;
+  frame_count_ = received_ = expected_ = down_count_ = contact_count_ = palm_count_ = 0;
   last_scan_time_ = -1;
   for (ContactDecoder& other : others_) other.reset();
 }
@@ -223,12 +228,21 @@ bool ContactDecoder::read_slot(std::size_t index, std::span<const std::byte> pay
                            : static_cast<std::uint32_t>(field_value(*slot.identifier, payload));
   reading.contact.x = share(slot.x, payload);
   reading.contact.y = share(slot.y, payload);
+  const bool is_sure = is_set(slot.confidence, payload, true);
   reading.down = is_down(slot, payload);
+  // "Confidence" of a Windows 8 screen: 0 is a palm. Others use it for places that are not in use.
+  reading.palm = layout_.scan_time && reading.down && !is_sure && is_ever_sure_;
+  reading.down &= !reading.palm;
   reading.blank = is_blank(slot, payload);
   reading.speaks = speaks(layout_.rules.valid, slot, payload) &&
                    !(layout_.rules.identity == TouchRules::Identity::IdentifierFromOne &&
                      slot.identifier && reading.contact.id == 0);
   return true;
+}
+
+void ContactDecoder::note_confidence(std::span<const std::byte> payload) noexcept {
+  for (const ContactFields& slot : layout_.slots)
+    is_ever_sure_ |= is_down(slot, payload) && is_set(slot.confidence, payload, false);
 }
 
 bool ContactDecoder::repeats_scan_time(std::span<const std::byte> payload) const noexcept {
@@ -251,6 +265,7 @@ bool ContactDecoder::continues_frame(std::size_t count,
 
 bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
   std::span<const std::byte> payload = report;
+  palm_count_ = 0;
   if (numbered_) {
     if (report.empty()) return false;
     if (std::to_integer<std::uint8_t>(report[0]) != layout_.report_id) {
@@ -263,6 +278,7 @@ bool ContactDecoder::take(std::span<const std::byte> report) noexcept {
   }
   if (!holds(layout_.slots.front().x, payload) || !holds(layout_.slots.front().y, payload))
     return false;
+  note_confidence(payload);
   const bool ended = take_own(payload);
   if (layout_.scan_time) last_scan_time_ = field_value(*layout_.scan_time, payload);
   if (ended) gather();
@@ -356,6 +372,7 @@ void ContactDecoder::merge(const Reading& reading) noexcept {
   if (known != end && reading.down) {
     *known = {reading.contact, 0};
   } else if (known != end) {
+    if (reading.palm && palm_count_ < max_contacts) palms_[palm_count_++] = reading.contact.id;
     std::move(known + 1, end, known);
     --down_count_;
   } else if (reading.down && down_count_ < max_contacts) {
@@ -395,6 +412,8 @@ void ContactDecoder::gather() noexcept {
     for (const Contact& contact : other.contacts())
       if (contact_count_ < max_contacts)
         contacts_[contact_count_++] = {first_id + contact.id, contact.x, contact.y};
+    for (const std::uint32_t palm : other.turned_to_palms())
+      if (palm_count_ < max_contacts) palms_[palm_count_++] = first_id + palm;
   }
 }
 

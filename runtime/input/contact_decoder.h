@@ -18,7 +18,7 @@ inline constexpr std::size_t max_contacts = 64;
 /// Where one contact's values lie in an input report. Fields that a device lacks are empty.
 struct ContactFields {
   ReportField x, y;
-  std::optional<ReportField> tip, in_range, confidence, identifier;
+  std::optional<ReportField> tip, in_range, pressure, confidence, identifier;
 };
 
 /// How a touch screen reports its contacts: parallel (all in one report), serial (one a report) or
@@ -59,6 +59,11 @@ class ContactDecoder {
   /// the logical range.
   std::span<const Contact> contacts() const noexcept { return {contacts_.data(), contact_count_}; }
 
+  /// Identifiers of those that the last frame ended because they are a palm and no finger.
+  std::span<const std::uint32_t> turned_to_palms() const noexcept {
+    return {palms_.data(), palm_count_};
+  }
+
   /// Forgets all contacts: the device was unplugged, or has fallen silent.
   void reset() noexcept;
 
@@ -68,10 +73,12 @@ class ContactDecoder {
     bool down = false;
     bool speaks = true;  ///< False: the place in the report is not in use.
     bool blank = false;  ///< Nothing but zeros.
+    bool palm = false;   ///< On the glass, and no finger.
   };
   bool take_own(std::span<const std::byte> payload) noexcept;
   bool take_zero_count(std::span<const std::byte> payload) noexcept;
   void begin_frame(std::size_t count) noexcept;
+  void note_confidence(std::span<const std::byte> payload) noexcept;
   bool read_slot(std::size_t index, std::span<const std::byte> payload,
                  Reading& reading) const noexcept;
   bool continues_frame(std::size_t count, std::span<const std::byte> payload) const noexcept;
@@ -100,6 +107,9 @@ class ContactDecoder {
   std::vector<ContactDecoder> others_;            ///< One for each of the layout's others.
   std::array<Contact, max_contacts> contacts_{};  ///< The contacts of down_ and others_.
   std::size_t contact_count_ = 0;
+  bool is_ever_sure_ = false;  ///< Has the device ever said that a contact is a finger?
+  std::array<std::uint32_t, max_contacts> palms_{};
+  std::size_t palm_count_ = 0;
 };
 
 /// Compares two sets of contacts and appends Down, Move and Up events; returns how many were

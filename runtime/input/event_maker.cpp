@@ -29,13 +29,13 @@ std::span<const InputEvent> EventMaker::wait(std::chrono::nanoseconds time) noex
   if (!contacts_ || !silence_.lifts(std::span(heard_).first(heard_count_), time)) return {};
   contacts_->reset();
   heard_count_ = 0;
-  return std::span(events_).first(contact_changes({}, Moves::All));
+  return std::span(events_).first(cancel_all());
 }
 
 std::span<const InputEvent> EventMaker::lift_all() noexcept {
   if (contacts_) contacts_->reset();
   heard_count_ = 0;
-  std::size_t count = contact_changes({}, Moves::All);
+  std::size_t count = cancel_all();
   if (keys_) count += key_events(keys_->release(edges_), count);
   return std::span(events_).first(count);
 }
@@ -56,7 +56,21 @@ std::size_t EventMaker::contact_changes(std::span<const Contact> now, Moves move
   const std::size_t events = contact_events(told, std::span(after).first(count), events_);
   told_ = after;
   told_count_ = count;
+  for (const std::uint32_t palm : contacts_->turned_to_palms())
+    for (InputEvent& event : std::span(events_).first(events))
+      if (event.kind == InputEvent::Kind::Up &&
+          event.contact.id == first_id_ + palm % ids_per_device)
+        event.kind = InputEvent::Kind::Cancel;
   return events;
+}
+
+/// No finger has done that: nothing is pressed by it.
+std::size_t EventMaker::cancel_all() noexcept {
+  const std::size_t count = std::min(told_count_, events_.size());
+  for (std::size_t i = 0; i < count; ++i)
+    events_[i] = {.kind = InputEvent::Kind::Cancel, .contact = told_[i]};
+  told_count_ = 0;
+  return count;
 }
 
 /// Makes events of the first edges, behind `first` events; returns how many.

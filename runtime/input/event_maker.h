@@ -30,14 +30,15 @@ class EventMaker {
   std::span<const InputEvent> take(std::span<const std::byte> report, std::chrono::nanoseconds time,
                                    Moves moves = Moves::All) noexcept;
 
-  /// No report has come: lifts the contacts of a device that should have sent one by now.
+  /// No report has come: cancels the contacts of a device that should have sent one by now.
   std::span<const InputEvent> wait(std::chrono::nanoseconds time) noexcept;
 
-  /// Everything that is down goes up: the device has gone.
+  /// Contacts are cancelled, keys go up: the device has gone.
   std::span<const InputEvent> lift_all() noexcept;
 
  private:
   std::size_t contact_changes(std::span<const Contact> now, Moves moves) noexcept;
+  std::size_t cancel_all() noexcept;
   std::size_t key_events(std::size_t edges, std::size_t first) noexcept;
 
   std::uint32_t first_id_;

@@ -42,6 +42,9 @@ std::optional<Gesture> GestureRecogniser::take(const InputEvent& event) noexcept
       *finger = fingers_[--count_];
       return gesture;
     }
+    case InputEvent::Kind::Cancel:
+      if (finger != nullptr) *finger = fingers_[--count_];
+      break;
     case InputEvent::Kind::KeyDown:
     case InputEvent::Kind::KeyUp:
       break;

@@ -24,6 +24,7 @@ inline constexpr Usage consumer_control = usage(0x0c, 0x01);
 inline constexpr Usage touch_screen = usage(0x0d, 0x04), touch_pad = usage(0x0d, 0x05);
 inline constexpr Usage pen = usage(0x0d, 0x02), finger = usage(0x0d, 0x22);
 inline constexpr Usage tip_switch = usage(0x0d, 0x42), in_range = usage(0x0d, 0x32);
+inline constexpr Usage tip_pressure = usage(0x0d, 0x30);
 inline constexpr Usage confidence = usage(0x0d, 0x47), contact_identifier = usage(0x0d, 0x51);
 inline constexpr Usage contact_count = usage(0x0d, 0x54);
 inline constexpr Usage contact_count_maximum = usage(0x0d, 0x55), scan_time = usage(0x0d, 0x56);

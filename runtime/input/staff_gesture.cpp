@@ -38,6 +38,7 @@ void StaffGesture::take(const InputEvent& event, double time) noexcept {
           (*finger)->corner = Corner::None;
       break;
     case InputEvent::Kind::Up:
+    case InputEvent::Kind::Cancel:
       if (one_ && one_->id == id)
         one_.reset();
       else if (other_ && other_->id == id)

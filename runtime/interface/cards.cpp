@@ -139,7 +139,9 @@ void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   style.line_height = style.right_to_left ? 1.4F : 1.2F;
   const std::string number =
       number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1);
-  const TextPiece title = sheet.fitted(style, number + "  " + std::string(sheet.local(it.label)),
+  const Tour* tour = begun_tour(sheet, it);
+  const std::string before = tour == nullptr ? number : tour_line(sheet, *tour);
+  const TextPiece title = sheet.fitted(style, before + "  " + std::string(sheet.local(it.label)),
                                        box.right() - x - m.unit / 2);
   sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
               sheet.theme().ink, control);
@@ -253,7 +255,7 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit);
-  constexpr std::array<std::string_view, 2> buttons{"stop", "choose"};
+  constexpr std::array<std::string_view, 3> buttons{"stop", "skip", "choose"};
   const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
   const float column = 3 * m.touch + 2 * gap;
   const bool in_a_row = bottom - column - content.y < least_invitation * m.unit;
@@ -261,7 +263,9 @@ void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   draw_routes(sheet, {content.x, routes, content.width, height},
               in_a_row ? Along::Row : Along::NarrowColumn);
   const float y = draw_invitation(
-      sheet, {content.x, content.y, content.width, routes - gap - content.y}, Letters::Lead);
+      sheet,
+      draw_tour_progress(sheet, {content.x, content.y, content.width, routes - gap - content.y}),
+      Letters::Lead);
   const float room = routes - m.gap - y;
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && room > 8 * m.unit)
     sheet.whole_image({content.x, y, content.width, room}, exhibit->image, m.corner);
@@ -271,9 +275,16 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Exhibit* exhibit = chosen_exhibit(sheet);
   constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
-  const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
+  float bottom = draw_buttons(sheet, content, buttons) - m.gap;
   if (exhibit == nullptr) return;
-  float y = sheet.text(Letters::Heading, sheet.local(exhibit->title), content.x, content.y,
+  if (const std::int32_t next = sheet.control("next"); next >= 0) {
+    const float row = height_of_row(m);
+    draw_row(sheet, next, {content.x, bottom - row, content.width, row});
+    bottom -= row + m.unit;
+  }
+  const PixelBox rest =
+      draw_tour_progress(sheet, {content.x, content.y, content.width, bottom - content.y});
+  float y = sheet.text(Letters::Heading, sheet.local(exhibit->title), content.x, rest.y,
                        content.width, sheet.theme().ink, 2) +
             m.unit;
   const float picture = std::min(0.4F * (bottom - y), 0.75F * content.width);

@@ -34,6 +34,40 @@ Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
           .rect = {}};
 }
 
+/// A tour in the list: it begins with its first exhibit.
+Control tour_control(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
+  const Tour& tour = museum.tours[index];
+  return {.name = "tour:" + tour.id,
+          .role = Role::ListItem,
+          .label = tour.title,
+          .action = {Action::Kind::FollowTour, tour.exhibits.front(), {index, 0}},
+          .selected = state.tour && state.tour->tour == index,
+          .rect = {}};
+}
+
+/// To the tour's next stop, where there is one.
+std::optional<Action> to_next_stop(const Museum& museum, const InterfaceState& state) {
+  const std::optional<TourWalk> next = next_stop(museum, state.tour);
+  if (!next) return {};
+  return Action{Action::Kind::FollowTour, museum.tours[next->tour].exhibits[next->stop], *next};
+}
+
+void add_skip(const ControlRequest& request, std::vector<Control>& out) {
+  if (const auto action = to_next_stop(request.museum, request.state))
+    out.push_back(button(request.museum, "skip", "tour_skip", *action));
+}
+
+/// As an exhibit of the list; false where the tour has no further stop.
+bool add_next(const ControlRequest& request, std::vector<Control>& out) {
+  const auto action = to_next_stop(request.museum, request.state);
+  if (!action) return false;
+  Control next = exhibit_control(request.museum, action->argument, Role::ListItem, request.state);
+  next.name = "next";
+  next.action = *action;
+  out.push_back(std::move(next));
+  return true;
+}
+
 void add_languages(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   if (museum.languages.size() < 2) return;
@@ -72,9 +106,11 @@ void add_list(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   const std::uint32_t pages = page_count(museum, per_page);
   const std::uint32_t page = std::min(state.page, pages - 1);
-  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
+  const auto count = tours + static_cast<std::uint32_t>(museum.exhibits.size());
   for (std::uint32_t i = page * per_page; i < std::min((page + 1) * per_page, count); ++i)
-    out.push_back(exhibit_control(museum, i, Role::ListItem, state));
+    out.push_back(i < tours ? tour_control(museum, i, state)
+                            : exhibit_control(museum, i - tours, Role::ListItem, state));
   if (pages == 1) return;
 
   Control previous = button(museum, "page:previous", "page_previous",
@@ -86,9 +122,29 @@ void add_list(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(std::move(next));
 }
 
+/// The floors, the highest first, as they lie over one another.
+void add_floors(const ControlRequest& request, std::vector<Control>& out) {
+  const Museum& museum = request.museum;
+  if (museum.floors.size() < 2) return;
+  for (const std::uint32_t floor : floors_from_above(museum)) {
+    const FloorPlan& plan = museum.floors[floor].plan;
+    Control control{.name = "floor:" + plan.name,
+                    .role = Role::Choice,
+                    .label = museum.floors[floor].title,
+                    .action = {Action::Kind::ShowFloor, floor},
+                    .selected = floor == request.state.floor.value_or(museum.kiosk_floor),
+                    .rect = {}};
+    if (control.label.empty() && !museum.languages.empty())
+      control.label[museum.languages.front().tag] = plan.short_name;
+    out.push_back(std::move(control));
+  }
+}
+
 void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Control>& out) {
+  const std::uint32_t floor = state.floor.value_or(museum.kiosk_floor);
   for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
-    out.push_back(exhibit_control(museum, i, Role::Spot, state));
+    if (museum.exhibits[i].floor == floor)
+      out.push_back(exhibit_control(museum, i, Role::Spot, state));
 }
 
 // The controls of each screen: on a glass of one's own, and on a card.
@@ -118,6 +174,7 @@ void add_back(const ControlRequest& request, std::string_view home_key, std::vec
 }
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
+  add_floors(request, out);
   add_routes(request, out);
   add_back(request, "home", out);
 }
@@ -129,6 +186,7 @@ void add_choosing_on_card(const ControlRequest& request, std::vector<Control>& o
 void add_walking_on_card(const ControlRequest& request, std::vector<Control>& out) {
   add_routes(request, out);
   out.push_back(button(request.museum, "stop", "stop", {Action::Kind::Stop}));
+  add_skip(request, out);
   add_choose(request, out);
 }
 void add_walking(const ControlRequest& request, std::vector<Control>& out) {
@@ -136,12 +194,13 @@ void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   add_home(request, "home", out);
 }
 void add_arrived_on_card(const ControlRequest& request, std::vector<Control>& out) {
+  add_next(request, out);
   add_choose(request, out);
   add_home(request, "leave", out);
 }
 void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
-  if (state.exhibit)
+  if (!add_next(request, out) && state.exhibit)
     for (const std::uint32_t next : neighbours(museum, *state.exhibit, suggestion_count))
       out.push_back(exhibit_control(museum, next, Role::ListItem, state));
   add_choose(request, out);
@@ -191,7 +250,8 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
       if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
       const bool found = control.name == name;
       const InterfaceState state = after(reached[at].state, control.action);
-      const bool sets_out = control.action.kind == Action::Kind::Choose;
+      const bool sets_out = control.action.kind == Action::Kind::Choose ||
+                            control.action.kind == Action::Kind::FollowTour;
       if (!found && sets_out && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
@@ -233,6 +293,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.page = 0;
       break;
     case Action::Kind::Choose:
+    case Action::Kind::FollowTour:
+      state.tour.reset();
+      if (action.kind == Action::Kind::FollowTour) state.tour = action.stop;
       state.arrived = state.arrived && state.exhibit == action.argument;
       state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
       if (state.seat && !state.look) state.screen = Screen::Picking;
@@ -241,6 +304,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::TurnPage:
       state.page = action.argument;
       break;
+    case Action::Kind::ShowFloor:
+      state.floor = action.argument;
+      break;
     case Action::Kind::Speak:
       state.language = action.argument;
       break;
@@ -248,22 +314,26 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.kind = static_cast<RouteKind>(action.argument);
       break;
     case Action::Kind::Return:
-      if (!state.exhibit)
+      if (!state.exhibit) {
         state.screen = Screen::Welcome;
-      else
+        state.floor.reset();
+      } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
       break;
     case Action::Kind::Stop:
       state.screen = Screen::Choosing;
       state.page = 0;
       state.exhibit.reset();
+      state.tour.reset();
       state.arrived = false;
       break;
     case Action::Kind::Home:
       if (state.seat) return vacated(state);
       state.screen = Screen::Welcome;
       state.page = 0;
+      state.floor.reset();
       state.exhibit.reset();
+      state.tour.reset();
       state.arrived = false;
       break;
   }
@@ -301,6 +371,14 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
   return out;
 }
 
+std::vector<std::uint32_t> floors_from_above(const Museum& museum) {
+  std::vector<std::uint32_t> floors(museum.floors.size());
+  std::iota(floors.begin(), floors.end(), 0U);
+  std::ranges::stable_sort(floors, std::greater{},
+                           [&](std::uint32_t i) { return museum.floors[i].plan.ordinal; });
+  return floors;
+}
+
 std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibit,
                                       std::size_t count) {
   const Exhibit& from = museum.exhibits[exhibit];
@@ -317,7 +395,7 @@ std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibi
 }
 
 std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept {
-  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  const auto count = static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
   return std::max(1U, (count + per_page - 1) / std::max(1U, per_page));
 }
 
@@ -342,7 +420,18 @@ bool is_control_name(const Museum& museum, std::string_view name) {
       state.screen = faces.screen;
       if (is_led) state.exhibit = 0;
       if (has_it(state)) return true;
+      for (std::uint32_t tour = 0; is_led && tour < museum.tours.size(); ++tour) {
+        if (name == "tour:" + museum.tours[tour].id) return true;
+        state.tour = TourWalk{tour, 0};
+        if (has_it(state)) return true;
+      }
     }
+  for (std::uint32_t floor = 0; floor < museum.floors.size(); ++floor) {
+    InterfaceState above;
+    above.screen = Screen::Choosing;
+    above.floor = floor;
+    if (has_it(above)) return true;
+  }
   InterfaceState picking;
   picking.screen = Screen::Picking;
   picking.glass = Glass::Busy;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/interface/tour_walk.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/route_kind.h"
 #include "runtime/scene/draw_list.h"
@@ -38,6 +39,7 @@ struct InterfaceState {
   Screen screen = Screen::Welcome;
   std::uint32_t language = 0;              ///< Index into Museum::languages.
   std::uint32_t page = 0;                  ///< Of the list of exhibits, on the choosing screen.
+  std::optional<std::uint32_t> floor{};    ///< That is seen from above; none: the kiosk's.
   std::optional<std::uint32_t> exhibit{};  ///< Where the visitor is going or has arrived.
   RouteKind kind = RouteKind::Shortest;
   bool arrived = false;  ///< The guide stands at `exhibit`.
@@ -47,6 +49,7 @@ struct InterfaceState {
   std::optional<std::uint32_t> seat{};
   std::optional<std::uint32_t> look{};  ///< Index into `looks`: the guide that was picked.
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
+  std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -57,7 +60,9 @@ struct Action {
     Begin,         ///< From the welcome to the list of exhibits; at a seat, to the guides.
     Pick,          ///< The guide with look `argument`.
     Choose,        ///< Go to exhibit `argument`.
+    FollowTour,    ///< Go to exhibit `argument`, which is `stop`.
     TurnPage,      ///< Show page `argument` of the list.
+    ShowFloor,     ///< Show floor `argument` from above.
     Speak,         ///< Language `argument`.
     TakeRoute,     ///< RouteKind `argument`.
     ShowExhibits,  ///< The list again; the walk goes on.
@@ -67,6 +72,7 @@ struct Action {
   };
   Kind kind = Kind::Begin;
   std::uint32_t argument = 0;
+  TourWalk stop{};  ///< Of FollowTour.
 };
 
 /// The state after an action: the one rule that touch, keypad, named taps and tests share.
@@ -82,8 +88,9 @@ enum class Role : std::uint8_t {
 /// Something a visitor can press. One list per view: drawing, touch, keypad, scripted visits and
 /// tests all read it.
 struct Control {
-  /// Stable, the same in every language: `exhibit:ID`, `route:shortest`, `language:TAG`, `home`...
-  /// A spot bears its exhibit's name; a list item of that name, where there is one, comes first.
+  /// Stable, the same in every language: `exhibit:ID`, `tour:ID`, `next`, `route:shortest`,
+  /// `language:TAG`, `home`... A spot bears its exhibit's name; a list item of that name, where
+  /// there is one, comes first.
   std::string name;
   Role role = Role::Button;
   LocalText label;
@@ -103,6 +110,9 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
 std::vector<Control> route_controls(const Museum& museum, RouteKind selected,
                                     std::span<const RouteKindInfo> kinds = route_kinds);
 
+/// The floors by their ordinals, the highest first.
+std::vector<std::uint32_t> floors_from_above(const Museum& museum);
+
 /// Exhibits that could follow the one at `exhibit`: the nearest on the same floor by straight line
 /// between viewing points, nearest first.
 std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibit,
@@ -111,7 +121,7 @@ std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibi
 /// How many suggestions the arrived screen makes.
 inline constexpr std::size_t suggestion_count = 2;
 
-/// How many pages the list has; at least 1.
+/// How many pages the list of tours and exhibits has; at least 1.
 std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept;
 
 /// The controls that a visitor in `state` has to touch to press the control `name`, that one

@@ -27,14 +27,23 @@ PixelBox panel_box(const ScreenShape& shape) noexcept {
   return {0, 0, panel, height};
 }
 
+/// What the panel leaves free, as for a language that runs from left to right.
+PixelBox free_box(const ScreenShape& shape) noexcept {
+  const scene::Rect free = free_part_of(shape, false);
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  return {free.x * width, free.y * height, free.width * width, free.height * height};
+}
+
 /// Where each exhibit stands and each gallery is called, for the choosing screen.
 void add_floor_labels(Sheet& sheet) {
   const Museum& museum = sheet.museum();
   View& view = sheet.view();
   const std::uint32_t language = sheet.request().state.language;
 
+  const std::uint32_t floor = sheet.request().state.floor.value_or(museum.kiosk_floor);
+
   for (const Room& room : museum.rooms) {
-    if (room.floor != museum.kiosk_floor) continue;
+    if (room.floor != floor) continue;
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 500;
     const TextPiece name = sheet.fitted(style, sheet.local(room.title), 1e4F);
@@ -48,7 +57,6 @@ void add_floor_labels(Sheet& sheet) {
     const Control& control = view.controls[i];
     if (control.role != Role::Spot) continue;
     const Exhibit& exhibit = museum.exhibits[control.action.argument];
-    if (exhibit.floor != museum.kiosk_floor) continue;
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 600;
     const TextPiece number = sheet.fitted(
@@ -148,7 +156,13 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   sheet.draw_panel(panel);
   const PixelBox content = panel.inset(sheet.measures().margin);
   faces_of(request.state.screen).whole.lay_out(sheet, content);
-  if (request.state.screen == Screen::Choosing) add_floor_labels(sheet);
+  if (request.state.screen == Screen::Choosing) {
+    add_floor_labels(sheet);
+    // The model stands beside the floors' buttons, not below them.
+    const float column = draw_floors(sheet, free_box(request.shape)) / view->pixel_width;
+    view->free.width -= column;
+    if (runs_right_to_left(museum, request.state.language)) view->free.x += column;
+  }
   sheet.finish();
   return view;
 }

@@ -11,11 +11,18 @@
 
 namespace docent::interface {
 
+/// Why there is no way, though there would be one if nothing were closed.
+enum class Closed : std::uint8_t { Door, Stairs, Escalator, Lift, Ramp };
+
+/// The key of the interface's word that says so; {floor} in it is the floor that cannot be reached.
+std::string_view closed_word(Closed closed) noexcept;
+
 /// What is known of the way that the guide is about to take.
 struct RouteSummary {
   path::RouteStatus status = path::RouteStatus::Ok;
   double metres = 0;
   double seconds = 0;
+  std::optional<Closed> closed{};  ///< Only where there is no way.
 
   bool operator==(const RouteSummary&) const = default;
 };

@@ -104,6 +104,88 @@ void draw_languages(Sheet& sheet, const PixelBox& box) {
   }
 }
 
+float draw_floors(Sheet& sheet, const PixelBox& free) {
+  const Measures& m = sheet.measures();
+  std::vector<std::int32_t> controls;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
+    if (sheet.view().controls[i].action.kind == Action::Kind::ShowFloor)
+      controls.push_back(static_cast<std::int32_t>(i));
+  if (controls.empty()) return 0;
+  const auto count = static_cast<float>(controls.size());
+  const float gap = std::round(m.unit);
+  const float most = std::floor((free.height - 2 * m.margin - (count - 1) * gap) / count);
+  const float side = std::min(m.touch, most);
+  const float x = free.right() - m.margin - side;
+  float y = std::round(free.y + (free.height - count * side - (count - 1) * gap) / 2);
+  const PixelBox board{x - gap, y - gap, side + 2 * gap, count * (side + gap) + gap};
+  sheet.shadow(board, 2 * m.unit, 0.12F);
+  sheet.fill(board, sheet.theme().paper, m.corner);
+  for (const std::int32_t control : controls) {
+    const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+    const Floor& floor = sheet.museum().floors[it.action.argument];
+    const PixelBox box{x, y, side, side};
+    sheet.place(control, box);
+    if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+    TextStyle style = sheet.style(Letters::Label);
+    style.weight = it.selected ? 600 : 400;
+    const TextPiece name = sheet.fitted(style, floor.plan.short_name, side);
+    sheet.piece(name, box.x, box.y + (box.height - name.height) / 2, box.width, Align::Centre,
+                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, control);
+    if (it.selected && !sheet.local(floor.title).empty())
+      sheet.text(Letters::Lead, sheet.local(floor.title), free.x + m.margin, free.y + m.margin,
+                 free.width - 2 * m.margin, sheet.theme().quiet_ink);
+    y += side + gap;
+  }
+  return free.right() - board.x;
+}
+
+const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept {
+  const bool begins = control.role == Role::ListItem &&
+                      control.action.kind == Action::Kind::FollowTour && control.name != "next";
+  return begins ? tour_of(sheet.museum(), control.action.stop) : nullptr;
+}
+
+/// Its number, its gallery, and its floor where that is another.
+std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
+  const Museum& museum = sheet.museum();
+  const Exhibit& exhibit = museum.exhibits[index];
+  std::string line =
+      number_in(museum, sheet.request().state.language, static_cast<long>(index) + 1);
+  const auto add = [&line](std::string_view place) {
+    if (!place.empty()) line.append("  ·  ").append(place);
+  };
+  if (exhibit.room < museum.rooms.size()) add(sheet.local(museum.rooms[exhibit.room].title));
+  if (exhibit.floor != museum.kiosk_floor) add(sheet.local(museum.floors[exhibit.floor].title));
+  return line;
+}
+
+std::string tour_line(const Sheet& sheet, const Tour& tour) {
+  return filled_in(sheet.word("tour_card"), "time",
+                   time_in(sheet.museum(), sheet.request().state.language, tour.seconds));
+}
+
+PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
+  const InterfaceState& state = sheet.request().state;
+  const Museum& museum = sheet.museum();
+  const Tour* tour = tour_of(museum, state.tour);
+  if (tour == nullptr) return box;
+  const auto number = [&](std::size_t n) {
+    return number_in(museum, state.language, static_cast<long>(n));
+  };
+  std::string line = filled_in(sheet.word("page_of"), "n", number(state.tour->stop + 1));
+  line = filled_in(line, "total", number(tour->exhibits.size()));
+  const bool is_over = state.arrived && !next_stop(museum, state.tour);
+  const std::string time =
+      time_in(museum, state.language, seconds_left(museum, state.tour, state.arrived));
+  line = std::string(sheet.local(tour->title)) + "  ·  " + line + "  ·  " +
+         (is_over ? std::string(sheet.word("tour_done"))
+                  : filled_in(sheet.word("tour_left"), "time", time));
+  const float bottom = sheet.piece(sheet.fitted(sheet.style(Letters::Small, 2), line, box.width),
+                                   box.x, box.y, box.width, Align::Start, sheet.theme().quiet_ink) +
+                       sheet.measures().unit;
+  return {box.x, bottom, box.width, box.bottom() - bottom};
+}
+
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (control < 0) return;
   const Measures& m = sheet.measures();
@@ -120,12 +202,10 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
   TextStyle title_style = sheet.style(Letters::Label);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
-  const TextPiece title = sheet.fitted(title_style, sheet.local(exhibit.title), width);
-  const std::string_view room =
-      exhibit.room < museum.rooms.size() ? sheet.local(museum.rooms[exhibit.room].title) : "";
+  const TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
+  const Tour* tour = begun_tour(sheet, it);
   const std::string line =
-      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1) +
-      (room.empty() ? "" : "  ·  ") + std::string(room);
+      tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, it.action.argument);
   TextStyle room_style = sheet.style(Letters::Small);
   room_style.line_height = title_style.line_height;
   const TextPiece second = sheet.fitted(room_style, line, width);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ struct TextPiece {
 struct PieceMakers {
   SetText set_text;
   SetPicture set_picture;
+  std::function<void()> rest{};  ///< Called when a visitor has left, to tidy up; may be empty.
 };
 
 /// Makes each text and each picture of the views once, in the size in which it is drawn, and
@@ -34,12 +36,15 @@ struct PieceMakers {
 /// thread as PieceChanges.
 class PieceCache {
  public:
-  /// Hands out textures from `first` upwards, the lowest free one first. Once all pieces together
-  /// exceed `budget` bytes, those are retired that are neither in the `kept_views` views made last
-  /// nor in the last few of any part of the glass. There are at most `most_parts` parts.
+  /// Hands out textures from `first` upwards, the lowest free one first. While all pieces together
+  /// exceed `budget` bytes of texture memory, the one is retired that was used longest ago, of
+  /// those that are neither in the `kept_views` views made last nor in the last few of any part of
+  /// the glass. There are at most `most_parts` parts.
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
+  /// Nobody waits for a piece now: the makers may tidy up.
+  void rest() const;
   /// An image of the museum, `width` by `height` pixels, as SetPicture makes it.
   scene::TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
 
@@ -51,7 +56,7 @@ class PieceCache {
  private:
   struct Entry {
     TextPiece piece;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;   ///< Of texture memory.
     std::uint64_t used = 0;  ///< The view that last used it.
     /// A bit for each part of the glass that shows it: in the part's last view, in the one before,
     /// and so on. One of these views is on the screen, one may still be fading, and some were out
@@ -61,6 +66,7 @@ class PieceCache {
   const TextPiece* find(std::string_view key);
   void keep(std::string key, const TextPiece& piece, PieceUpload upload);
   void note_what_shows(std::uint32_t part);
+  bool may_go(const Entry& entry) const;
   void retire_unused();
   scene::TextureId free_texture();
 

@@ -39,7 +39,32 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
                                                         width, Align::Start, sheet.theme().ink)});
 }
 
+/// Why there is no way, and who can help.
+std::string no_way_text(const Sheet& sheet, const Exhibit& exhibit, const RouteSummary& summary) {
+  if (!summary.closed) return std::string(sheet.word("no_way"));
+  const Floor& floor = sheet.museum().floors[exhibit.floor];
+  const std::string_view title = sheet.local(floor.title);
+  return filled_in(sheet.word(closed_word(*summary.closed)), "floor",
+                   title.empty() ? std::string_view(floor.plan.short_name) : title);
+}
+
 }  // namespace
+
+std::string_view closed_word(Closed closed) noexcept {
+  switch (closed) {
+    case Closed::Door:
+      return "closed_door";
+    case Closed::Stairs:
+      return "closed_stairs";
+    case Closed::Escalator:
+      return "closed_escalator";
+    case Closed::Lift:
+      return "closed_lift";
+    case Closed::Ramp:
+      return "closed_ramp";
+  }
+  return "no_way";
+}
 
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
   const std::optional<std::uint32_t> exhibit = sheet.request().state.exhibit;
@@ -70,9 +95,9 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
     prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
     return y + line + m.gap;
   }
-  return sheet.text(Letters::Body, sheet.word(route_summary ? "no_way" : "planning"), box.x, y,
-                    box.width, sheet.theme().quiet_ink, 3) +
-         m.gap;
+  const std::string text = route_summary ? no_way_text(sheet, *exhibit, *route_summary)
+                                         : std::string(sheet.word("planning"));
+  return sheet.text(Letters::Body, text, box.x, y, box.width, sheet.theme().quiet_ink, 3) + m.gap;
 }
 
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
@@ -152,9 +177,14 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
 
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
-  const float half = std::floor((content.width - m.gap) / 2);
-  sheet.button(sheet.control("stop"), {content.x, buttons, half, m.touch}, Sheet::Emphasis::Strong);
-  sheet.button(sheet.control("choose"), {content.right() - half, buttons, half, m.touch},
+  const std::int32_t skip = sheet.control("skip");
+  const float shares = skip < 0 ? 2 : 3;
+  const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
+  sheet.button(sheet.control("stop"), {content.x, buttons, share, m.touch},
+               Sheet::Emphasis::Strong);
+  if (skip >= 0)
+    sheet.button(skip, {content.x + share + m.gap, buttons, share, m.touch}, Sheet::Emphasis::Soft);
+  sheet.button(sheet.control("choose"), {content.right() - share, buttons, share, m.touch},
                Sheet::Emphasis::Soft);
 
   const float routes_height = 3 * m.touch + 2 * std::round(m.unit);
@@ -166,6 +196,7 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
 
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
+  first = draw_tour_progress(sheet, first);
   const float y = draw_invitation(sheet, first, Letters::Title);
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && end - y > 12 * m.unit)
     sheet.whole_image({first.x, y, first.width, end - y}, exhibit->image, m.corner);
@@ -195,12 +226,14 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
     draw_card(sheet, cards[i], {second.x, bottom, second.width, row});
   }
   if (!cards.empty()) {
-    const TextPiece next =
-        sheet.fitted(sheet.style(Letters::Small), sheet.word("next_title"), second.width);
+    const TextPiece next = sheet.fitted(
+        sheet.style(Letters::Small),
+        sheet.word(sheet.control("next") >= 0 ? "tour_next" : "next_title"), second.width);
     bottom -= next.height + std::round(m.unit / 2);
     sheet.piece(next, second.x, bottom, second.width, Align::Start, sheet.theme().quiet_ink);
   }
   bottom -= m.gap;
+  second = draw_tour_progress(sheet, second);
 
   // The words come first; the picture takes what they leave.
   const float text_width = second.width;

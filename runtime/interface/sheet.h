@@ -122,6 +122,13 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
 
 /// "Follow me to", the exhibit's name, and how far it is; returns the bottom.
 float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
+/// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
+/// box below that line.
+PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);
+/// What stands below the name of a tour in a list: "Tour, about 12 minutes".
+std::string tour_line(const Sheet& sheet, const Tour& tour);
+/// The tour that a control of the list begins; null where it is no tour.
+const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept;
 /// What the visitor goes to or is at; null where there is nothing.
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 
@@ -143,6 +150,9 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box);
 /// The three route kinds, side by side or one above the other.
 enum class Along : std::uint8_t { Row, Column, NarrowColumn };
 float draw_routes(Sheet& sheet, const PixelBox& box, Along along);
+/// The floors at the far edge of the model, over one another as in a lift, and the name of the one
+/// that is shown.
+float draw_floors(Sheet& sheet, const PixelBox& free);
 /// Languages in a row.
 void draw_languages(Sheet& sheet, const PixelBox& box);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.

@@ -108,7 +108,11 @@ void prepare_allocator_for(Phase phase) noexcept {
   constexpr int mesa_slab = 32 * 1024, picture = 256 * 1024;
   mallopt(M_MMAP_THRESHOLD, phase == Phase::Start ? mesa_slab : picture);
   mallopt(M_ARENA_MAX, 2);  // the frame's and the worker's; the driver's threads hardly allocate
-  if (phase == Phase::Frames) malloc_trim(0);
+  if (phase == Phase::Frames) give_back_freed_memory();
+}
+
+void give_back_freed_memory() noexcept {
+  malloc_trim(0);
 }
 
 Allocations allocations_on_this_thread() noexcept {

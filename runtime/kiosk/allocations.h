@@ -18,4 +18,8 @@ enum class Phase : std::uint8_t { Start, Frames };
 /// Tells glibc's allocator what is to come, so that it gives back most of what starting takes.
 void prepare_allocator_for(Phase phase) noexcept;
 
+/// Gives back to the system what was freed. Any thread; takes a few milliseconds, for which others
+/// may have to wait with their allocations, so call when nobody looks on.
+void give_back_freed_memory() noexcept;
+
 }  // namespace docent::kiosk

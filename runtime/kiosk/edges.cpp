@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "platform/kms/kms_display.h"
+#include "runtime/kiosk/hid_command.h"
 
 namespace docent::kiosk {
 namespace {
@@ -58,7 +58,8 @@ Result<void> open_kms_edge(const EdgeSettings& settings, Edges& edges) {
   auto display = kms::open_kms({.connector = settings.output,
                                 .mirror = settings.mirror,
                                 .size = settings.size,
-                                .refresh_hz = settings.refresh_hz});
+                                .refresh_hz = settings.refresh_hz},
+                               settings.find_poster);
   if (!display) return std::unexpected(display.error());
   edges.display = std::move(*display);
   return {};
@@ -74,6 +75,20 @@ constexpr std::array<Result<void> (*)(const EdgeSettings&, Edges&), config::disp
     openers{open_what_fits, open_kms_edge, open_window_edge, open_headless_edge};
 
 }  // namespace
+
+EdgeSettings edge_settings(const Options& options, const config::KioskConfig& config) {
+  EdgeSettings settings;
+  settings.kind = options.display.value_or(config.display);
+  settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
+                                                  static_cast<std::uint32_t>(config.height)});
+  settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));
+  settings.refresh_hz = options.size ? 0 : static_cast<std::uint32_t>(config.refresh);
+  settings.output = config.output;
+  settings.mirror = config.mirror;
+  settings.hid = options.hid;
+  settings.keypads = named_keypads(config);
+  return settings;
+}
 
 Result<Edges> open_edges(const EdgeSettings& settings) {
   Edges edges;

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "config/kiosk_config.h"
 #include "platform/headless/headless_display.h"
 #include "platform/hid/input_devices.h"
+#include "platform/kms/kms_display.h"
 #include "platform/x11/window_display.h"
 #include "runtime/kiosk/options.h"
 #include "runtime/kiosk/pixel_shift.h"
@@ -24,6 +26,9 @@ struct Edges {
   std::optional<hid::InputDevices> devices;
   Rotation rotation = Rotation::None;
   PixelOffset shift;  ///< Of the picture, as the visitor sees it.
+
+  /// Is it neither memory nor a window among others?
+  bool is_own_screen() const noexcept { return headless == nullptr && window == nullptr; }
 };
 
 /// What was asked for; the command line overrides kiosk.toml.
@@ -36,7 +41,12 @@ struct EdgeSettings {
   Rotation rotation = Rotation::None;
   std::vector<std::string> hid;
   std::vector<input::NamedKeypad> keypads;  ///< Those that staff have named.
+  /// A picture of this size to show until the first frame; for a screen of the kiosk's own.
+  kms::FindPoster find_poster;
 };
+
+/// The command line over kiosk.toml.
+EdgeSettings edge_settings(const Options& options, const config::KioskConfig& config);
 
 /// Auto takes KMS on a free console, a window where there is a desktop, else memory. Fails with a
 /// sentence where a display or a given device cannot be opened.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <future>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -14,6 +16,8 @@
 #include "platform/sqlite/content_reader.h"
 #include "platform/sqlite/signature_block.h"
 #include "runtime/interface/control.h"
+#include "runtime/kiosk/allocations.h"
+#include "runtime/plan/order_tours.h"
 #include "runtime/schema/schema.h"
 
 namespace docent::kiosk {
@@ -31,14 +35,16 @@ Pixels decode(const Museum& museum, std::uint32_t image) {
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
 /// `pictures` has one for each image of the museum, and stays where it is until all are made.
 std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
-                                                     std::span<Pixels> pictures) {
+                                                     std::span<std::vector<Pixels>> pictures) {
   const std::size_t at_a_time = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
   std::vector<std::future<void>> made;
   for (std::size_t first = 0; first < at_a_time; ++first)
     made.push_back(std::async(std::launch::async, [&museum, pictures, first, at_a_time] {
       for (std::size_t image = first; image < pictures.size(); image += at_a_time)
-        pictures[image] =
-            image::shrink(decode(museum, static_cast<std::uint32_t>(image)), scenery_picture_side);
+        pictures[image] = image::mip_levels(
+            image::shrink(image::decode_at_least(museum.images[image].bytes, scenery_picture_side)
+                              .value_or(Pixels{}),
+                          scenery_picture_side));
     }));
   return made;
 }
@@ -63,6 +69,15 @@ std::string signed_by(const sqlite::Database& database, const Selection& selecti
                      selection.keys.empty() ? " (not verified: kiosk.toml names no keys)" : "");
 }
 
+/// Seconds since 1970; 0 where nobody knows.
+double written_at(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  if (error) return 0;
+  return std::chrono::duration<double>(std::chrono::file_clock::to_sys(time).time_since_epoch())
+      .count();
+}
+
 Error no_such_kiosk(const Museum& museum, std::string_view id,
                     const std::filesystem::path& database) {
   std::vector<std::string> ids;
@@ -72,6 +87,30 @@ Error no_such_kiosk(const Museum& museum, std::string_view id,
                       database.string(), id,
                       ids.empty() ? std::string("its museum.toml names none")
                                   : fmt::format("it has {}", fmt::join(ids, ", ")))};
+}
+
+/// Pictures of the building have the first ids; the planner's pieces follow.
+scene::TextureId scenery_texture(std::size_t image) noexcept {
+  return static_cast<scene::TextureId>(1 + image);
+}
+
+/// Some more of it; false once all is there.
+bool upload_building(Exhibition& exhibition, std::uint32_t floor) {
+  const Museum& museum = exhibition.museum;
+  std::vector<scene::TextureId> picture_of;
+  picture_of.reserve(museum.exhibits.size());
+  for (const Exhibit& exhibit : museum.exhibits)
+    picture_of.push_back(scenery_texture(exhibit.image));
+  return exhibition.holdings.add_scenery(floor, museum.scenery[floor], picture_of);
+}
+
+/// What is only drawn has a copy in texture memory, from there on.
+void forget_what_is_uploaded(Exhibition& exhibition) {
+  exhibition.scenery_pictures = {};
+  exhibition.body_levels = {};
+  exhibition.museum.scenery = {};
+  exhibition.museum.avatar.vertices = {};
+  exhibition.museum.avatar.indices = {};
 }
 
 }  // namespace
@@ -84,7 +123,7 @@ Result<Selection> selection_of(const config::KioskConfig& config) {
 
 Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
                            ContentFacts* facts) {
-  const Result<sqlite::Database> file = sqlite::open_database(database);
+  const Result<sqlite::Database> file = sqlite::open_database(database, schema::largest_shown);
   if (!file) return std::unexpected(file.error());
   if (!selection.keys.empty())
     if (const auto trusted = sqlite::check_signature(*file, database, selection.keys); !trusted)
@@ -95,12 +134,15 @@ Result<Museum> read_museum(const std::filesystem::path& database, const Selectio
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
   if (museum && !selection.kiosk.empty() && !stand_at(*museum, selection.kiosk))
     return std::unexpected(no_such_kiosk(*museum, selection.kiosk, database));
+  if (museum && !museum->kiosks.empty() && museum->kiosks.front().id != selection.kiosk)
+    plan::order_tours(*museum);
   if (museum && facts != nullptr)
     *facts = {.path = database,
               .museum = std::string(interface::in_language(*museum, 0, museum->title)),
               .checksum = sqlite::checksum_text(*file),
               .schema = schema::version,
-              .signature = signed_by(*file, selection)};
+              .signature = signed_by(*file, selection),
+              .written = written_at(database)};
   return museum;
 }
 
@@ -133,49 +175,60 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
                                               std::uint32_t height) {
     return image::fill(decode(kept, image), width, height);
   };
+  // What visitors of the last hours needed is not kept for months.
+  const auto rest = [] {
+    pango::forget_letters();
+    give_back_freed_memory();
+  };
   const guide::PlannerSize size = guide::planner_size(kept, settings);
   exhibition->planner = std::make_unique<plan::Planner>(
-      kept, interface::PieceMakers{std::move(*set_text), std::move(set_picture)}, size.avatars,
-      size.parts);
+      kept, interface::PieceMakers{std::move(*set_text), std::move(set_picture), rest},
+      size.avatars, size.parts);
   exhibition->guide =
       std::make_unique<guide::Guide>(exhibition->museum, *exhibition->planner, settings);
+  exhibition->today = std::make_unique<TodayWatch>(
+      kept,
+      [&planner = *exhibition->planner](const Closures& closures) { planner.close(closures); },
+      selection.today, selection.is_simulated);
+  exhibition->body_levels = scene::levels_of(kept.avatar);
   for (std::future<void>& made : pictures_made) made.get();
   return exhibition;
 }
 
-/// Pictures of the building have the first ids; the planner's pieces follow.
-scene::TextureId scenery_texture(std::size_t image) noexcept {
-  return static_cast<scene::TextureId>(1 + image);
+bool upload_next(Exhibition& exhibition) {
+  if (exhibition.is_uploaded) return false;
+  const std::size_t pictures = exhibition.scenery_pictures.size();
+  const std::size_t floors = exhibition.museum.scenery.size();
+  const std::size_t next = exhibition.uploaded;
+  bool is_whole = true;
+  if (next < pictures) {
+    exhibition.holdings.add_scenery_image(scenery_texture(next), exhibition.scenery_pictures[next]);
+  } else if (next < pictures + floors) {
+    is_whole = !upload_building(exhibition, static_cast<std::uint32_t>(next - pictures));
+  } else {
+    exhibition.holdings.set_body(exhibition.museum.avatar, exhibition.body_levels);
+    forget_what_is_uploaded(exhibition);
+    exhibition.is_uploaded = true;
+  }
+  exhibition.uploaded += is_whole ? 1 : 0;
+  return true;
 }
 
-void upload(Exhibition& exhibition, gles::Renderer& renderer) {
-  for (std::size_t i = 0; i < exhibition.scenery_pictures.size(); ++i)
-    renderer.upload_scenery_image(scenery_texture(i), exhibition.scenery_pictures[i]);
-  exhibition.scenery_pictures = {};
-
-  const Museum& museum = exhibition.museum;
-  std::vector<scene::TextureId> picture_of;
-  picture_of.reserve(museum.exhibits.size());
-  for (const Exhibit& exhibit : museum.exhibits)
-    picture_of.push_back(scenery_texture(exhibit.image));
-  for (std::uint32_t i = 0; i < museum.scenery.size(); ++i)
-    renderer.upload_scenery(i, museum.scenery[i], picture_of);
-  renderer.upload_avatar(museum.avatar);
-  // The renderer has its own copy of what is only drawn.
-  exhibition.museum.scenery = {};
-  exhibition.museum.avatar.vertices = {};
-  exhibition.museum.avatar.indices = {};
+void upload(Exhibition& exhibition) {
+  while (upload_next(exhibition)) {
+  }
 }
 
-bool apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept {
+bool apply_pieces(Exhibition& exhibition) noexcept {
+  gles::Holdings& holdings = exhibition.holdings;
   bool changed = false;
-  while (const std::unique_ptr<interface::PieceChanges> changes = guide.take_pieces()) {
-    for (const scene::TextureId piece : changes->retired) renderer.release(piece);
+  while (const std::unique_ptr<interface::PieceChanges> changes = exhibition.guide->take_pieces()) {
+    for (const scene::TextureId piece : changes->retired) holdings.release(piece);
     for (const auto& [piece, text, picture] : changes->uploads)
       if (picture.rgba.empty())
-        renderer.upload_text(piece, text.width, text.height, text.coverage);
+        holdings.add_text(piece, text.width, text.height, text.coverage);
       else
-        renderer.upload_image(piece, picture);
+        holdings.add_image(piece, picture);
     changed = true;
   }
   return changed;

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "config/kiosk_config.h"
-#include "platform/gles/renderer.h"
+#include "platform/gles/holdings.h"
 #include "platform/signature/key.h"
 #include "runtime/guide/guide.h"
 #include "runtime/kiosk/kiosk_status.h"
+#include "runtime/kiosk/today_watch.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/result.h"
 #include "runtime/plan/planner.h"
+#include "runtime/scene/body_detail.h"
 
 namespace docent::kiosk {
 
@@ -23,7 +25,13 @@ struct Exhibition {
   ContentFacts content;
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
-  std::vector<Pixels> scenery_pictures;  ///< By image, until they are in texture memory.
+  std::unique_ptr<TodayWatch> today;
+  gles::Holdings holdings;
+  /// By image, with their smaller ones, until they are in texture memory.
+  std::vector<std::vector<Pixels>> scenery_pictures;
+  scene::BodyLevels body_levels;  ///< Likewise.
+  std::size_t uploaded = 0;       ///< Of its pictures, buildings and its body, in this order.
+  bool is_uploaded = false;       ///< All of them.
 
   Exhibition() = default;
   Exhibition(const Exhibition&) = delete;
@@ -33,7 +41,9 @@ struct Exhibition {
 /// What a device shows.
 struct Selection {
   std::vector<signature::PublicKey> keys{};  ///< Where there are any, only what is signed with one.
-  std::string kiosk{};  ///< Which of the museum's kiosks it is; empty: the first.
+  std::string kiosk{};            ///< Which of the museum's kiosks it is; empty: the first.
+  std::filesystem::path today{};  ///< What is closed just now; empty: nothing.
+  bool is_simulated = false;      ///< A run that repeats exactly, without a clock.
 };
 /// As the settings say; fails where a key cannot be read.
 Result<Selection> selection_of(const config::KioskConfig& config);
@@ -50,11 +60,15 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
                                                     const Selection& selection,
                                                     const guide::GuideSettings& settings);
 
-/// Carries the building with its pictures and the body into texture memory. Frame thread.
-void upload(Exhibition& exhibition, gles::Renderer& renderer);
+/// Carries one more of the exhibition's pictures, one more megabyte of a building or the body into
+/// texture memory, so that it can be done between frames; false where nothing was left. Frame
+/// thread.
+bool upload_next(Exhibition& exhibition);
+/// All of them.
+void upload(Exhibition& exhibition);
 
 /// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
 /// does not allocate.
-bool apply_pieces(guide::Guide& guide, gles::Renderer& renderer) noexcept;
+bool apply_pieces(Exhibition& exhibition) noexcept;
 
 }  // namespace docent::kiosk

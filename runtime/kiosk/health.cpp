@@ -93,26 +93,29 @@ void add_day(const PublishedCounts& day, Page& page) {
 }  // namespace
 
 std::string to_prometheus(const Health& health, const std::optional<PublishedCounts>& last_day) {
+  const KioskStatus& status = health.status;
   Page page;
   page.gauge("docent_up", "Whether the kiosk runs; 0 after it was told to end",
              health.is_up ? 1 : 0);
-  page.gauge("docent_start_time_seconds", "When it started", health.started);
+  page.gauge("docent_start_time_seconds", "When it started", status.started);
   page.counter(starts_metric, "How often it was started since the machine was", health.starts);
-  page.counter("docent_frames_total", "Frames made since it started", health.frames);
+  page.counter("docent_frames_total", "Frames made since it started", status.counts.frames);
   page.counter("docent_dropped_frames_total", "Frames that the screen missed since it started",
-               health.dropped_frames);
-  page.gauge("docent_last_frame_time_seconds", "When the last frame was made", health.last_frame);
+               status.counts.dropped_frames);
+  page.gauge("docent_last_frame_time_seconds", "When the last frame was made",
+             status.counts.last_frame);
   page.about("docent_content_info", "gauge", "The museum on the screen");
-  page.number("docent_content_info", "museum", health.museum, 1);
-  page.gauge("docent_content_time_seconds", "When its database was written", health.content_time);
+  page.number("docent_content_info", "museum", status.content.museum, 1);
+  page.gauge("docent_content_time_seconds", "When its database was written",
+             status.content.written);
   page.counter("docent_refused_databases_total",
-               "Databases that were not taken up since it started", health.refused_databases);
-  if (health.last_error) {
+               "Databases that were not taken up since it started", status.refusals.count);
+  if (status.refusals.last) {
     page.about("docent_last_error_info", "gauge", "What kind of mistake the last one was");
-    page.number("docent_last_error_info", "class", name_of(*health.last_error), 1);
+    page.number("docent_last_error_info", "class", name_of(*status.refusals.last), 1);
   }
-  if (health.free_bytes)
-    page.gauge("docent_content_free_bytes", "Free space beside the database", *health.free_bytes);
+  if (status.free_bytes)
+    page.gauge("docent_content_free_bytes", "Free space beside the database", *status.free_bytes);
   if (health.temperature)
     page.gauge("docent_temperature_celsius", "The hottest sensor", *health.temperature);
   if (last_day) add_day(*last_day, page);

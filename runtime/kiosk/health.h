@@ -7,20 +7,15 @@
 #include <string_view>
 
 #include "runtime/kiosk/daily_counts.h"
-#include "runtime/model/result.h"
+#include "runtime/kiosk/kiosk_status.h"
 
 namespace docent::kiosk {
 
-/// How a kiosk is doing, for whoever watches over many of them. Times are seconds since 1970.
+/// How a kiosk is doing, for whoever watches over many of them.
 struct Health {
+  KioskStatus status;
   bool is_up = true;
-  std::uint64_t starts = 1;  ///< Since the machine started, this one included.
-  std::uint64_t frames = 0, dropped_frames = 0, refused_databases = 0;
-  double started = 0, last_frame = 0;
-  std::string museum;       ///< What the database on the screen is called.
-  double content_time = 0;  ///< When its file was written.
-  std::optional<Errc> last_error;
-  std::optional<double> free_bytes;   ///< On the disk that holds the database.
+  std::uint64_t starts = 1;           ///< Since the machine started, this one included.
   std::optional<double> temperature;  ///< Degrees Celsius, of the hottest sensor.
 };
 

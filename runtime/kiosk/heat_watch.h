@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -32,6 +33,8 @@ class HeatWatch {
                      std::chrono::milliseconds look_every = std::chrono::seconds(5));
 
   bool is_too_hot() const noexcept { return is_too_hot_.load(std::memory_order_relaxed); }
+  /// May this frame, counted from the start, be shown? In the heat only every other one.
+  bool lets_show(std::uint64_t frame) const noexcept { return !is_too_hot() || frame % 2 == 0; }
 
  private:
   void watch(const std::stop_token& stop, const std::filesystem::path& folder,

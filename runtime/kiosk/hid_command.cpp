@@ -43,18 +43,27 @@ int decode(const std::string& file) {
   return 0;
 }
 
+StaffWord word_for(const hid::HidDevice& device) {
+  if (!hid::is_for_visitors(device)) return StaffWord::Ignored;
+  return device.kind.touch ? StaffWord::TouchScreen : StaffWord::Keypad;
+}
+
 }  // namespace
 
-std::vector<StaffFact> device_facts(std::span<const input::NamedKeypad> keypads) {
+std::vector<StaffFact> device_facts(std::span<const input::NamedKeypad> keypads,
+                                    const StaffWords& words) {
   std::vector<hid::HidDevice> devices = hid::list_hid_devices();
   hid::refuse_all_but(keypads, devices);
   std::vector<StaffFact> facts;
   for (const hid::HidDevice& device : devices)
-    facts.emplace_back(
-        hid::kind_of(device),
-        fmt::format("{:04x}:{:04x} {}{}{}", device.vendor, device.product, device.name,
-                    hid::reason_of(device).empty() ? "" : ": ", hid::reason_of(device)));
-  if (facts.empty()) facts.emplace_back("Devices", "neither a touch screen nor a keypad");
+    facts.push_back(
+        {.label = std::string(words[word_for(device)]),
+         .value = fmt::format("{:04x}:{:04x} {}{}{}", device.vendor, device.product, device.name,
+                              hid::reason_of(device).empty() ? "" : ": ", hid::reason_of(device)),
+         .is_of_machine = true});
+  if (facts.empty())
+    facts.push_back({.label = std::string(words[StaffWord::Devices]),
+                     .value = std::string(words[StaffWord::NoDevices])});
   return facts;
 }
 

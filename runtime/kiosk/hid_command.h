@@ -11,7 +11,8 @@
 namespace docent::kiosk {
 
 /// The devices that are present, each with what it is taken for, for the staff's page.
-std::vector<StaffFact> device_facts(std::span<const input::NamedKeypad> keypads);
+std::vector<StaffFact> device_facts(std::span<const input::NamedKeypad> keypads,
+                                    const StaffWords& words);
 
 /// The keypads that kiosk.toml names.
 std::vector<input::NamedKeypad> named_keypads(const config::KioskConfig& config);

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <chrono>
-#include <future>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -14,30 +13,29 @@
 #include "config/kiosk_config.h"
 #include "platform/clock/monotonic_clock.h"
 #include "platform/file/read_file.h"
-#include "platform/gles/gpu_timer.h"
+#include "platform/gles/renderer.h"
 #include "platform/journal/journal.h"
-#include "platform/service/status_socket.h"
 #include "platform/terminal/command_line.h"
 #include "runtime/kiosk/allocations.h"
+#include "runtime/kiosk/change_over.h"
 #include "runtime/kiosk/edges.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/kiosk/frame_guard.h"
 #include "runtime/kiosk/frame_watch.h"
-#include "runtime/kiosk/heat_watch.h"
 #include "runtime/kiosk/hid_command.h"
-#include "runtime/kiosk/kiosk_status.h"
-#include "runtime/kiosk/recorder.h"
-#include "runtime/kiosk/reporter.h"
+#include "runtime/kiosk/poster.h"
+#include "runtime/kiosk/presenter.h"
+#include "runtime/kiosk/rehearsal.h"
 #include "runtime/kiosk/screen_hours.h"
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/setup_screen.h"
 #include "runtime/kiosk/signals.h"
 #include "runtime/kiosk/staff.h"
-#include "runtime/kiosk/start_code.h"
+#include "runtime/kiosk/staff_facts.h"
+#include "runtime/kiosk/staff_words.h"
 #include "runtime/kiosk/statistics.h"
-#include "runtime/kiosk/visit_player.h"
+#include "runtime/kiosk/teller.h"
 #include "runtime/model/last_catch.h"
-#include "runtime/scene/shown_list.h"
 
 namespace docent::kiosk {
 namespace {
@@ -45,10 +43,6 @@ namespace {
 constexpr double frame_seconds = 1.0 / 60;
 /// After a debugger's pause or a suspended machine the guide does not leap.
 constexpr guide::Seconds longest_step{0.1F};
-/// A headless visit that does not say when to quit is given this long after its last command.
-constexpr double after_visit_seconds = 10;
-/// A new museum waits for visitors no longer than this.
-constexpr double longest_wait_to_change = 300;
 
 /// Until here nothing would be left behind, and a signal ends the program by itself.
 void expect_end() noexcept {
@@ -59,21 +53,6 @@ void expect_end() noexcept {
 bool has_error(const std::vector<Diagnostic>& mistakes) {
   return std::ranges::any_of(mistakes,
                              [](const Diagnostic& d) { return d.severity == Severity::Error; });
-}
-
-/// The command line over kiosk.toml.
-EdgeSettings edge_settings(const Options& options, const config::KioskConfig& config) {
-  EdgeSettings settings;
-  settings.kind = options.display.value_or(config.display);
-  settings.size = options.size.value_or(PixelSize{static_cast<std::uint32_t>(config.width),
-                                                  static_cast<std::uint32_t>(config.height)});
-  settings.rotation = options.rotation.value_or(static_cast<Rotation>(config.rotate / 90));
-  settings.refresh_hz = options.size ? 0 : static_cast<std::uint32_t>(config.refresh);
-  settings.output = config.output;
-  settings.mirror = config.mirror;
-  settings.hid = options.hid;
-  settings.keypads = named_keypads(config);
-  return settings;
 }
 
 interface::ScreenShape shape_of(PixelSize size, double inches,
@@ -90,21 +69,27 @@ interface::ScreenShape shape_of(PixelSize size, double inches,
 class Kiosk {
  public:
   Kiosk(const Options& options, const config::KioskConfig& config, Edges& edges,
-        gles::Renderer renderer, ServiceNotice& notice, std::chrono::nanoseconds started)
+        Presenter& presenter, ServiceNotice& notice, std::chrono::nanoseconds started)
       : options_(options),
         config_(config),
         edges_(edges),
-        renderer_(std::move(renderer)),
+        presenter_(presenter),
         notice_(notice),
         simulated_(edges_.headless != nullptr),
-        hours_(config.screen_on, config.idle_reset),
         started_(started),
-        status_(started, edges.display->description()),
+        teller_({.display = std::string(edges.display->description()),
+                 .started = started,
+                 .files = {options.health, options.counts},
+                 .is_simulated = simulated_},
+                notice),
+        change_(simulated_),
         staff_(
             {.pin = config.staff_pin, .folder = staff_folder(), .repeats_exactly = simulated_},
-            [this] { return staff_facts(); },
-            [keypads = named_keypads(config)] { return device_facts(keypads); }) {
-    if (!simulated_) heat_.emplace();
+            [this] { return staff_words(exhibition_->museum, guide().language()); },
+            [this](const StaffWords& words) { return staff_facts(words); },
+            [keypads = named_keypads(config)](const StaffWords& words) {
+              return device_facts(keypads, words);
+            }) {
     database_ = options.content.value_or(config.content);
   }
 
@@ -116,9 +101,9 @@ class Kiosk {
 
  private:
   guide::GuideSettings guide_settings() const {
-    return {.shape = shape(target_of(edges_)),
+    return {.shape = shape(presenter_.target()),
             .idle_reset = config_.idle_reset,
-            .visitors = static_cast<std::uint32_t>(config::visitors(config_, inches())),
+            .visitors = static_cast<std::uint32_t>(wanted_visitors()),
             .reduced_motion = config_.reduced_motion};
   }
   double inches() const noexcept {
@@ -132,163 +117,85 @@ class Kiosk {
     return !simulated_ && (edges_.window == nullptr || !options_.content);
   }
   guide::Guide& guide() noexcept { return *exhibition_->guide; }
-  guide::GuideCounters guide_counters() const {
-    guide::GuideCounters counters = exhibition_->guide->counters();
-    counters += counted_;
-    return counters;
-  }
 
   guide::Seconds since_last_frame() noexcept;
   void take(const input::InputEvent& event) noexcept;
   void take_input() noexcept;
-  std::vector<StaffFact> staff_facts() const;
+  std::vector<StaffFact> staff_facts(const StaffWords& words) const;
   void make_frame(guide::Seconds passed) noexcept;
-  void show(const scene::DrawList& list, const RenderTarget& target) noexcept;
-  void keep_hours(guide::Seconds passed) noexcept;
   void give_sign_of_life() noexcept;
-  bool is_seen() const noexcept;
-  bool would_change(const scene::DrawList& list, const RenderTarget& target) const noexcept;
-  void tell_museum(journal::Message message, std::string_view what);
-  void tell_seats();
-  void answer_for_itself();
-  void count() noexcept;
+  int wanted_visitors() const noexcept { return config::visitors(config_, inches()); }
+  FrameFacts facts_of_frame(guide::Seconds passed) noexcept;
   Result<void> frame();
-  Result<void> record();
-  bool is_a_moment_to_change() noexcept;
+  void heed_closures();
+  ChangeOver::Load loader() const;
   void take_up_content();
+  void change_to(std::unique_ptr<Exhibition> next);
   bool is_over() const noexcept;
 
   const Options& options_;
   const config::KioskConfig& config_;
   Edges& edges_;
-  gles::Renderer renderer_;
-  gles::GpuTimer gpu_timer_;
+  Presenter& presenter_;
   ServiceNotice& notice_;
   bool simulated_;
-  ScreenHours hours_;
   std::chrono::nanoseconds started_;
-  StatusBoard status_;
+  Teller teller_;
+  ChangeOver change_;
   Staff staff_;
   std::filesystem::path database_;
   Selection selection_;
   std::unique_ptr<Exhibition> exhibition_;
-  std::future<Result<std::unique_ptr<Exhibition>>> loading_;
-  std::optional<VisitPlayer> visit_;
-  std::optional<Recorder> recorder_;
-  std::unique_ptr<Reporter> reporter_;  ///< Where somebody watches over the kiosk.
+  Rehearsal rehearsal_;
   Statistics statistics_;
-  guide::GuideCounters counted_;  ///< Of guides that databases taken up have replaced.
   clock::FrameClock clock_;
-  PixelShift shift_;
-  std::optional<HeatWatch> heat_;  ///< Of a display that shows something.
   std::array<input::InputEvent, 256> events_{};
-  double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
-  double last_command_ = 0;
-  scene::ShownList shown_;  ///< On the display.
-  RenderTarget shown_on_;
-  bool could_show_ = false;                          ///< In the frame before.
-  bool was_drawn_ = false;                           ///< The frame before.
-  bool entered_view_ = false;                        ///< In this frame.
-  StatusCounts counts_;                              ///< For `docent status`.
-  bool is_vacant_ = true;                            ///< Was nobody being guided in the last frame?
-  double asked_to_change_ = 0;                       ///< When a new database was last asked for.
-  std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
+  double time_ = 0;             ///< Of the frame being made: the first frame is at 0.
+  bool could_show_ = false;     ///< In the frame before.
+  std::uint64_t closures_ = 0;  ///< Changes of them that the guide knows.
+  std::uint64_t view_ = 0;      ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
-  std::optional<service::StatusSocket> asked_;       ///< The last: its thread reads `status_`.
 };
 
 Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   Result<Selection> selection = selection_of(config_);
   if (!selection) return std::unexpected(selection.error());
   selection_ = std::move(*selection);
+  selection_.today = options_.today.value_or(database_.parent_path() / "today.toml");
+  selection_.is_simulated = simulated_;
   notice_.starts("reads the database");
-  const auto load = [this] { return load_exhibition(database_, selection_, guide_settings()); };
-  auto exhibition = load();
+  auto exhibition = loader()();
   if (!exhibition && waits_for_content())
-    exhibition = wait_for_content(edges_, renderer_, notice_, database_, exhibition.error(), load);
+    exhibition = wait_for_content(edges_, presenter_.renderer(), notice_, database_,
+                                  exhibition.error(), loader());
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
   if (!exhibition_) return {};  // it was told to end
-  if (visit) {
-    const auto mistakes = unknown_names(exhibition_->museum, *visit, options_.visit.string());
-    config::tell(mistakes);
-    if (!mistakes.empty())
-      return std::unexpected(Error{Errc::InvalidInput, "the visit was not begun"});
-    if (!visit->commands.empty()) last_command_ = visit->commands.back().time;
-    visit_.emplace(*visit);
-  }
-  if (!options_.record.empty()) {
-    auto recorder = Recorder::open(options_.record);
-    if (!recorder) return std::unexpected(recorder.error());
-    recorder_ = std::move(*recorder);
-  }
-  if (!simulated_)
-    journal::tell(journal::Message::Started, fmt::format("version {}, on {}", terminal::version(),
-                                                         edges_.display->description()));
+  Result<Rehearsal> rehearsal = Rehearsal::open(options_, visit, exhibition_->museum);
+  if (!rehearsal) return std::unexpected(rehearsal.error());
+  rehearsal_ = std::move(*rehearsal);
   notice_.starts("draws the first frame");
-  tell_museum(journal::Message::Shows, "shows");
-  tell_seats();
-  answer_for_itself();
-  if (!options_.health.empty() || !options_.counts.empty()) {
-    reporter_ =
-        std::make_unique<Reporter>(Reporter::Places{options_.health, options_.counts, database_});
-    reporter_->shows(guide());
-  }
-  upload(*exhibition_, renderer_);
-  renderer_.warm_up(target_of(edges_));
+  teller_.shows(*exhibition_, wanted_visitors());
+  upload(*exhibition_);
+  presenter_.renderer().warm_up(exhibition_->holdings, presenter_.target());
   prepare_allocator_for(Phase::Frames);
   return {};
 }
 
-/// What the journal and the service manager are told of the museum on the screen. A visit without a
-/// screen says nothing of its beginning.
-void Kiosk::tell_museum(journal::Message message, std::string_view what) {
-  const std::string museum = summary(exhibition_->museum);
-  status_.shows(exhibition_->content);
-  notice_.shows(museum);
-  if (!simulated_ || message != journal::Message::Shows)
-    journal::tell(message, fmt::format("{} {}, from {}", what, museum, database_.string()));
-}
-
-/// Makes the socket at which `docent status` asks. A kiosk by hand beside another goes without.
-void Kiosk::answer_for_itself() {
-  const std::filesystem::path path = status_socket();
-  if (path.empty()) return;
-  auto opened = service::StatusSocket::open(path, [&board = status_](std::string_view question) {
-    const KioskStatus status = board.read();
-    return question == "text" ? to_text(status) : to_json(status);
-  });
-  if (opened)
-    asked_.emplace(std::move(*opened));
-  else if (notice_.has_manager())
-    journal::tell(journal::Message::NoStatus, opened.error().what);
-}
-
-/// Fewer can be served than was asked for: somebody will wonder why.
-void Kiosk::tell_seats() {
-  const std::size_t seats = guide().seats();
-  const int wanted = config::visitors(config_, inches());
-  if (seats >= static_cast<std::size_t>(wanted)) return;
-  journal::tell(journal::Message::FewerVisitors,
-                fmt::format("{} of {} visitors can use the glass at the same time: it has room for "
-                            "no more cards, or the floor about the kiosk for no more guides",
-                            seats, wanted));
-}
-
 bool Kiosk::is_over() const noexcept {
-  if (take_signal(SIGTERM) || take_signal(SIGINT) || (visit_ && visit_->has_quit())) return true;
-  if (staff_.wants_exit()) return true;
+  if (take_signal(SIGTERM) || take_signal(SIGINT)) return true;
+  if (rehearsal_.has_quit() || staff_.wants_exit()) return true;
   if (options_.seconds) return time_ >= *options_.seconds;
-  return simulated_ && visit_ && visit_->is_over() && time_ > last_command_ + after_visit_seconds;
+  return simulated_ && rehearsal_.is_over(time_);
 }
 
 /// For the service manager's watchdog: a frame that the display could not take is none.
 void Kiosk::give_sign_of_life() noexcept {
   if (statistics_.frames == 0) return;
-  if (!was_drawn_)
-    notice_.idle(clock::monotonic_now());
+  if (!presenter_.has_drawn())
+    teller_.rested();
   else if (!edges_.display->wants_frame())
-    notice_.frame_presented(clock::monotonic_now());
+    teller_.presented();
 }
 
 Result<void> Kiosk::run(FrameGuard& guard) {
@@ -301,15 +208,13 @@ Result<void> Kiosk::run(FrameGuard& guard) {
     if (const Result<void> made = frame(); !made) return made;
     guard.frame_made();
   }
-  notice_.ends();
-  if (!simulated_) journal::tell(journal::Message::Ended, "ends, as it was asked to");
+  teller_.ends();
 
-  const guide::GuideCounters counters = guide_counters();
+  const guide::GuideCounters counters = teller_.all_of(guide().counters());
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
-  if (recorder_)
-    if (const Result<void> finished = recorder_->finish(); !finished) return finished;
+  if (const Result<void> finished = rehearsal_.finish(); !finished) return finished;
   if (!options_.stats.empty()) return write_whole(options_.stats, to_json(statistics_));
   return {};
 }
@@ -329,19 +234,13 @@ void Kiosk::take(const input::InputEvent& event) noexcept {
   if (!staff_.take(event, time_)) guide().touch(staff_.corrected(event));
 }
 
-/// What staff are told of this kiosk.
-std::vector<StaffFact> Kiosk::staff_facts() const {
-  return {
-      {"Version", std::string(terminal::version())},
-      {"Shows", summary(exhibition_->museum)},
-      {"Database", database_.string()},
-      {"Screen", std::string(edges_.display->description())},
-      {"Frames", fmt::format("{} made, {} late", statistics_.frames, statistics_.dropped_frames)},
-      {"A frame takes", fmt::format("{:.1f} ms, {:.1f} ms at most, and {:.1f} ms of drawing",
-                                    statistics_.frame_cpu.milliseconds_at(0.5),
-                                    statistics_.frame_cpu.longest_milliseconds(),
-                                    statistics_.gl.milliseconds_at(0.5))},
-      {"Touches", fmt::format("{} since it began", guide_counters().touches)}};
+std::vector<StaffFact> Kiosk::staff_facts(const StaffWords& words) const {
+  return facts_of({.museum = exhibition_->museum,
+                   .statistics = statistics_,
+                   .database = database_,
+                   .screen = std::string(edges_.display->description()),
+                   .touches = teller_.all_of(exhibition_->guide->counters()).touches},
+                  words);
 }
 
 void Kiosk::take_input() noexcept {
@@ -362,152 +261,93 @@ Result<void> Kiosk::frame() {
   time_ = simulated_ ? static_cast<double>(statistics_.frames) * frame_seconds
                      : time_ + static_cast<double>(passed.count());
   const std::uint64_t touches = guide().counters().touches;
-  if (visit_)
-    if (const Result<void> played =
-            visit_->play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
-        !played)
-      return played;
+  if (const Result<void> played =
+          rehearsal_.play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
+      !played)
+    return played;
+  heed_closures();
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
   make_frame(passed);
-  keep_hours(passed);
   if (statistics_.frames++ == 0)
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);
-  count();
-  if (reporter_) reporter_->frame_made(guide(), statistics_.dropped_frames);
-  return record();
+  teller_.frame_made(guide(), statistics_);
+  return rehearsal_.record(time_, guide(), edges_.headless);
 }
 
-/// Leaves what `docent status` tells; who asks is on another thread.
-void Kiosk::count() noexcept {
-  const bool was_vacant = std::exchange(is_vacant_, guide().is_vacant());
-  if (was_vacant && !is_vacant_) ++counts_.visits;
-  if (statistics_.frames == 1 || (is_vacant_ && !was_vacant)) give_back_code_of_start();
-  guide::GuideCounters counters = guide().counters();
-  counters += counted_;
-  counts_.frames = statistics_.frames;
-  counts_.dropped_frames = statistics_.dropped_frames;
-  counts_.touches = counters.touches;
-  counts_.routes = counters.routes;
-  status_.counts(counts_);
+/// Who is under way asks for a new way when something has been closed or opened.
+void Kiosk::heed_closures() {
+  for (const std::filesystem::path& file : rehearsal_.take_todays())
+    exhibition_->today->take_up(file);
+  if (exhibition_->today->changes() == closures_) return;
+  closures_ = exhibition_->today->changes();
+  guide().replan();
 }
 
-/// A screen shows every frame that differs from the one before. In memory only those are drawn that
-/// somebody will look at, and two a second for the statistics: a visit of minutes then takes
-/// seconds.
-bool Kiosk::is_seen() const noexcept {
-  constexpr std::uint64_t sampled_every = 30;
-  const bool rests = heat_ && heat_->is_too_hot() && statistics_.frames % 2 == 1;
-  if (edges_.headless == nullptr) return edges_.display->can_show() && !rests;
-  return touched_ || (visit_ && visit_->wants_shot()) ||
-         (recorder_ && recorder_->wants_frame(time_)) || statistics_.frames % sampled_every == 0;
-}
-
-/// The screen's hours, and where the picture is on it.
-void Kiosk::keep_hours(guide::Seconds passed) noexcept {
-  if (simulated_) return;
-  if (hours_.are_set())
-    edges_.display->light(
-        hours_.is_lit(local_minute(), static_cast<double>(passed.count()), touched_.has_value()));
-  if (!config_.pixel_shift) return;
-  shift_.advance(static_cast<double>(passed.count()), entered_view_);
-  edges_.shift = shift_.at();
-}
-
-/// Would a screen that was drawn to before look different?
-bool Kiosk::would_change(const scene::DrawList& list, const RenderTarget& target) const noexcept {
-  return simulated_ || edges_.display->wants_frame() || target != shown_on_ ||
-         shown_.differs(list, static_cast<float>(target.size.height));
+FrameFacts Kiosk::facts_of_frame(guide::Seconds passed) noexcept {
+  const std::uint64_t views = guide().counters().views;
+  return {.number = statistics_.frames,
+          .passed = static_cast<double>(passed.count()),
+          .is_asked_for = rehearsal_.wants_frame(time_),
+          .is_touched = touched_.has_value(),
+          .is_vacant = guide().is_vacant(),
+          .is_new_view = views != std::exchange(view_, views),
+          .is_first_picture = guide().is_vacant() && guide().is_settled() && !staff_.is_open()};
 }
 
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.
 void Kiosk::make_frame(guide::Seconds passed) noexcept {
-  const RenderTarget target = target_of(edges_);
+  const interface::ScreenShape glass = shape(presenter_.target());
   FrameWatch watch;
   take_input();
-  guide().resize(shape(target));
+  guide().resize(glass);
   if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
   guide().step(passed);
   watch.stepped();
-  if (apply_pieces(guide(), renderer_)) shown_.forget();
+  if (apply_pieces(*exhibition_)) presenter_.forget();
   watch.uploaded();
-  staff_.step(time_, shape(target), renderer_);
+  staff_.step(time_, glass, exhibition_->holdings);
   const scene::DrawList& list = staff_.over(guide().draw_list());
   watch.listed();
-  const bool seen = is_seen() && would_change(list, target);
-  if (seen) show(list, target);
-  was_drawn_ = seen;
+  const FrameFacts facts = facts_of_frame(passed);
+  const bool is_drawn = presenter_.show(list, exhibition_->holdings, facts, statistics_);
   // The first frame of a view may take memory.
-  const std::uint64_t views = guide().counters().views;
-  entered_view_ = views != std::exchange(view_, views);
-  watch.end(seen, !entered_view_, statistics_);
+  watch.end(is_drawn, !facts.is_new_view, statistics_);
+  presenter_.keep(facts);
 }
 
-void Kiosk::show(const scene::DrawList& list, const RenderTarget& target) noexcept {
-  gpu_timer_.begin();
-  renderer_.draw(list, target);
-  gpu_timer_.end();
-  edges_.display->present();
-  if (!simulated_) shown_.keep(list);
-  shown_on_ = target;
-  while (const auto gpu = gpu_timer_.take()) statistics_.gpu.add(*gpu);
+/// Reads the database as this device shows it.
+ChangeOver::Load Kiosk::loader() const {
+  return [file = database_, selection = selection_, settings = guide_settings()] {
+    Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(
+        Error{Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
+    guarded("reading a database", [&] { loaded = load_exhibition(file, selection, settings); });
+    return loaded;
+  };
 }
 
-Result<void> Kiosk::record() {
-  if (recorder_) recorder_->add_states(time_, guide());
-  if (edges_.headless == nullptr) return {};
-  const std::vector<std::filesystem::path> shots =
-      visit_ ? visit_->take_shots() : std::vector<std::filesystem::path>{};
-  const bool frame_due = recorder_ && recorder_->wants_frame(time_);
-  if (shots.empty() && !frame_due) return {};
-  Pixels picture;  // not kept: it is as large as the screen
-  edges_.headless->read_back(picture);
-  if (frame_due)
-    if (const Result<void> written = recorder_->add_frame(picture); !written) return written;
-  for (const std::filesystem::path& shot : shots)
-    if (const Result<void> written = image::write_png(shot, picture); !written) return written;
-  return {};
-}
-
-/// Nobody is in the middle of something; or somebody always is.
-bool Kiosk::is_a_moment_to_change() noexcept {
-  return guide().is_vacant() || time_ - asked_to_change_ > longest_wait_to_change;
-}
-
-/// SIGHUP takes up a new database: it is read beside the frames and changed to while nobody is
-/// being guided, after five minutes in any case. A database that cannot be read changes nothing.
+/// SIGHUP takes up a new database, which is made ready beside the frames. One that cannot be read
+/// changes nothing.
 void Kiosk::take_up_content() {
-  if (!loading_.valid() && take_signal(SIGHUP)) {
-    asked_to_change_ = time_;
-    loading_ = std::async(std::launch::async, [file = database_, selection = selection_,
-                                               settings = guide_settings()] {
-      Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(Error{
-          Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
-      guarded("reading a database", [&] { loaded = load_exhibition(file, selection, settings); });
-      return loaded;
-    });
-  }
-  if (!loading_.valid() || !is_a_moment_to_change()) return;
-  if (!simulated_ && loading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return;
-  Result<std::unique_ptr<Exhibition>> next = loading_.get();
-  if (!next) {
-    say(next.error(), journal::Message::Refused);
-    if (reporter_) reporter_->refused(next.error().code);
-    return;
-  }
-  renderer_.release_textures();
+  // The guide's own time stands still where frames are slow.
+  const double now =
+      simulated_ ? time_ : std::chrono::duration<double>(clock::monotonic_now()).count();
+  if (change_.state() == ChangeOver::State::Idle && take_signal(SIGHUP))
+    change_.begin(loader(), now);
+  change_.step(shape(presenter_.target()));
+  if (change_.state() == ChangeOver::State::Refused) teller_.refused(change_.take().error());
+  if (change_.is_due(guide().is_vacant(), now)) change_to(std::move(*change_.take()));
+}
+
+void Kiosk::change_to(std::unique_ptr<Exhibition> next) {
+  teller_.leaves(guide().counters());
+  change_.retire(std::exchange(exhibition_, std::move(next)));
   staff_.lost_textures();
-  counted_ += guide().counters();
-  exhibition_ = std::move(*next);
-  tell_museum(journal::Message::TakenUp, "has taken up");
-  tell_seats();
-  if (reporter_) reporter_->shows(guide());
-  upload(*exhibition_, renderer_);
-  shown_.forget();
-  prepare_allocator_for(Phase::Frames);
+  teller_.shows(*exhibition_, wanted_visitors());
+  presenter_.forget();
+  closures_ = exhibition_->today->changes();
   view_ = 0;
 }
 
@@ -526,18 +366,36 @@ void wait_for_next_start() {
   for (int i = 0; i < 40 && !is_signal_waiting(SIGTERM); ++i) std::this_thread::sleep_for(step);
 }
 
+/// What is shown until the first frame; nothing while the screen is to be dark.
+PosterFile poster_of(const Options& options, const config::KioskConfig& config,
+                     const EdgeSettings& settings) {
+  if (!ScreenHours(config.screen_on, config.idle_reset).is_lit(local_minute(), 0, false)) return {};
+  return poster_file(options.content.value_or(config.content),
+                     options.config.value_or(default_config), settings.rotation);
+}
+
 /// Opens everything and runs it; whether that was asked for or not, it has said why it ends.
 int open_and_run(const Options& options, const config::KioskConfig& config,
                  const std::optional<Visit>& visit, ServiceNotice& notice,
                  std::chrono::nanoseconds started) {
   notice.starts("opens the screen");
-  Result<Edges> edges = open_edges(edge_settings(options, config));
+  EdgeSettings settings = edge_settings(options, config);
+  const PosterFile poster = poster_of(options, config, settings);
+  bool has_poster = false;
+  settings.find_poster = [&](PixelSize size) {
+    auto picture = load_poster(poster, size);
+    has_poster = picture.has_value();
+    return picture;
+  };
+  Result<Edges> edges = open_edges(settings);
   if (!edges) return say(edges.error());
   FrameGuard guard(*edges->display,
                    edges->headless ? FrameGuard::in_memory : FrameGuard::on_screen);
   Result<gles::Renderer> renderer = gles::make_renderer();
   if (!renderer) return say(renderer.error());
-  Kiosk kiosk(options, config, *edges, std::move(*renderer), notice, started);
+  Presenter presenter(config, *edges, std::move(*renderer),
+                      edges->is_own_screen() ? poster : PosterFile{}, has_poster);
+  Kiosk kiosk(options, config, *edges, presenter, notice, started);
   if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
   if (!kiosk.has_museum()) return 0;
   if (const Result<void> ended = kiosk.run(guard); !ended)

@@ -47,6 +47,20 @@ std::vector<std::string> open_files() {
   return files;
 }
 
+std::optional<double> free_bytes_at(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto space =
+      std::filesystem::space(file.parent_path().empty() ? "." : file.parent_path(), error);
+  return error ? std::nullopt : std::optional(static_cast<double>(space.available));
+}
+
+std::string text_of(const DeviceFacts& device) {
+  return fmt::format("{}: {}, {}{}", device.path, device.name, device.kind,
+                     device.is_used ? "" : ", not used");
+}
+
+}  // namespace
+
 std::vector<DeviceFacts> devices_now() {
   const std::vector<std::string> files = open_files();
   std::vector<DeviceFacts> devices;
@@ -59,20 +73,6 @@ std::vector<DeviceFacts> devices_now() {
   return devices;
 }
 
-std::uint64_t free_bytes_at(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto space =
-      std::filesystem::space(file.parent_path().empty() ? "." : file.parent_path(), error);
-  return error ? 0 : space.available;
-}
-
-std::string text_of(const DeviceFacts& device) {
-  return fmt::format("{}: {}, {}{}", device.path, device.name, device.kind,
-                     device.is_used ? "" : ", not used");
-}
-
-}  // namespace
-
 std::string to_json(const KioskStatus& s) {
   std::string devices;
   for (const DeviceFacts& device : s.devices)
@@ -84,12 +84,14 @@ std::string to_json(const KioskStatus& s) {
       "  \"content\": {{\"path\": {}, \"museum\": {}, \"checksum\": {}, \"schema\": {}, "
       "\"signature\": {}}},\n"
       "  \"frames\": {},\n  \"dropped_frames\": {},\n  \"visits\": {},\n  \"touches\": {},\n"
-      "  \"routes\": {},\n  \"devices\": [{}],\n  \"last_error\": {},\n  \"free_bytes\": {}\n}}\n",
+      "  \"routes\": {},\n  \"refused_databases\": {},\n  \"devices\": [{}],\n  \"last_error\": "
+      "{},\n  \"free_bytes\": {}\n}}\n",
       json_string(s.version), s.uptime_seconds, s.restarts ? fmt::to_string(*s.restarts) : "null",
       json_string(s.display), json_string(s.content.path.string()), json_string(s.content.museum),
       json_string(s.content.checksum), s.content.schema, json_string(s.content.signature),
       s.counts.frames, s.counts.dropped_frames, s.counts.visits, s.counts.touches, s.counts.routes,
-      devices, s.last_error.empty() ? "null" : json_string(s.last_error), s.free_bytes);
+      s.refusals.count, devices, s.last_error.empty() ? "null" : json_string(s.last_error),
+      s.free_bytes ? fmt::format("{:.0f}", *s.free_bytes) : "null");
 }
 
 std::string to_text(const KioskStatus& s) {
@@ -106,11 +108,14 @@ std::string to_text(const KioskStatus& s) {
   if (s.devices.empty()) text += "no touch screen and no keypad\n";
   text +=
       s.last_error.empty() ? "no error since it started\n" : "last error: " + s.last_error + "\n";
-  return text + fmt::format("{} MB free where the database lies\n", s.free_bytes / 1'000'000);
+  if (s.free_bytes)
+    text += fmt::format("{:.0f} MB free where the database lies\n", *s.free_bytes / 1e6);
+  return text;
 }
 
 StatusBoard::StatusBoard(std::chrono::nanoseconds started, std::string display)
-    : started_(started),
+    : begun_(started),
+      started_(time_now()),
       display_(std::move(display)),
       restarts_(count_start(std::getenv("RUNTIME_DIRECTORY"))) {}
 
@@ -119,22 +124,36 @@ void StatusBoard::shows(ContentFacts content) {
   content_ = std::move(content);
 }
 
+void StatusBoard::refused(Errc why) {
+  const std::lock_guard lock(mutex_);
+  ++refusals_.count;
+  refusals_.last = why;
+}
+
 KioskStatus StatusBoard::read() {
   KioskStatus status;
   status.version = terminal::version();
-  status.uptime_seconds = std::chrono::duration<double>(clock::monotonic_now() - started_).count();
+  status.started = started_;
+  status.uptime_seconds = std::chrono::duration<double>(clock::monotonic_now() - begun_).count();
   status.restarts = restarts_;
   status.display = display_;
-  if (const auto news = counts_.take()) last_counts_ = *news;
-  status.counts = last_counts_;
+  {
+    const std::lock_guard lock(reading_);
+    if (const auto news = counts_.take()) last_counts_ = *news;
+    status.counts = last_counts_;
+  }
   {
     const std::lock_guard lock(mutex_);
     status.content = content_;
+    status.refusals = refusals_;
   }
-  status.devices = devices_now();
   status.last_error = journal::last_problem();
   status.free_bytes = free_bytes_at(status.content.path);
   return status;
+}
+
+double time_now() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 std::filesystem::path status_socket() {

@@ -28,6 +28,7 @@ struct Options {
   std::optional<Rotation> rotation;
   std::filesystem::path visit, record, stats;  ///< Empty where not asked for.
   std::filesystem::path health, counts;        ///< Likewise.
+  std::optional<std::filesystem::path> today;
   std::optional<double> seconds;
   std::vector<std::string> hid;
 };

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <system_error>
 #include <utility>
 
 #include "platform/file/read_file.h"
 #include "platform/journal/journal.h"
-#include "runtime/interface/control.h"
+#include "runtime/kiosk/health.h"
 #include "runtime/model/last_catch.h"
 
 namespace docent::kiosk {
@@ -17,25 +16,6 @@ namespace {
 constexpr std::chrono::seconds write_every{15};
 constexpr std::size_t largest_text = std::size_t{1} << 20U;
 
-double since_1970(std::chrono::system_clock::time_point time) {
-  return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
-double now() {
-  return since_1970(std::chrono::system_clock::now());
-}
-
-double written_at(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  return error ? 0 : since_1970(std::chrono::file_clock::to_sys(time));
-}
-
-std::optional<double> free_bytes_beside(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto space = std::filesystem::space(file, error);
-  return error ? std::nullopt : std::optional(static_cast<double>(space.available));
-}
-
 void clear(VisitTally& tally) noexcept {
   tally.touches = 0;
   std::ranges::fill(tally.visits, 0);
@@ -43,7 +23,7 @@ void clear(VisitTally& tally) noexcept {
 
 }  // namespace
 
-Reporter::Reporter(const Places& places) : places_(places), started_(now()) {
+Reporter::Reporter(const Places& places, StatusBoard& board) : places_(places), board_(board) {
   if (const auto before = file::read_file(places_.health, largest_text))
     starts_ = starts_told_in(*before) + 1;
   if (!places_.counts.empty()) folder_.emplace(places_.counts);
@@ -60,27 +40,15 @@ Reporter::~Reporter() {
 
 void Reporter::shows(const guide::Guide& guide) {
   VisitCounter counting(guide);
-  const double content_time = written_at(places_.database);
   const std::lock_guard lock(mutex_);
   if (counting_) hand_over();
   of_others_ += counts_of(handed_over_, cells_);
   cells_ = counting.cells();
   handed_over_ = counting.tally();
-  museum_ = interface::in_language(guide.museum(), 0, guide.museum().title);
-  content_time_ = content_time;
   counting_.emplace(std::move(counting));
 }
 
-void Reporter::refused(Errc error) noexcept {
-  refused_.fetch_add(1, std::memory_order_relaxed);
-  const std::lock_guard lock(mutex_);
-  last_error_ = error;
-}
-
-void Reporter::frame_made(const guide::Guide& guide, std::uint64_t dropped_frames) noexcept {
-  frames_.fetch_add(1, std::memory_order_relaxed);
-  dropped_frames_.store(dropped_frames, std::memory_order_relaxed);
-  last_frame_.store(now(), std::memory_order_relaxed);
+void Reporter::frame_made(const guide::Guide& guide) noexcept {
   if (!counting_) return;
   counting_->follow(guide);
   const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -103,31 +71,14 @@ DailyCounts Reporter::counted() {
   return counts;
 }
 
-Health Reporter::health() {
-  Health health{.starts = starts_,
-                .frames = frames_,
-                .dropped_frames = dropped_frames_,
-                .refused_databases = refused_,
-                .started = started_,
-                .last_frame = last_frame_,
-                .museum = {},
-                .content_time = 0,
-                .last_error = {},
-                .free_bytes = free_bytes_beside(places_.database),
-                .temperature = hottest_sensor()};
-  const std::lock_guard lock(mutex_);
-  health.museum = museum_;
-  health.content_time = content_time_;
-  health.last_error = last_error_;
-  return health;
-}
-
 void Reporter::write(bool is_up) {
   Result<void> written;
   if (folder_) written = folder_->take(today(), counted());
   if (!places_.health.empty()) {
-    Health now_doing = health();
-    now_doing.is_up = is_up;
+    const Health now_doing{.status = board_.read(),
+                           .is_up = is_up,
+                           .starts = starts_,
+                           .temperature = hottest_sensor()};
     const Result<void> told = replace_text(
         places_.health, to_prometheus(now_doing, folder_ ? folder_->last_day() : std::nullopt),
         Readers::Everybody);

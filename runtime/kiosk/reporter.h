@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
@@ -10,23 +9,23 @@
 
 #include "runtime/guide/guide.h"
 #include "runtime/kiosk/counts_folder.h"
-#include "runtime/kiosk/health.h"
+#include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/visit_counter.h"
-#include "runtime/model/result.h"
 
 namespace docent::kiosk {
 
 /// Tells those who watch over a kiosk how it is doing, and keeps its anonymous counts. A thread of
-/// its own writes the files; the frame thread leaves it numbers, and never waits for it.
+/// its own reads the board and writes the files; the frame thread leaves it what it counted, and
+/// never waits for it.
 class Reporter {
  public:
   struct Places {
-    std::filesystem::path health;    ///< node_exporter's text file; empty: none.
-    std::filesystem::path counts;    ///< The folder of counts; empty: none are kept.
-    std::filesystem::path database;  ///< On whose disk there should be room.
+    std::filesystem::path health;  ///< node_exporter's text file; empty: none.
+    std::filesystem::path counts;  ///< The folder of counts; empty: none are kept.
   };
 
-  explicit Reporter(const Places& places);
+  /// `board` outlives it.
+  Reporter(const Places& places, StatusBoard& board);
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
   /// Writes for the last time. A visit under way is not counted.
@@ -34,35 +33,27 @@ class Reporter {
 
   /// The museum of this guide is on the screen from now on. Between frames: allocates.
   void shows(const guide::Guide& guide);
-  /// A database was not taken up. Between frames.
-  void refused(Errc error) noexcept;
   /// After each frame. Does not allocate, nor wait.
-  void frame_made(const guide::Guide& guide, std::uint64_t dropped_frames) noexcept;
+  void frame_made(const guide::Guide& guide) noexcept;
 
  private:
   void hand_over() noexcept;
   /// `is_up`: the kiosk goes on.
   void write(bool is_up);
   void work(const std::stop_token& stop);
-  Health health();
   DailyCounts counted();
 
   Places places_;
+  StatusBoard& board_;
   std::uint64_t starts_ = 1;
-  double started_;
   std::optional<CountsFolder> folder_;    ///< Of the writing thread, as is `said_`.
   std::string said_;                      ///< The last complaint: the journal is told once.
   std::optional<VisitCounter> counting_;  ///< Of the frame thread.
-  std::atomic<std::uint64_t> frames_{0}, dropped_frames_{0}, refused_{0};
-  std::atomic<double> last_frame_{0};
 
   std::mutex mutex_;  ///< Of what follows. The frame thread takes it only where it is free.
   VisitTally handed_over_;
   std::vector<CountedCell> cells_;
   DailyCounts of_others_;  ///< Of museums that were on the screen before.
-  std::string museum_;
-  double content_time_ = 0;
-  std::optional<Errc> last_error_;
   std::jthread thread_;
 };
 

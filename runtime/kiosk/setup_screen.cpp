@@ -1,8 +1,7 @@
 #include "runtime/kiosk/setup_screen.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -27,6 +26,7 @@ struct Paragraph {
   int weight = 400;
 };
 
+/// A word joiner behind a dash: an option is not torn from its dashes.
 constexpr std::array paragraphs{
     Paragraph{"This kiosk has no museum to show yet", 0.058F, 0.0F, 600},
     Paragraph{"It is shown as soon as it is there. Bring it in one of these ways:", 0.034F, 0.03F},
@@ -34,18 +34,17 @@ constexpr std::array paragraphs{
               "place that is named below.",
               0.034F, 0.045F},
     Paragraph{"Plug in a USB stick.  On a desk: docent-content release museum.db -o "
-              "/media/STICK/docent --key museum.key",
+              "/media/STICK/docent -\u2060-\u2060key museum.key",
               0.034F, 0.03F},
     Paragraph{"Fetch it.  In /etc/docent/kiosk.toml: keys = [\"museum.pub\"] and source = "
-              "\"https://...\"; then: systemctl enable --now docent-update.timer",
+              "\"https://...\"; then: systemctl enable -\u2060-\u2060now docent-update.timer",
               0.034F, 0.03F},
 };
 constexpr float reason_size = 0.026F, reason_gap = 0.06F, margin = 0.1F;
 
 }  // namespace
 
-SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why,
-                         gles::Renderer& renderer) {
+SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why) {
   const scene::Theme theme;
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   const float side = std::min(width, height);
@@ -61,7 +60,7 @@ SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std
     const interface::TextBitmap text =
         set_text(style, paragraph.text, static_cast<std::uint32_t>(width - 2 * margin * side));
     const auto id = static_cast<scene::TextureId>(++texture);
-    renderer.upload_text(id, text.width, text.height, text.coverage);
+    holdings_.add_text(id, text.width, text.height, text.coverage);
     const auto text_width = static_cast<float>(text.width),
                text_height = static_cast<float>(text.height);
     list_.quads.push_back(
@@ -73,16 +72,6 @@ SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std
   };
   for (const Paragraph& paragraph : paragraphs) add(paragraph, theme.ink);
   add({why, reason_size, reason_gap}, theme.quiet_ink);
-}
-
-bool FileWatch::has_changed() noexcept {
-  struct stat status{};
-  std::array<std::uint64_t, 4> now{};
-  if (::stat(file_.c_str(), &status) == 0)
-    now = {static_cast<std::uint64_t>(status.st_ino), static_cast<std::uint64_t>(status.st_size),
-           static_cast<std::uint64_t>(status.st_mtim.tv_sec),
-           static_cast<std::uint64_t>(status.st_mtim.tv_nsec)};
-  return std::exchange(known_, now) != now;
 }
 
 Result<std::unique_ptr<Exhibition>> wait_for_content(
@@ -104,11 +93,11 @@ Result<std::unique_ptr<Exhibition>> wait_for_content(
     const bool is_new = !screen || target.size != size;
     if (is_new) {
       size = target.size;
-      screen = std::make_unique<SetupScreen>(*set_text, size, why.what, renderer);
+      screen = std::make_unique<SetupScreen>(*set_text, size, why.what);
     }
     const bool is_due = is_new || frame % frames_between_drawings == 0;
     if (edges.display->can_show() && (is_due || edges.display->wants_frame())) {
-      renderer.draw(screen->draw_list(), target);
+      screen->draw(renderer, target);
       edges.display->present();
     }
     notice.idle(clock::monotonic_now());
@@ -117,10 +106,7 @@ Result<std::unique_ptr<Exhibition>> wait_for_content(
     // The first time in any case: it may have come since `why` was found out.
     if (frame > 0 && !watch.has_changed() && !take_signal(SIGHUP)) continue;
     Result<std::unique_ptr<Exhibition>> loaded = load();
-    if (loaded) {
-      renderer.release_textures();
-      return loaded;
-    }
+    if (loaded) return loaded;
     if (loaded.error().what != why.what) say(loaded.error(), journal::Message::Refused);
     why = loaded.error();
     screen.reset();

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
+#include "platform/file/file_stamp.h"
 #include "platform/gles/renderer.h"
 #include "runtime/interface/text.h"
 #include "runtime/kiosk/edges.h"
@@ -23,24 +23,30 @@ class SetupScreen {
  public:
   /// Sets its texts for a screen of this size and carries them into texture memory. `why`: the
   /// sentence about the database that cannot be shown.
-  SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why,
-              gles::Renderer& renderer);
+  SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why);
 
-  const scene::DrawList& draw_list() const noexcept { return list_; }
+  void draw(gles::Renderer& renderer, const RenderTarget& target) const noexcept {
+    renderer.draw(list_, holdings_, target);
+  }
 
  private:
+  gles::Holdings holdings_;
   scene::DrawList list_;
 };
 
 /// Notices that a file was put in place, replaced or changed since it was last asked.
 class FileWatch {
  public:
-  explicit FileWatch(std::filesystem::path file) : file_(std::move(file)) { has_changed(); }
-  bool has_changed() noexcept;
+  explicit FileWatch(std::filesystem::path file)
+      : file_(std::move(file)), known_(file::stamp_of(file_)) {}
+  bool has_changed() noexcept {
+    const file::FileStamp now = file::stamp_of(file_);
+    return std::exchange(known_, now) != now;
+  }
 
  private:
   std::filesystem::path file_;
-  std::array<std::uint64_t, 4> known_{};
+  file::FileStamp known_;
 };
 
 /// Shows the setup screen until the database can be shown, which is looked for twice a second, or

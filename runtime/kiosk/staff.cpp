@@ -29,6 +29,10 @@ constexpr std::string_view calibration_file = "glass.calibration";
 
 const scene::Theme house;
 
+std::string whole_seconds(double seconds) {
+  return fmt::format("{:.0f}", std::ceil(seconds));
+}
+
 bool is_ready(const auto& future) {
   return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -60,8 +64,9 @@ input::Calibration load_calibration(const std::filesystem::path& folder) {
   return {};
 }
 
-Staff::Staff(StaffSettings settings, Facts facts, Facts slow_facts)
+Staff::Staff(StaffSettings settings, Words words, Facts facts, Facts slow_facts)
     : settings_(std::move(settings)),
+      words_in_use_(std::move(words)),
       facts_(std::move(facts)),
       slow_facts_(std::move(slow_facts)),
       lock_(settings_.pin),
@@ -120,13 +125,14 @@ bool Staff::take(const input::InputEvent& event, double time) {
       }
       return false;
     case Kind::Up:
+    case Kind::Cancel:
       break;
   }
   Finger* const known = finger(event.contact.id);
   if (known == nullptr) return false;
   const Finger left = *known;
   fingers_.erase(fingers_.begin() + (known - fingers_.data()));
-  if (!is_open()) return true;
+  if (!is_open() || event.kind == Kind::Cancel) return true;
   last_event_ = time;
   if (open_ == StaffScreen::Calibrate)
     touch_mark(left.raw, time);
@@ -175,7 +181,7 @@ void Staff::press(StaffAction action, double time) {
       return;
     case StaffAction::Enter:
       if (const double pause = lock_.pause_left(time); pause > 0)
-        open(StaffScreen::Pad, fmt::format("Please wait {:.0f} s and try again", std::ceil(pause)));
+        open(StaffScreen::Pad, words_.filled(StaffWord::Wait, {{"n", whole_seconds(pause)}}));
       else
         lock_.try_pin(typed_, time);
       typed_.clear();
@@ -184,9 +190,9 @@ void Staff::press(StaffAction action, double time) {
       return close();
     case StaffAction::Calibrate:
       touched_.clear();
-      return open(StaffScreen::Calibrate, "One of four");
+      return open(StaffScreen::Calibrate, words_.one_of(1, input::calibration_marks.size()));
     case StaffAction::Diagnose:
-      return open(StaffScreen::Diagnose, "Touch anywhere: a ring shows where it is felt");
+      return open(StaffScreen::Diagnose, std::string(words_[StaffWord::Felt]));
     case StaffAction::Exit:
       exit_ = true;
       return close();
@@ -205,34 +211,31 @@ void Staff::touch_mark(const input::Contact& raw, double time) {
   const auto& [x, y] = input::calibration_marks[touched_.size()];
   touched_.push_back({x, y, raw.x, raw.y});
   if (touched_.size() == input::calibration_marks.size()) return calibrate_from(time);
-  constexpr std::array<std::string_view, 4> which{"One of four", "Two of four", "Three of four",
-                                                  "The last one"};
-  open(StaffScreen::Calibrate, std::string(which[touched_.size()]));
+  open(StaffScreen::Calibrate, words_.one_of(touched_.size() + 1, input::calibration_marks.size()));
 }
 
 void Staff::calibrate_from(double time) {
   const auto found = input::fit(touched_);
   touched_.clear();
-  if (!found)
-    return open(StaffScreen::Menu,
-                "The touches were too far from the marks: nothing has been changed");
+  if (!found) return open(StaffScreen::Menu, std::string(words_[StaffWord::Far]));
   calibration_before_ = std::exchange(calibration_, *found);
   confirm_until_ = time + confirm_seconds;
   const double off = std::hypot((found->a + found->b) / 2 + found->c - 0.5,
                                 (found->d + found->e) / 2 + found->f - 0.5);
   open(StaffScreen::Confirm,
-       fmt::format("Moved by {:.1f} %. Untouched for 15 s, the old one returns", 100 * off));
+       words_.filled(StaffWord::Moved, {{"n", fmt::format("{:.1f}", 100 * off)},
+                                        {"seconds", whole_seconds(confirm_seconds)}}));
 }
 
 void Staff::keep_calibration() {
   calibration_before_ = calibration_;
   if (settings_.folder.empty())
-    return open(StaffScreen::Menu, "Kept until docent ends: it has no folder to keep it in");
+    return open(StaffScreen::Menu, std::string(words_[StaffWord::KeptForNow]));
   saving_ = std::async(std::launch::async, [folder = settings_.folder, kept = calibration_] {
     if (const auto saved = write_whole(folder / calibration_file, input::to_text(kept)); !saved)
       say(saved.error());
   });
-  open(StaffScreen::Menu, "The calibration is kept");
+  open(StaffScreen::Menu, std::string(words_[StaffWord::Kept]));
 }
 
 void Staff::open(StaffScreen screen, std::string message) {
@@ -254,7 +257,7 @@ void Staff::take_lock_answer(double time) {
   if (!right || open_ != StaffScreen::Pad) return;
   if (*right) return open(StaffScreen::Menu);
   open(StaffScreen::Pad,
-       fmt::format("That was not it. Again in {:.0f} s", std::ceil(lock_.pause_left(time))));
+       words_.filled(StaffWord::Wrong, {{"n", whole_seconds(lock_.pause_left(time))}}));
 }
 
 void Staff::close_in_time(double time) {
@@ -262,15 +265,16 @@ void Staff::close_in_time(double time) {
   if (open_ == StaffScreen::Confirm) {
     if (time < confirm_until_) return;
     calibration_ = calibration_before_;
-    return open(StaffScreen::Menu, "The old calibration is back");
+    return open(StaffScreen::Menu, std::string(words_[StaffWord::OldBack]));
   }
   if (time - last_event_ > (open_ == StaffScreen::Pad ? pad_seconds : pages_seconds)) close();
 }
 
-void Staff::step(double time, const interface::ScreenShape& shape, gles::Renderer& renderer) {
+void Staff::step(double time, const interface::ScreenShape& shape, gles::Holdings& holdings) {
   if (!lock_.has_pin()) return;
   if (!is_open() && gesture_.is_made(time)) {
     last_event_ = time;
+    words_ = words_in_use_();
     open(StaffScreen::Pad);
   }
   take_lock_answer(time);
@@ -279,7 +283,7 @@ void Staff::step(double time, const interface::ScreenShape& shape, gles::Rendere
   if (shape_ != shape) page_wanted_ = true;
   if (page_wanted_ && !making_.valid()) make_page(shape);
   if (settings_.repeats_exactly && making_.valid()) making_.wait();
-  take_page(renderer);
+  take_page(holdings);
 }
 
 void Staff::make_page(const interface::ScreenShape& shape) {
@@ -287,17 +291,18 @@ void Staff::make_page(const interface::ScreenShape& shape) {
   shape_ = shape;
   StaffPageRequest request{.screen = *open_,
                            .shape = shape,
+                           .words = words_,
                            .message = message_,
                            .facts = {},
                            .mark = touched_.size(),
                            .first_texture = first_texture + (1 - bank_) * most_staff_texts};
-  if (open_ == StaffScreen::Diagnose) request.facts = facts_();
+  if (open_ == StaffScreen::Diagnose) request.facts = facts_(words_);
   making_ = std::async(std::launch::async, [request = std::move(request), setter = set_text_,
                                             slow_facts = slow_facts_]() mutable {
     StaffPage page;
     guarded("laying out a page for staff", [&] {
       if (request.screen == StaffScreen::Diagnose)
-        for (StaffFact& fact : slow_facts()) request.facts.push_back(std::move(fact));
+        for (StaffFact& fact : slow_facts(request.words)) request.facts.push_back(std::move(fact));
       if (!*setter)
         if (auto made = pango::make_text_setter()) *setter = std::move(*made);
       if (*setter) page = make_staff_page(request, *setter);
@@ -306,13 +311,13 @@ void Staff::make_page(const interface::ScreenShape& shape) {
   });
 }
 
-void Staff::take_page(gles::Renderer& renderer) {
+void Staff::take_page(gles::Holdings& holdings) {
   if (!is_ready(making_)) return;
   StaffPage next = making_.get();
   if (page_)
-    for (const interface::PieceUpload& old : page_->uploads) renderer.release(old.texture);
+    for (const interface::PieceUpload& old : page_->uploads) holdings.release(old.texture);
   for (const auto& [texture, text, picture] : next.uploads)
-    renderer.upload_text(texture, text.width, text.height, text.coverage);
+    holdings.add_text(texture, text.width, text.height, text.coverage);
   for (interface::PieceUpload& upload : next.uploads) upload.text.coverage = {};
   page_ = std::move(next);
   bank_ = 1 - bank_;

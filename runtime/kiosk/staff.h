@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "platform/gles/renderer.h"
+#include "platform/gles/holdings.h"
 #include "runtime/input/calibration.h"
 #include "runtime/input/staff_gesture.h"
 #include "runtime/kiosk/staff_lock.h"
@@ -32,11 +32,13 @@ struct StaffSettings {
 /// screens are closed nothing here allocates. Time is a value, in seconds.
 class Staff {
  public:
+  /// What the pages say, in the language that is on the glass; asked when they are opened.
+  using Words = std::function<StaffWords()>;
   /// Facts for the page that tells what is running; asked when it is opened.
-  using Facts = std::function<std::vector<StaffFact>()>;
+  using Facts = std::function<std::vector<StaffFact>(const StaffWords&)>;
 
   /// `slow_facts` are asked on another thread.
-  Staff(StaffSettings settings, Facts facts, Facts slow_facts);
+  Staff(StaffSettings settings, Words words, Facts facts, Facts slow_facts);
   ~Staff();
   Staff(const Staff&) = delete;
   Staff& operator=(const Staff&) = delete;
@@ -46,14 +48,14 @@ class Staff {
   bool take(const input::InputEvent& event, double time);
   input::InputEvent corrected(input::InputEvent event) const noexcept;
 
-  /// Goes on: opens and closes pages, takes answers.
-  void step(double time, const interface::ScreenShape& shape, gles::Renderer& renderer);
+  /// Goes on: opens and closes pages, takes answers, carries texts to what is drawn.
+  void step(double time, const interface::ScreenShape& shape, gles::Holdings& holdings);
 
   bool is_open() const noexcept { return open_.has_value(); }
   /// What to draw: `list` itself while the screens are closed.
   const scene::DrawList& over(const scene::DrawList& list) noexcept;
 
-  /// Texture memory was emptied: what is open has to be made anew.
+  /// Other holdings are drawn from now on: what is open has to be made anew.
   void lost_textures() noexcept { page_wanted_ = is_open(); }
 
   /// Staff want the program to end.
@@ -76,7 +78,7 @@ class Staff {
   void take_lock_answer(double time);
   void close_in_time(double time);
   void make_page(const interface::ScreenShape& shape);
-  void take_page(gles::Renderer& renderer);
+  void take_page(gles::Holdings& holdings);
   int button_at(float x, float y) const noexcept;
   Finger* finger(std::uint32_t id) noexcept;
   void draw_entry() noexcept;
@@ -84,6 +86,8 @@ class Staff {
   void draw_fingers() noexcept;
 
   StaffSettings settings_;
+  Words words_in_use_;
+  StaffWords words_;  ///< While the screens are open.
   Facts facts_, slow_facts_;
   input::StaffGesture gesture_;
   StaffLock lock_;

@@ -60,19 +60,37 @@ class Layout {
     page_.quads.push_back(quad);
   }
 
+  std::string_view word(StaffWord word) const noexcept { return request_.words[word]; }
+  std::string figure(std::size_t value) const {
+    return request_.words.in_digits(std::to_string(value));
+  }
+
+  /// The box where it lies for whoever reads from the right, if this language is read so.
+  Box mirrored(const Box& box) const noexcept {
+    if (!request_.words.right_to_left) return box;
+    return {width() - box.x - box.width, box.y, box.width, box.height};
+  }
+
+  struct Letters {
+    float capitals_mm = 5;
+    scene::Colour colour = theme.ink;
+    Align align = Align::Centre;
+    interface::Family family = interface::Family::Sans;
+    std::uint16_t weight = 400;
+    bool is_of_machine = false;  ///< As StaffFact.
+  };
+
   /// Sets a text, smaller where it does not fit, and draws it in the box, in the middle of its
-  /// height. Returns its own height.
-  float text(const Box& box, std::string_view words, float capitals_mm, scene::Colour colour,
-             Align align = Align::Centre, interface::Family family = interface::Family::Sans,
-             std::uint16_t weight = 400, std::uint16_t lines = 1) {
-    if (words.empty() || page_.uploads.size() >= most_staff_texts) return 0;
+  /// height; Align::Start is where the language begins its lines.
+  void text(const Box& box, std::string_view words, const Letters& letters) {
+    if (words.empty() || page_.uploads.size() >= most_staff_texts) return;
     interface::TextStyle style;
-    style.family = family;
-    style.weight = weight;
-    style.size = capitals_mm * m_.mm / capitals * request_.shape.text_scale;
-    style.max_lines = lines;
+    style.family = letters.family;
+    style.weight = letters.weight;
+    style.size = letters.capitals_mm * m_.mm / capitals * request_.shape.text_scale;
     style.tabular = true;
-    style.language = "en";
+    style.right_to_left = request_.words.right_to_left && !letters.is_of_machine;
+    style.language = letters.is_of_machine ? "en" : std::string_view(request_.words.language);
     const auto most = static_cast<std::uint32_t>(std::max(1.F, box.width));
     interface::TextBitmap bitmap = set_text_(style, words, most);
     constexpr float smaller = 0.9F, smallest = 0.7F;
@@ -82,16 +100,16 @@ class Layout {
       bitmap = set_text_(less, words, most);
     }
     const auto w = static_cast<float>(bitmap.width), h = static_cast<float>(bitmap.height);
-    const float x = align == Align::Centre ? box.x + (box.width - w) / 2 : box.x;
+    const float free = box.width - w, at_start = request_.words.right_to_left ? free : 0;
+    const float x = box.x + (letters.align == Align::Centre ? free / 2 : at_start);
     scene::Quad quad;
     quad.fill = scene::QuadFill::Text;
     quad.texture = static_cast<scene::TextureId>(request_.first_texture +
                                                  static_cast<std::uint32_t>(page_.uploads.size()));
     quad.rect = share({std::round(x), std::round(box.y + (box.height - h) / 2), w, h});
-    quad.colour = colour;
+    quad.colour = letters.colour;
     page_.quads.push_back(quad);
     page_.uploads.push_back({.texture = quad.texture, .text = std::move(bitmap), .picture = {}});
-    return h;
   }
 
   enum class Emphasis : std::uint8_t { Plain, Strong };
@@ -99,8 +117,8 @@ class Layout {
               Emphasis emphasis = Emphasis::Plain) {
     const bool strong = emphasis == Emphasis::Strong;
     fill(box, strong ? theme.ink : theme.plaster, m_.corner);
-    text({box.x + m_.gap / 2, box.y, box.width - m_.gap, box.height}, label, capitals_mm,
-         strong ? theme.paper : theme.ink, Align::Centre, interface::Family::Sans, 500);
+    text({box.x + m_.gap / 2, box.y, box.width - m_.gap, box.height}, label,
+         {.capitals_mm = capitals_mm, .colour = strong ? theme.paper : theme.ink, .weight = 500});
     page_.buttons.push_back({action, share(box)});
   }
 
@@ -108,11 +126,11 @@ class Layout {
   Box heading(Box column, std::string_view title) {
     const float title_height = 11 * m_.mm * 2;
     const float wide = width() - 2 * m_.margin;  // what is said is wider than the keys below it
-    text({m_.margin, column.y, wide, title_height}, title, 9, theme.ink, Align::Centre,
-         interface::Family::Serif);
+    text({m_.margin, column.y, wide, title_height}, title,
+         {.capitals_mm = 9, .family = interface::Family::Serif});
     const float message_height = 5 * m_.mm * 2.6F;
-    text({m_.margin, column.y + title_height, wide, message_height}, request_.message, 5,
-         theme.quiet_ink);
+    text({m_.margin, column.y + title_height, wide, message_height}, request_.message,
+         {.colour = theme.quiet_ink});
     const float used = title_height + message_height + m_.gap;
     return {column.x, column.y + used, column.width, column.height - used};
   }
@@ -141,44 +159,46 @@ void lay_out_pad(Layout& layout) {
   const float key_width = 1.5F * key;
   const float keys_width = 3 * key_width + 2 * m.gap;
   const float whole = head + dots + rows * (key + m.gap);
-  Box rest = layout.heading(layout.column(std::max(keys_width, 90 * m.mm), whole), "For staff");
+  Box rest = layout.heading(layout.column(std::max(keys_width, 90 * m.mm), whole),
+                            layout.word(StaffWord::Title));
   const float left = (layout.width() - keys_width) / 2;
   layout.page().entry = layout.share({left, rest.y, keys_width, dots});
   float y = rest.y + dots + m.gap;
-  constexpr std::array<std::string_view, 10> figures{"0", "1", "2", "3", "4",
-                                                     "5", "6", "7", "8", "9"};
   const auto place = [&](std::size_t column_index) {
     return Box{left + static_cast<float>(column_index) * (key_width + m.gap), y, key_width, key};
   };
   for (std::size_t figure = 1; figure <= 9; ++figure) {
-    layout.button(static_cast<StaffAction>(figure), place((figure - 1) % 3), figures[figure], 7);
+    layout.button(static_cast<StaffAction>(figure), place((figure - 1) % 3), layout.figure(figure),
+                  7);
     if (figure % 3 == 0) y += key + m.gap;
   }
-  layout.button(StaffAction::Delete, place(0), "Delete");
-  layout.button(StaffAction::Figure0, place(1), "0", 7);
-  layout.button(StaffAction::Enter, place(2), "Enter", 5.4F, Layout::Emphasis::Strong);
+  layout.button(StaffAction::Delete, place(0), layout.word(StaffWord::Delete));
+  layout.button(StaffAction::Figure0, place(1), layout.figure(0), 7);
+  layout.button(StaffAction::Enter, place(2), layout.word(StaffWord::Enter), 5.4F,
+                Layout::Emphasis::Strong);
   y += key + m.gap;
-  layout.button(StaffAction::Close, {left, y, keys_width, key}, "Back to the visitors");
+  layout.button(StaffAction::Close, {left, y, keys_width, key}, layout.word(StaffWord::Close));
 }
 
 void lay_out_menu(Layout& layout) {
   const interface::Measures& m = layout.m();
   const float button = 1.3F * m.touch;
   const float head = 11 * m.mm * 2 + 5 * m.mm * 2.6F + m.gap;
-  Box rest = layout.heading(layout.column(120 * m.mm, head + 4 * (button + m.gap)), "For staff");
+  Box rest = layout.heading(layout.column(120 * m.mm, head + 4 * (button + m.gap)),
+                            layout.word(StaffWord::Title));
   const auto add = [&](StaffAction action, std::string_view label, Layout::Emphasis emphasis) {
     layout.button(action, {rest.x, rest.y, rest.width, button}, label, 5.4F, emphasis);
     rest.y += button + m.gap;
   };
-  add(StaffAction::Diagnose, "What is running here", Layout::Emphasis::Plain);
-  add(StaffAction::Calibrate, "Calibrate the glass", Layout::Emphasis::Plain);
-  add(StaffAction::Exit, "End, and use the keyboard", Layout::Emphasis::Plain);
-  add(StaffAction::Close, "Back to the visitors", Layout::Emphasis::Strong);
+  add(StaffAction::Diagnose, layout.word(StaffWord::Diagnose), Layout::Emphasis::Plain);
+  add(StaffAction::Calibrate, layout.word(StaffWord::Calibrate), Layout::Emphasis::Plain);
+  add(StaffAction::Exit, layout.word(StaffWord::Exit), Layout::Emphasis::Plain);
+  add(StaffAction::Close, layout.word(StaffWord::Close), Layout::Emphasis::Strong);
 }
 
 void lay_out_calibrate(Layout& layout, std::size_t mark) {
   const interface::Measures& m = layout.m();
-  layout.heading(layout.column(140 * m.mm, 60 * m.mm), "Touch the middle of the mark");
+  layout.heading(layout.column(140 * m.mm, 60 * m.mm), layout.word(StaffWord::Mark));
   const auto& [x, y] = input::calibration_marks[mark % input::calibration_marks.size()];
   const float cx = x * layout.width(), cy = y * layout.height();
   const auto around = [&](float size) { return Box{cx - size / 2, cy - size / 2, size, size}; };
@@ -191,33 +211,35 @@ void lay_out_confirm(Layout& layout) {
   const float button = 1.3F * m.touch;
   const float head = 11 * m.mm * 2 + 5 * m.mm * 2.6F + m.gap;
   const Box rest =
-      layout.heading(layout.column(120 * m.mm, head + button), "Is the glass right now?");
-  layout.button(StaffAction::Keep, {rest.x, rest.y, rest.width, button}, "Keep it", 5.4F,
-                Layout::Emphasis::Strong);
+      layout.heading(layout.column(120 * m.mm, head + button), layout.word(StaffWord::Confirm));
+  layout.button(StaffAction::Keep, {rest.x, rest.y, rest.width, button},
+                layout.word(StaffWord::Keep), 5.4F, Layout::Emphasis::Strong);
 }
 
 void lay_out_diagnose(Layout& layout, const std::vector<StaffFact>& facts) {
   const interface::Measures& m = layout.m();
   const Box column = layout.column(260 * m.mm, layout.height());
-  Box rest = layout.heading(column, "What is running here");
+  Box rest = layout.heading(column, layout.word(StaffWord::Diagnose));
   const float button = m.touch;
   const float bottom = column.y + column.height - button - m.gap;
   const float row =
       std::min(5 * m.mm * 2.1F,
                (bottom - rest.y) / static_cast<float>(std::max<std::size_t>(1, facts.size())));
   const float label_width = 0.26F * rest.width;
-  for (const auto& [label, value] : facts) {
+  for (const StaffFact& fact : facts) {
     if (rest.y + row > bottom + 1) break;
-    layout.text({rest.x, rest.y, label_width - m.gap, row}, label, 4, theme.quiet_ink,
-                Align::Start);
-    layout.text({rest.x + label_width, rest.y, rest.width - label_width, row}, value, 4, theme.ink,
-                Align::Start);
+    layout.text(layout.mirrored({rest.x, rest.y, label_width - m.gap, row}), fact.label,
+                {.capitals_mm = 4, .colour = theme.quiet_ink, .align = Align::Start});
+    layout.text(layout.mirrored({rest.x + label_width, rest.y, rest.width - label_width, row}),
+                fact.value,
+                {.capitals_mm = 4, .align = Align::Start, .is_of_machine = fact.is_of_machine});
     rest.y += row;
   }
   const float half = (column.width - m.gap) / 2, y = column.y + column.height - button;
-  layout.button(StaffAction::Menu, {column.x, y, half, button}, "Back");
-  layout.button(StaffAction::Close, {column.x + half + m.gap, y, half, button},
-                "Back to the visitors", 5.4F, Layout::Emphasis::Strong);
+  layout.button(StaffAction::Menu, layout.mirrored({column.x, y, half, button}),
+                layout.word(StaffWord::Back));
+  layout.button(StaffAction::Close, layout.mirrored({column.x + half + m.gap, y, half, button}),
+                layout.word(StaffWord::Close), 5.4F, Layout::Emphasis::Strong);
 }
 
 }  // namespace

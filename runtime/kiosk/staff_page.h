@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "runtime/interface/measures.h"
 #include "runtime/interface/text.h"
 #include "runtime/interface/view.h"
+#include "runtime/kiosk/staff_words.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::kiosk {
@@ -35,12 +35,18 @@ enum class StaffScreen : std::uint8_t {
   Diagnose,   ///< What is running here, and where it is touched.
 };
 
-/// What a page of the staff's says: a label and its value.
-using StaffFact = std::pair<std::string, std::string>;
+/// What a page of the staff's says.
+struct StaffFact {
+  std::string label, value;
+  /// The value is a name of the machine's, or what the journal says too: it is the same in every
+  /// language, and runs from left to right.
+  bool is_of_machine = false;
+};
 
 struct StaffPageRequest {
   StaffScreen screen = StaffScreen::Pad;
   interface::ScreenShape shape;
+  StaffWords words;
   std::string message;              ///< Below the heading; may be empty.
   std::vector<StaffFact> facts;     ///< Diagnose.
   std::size_t mark = 0;             ///< Calibrate: of input::calibration_marks.

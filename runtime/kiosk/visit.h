@@ -15,12 +15,12 @@ namespace docent::kiosk {
 
 /// One command of a scripted visit.
 struct VisitCommand {
-  enum class Kind : std::uint8_t { Tap, TapNamed, Down, Move, Up, Press, Shot, Quit };
+  enum class Kind : std::uint8_t { Tap, TapNamed, Down, Move, Up, Press, Shot, Today, Quit };
   double time = 0;  ///< Seconds since the first frame.
   Kind kind = Kind::Quit;
   input::Contact contact;  ///< Tap, Down, Move, Up.
   input::InputEvent key;   ///< Press.
-  std::string name;        ///< TapNamed: the control's name without "@". Shot: the file.
+  std::string name;        ///< TapNamed: the control's name without "@". Shot, Today: the file.
   /// TapNamed, on a shared glass: the seat that taps, counted from the left, from 1; none: the part
   /// that was touched last.
   std::optional<std::uint32_t> seat{};

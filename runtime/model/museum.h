@@ -8,11 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/model/connection.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
+#include "runtime/model/place.h"
 #include "runtime/model/scenery.h"
+#include "runtime/model/tour.h"
 
 namespace docent {
 
@@ -55,11 +58,16 @@ struct KioskPlace {
 struct Museum {
   LocalText title;
   LocalText welcome;
+  std::string time_zone;  ///< Of all hours, as time_zone.h reads it; empty: the kiosk's own.
+  std::string holidays;   ///< Public ones, as parse_dates reads them; empty: none.
   std::vector<Language> languages;  ///< The first is the default.
   std::vector<Floor> floors;
+  std::vector<Connection> connections;
+  std::vector<Place> places;
   std::vector<Scenery> scenery;  ///< One per floor: what is drawn of it.
   std::vector<Room> rooms;
   std::vector<Exhibit> exhibits;
+  std::vector<Tour> tours;
   std::vector<EncodedImage> images;
   std::uint32_t kiosk_floor = 0;
   Placement kiosk;  ///< "You are here"; the heading is where the visitor looks.

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
+#include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/index/wall_grid.h"
 #include "runtime/path/medial_axis/medial_axis_map.h"
 #include "runtime/path/route.h"
@@ -12,8 +15,9 @@
 
 namespace docent::path {
 
-/// Everything that `route.h` asks of a floor. Any thread may ask. Its answers do not change; but
-/// the maps of radii that the compiler did not precompute are made in the background and kept.
+/// Everything that `route.h` asks of a floor. Any thread may ask. Its answers do not change, but
+/// for what is closed just now, of which any thread may tell at any time; and the maps of radii
+/// that the compiler did not precompute are made in the background and kept.
 class FloorMap {
  public:
   explicit FloorMap(const Floor& floor);
@@ -38,6 +42,12 @@ class FloorMap {
   const RadiusMaps& shortest_ways() const noexcept { return shortest_ways_; }
   const TangentSearchMap& search() const noexcept { return search_; }
 
+  /// From now on these doors are closed; null: none is. Ways that are asked for hold to it.
+  void close(std::shared_ptr<const ClosedDoors> doors) const noexcept {
+    closed_.store(std::move(doors));
+  }
+  std::shared_ptr<const ClosedDoors> closed() const noexcept { return closed_.load(); }
+
  private:
   const Floor& floor_;
   WallGrid walls_;
@@ -47,6 +57,7 @@ class FloorMap {
   std::vector<std::uint32_t> corner_site_;  ///< Per vertex: its site where it is reflex, else of
                                             ///< the wall that begins there.
   RadiusMaps shortest_ways_;
+  mutable std::atomic<std::shared_ptr<const ClosedDoors>> closed_;
 };
 
 }  // namespace docent::path

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/floor_map.h"
 #include "runtime/path/join_ways.h"
 #include "runtime/path/medial_axis/medial_axis_way.h"
@@ -14,29 +15,51 @@
 namespace docent::path {
 namespace {
 
+/// Do closed doors leave a point room?
+bool leaves_room(const RouteQuery& query, Vec2 point) noexcept {
+  return query.closed == nullptr || query.closed->has_room(point, query.radius);
+}
+
+/// Is a way of the floor with all doors open perhaps none with those closed? If not, it is the best
+/// of these too: closing takes ways away and gives none.
+bool is_in_doubt(const RouteQuery& query, const Way& way) noexcept {
+  return query.closed != nullptr && way.status == RouteStatus::Ok &&
+         query.closed->may_block(way.points, query.radius);
+}
+
 Way find_shortest(const FloorMap& map, const RouteQuery& query) {
   const auto ways = map.shortest_ways().find(query.radius);
   const auto has_room = [&](Vec2 point) {
-    return (ways && ways->surely_has_room(point)) || map.has_room(point, query.radius);
+    return ((ways && ways->surely_has_room(point)) || map.has_room(point, query.radius)) &&
+           leaves_room(query, point);
   };
   if (!has_room(query.from)) return {.status = RouteStatus::StartBlocked};
   if (!has_room(query.to)) return {.status = RouteStatus::GoalBlocked};
   Way way = ways ? shortest_way(*ways, query.from, query.to)
-                 : search_tangents(map.search(), query.radius, query.from, query.to);
+                 : search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
+  if (ways && is_in_doubt(query, way))
+    way = search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
   if (way.status != RouteStatus::Ok || way.points.size() > 2) return way;
   way.clearance_min = query.radius;
   if (query.tell_clearance)
     way.clearance_min = map.walls().segment_clearance(
         query.from, query.to, std::min(map.clearance_at(query.from), map.clearance_at(query.to)));
+  if (query.tell_clearance && query.closed != nullptr)
+    way.clearance_min = std::min(way.clearance_min, query.closed->distance(query.from, query.to));
   return way;
 }
 
 /// A way along curves that the floor has, where both ends have room, with its corners as asked.
 template <Way (*along_curves)(const FloorMap&, const RouteQuery&)>
 Way find_along(const FloorMap& map, const RouteQuery& query) {
-  if (!map.has_room(query.from, query.radius)) return {.status = RouteStatus::StartBlocked};
-  if (!map.has_room(query.to, query.radius)) return {.status = RouteStatus::GoalBlocked};
-  Way way = along_curves(map, query);
+  if (!map.has_room(query.from, query.radius) || !leaves_room(query, query.from))
+    return {.status = RouteStatus::StartBlocked};
+  if (!map.has_room(query.to, query.radius) || !leaves_room(query, query.to))
+    return {.status = RouteStatus::GoalBlocked};
+  RouteQuery open = query;
+  open.closed = nullptr;
+  Way way = along_curves(map, open);
+  if (is_in_doubt(query, way)) way = along_curves(map, query);
   if (query.smooth) round_corners(map, query.radius, way);
   if (way.points.size() == 1) way.points.push_back(query.to);
   return way;
@@ -75,6 +98,11 @@ std::shared_ptr<const FloorMap> make_floor_map(const Floor& floor) {
 Way route(const FloorMap& map, const RouteQuery& asked) {
   RouteQuery query = asked;
   if (!(query.radius >= smallest_radius)) query.radius = 0;
+  std::shared_ptr<const ClosedDoors> just_now;  // kept until the answer is found
+  if (query.closed == nullptr) {
+    just_now = map.closed();
+    query.closed = just_now.get();
+  }
   return query.radius == 0 ? search_of_point(map, query) : search_of_kind(map, query);
 }
 
@@ -83,7 +111,7 @@ Way tour(const FloorMap& map, const RouteQuery& asked, std::span<const Vec2> sto
   if (!(query.radius >= smallest_radius)) query.radius = 0;
   if (stops.empty()) return {.status = RouteStatus::StartBlocked};
   for (std::size_t i = 0; i < stops.size(); ++i)
-    if (!map.has_room(stops[i], query.radius))
+    if (!map.has_room(stops[i], query.radius) || !leaves_room(query, stops[i]))
       return {.status = i == 0 ? RouteStatus::StartBlocked : RouteStatus::GoalBlocked};
   Way whole{RouteStatus::Ok, 0, map.clearance_at(stops[0]), {stops[0]}};
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {

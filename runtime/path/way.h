@@ -8,6 +8,8 @@
 
 namespace docent::path {
 
+class ClosedDoors;
+
 enum class RouteStatus : std::uint8_t {
   Ok,
   StartBlocked,  ///< The start is closer to a wall than the radius, or outside.
@@ -31,6 +33,8 @@ struct RouteQuery {
   /// Shortest only: find the `clearance_min` of a straight way, which takes longer than the way
   /// itself. Without, it is the radius, as on a way with bends.
   bool tell_clearance = true;
+  /// Of the floor that is asked; null: what is closed there just now (FloorMap::close).
+  const ClosedDoors* closed = nullptr;
 };
 
 /// What is answered. `points` holds both ends; arcs are flattened to 1 mm, inside the walkable

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
@@ -30,13 +32,23 @@ struct Nearby {
   void add(std::uint32_t other, double when) noexcept;
 };
 
+/// A journey by a connection, from one of its stops to another.
+struct Ride {
+  std::uint32_t connection = 0;    ///< Index into Museum::connections.
+  std::uint32_t from = 0, to = 0;  ///< Indices into its stops.
+  double wait = 0;                 ///< Seconds at the stop before.
+  double seconds = 0;              ///< After the wait.
+  double metres = 0;               ///< As walked.
+};
+
 /// What an avatar is asked to do.
 struct WalkOrder {
   std::uint64_t id = 0;
   std::uint32_t floor = 0;
   RouteKind kind = RouteKind::Shortest;
-  std::optional<Placement> goal;  ///< Empty: stop as soon as is natural.
-  Placement start;                ///< Where the avatar stands if no plan is in progress.
+  std::optional<Placement> goal;              ///< Empty: stop as soon as is natural.
+  std::optional<std::uint32_t> goal_floor{};  ///< Where the goal is; empty: on `floor`.
+  Placement start;  ///< Where the avatar stands if no plan is in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
   /// keeps that plan until the answer to its latest order has come.
   const Plan* previous = nullptr;
@@ -55,6 +67,9 @@ struct WalkOrder {
   Nearby near{};               ///< As the crowd has found them; the plan looks at them first.
   double blocked_seconds = 0;  ///< For how long others have been in its way.
   bool enters = false;         ///< Appear at `start`, as soon as there is room.
+  /// Leave the floor by that connection, from its stop, where the body stands, and come out on
+  /// another; as soon as there is room there.
+  std::optional<Ride> ride{};
 };
 
 /// A way and the walk along it: what the worker answers. Immutable once made.
@@ -65,30 +80,32 @@ struct WalkOrder {
 struct Plan {
   WalkOrder order;
   path::RouteStatus status = path::RouteStatus::NoRoute;
-  double length = 0;                 ///< Metres of the way.
-  std::vector<Vec2> points;          ///< The way, simplified to 2 mm, floor frame.
-  std::vector<double> reach;         ///< Metres along the way of each point.
+  std::optional<interface::Closed> closed{};  ///< No way, because of that.
+  double length = 0;                          ///< Metres to the goal, over floors and stairs.
+  std::vector<Vec2> points;                   ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;                  ///< Metres along the way of each point.
   motion::Walk walk;                 ///< At least one frame unless status says there is no way.
-  bool is_whole = true;              ///< Does the walk lead to the goal?
+  bool is_whole = true;              ///< Does the walk lead to the end of the way?
   std::uint32_t handover_frame = 0;  ///< Where the next stretch takes over, unless is_whole.
   double seconds_to_goal = 0;        ///< From the walk's beginning; of later stretches a guess.
-  bool is_new_way = false;           ///< `points` are not those of the plan before.
-  bool holds = false;  ///< Others are in the way: there is no new walk, the old one goes on.
+  /// Where the way ends: at the goal, or at the stop of the connection that is taken next.
+  Placement end;
+  std::optional<Ride> then{};                  ///< Taken at the end of the way.
+  double metres_after = 0, seconds_after = 0;  ///< From there on, to the goal.
+  double rests_until = 0;  ///< Seconds from its beginning until it is over, if later than the walk.
+  bool is_new_way = false;  ///< `points` are not those of the plan before.
+  bool holds = false;       ///< Others are in the way: there is no new walk, the old one goes on.
   std::vector<std::uint32_t> in_the_way;  ///< Avatars that should be asked to make room.
 
   double seconds() const noexcept {
-    return walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
+    const double walking =
+        walk.root.empty() ? 0 : static_cast<double>(walk.root.size() - 1) / walk.frame_rate;
+    return std::max(walking, rests_until);
   }
 };
 
 /// The point `metres` along a plan's way, clamped to its ends.
 Vec2 point_along(const Plan& plan, double metres) noexcept;
-
-/// Finds a way and makes a walk along it. Where the motion graph cannot walk (a museum compiled
-/// without motion), the body glides along the way instead, so the guide still leads there.
-/// `walking` is the museum's motion graph made ready; null where it has none or cannot walk.
-std::unique_ptr<Plan> make_plan(const Museum& museum, const motion::WalkGraph* walking,
-                                const path::FloorMap& map, const WalkOrder& order);
 
 /// A plan of one frame: standing at a place.
 std::unique_ptr<Plan> make_standing(const motion::WalkGraph* walking, const Placement& place);

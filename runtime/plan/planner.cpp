@@ -23,19 +23,32 @@ std::uint32_t first_piece_of(const Museum& museum) noexcept {
   return static_cast<std::uint32_t>(1 + museum.images.size());
 }
 
+std::optional<motion::WalkGraph> walk_graph_of(const Museum& museum) {
+  Result<motion::WalkGraph> walking = motion::make_walk_graph(museum.motion);
+  if (!walking) return {};
+  return std::move(*walking);
+}
+
+std::vector<std::shared_ptr<const path::FloorMap>> maps_of(const Museum& museum) {
+  std::vector<std::shared_ptr<const path::FloorMap>> maps;
+  for (const Floor& floor : museum.floors) maps.push_back(path::make_floor_map(floor));
+  return maps;
+}
+
 }  // namespace
 
 Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_t avatars,
                  std::size_t parts)
     : museum_(museum),
+      walking_(walk_graph_of(museum)),
+      maps_(maps_of(museum)),
       cache_(std::move(makers), first_piece_of(museum), piece_budget),
+      building_(museum, maps_),
       traffic_(museum.floors.size()),
+      rides_(museum, walking()),
       orders_(avatars),
       requests_(parts),
       fill_order_(avatars + parts) {
-  if (Result<motion::WalkGraph> walking = motion::make_walk_graph(museum.motion))
-    walking_ = std::move(*walking);
-  for (const Floor& floor : museum.floors) maps_.push_back(path::make_floor_map(floor));
   thread_ = std::thread([this] { work(); });
 }
 
@@ -92,22 +105,24 @@ void Planner::answer_next() {
 
 Traffic& Planner::traffic_on(std::uint32_t floor) {
   if (!traffic_[floor])
-    traffic_[floor] =
-        std::make_unique<Traffic>(museum_, walking_ ? &*walking_ : nullptr, *maps_[floor]);
+    traffic_[floor] = std::make_unique<Traffic>(museum_, walking(), building_, floor);
   return *traffic_[floor];
 }
 
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
-  if (order.seconds) return send(plans_, traffic_on(order.floor).plan(order), stop_);
-  const motion::WalkGraph* walking = walking_ ? &*walking_ : nullptr;
-  send(plans_, make_plan(museum_, walking, *maps_[order.floor], order), stop_);
+  Traffic& here = traffic_on(order.floor);
+  if (!order.ride) return send(plans_, here.plan(order), stop_);
+  const Connection& connection = museum_.connections[order.ride->connection];
+  Traffic& there = traffic_on(connection.stops[order.ride->to].floor);
+  send(plans_, rides_.plan(order, here, there), stop_);
 }
 
 void Planner::answer(const interface::ViewRequest& request) {
   std::unique_ptr<interface::View> view = interface::make_view(museum_, request, cache_);
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
+  if (request.state.screen == interface::Screen::Welcome) cache_.rest();
 }
 
 }  // namespace docent::plan

@@ -11,6 +11,7 @@
 #include "runtime/interface/piece_cache.h"
 #include "runtime/plan/fill_order.h"
 #include "runtime/plan/plan.h"
+#include "runtime/plan/rides.h"
 #include "runtime/plan/single_producer_queue.h"
 #include "runtime/plan/traffic.h"
 #include "runtime/plan/triple_buffer.h"
@@ -48,6 +49,8 @@ class Planner {
   /// How many avatars there may be.
   std::size_t avatars() const noexcept { return orders_.size(); }
   const std::vector<std::shared_ptr<const path::FloorMap>>& maps() const noexcept { return maps_; }
+  /// From now on that is closed for all who walk. Any thread but the frame's: it takes a while.
+  void close(const Closures& closures) { building_.close(building_.closure(closures)); }
 
  private:
   /// More than there are avatars and parts: nobody empties the queues during wait().
@@ -59,13 +62,16 @@ class Planner {
   void answer(const interface::ViewRequest& request);
   void announce(std::size_t buffer) noexcept;
   Traffic& traffic_on(std::uint32_t floor);
+  const motion::WalkGraph* walking() const noexcept { return walking_ ? &*walking_ : nullptr; }
 
   const Museum& museum_;
   std::optional<motion::WalkGraph> walking_;  ///< None where the museum's motion cannot walk.
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
   interface::PieceCache cache_;                              ///< Used by the worker only.
+  path::BuildingMap building_;                               ///< Of all floors.
   std::vector<std::unique_ptr<Traffic>> traffic_;            ///< Per floor, made when it is needed.
-  std::vector<TripleBuffer<WalkOrder>> orders_;              ///< Per avatar.
+  Rides rides_;
+  std::vector<TripleBuffer<WalkOrder>> orders_;                 ///< Per avatar.
   std::vector<TripleBuffer<interface::ViewRequest>> requests_;  ///< Per part of the glass.
   FillOrder fill_order_;  ///< The buffers of the avatars, then those of the parts.
   SingleProducerQueue<Plan, queue_length> plans_;

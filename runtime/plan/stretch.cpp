@@ -110,6 +110,12 @@ Placement last_place(const motion::Walk& walk, std::uint32_t frame,
   return walk.body[std::min<std::size_t>(frame, walk.body.size() - 1)];
 }
 
+Placement takes_over_at(const WalkOrder& order) noexcept {
+  return order.previous != nullptr
+             ? last_place(order.previous->walk, order.previous_frame, order.start)
+             : order.start;
+}
+
 std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
   if (plan.walk.along.empty() || plan.points.empty()) return {};
   const double along = plan.walk.along[std::min<std::size_t>(frame, plan.walk.along.size() - 1)];
@@ -119,13 +125,10 @@ std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame) {
   return ahead;
 }
 
-path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOrder& order,
-                   Vec2 from) {
-  path::RouteQuery query{.kind = order.kind,
-                         .from = from,
-                         .to = order.goal->position,
-                         .smooth = true,
-                         .tell_clearance = false};
+path::Way find_way(const Museum& museum, const path::FloorMap& map, RouteKind kind, Vec2 from,
+                   Vec2 to) {
+  path::RouteQuery query{
+      .kind = kind, .from = from, .to = to, .smooth = true, .tell_clearance = false};
   constexpr double spare = Museum::walking_room;
   query.radius = museum.body_radius + spare;
   path::Way way = way_with_room(map, query);

@@ -9,8 +9,7 @@
 
 namespace docent::plan {
 
-/// The parts that plans are made of, for a body alone (make_plan.cpp) and among others
-/// (traffic.cpp). Frame: floor.
+/// The parts that plans are made of. Frame: floor.
 
 inline constexpr double stretch_length = 8;  ///< Metres of a long way walked before the next.
 inline constexpr double least_rest = 4;      ///< Metres that are worth a stretch of their own.
@@ -19,14 +18,20 @@ inline constexpr double least_rest = 4;      ///< Metres that are worth a stretc
 Placement last_place(const motion::Walk& walk, std::uint32_t frame,
                      const Placement& otherwise) noexcept;
 
+/// Where the body of an order is when the new plan takes over, and when that is (crowd's clock).
+Placement takes_over_at(const WalkOrder& order) noexcept;
+inline double seconds_of(const WalkOrder& order) noexcept {
+  return order.seconds.value_or(0);
+}
+
 /// What is left of a plan's way at one of its frames.
 std::vector<Vec2> way_ahead(const Plan& plan, std::uint32_t frame);
 
-/// The way of a body from where it is to the order's goal, with Museum::walking_room to spare.
-/// A body in mid-step, or one that is to stand beside a wall, may have less room there: the way
-/// then leads from and to where there is room. Where there is none, it is that of a thinner body.
-path::Way find_way(const Museum& museum, const path::FloorMap& map, const WalkOrder& order,
-                   Vec2 from);
+/// The way of a body along its floor, with Museum::walking_room to spare. A body in mid-step, or
+/// one that is to stand beside a wall, may have less room there: the way then leads from and to
+/// where there is room. Where there is none, it is that of a thinner body.
+path::Way find_way(const Museum& museum, const path::FloorMap& map, RouteKind kind, Vec2 from,
+                   Vec2 to);
 
 /// Notes the way in the plan, simplified to what the ribbon and the camera need.
 void keep_way(std::span<const Vec2> points, Plan& plan);

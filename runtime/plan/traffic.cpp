@@ -10,6 +10,7 @@
 #include "runtime/crowd/find_refuge.h"
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
+#include "runtime/plan/leg.h"
 #include "runtime/plan/stretch.h"
 
 namespace docent::plan {
@@ -45,25 +46,19 @@ void append_trajectory(const motion::Walk& walk, double from, double seconds,
 crowd::Trajectory trajectory_before(const WalkOrder& order) {
   constexpr double before = 1;
   const motion::Walk& walk = order.previous->walk;
-  crowd::Trajectory trajectory{*order.seconds - before, {}};
+  crowd::Trajectory trajectory{seconds_of(order) - before, {}};
   const double left = order.previous->seconds() - order.previous_seconds;
   append_trajectory(walk, order.previous_seconds - before,
                     before + std::max(0.0, left) + crowd::Trajectory::step, trajectory);
   return trajectory;
 }
 
-double seconds_of(const motion::Walk& walk) {
+double length_in_seconds(const motion::Walk& walk) {
   return walk.body.empty() ? 0 : static_cast<double>(walk.body.size() - 1) / walk.frame_rate;
 }
 
 bool stands(const WalkOrder& order) {
   return order.previous == nullptr || order.previous_seconds >= order.previous->seconds() - 1e-6;
-}
-
-Placement takes_over_at(const WalkOrder& order) {
-  return order.previous != nullptr
-             ? last_place(order.previous->walk, order.previous_frame, order.start)
-             : order.start;
 }
 
 /// What is left of the way of the plan before, joined slantwise by a body that has been beside it.
@@ -136,10 +131,48 @@ std::vector<Vec2> straightened(std::span<const Vec2> points) {
 
 }  // namespace
 
-Traffic::Traffic(const Museum& museum, const motion::WalkGraph* walking, const path::FloorMap& map)
-    : museum_(museum), walking_(walking), map_(map), reservations_(museum.body_radius) {}
+Traffic::Traffic(const Museum& museum, const motion::WalkGraph* walking,
+                 const path::BuildingMap& building, std::uint32_t floor)
+    : museum_(museum),
+      walking_(walking),
+      building_(building),
+      map_(building.floor(floor)),
+      reservations_(museum.body_radius) {}
+
+void Traffic::leave(std::uint32_t body, double when) {
+  leaving_[body] = when;
+}
+
+/// Those who have left by now.
+void Traffic::let_go(double now) {
+  std::erase_if(leaving_, [&](const auto& one) {
+    if (one.second > now) return false;
+    reservations_.remove(one.first);
+    members_.erase(one.first);
+    return true;
+  });
+}
+
+bool Traffic::keep_place(const WalkOrder& order, Vec2 place, Plan& plan) {
+  const double now = seconds_of(order);
+  let_go(now);
+  leaving_.erase(order.avatar);
+  const crowd::Trajectory there = crowd::standing_trajectory(place);
+  const auto conflict = reservations_.first_conflict(order.avatar, there, spare, now);
+  Member& member = members_[order.avatar];
+  member.rank = order.rank;
+  member.line = {place};
+  if (!conflict) {
+    reservations_.put(order.avatar, there);
+    return true;
+  }
+  if (members_[conflict->body].rank < never_yields) plan.in_the_way.push_back(conflict->body);
+  return false;
+}
 
 std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
+  let_go(seconds_of(order));
+  leaving_.erase(order.avatar);
   members_[order.avatar].rank = order.rank;
   if (order.enters) return enter(order);
   auto plan = order.makes_room_for ? make_room(order) : order.goal ? get_on(order) : stop(order);
@@ -160,7 +193,8 @@ std::unique_ptr<Plan> Traffic::enter(const WalkOrder& order) {
   auto plan = make_standing(walking_, order.start);
   plan->order = order;
   const crowd::Trajectory here = crowd::standing_trajectory(order.start.position);
-  plan->holds = reservations_.first_conflict(order.avatar, here, spare, *order.seconds).has_value();
+  plan->holds =
+      reservations_.first_conflict(order.avatar, here, spare, seconds_of(order)).has_value();
   if (!plan->holds) reservations_.put(order.avatar, here);
   return plan;
 }
@@ -170,16 +204,16 @@ std::optional<crowd::Conflict> Traffic::commit(Plan& plan, motion::Walk walk) {
   // What it does until then stays as it was; that it has been committed to already.
   constexpr double before = 1;
   crowd::Trajectory trajectory;
-  trajectory.start = *order.seconds - before;
+  trajectory.start = seconds_of(order) - before;
   if (order.previous != nullptr)
     append_trajectory(order.previous->walk, order.previous_seconds - before, before - 1e-9,
                       trajectory);
   else
     trajectory.place.assign(static_cast<std::size_t>(before / crowd::Trajectory::step),
                             order.start.position);
-  append_trajectory(walk, 0, seconds_of(walk) + crowd::Trajectory::step, trajectory);
-  auto meeting = reservations_.first_conflict(order.avatar, trajectory, spare, *order.seconds);
-  if (const auto wall = first_wall(trajectory, *order.seconds);
+  append_trajectory(walk, 0, length_in_seconds(walk) + crowd::Trajectory::step, trajectory);
+  auto meeting = reservations_.first_conflict(order.avatar, trajectory, spare, seconds_of(order));
+  if (const auto wall = first_wall(trajectory, seconds_of(order));
       wall && (!meeting || *wall < meeting->seconds))
     meeting = crowd::Conflict{*wall, order.avatar};
   if (meeting) return meeting;
@@ -228,7 +262,7 @@ std::unique_ptr<Plan> Traffic::make_room(const WalkOrder& order) {
   members_[order.avatar].line = line;
   for (const crowd::ReservationTable::Entry& entry : reservations_.entries())
     if (entry.body != order.avatar && entry.body != *order.makes_room_for &&
-        entry.trajectory.end() <= *order.seconds && members_[entry.body].rank < never_yields &&
+        entry.trajectory.end() <= seconds_of(order) && members_[entry.body].rank < never_yields &&
         glm::distance(entry.trajectory.place.back(), from.position) < about_it)
       plan->in_the_way.push_back(entry.body);
   return plan;
@@ -246,28 +280,38 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     plan->length = before.length;
     plan->points = before.points;
     plan->reach = before.reach;
+    plan->end = before.end;
+    plan->then = before.then;
+    plan->metres_after = before.metres_after;
+    plan->seconds_after = before.seconds_after;
     way = rest_of_way(map_, order, museum_.body_radius);
     done = plan->reach.back() - polyline_length(way);
   } else {
-    path::Way found = find_way(museum_, map_, order, from.position);
-    plan->status = found.status;
-    if (found.status != path::RouteStatus::Ok) return plan;
-    plan->length = found.length;
-    way = std::move(found.points);
+    Leg leg = find_leg(museum_, building_, order, from.position);
+    plan->status = leg.way.status;
+    plan->closed = leg.closed;
+    if (leg.way.status != path::RouteStatus::Ok) return plan;
+    plan->end = leg.end;
+    plan->then = leg.then;
+    plan->metres_after = leg.metres_after;
+    plan->seconds_after = leg.seconds_after;
+    plan->length = leg.way.length + leg.metres_after;
+    way = std::move(leg.way.points);
     keep_way(way, *plan);
     plan->is_new_way = true;
   }
-  if (way.size() < 2) way = {from.position, order.goal->position};
+  if (way.size() < 2) way = {from.position, plan->end.position};
   if (advance(*plan, from, way, done)) return plan;
   if (order.blocked_seconds > patience && plan->in_the_way.empty()) {
     const path::RouteQuery query{.kind = RouteKind::Shortest,
                                  .from = from.position,
-                                 .to = order.goal->position,
+                                 .to = plan->end.position,
                                  .radius = museum_.body_radius + Museum::walking_room,
                                  .tell_clearance = false};
-    path::Way round = crowd::find_detour(map_, reservations_, order.avatar, query, *order.seconds);
+    path::Way round =
+        crowd::find_detour(map_, reservations_, order.avatar, query, seconds_of(order));
     if (round.status == path::RouteStatus::Ok) {
-      plan->length = round.length;
+      plan->length = round.length + plan->metres_after;
       keep_way(round.points, *plan);
       plan->is_new_way = true;
       if (advance(*plan, from, round.points, 0)) return plan;
@@ -277,8 +321,37 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   return plan;
 }
 
+/// All of the way, or the first stretch of a long one; less where a turn would lead into a wall.
+bool Traffic::walk_alone(Plan& plan, const Placement& from, std::span<const Vec2> way,
+                         double done) {
+  const double length = polyline_length(way);
+  double most = length > stretch_length + least_rest ? stretch_length : endless;
+  for (int attempt = 0; attempt < most_attempts && most > least_advance; ++attempt) {
+    const bool arrives = most >= length;
+    const std::vector<Vec2> points =
+        arrives ? std::vector<Vec2>(way.begin(), way.end()) : first_part(way, most);
+    std::optional<double> facing;
+    if (arrives) facing = plan.end.heading;
+    motion::Walk walk = walk_along(walking_, plan.order, from, points, facing);
+    for (float& along : walk.along) along += static_cast<float>(done);
+    if (commit(plan, std::move(walk))) {
+      most = std::min(most, length) / 2;
+      continue;
+    }
+    end_walk(arrives, plan);
+    const bool stands_before = plan.handover_frame + 1 == motion::frame_count(plan.walk);
+    if (arrives || most < stretch_length || !stands_before) return true;
+    most = endless;  // no place where another stretch could take over: all of it
+  }
+  return !plan.walk.root.empty();
+}
+
 bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done) {
   const WalkOrder& order = plan.order;
+  if (!order.seconds) {
+    plan.seconds_to_goal = polyline_length(way) / speed_of(order) + plan.seconds_after;
+    return walk_alone(plan, from, way, done);
+  }
   const std::span<const std::uint32_t> detected = order.near.agents();
   std::vector<std::uint32_t> near(detected.begin(), detected.end());
   const auto is_looked_at = [&near](std::uint32_t body) {
@@ -288,7 +361,7 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     const crowd::Passage passage = find_passage(order, from, way, near);
     members_[order.avatar].line = passage.line;
     plan.in_the_way = passage.in_the_way;
-    plan.seconds_to_goal = polyline_length(way) / speed_of(order);
+    plan.seconds_to_goal = polyline_length(way) / speed_of(order) + plan.seconds_after;
     const std::optional<std::uint32_t> met = walk(plan, {from, way, done, passage, near});
     if (!met) return true;
     // Who was far away when it was asked, and is met on the way, is looked at as well.
@@ -306,7 +379,7 @@ crowd::Passage Traffic::find_passage(const WalkOrder& order, const Placement& fr
                                      std::span<const std::uint32_t> near) const {
   crowd::PassageQuery query;
   query.body = order.avatar;
-  query.seconds = *order.seconds;
+  query.seconds = seconds_of(order);
   query.way = way;
   query.speed = speed_of(order);
   query.near = near;
@@ -323,8 +396,7 @@ crowd::Passage Traffic::find_passage(const WalkOrder& order, const Placement& fr
   return crowd::find_passage(map_, reservations_, query);
 }
 
-motion::Walk Traffic::walk_to(const WalkOrder& order, const Advance& advance,
-                              std::uint32_t stop) const {
+motion::Walk Traffic::walk_to(const Plan& plan, const Advance& advance, std::uint32_t stop) const {
   const crowd::Passage& passage = advance.passage;
   const bool arrives = passage.reaches_goal && stop + 1 == passage.points.size();
   std::vector<Vec2> points = straightened(std::span(passage.points).first(std::size_t{stop} + 1));
@@ -333,8 +405,8 @@ motion::Walk Traffic::walk_to(const WalkOrder& order, const Advance& advance,
     points = arrives ? std::vector<Vec2>(advance.way.begin(), advance.way.end())
                      : first_part(advance.way, passage.along[stop]);
   std::optional<double> facing;
-  if (arrives) facing = order.goal->heading;
-  return walk_along(walking_, order, advance.from, points, facing);
+  if (arrives) facing = plan.end.heading;
+  return walk_along(walking_, plan.order, advance.from, points, facing);
 }
 
 std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
@@ -351,7 +423,7 @@ std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
     if (!stop) break;
     const bool arrives = passage.reaches_goal && *stop + 1 == passage.points.size();
     if (reach[*stop] < least_advance && !arrives) break;
-    motion::Walk walk = walk_to(order, advance, *stop);
+    motion::Walk walk = walk_to(plan, advance, *stop);
     const std::vector<double> walked(walk.along.begin(), walk.along.end());
     if (!passage.is_straight)
       tell_along_way(reach, passage.along, advance.done, walk);
@@ -365,7 +437,7 @@ std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
     if (conflict->body != order.avatar &&
         std::ranges::find(advance.near, conflict->body) == advance.near.end())
       return conflict->body;
-    const double seconds = conflict->seconds - meeting_margin - *order.seconds;
+    const double seconds = conflict->seconds - meeting_margin - seconds_of(order);
     const auto frame = static_cast<std::size_t>(
         std::max(0.0, seconds * (walking_ != nullptr ? walking_->frame_rate : glide_rate)));
     most = frame < walked.size() && seconds > 0 ? std::min(walked[frame], reach[*stop] - 0.2)
@@ -377,7 +449,7 @@ std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {
 void Traffic::end_walk(bool arrives, Plan& plan) const {
   plan.is_whole = arrives;
   if (arrives) {
-    plan.seconds_to_goal = plan.seconds();
+    plan.seconds_to_goal = plan.seconds() + plan.seconds_after;
     return;
   }
   plan.handover_frame = motion::frame_count(plan.walk) - 1;

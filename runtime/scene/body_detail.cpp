@@ -9,6 +9,8 @@
 namespace docent::scene {
 namespace {
 
+constexpr float modelled_stature = 1.7F;  // metres, of coarse_levels
+
 using Cell = std::array<std::int32_t, 4>;  // three of the grid, and the material
 
 Cell cell_of(const SkinnedVertex& vertex, float side) noexcept {
@@ -70,6 +72,26 @@ std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell) {
   indices.reserve(3 * triangles.size());
   for (const auto& t : triangles) indices.insert(indices.end(), t.begin(), t.end());
   return indices;
+}
+
+float stature_of(const SkinnedMesh& mesh) noexcept {
+  float stature = 0.01F;
+  for (const SkinnedVertex& vertex : mesh.vertices) stature = std::max(stature, vertex.position.y);
+  return stature;
+}
+
+BodyLevels levels_of(const SkinnedMesh& mesh) {
+  BodyLevels levels;
+  const auto add = [&](std::size_t level, const std::vector<std::uint32_t>& indices) {
+    levels.run[level] = {static_cast<std::uint32_t>(levels.indices.size()),
+                         static_cast<std::uint32_t>(indices.size())};
+    levels.indices.insert(levels.indices.end(), indices.begin(), indices.end());
+  };
+  add(0, mesh.indices);
+  const float scale = stature_of(mesh) / modelled_stature;
+  for (std::size_t i = 0; i < coarse_levels.size(); ++i)
+    add(i + 1, coarser(mesh, coarse_levels[i].cell * scale));
+  return levels;
 }
 
 }  // namespace docent::scene

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,5 +14,29 @@ namespace docent::scene {
 /// that thereby lose their area are left out. Edges move by less than a cell's diagonal, so a body
 /// whose pixels are larger than that looks the same. The same mesh gives the same triangles.
 std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell);
+
+/// Below this height on the screen, in pixels, a body is drawn from cells of this size, in metres
+/// of a body of 1.7 m: about two pixels.
+struct Coarseness {
+  float height, cell;
+};
+inline constexpr std::array<Coarseness, 4> coarse_levels{
+    {{260, 0.017F}, {150, 0.030F}, {75, 0.050F}, {45, 0.075F}}};
+
+/// Height of a body's highest vertex, in metres; a little where there is none.
+float stature_of(const SkinnedMesh& mesh) noexcept;
+
+/// A body's triangles in all levels of detail, the finest first, all on its own vertices.
+struct BodyLevels {
+  static constexpr std::size_t count = 1 + coarse_levels.size();
+  /// A level's part of the indices.
+  struct Run {
+    std::uint32_t first = 0, size = 0;
+  };
+  std::vector<std::uint32_t> indices;
+  std::array<Run, count> run{};
+};
+/// Takes tens of milliseconds.
+BodyLevels levels_of(const SkinnedMesh& mesh);
 
 }  // namespace docent::scene

@@ -123,15 +123,27 @@ CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, 
     high = glm::max(high, p);
   }
   rig.target = to_world((low + high) / 2.0, height);
+  // So far off that nothing of the floor is behind the eye, which is more than half of this away.
+  rig.distance = std::max(rig.distance, glm::distance(low, high));
   const Vec3 ahead = world_direction(yaw), right = world_direction(yaw - pi / 2);
 
   // Perspective makes the picture's middle differ from the floor's: move and scale until it fits.
   for (int round = 0; round < 24; ++round) {
     const CameraView view = view_of(rig, aspect);
     Bounds bounds;
+    bool is_before_eye = true;
     for (const Vec2 p : outline)
-      for (const double h : {height, height + 1.4})
-        if (const auto at = project(view, to_world(p, h))) bounds.add(*at);
+      for (const double h : {height, height + 1.4}) {
+        const auto at = project(view, to_world(p, h));
+        if (at)
+          bounds.add(*at);
+        else
+          is_before_eye = false;
+      }
+    if (!is_before_eye) {
+      rig.distance *= 2;
+      continue;
+    }
     const float fill =
         std::max((bounds.right - bounds.left) / room_x, (bounds.bottom - bounds.top) / room_y);
     const auto metres = static_cast<float>(metres_per_screen(rig));

@@ -107,7 +107,8 @@ struct DrawList {
   CameraView camera;
   /// Parts of the building further than a radius from the focus fade towards the paper colour.
   Vec2 focus{};               ///< Where the attention is, floor frame.
-  float focus_radius = 1e3F;  ///< Metres within which nothing fades.
+  float focus_radius = 1e3F;  ///< Metres within which nothing fades; below 0: even the focus does.
+  float fade = 0.62F;         ///< How far they fade: 1 leaves nothing but paper.
   Vec2 goal{};                ///< Floor frame: it is a little brighter about the goal.
   float goal_radius = 0;      ///< Metres. 0: no goal.
   std::optional<std::uint32_t> highlighted_exhibit{};

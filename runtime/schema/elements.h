@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/model/connection.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
@@ -12,6 +13,10 @@ namespace docent::schema {
 
 void fields(auto& io, MaybeConst<Ring> auto& r) {
   io(r.first, r.count);
+}
+
+void fields(auto& io, MaybeConst<ConnectionStop> auto& s) {
+  io(s.floor, s.placement.position, s.placement.heading);
 }
 
 void fields(auto& io, MaybeConst<Site> auto& s) {

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <span>
 
+#include "runtime/model/hours/opening_hours.h"
+#include "runtime/model/hours/time_zone.h"
+
 namespace docent::schema {
 
 namespace {
@@ -205,10 +208,66 @@ bool keeps(const Scenery& scenery, std::size_t exhibits) {
          finite(scenery.lightmap_min) && finite(scenery.lightmap_max) && finite(scenery.sun);
 }
 
+bool sound_time(double value) {
+  return std::isfinite(value) && value >= 0;
+}
+
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
   return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
          exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
-         finite(exhibit.placement) && finite(exhibit.viewing_point);
+         finite(exhibit.placement) && finite(exhibit.viewing_point) && sound_time(exhibit.weight) &&
+         sound_time(exhibit.looking_seconds);
+}
+
+bool keeps(const Tour& tour, std::size_t exhibits) {
+  std::vector<std::uint32_t> all = tour.exhibits;
+  std::ranges::sort(all);
+  return !all.empty() && all.back() < exhibits && tour.arrives.size() == all.size() &&
+         std::ranges::all_of(tour.arrives, sound_time) &&
+         std::ranges::adjacent_find(all) == all.end() && sound_time(tour.seconds) &&
+         sound_time(tour.minutes);
+}
+
+bool are_hours(const std::string& text) {
+  return text.empty() || parse_opening_hours(text).has_value();
+}
+
+/// Can all hours be read, and the time in which they are told?
+bool keeps_hours(const Museum& museum) {
+  const auto sound = [](const auto& thing) { return are_hours(thing.hours); };
+  return (museum.time_zone.empty() || parse_time_zone(museum.time_zone)) &&
+         (museum.holidays.empty() || parse_dates(museum.holidays)) &&
+         std::ranges::all_of(museum.rooms, sound) && std::ranges::all_of(museum.exhibits, sound) &&
+         std::ranges::all_of(museum.connections, sound) &&
+         std::ranges::all_of(museum.floors, [&](const Floor& floor) {
+           return std::ranges::all_of(floor.plan.doors, sound);
+         });
+}
+
+bool keeps(const Place& place, const Museum& museum) {
+  return place.kind < PlaceKind::Count && place.floor < museum.floors.size() &&
+         finite(place.position) && finite(place.standing);
+}
+
+bool are_distinct(std::span<const ConnectionStop> stops) {
+  std::vector<std::uint32_t> floors;
+  for (const ConnectionStop& stop : stops) floors.push_back(stop.floor);
+  std::ranges::sort(floors);
+  return std::ranges::adjacent_find(floors) == floors.end();
+}
+
+bool keeps(const Connection& connection, const Museum& museum) {
+  const auto ordinal = [&](const ConnectionStop& stop) {
+    return museum.floors[stop.floor].plan.ordinal;
+  };
+  return connection.stops.size() >= 2 && connection.kind <= ConnectionKind::Ramp &&
+         connection.direction <= ConnectionDirection::Down && sound_time(connection.wait_seconds) &&
+         sound_time(connection.seconds_per_floor) && sound_time(connection.metres_per_floor) &&
+         std::ranges::all_of(connection.stops,
+                             [&](const ConnectionStop& stop) {
+                               return stop.floor < museum.floors.size() && finite(stop.placement);
+                             }) &&
+         std::ranges::is_sorted(connection.stops, {}, ordinal) && are_distinct(connection.stops);
 }
 
 bool keeps(const Ambient& ambient) {
@@ -344,6 +403,13 @@ std::string broken_invariant(const Museum& museum) {
       return "room '" + room.id + "'";
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
+  for (const Tour& tour : museum.tours)
+    if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
+  for (const Connection& connection : museum.connections)
+    if (!keeps(connection, museum)) return "connection '" + connection.id + "'";
+  for (const Place& place : museum.places)
+    if (!keeps(place, museum)) return "place '" + place.id + "'";
+  if (!keeps_hours(museum)) return "its hours";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   for (const KioskPlace& kiosk : museum.kiosks)
     if (kiosk.floor >= museum.floors.size() || !finite(kiosk.placement))

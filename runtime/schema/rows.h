@@ -18,6 +18,8 @@ void columns(auto& row, MaybeConst<Museum> auto& museum) {
   row("kiosk_y", museum.kiosk.position.y);
   row("kiosk_heading", museum.kiosk.heading);
   row("body_radius", museum.body_radius);
+  row("time_zone", museum.time_zone);
+  row("holidays", museum.holidays);
   row("ambient_count", museum.ambient.count);
   row("ambient_entrance", museum.ambient.entrances);
   row("ambient_look_least", museum.ambient.look_least);
@@ -40,10 +42,25 @@ void columns(auto& row, MaybeConst<Language> auto& language) {
 
 void columns(auto& row, MaybeConst<Floor> auto& floor) {
   row("name", floor.plan.name);
+  row("ordinal", floor.plan.ordinal);
   row("height", floor.plan.height);
+  row("short_name", floor.plan.short_name);
   row("vertex", floor.plan.vertex);
   row("ring", floor.plan.ring);
   row("next", floor.plan.next);
+}
+
+void columns(auto& row, MaybeConst<Connection> auto& connection) {
+  row("name", connection.id);
+  row("kind", connection.kind);
+  row("direction", connection.direction);
+  row("step_free", connection.step_free);
+  row("closed", connection.closed);
+  row("hours", connection.hours);
+  row("wait_seconds", connection.wait_seconds);
+  row("seconds_per_floor", connection.seconds_per_floor);
+  row("metres_per_floor", connection.metres_per_floor);
+  row("stop", connection.stops);
 }
 
 void columns(auto& row, MaybeConst<Door> auto& door) {
@@ -53,6 +70,7 @@ void columns(auto& row, MaybeConst<Door> auto& door) {
   row("bx", door.b.x);
   row("by", door.b.y);
   row("closed", door.closed);
+  row("hours", door.hours);
 }
 
 void columns(auto& row, MaybeConst<VoronoiDiagram> auto& diagram) {
@@ -120,6 +138,8 @@ void columns(auto& row, MaybeConst<Room> auto& room) {
   row("label_x", room.label.x);
   row("label_y", room.label.y);
   row("outline", room.outline);
+  row("closed", room.closed);
+  row("hours", room.hours);
 }
 
 void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
@@ -134,6 +154,29 @@ void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
   row("view_heading", exhibit.viewing_point.heading);
   row("place", exhibit.place);
   row("image", exhibit.image);
+  row("closed", exhibit.closed);
+  row("hours", exhibit.hours);
+  row("weight", exhibit.weight);
+  row("looking_seconds", exhibit.looking_seconds);
+}
+
+void columns(auto& row, MaybeConst<Place> auto& place) {
+  row("name", place.id);
+  row("kind", place.kind);
+  row("floor", place.floor);
+  row("x", place.position.x);
+  row("y", place.position.y);
+  row("standing_x", place.standing.x);
+  row("standing_y", place.standing.y);
+}
+
+void columns(auto& row, MaybeConst<Tour> auto& tour) {
+  row("name", tour.id);
+  row("exhibit", tour.exhibits);
+  row("fixed", tour.fixed);
+  row("seconds", tour.seconds);
+  row("arrives", tour.arrives);
+  row("minutes", tour.minutes);
 }
 
 void columns(auto& row, MaybeConst<EncodedImage> auto& image) {
@@ -200,6 +243,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.rows("floor", museum.floors);
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
     auto& floor = museum.floors[i];
+    store.texts("floor.title", i, floor.title);
     store.rows_of("door", "floor", i, floor.plan.doors);
     store.row("voronoi_diagram", i, floor.diagram);
     store.row("roadmap", i, floor.roadmap);
@@ -207,6 +251,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.rows_of("tangent_graph", "floor", i, floor.tangent_graphs);
     store.rows_of("hub_labels", "floor", i, floor.hub_labels);
   }
+  store.rows("connection", museum.connections);
   store.rows("scenery", museum.scenery);
 
   store.rows("room", museum.rooms);
@@ -217,6 +262,12 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.texts("exhibit.title", i, museum.exhibits[i].title);
     store.texts("exhibit.text", i, museum.exhibits[i].text);
   }
+  store.rows("place", museum.places);
+  for (std::size_t i = 0; i < museum.places.size(); ++i)
+    store.texts("place.title", i, museum.places[i].title);
+  store.rows("tour", museum.tours);
+  for (std::size_t i = 0; i < museum.tours.size(); ++i)
+    store.texts("tour.title", i, museum.tours[i].title);
   store.rows("image", museum.images);
 
   store.rows("joint", museum.motion.skeleton.joint);

@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 8 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 10 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -17,6 +17,8 @@ CREATE TABLE museum (        -- one row
   kiosk_y REAL NOT NULL,
   kiosk_heading REAL NOT NULL,
   body_radius REAL NOT NULL,
+  time_zone TEXT NOT NULL,           -- as POSIX's TZ, of all hours; empty: the kiosk's own
+  holidays TEXT NOT NULL,            -- public ones: dates of opening_hours with commas between
   ambient_count INTEGER NOT NULL,
   ambient_entrance BLOB NOT NULL,    -- Vec2
   ambient_look_least REAL NOT NULL,  -- seconds
@@ -40,7 +42,7 @@ CREATE TABLE language (      -- the first is the default
 );
 
 CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
-  subject TEXT NOT NULL,     -- museum.title museum.welcome room.title exhibit.title exhibit.text language.word
+  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text place.title tour.title language.word
   owner INTEGER NOT NULL,    -- id in the subject's table
   key TEXT NOT NULL,         -- language tag; for language.word the word's key
   text TEXT NOT NULL,
@@ -50,10 +52,26 @@ CREATE TABLE text (          -- everything that is read: titles and texts by lan
 CREATE TABLE floor (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL,
+  ordinal INTEGER NOT NULL,  -- of two floors the upper one's is greater
   height REAL NOT NULL,
+  short_name TEXT NOT NULL,  -- what a lift's button says
   vertex BLOB NOT NULL,      -- Vec2
   ring BLOB NOT NULL,        -- Ring
   next BLOB NOT NULL         -- u32, one a vertex
+);
+
+CREATE TABLE connection (      -- stairs, escalators, lifts, ramps
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,          -- its id in museum.toml
+  kind INTEGER NOT NULL,       -- 0 stairs, 1 escalator, 2 lift, 3 ramp
+  direction INTEGER NOT NULL,  -- 0 both, 1 up, 2 down
+  step_free INTEGER NOT NULL,
+  closed INTEGER NOT NULL,
+  hours TEXT NOT NULL,         -- as OpenStreetMap's opening_hours, here and below; empty: always
+  wait_seconds REAL NOT NULL,
+  seconds_per_floor REAL NOT NULL,
+  metres_per_floor REAL NOT NULL,
+  stop BLOB NOT NULL           -- ConnectionStop
 );
 
 CREATE TABLE door (
@@ -64,7 +82,8 @@ CREATE TABLE door (
   ay REAL NOT NULL,
   bx REAL NOT NULL,
   by REAL NOT NULL,
-  closed INTEGER NOT NULL,
+  closed INTEGER NOT NULL,      -- for good: the plan has a wall there
+  hours TEXT NOT NULL,
   PRIMARY KEY (floor, id)
 ) WITHOUT ROWID;
 
@@ -143,7 +162,9 @@ CREATE TABLE room (
   floor INTEGER NOT NULL,
   label_x REAL NOT NULL,
   label_y REAL NOT NULL,
-  outline BLOB NOT NULL         -- Vec2
+  outline BLOB NOT NULL,        -- Vec2
+  closed INTEGER NOT NULL,
+  hours TEXT NOT NULL
 );
 
 CREATE TABLE exhibit (
@@ -158,7 +179,32 @@ CREATE TABLE exhibit (
   view_y REAL NOT NULL,
   view_heading REAL NOT NULL,
   place INTEGER NOT NULL,       -- 0 on the floor, 1 on a wall, 2 in a case
-  image INTEGER NOT NULL
+  image INTEGER NOT NULL,
+  closed INTEGER NOT NULL,
+  hours TEXT NOT NULL,
+  weight REAL NOT NULL,         -- how much it is worth seeing, where not all can be seen
+  looking_seconds REAL NOT NULL
+);
+
+CREATE TABLE place (            -- what visitors ask for besides exhibits
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,           -- its id in museum.toml
+  kind INTEGER NOT NULL,        -- PlaceKind
+  floor INTEGER NOT NULL,
+  x REAL NOT NULL,
+  y REAL NOT NULL,
+  standing_x REAL NOT NULL,     -- where the way to it ends
+  standing_y REAL NOT NULL
+);
+
+CREATE TABLE tour (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,           -- its id in museum.toml
+  exhibit BLOB NOT NULL,        -- u32, in the order in which they are visited
+  fixed INTEGER NOT NULL,       -- 1: the order is staff's, else the shortest from the kiosk
+  seconds REAL NOT NULL,        -- ways and looking
+  arrives BLOB NOT NULL,        -- f64, one an exhibit: seconds from the kiosk
+  minutes REAL NOT NULL         -- what staff promise, or 0
 );
 
 CREATE TABLE image (

@@ -44,12 +44,15 @@ int say(const Options& options, const Result<Outcome>& outcome) {
 Result<Settings> settings_of(const Options& options, const config::KioskConfig& config) {
   Result<std::vector<signature::PublicKey>> keys = signature::read_public_keys(config.keys);
   if (!keys) return std::unexpected(keys.error());
-  return Settings{.store = {config.content},
-                  .source = {options.source.value_or(config.source)},
-                  .keys = std::move(*keys),
-                  .device = {.program = std::string(terminal::version()),
-                             .schema = schema::version,
-                             .group = config.group}};
+  return Settings{
+      .store = {config.content},
+      .source = {.place = options.source.value_or(config.source),
+                 .session =
+                     std::filesystem::path(config.content).replace_filename("update.session")},
+      .keys = std::move(*keys),
+      .device = {.program = std::string(terminal::version()),
+                 .schema = schema::version,
+                 .group = config.group}};
 }
 
 /// Releases are taken only where it is known whose they have to be.
@@ -106,6 +109,9 @@ terminal::Command program(Options& options, std::function<int()> run) {
                         {"/var/lib/docent/museum.db", "The database that is shown"},
                         {"/var/lib/docent/releases", "The last three releases"},
                         {"/var/lib/docent/update.state", "What this device remembers of releases"},
+                        {"/var/lib/docent/update.session",
+                         "By what the web server knows this device again, which saves "
+                         "certificates; a secret"},
                         {"/var/lib/docent/update.prom",
                          "What it tells of them, for node_exporter's textfile collector"}}},
               terminal::exit_codes()}};

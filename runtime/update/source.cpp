@@ -19,10 +19,12 @@ Result<Response> read(const std::filesystem::path& file, std::uint64_t most,
         Error{Errc::Environment, fmt::format("{}: {}; what is shown stays", file.string(), why)});
   };
   std::error_code status;
-  if (!std::filesystem::exists(file, status)) return Response{.kind = Response::Kind::NotFound};
+  const bool is_there = std::filesystem::exists(file, status);
+  if (status) return failed(fmt::format("cannot be looked at ({})", status.message()));
+  if (!is_there) return Response{.kind = Response::Kind::NotFound};
   if (!std::filesystem::is_regular_file(file, status)) return failed("is not a file");
   std::ifstream in(file, std::ios::binary);
-  if (!in) return failed("cannot be opened");
+  if (!in) return failed("may not be read; give it read permission: chmod a+r");
   std::array<char, 65536> part;
   while (in) {
     in.read(part.data(), part.size());
@@ -51,8 +53,10 @@ Result<Response> fetch(const Source& source, std::string_view name, std::uint64_
                        const std::string& etag,
                        const std::function<bool(std::span<const std::byte>)>& take) {
   const std::string file = name_in(source, name);
-  return is_url(source) ? https::fetch({.url = file, .etag = etag, .most = most}, take)
-                        : read(file, most, take);
+  return is_url(source)
+             ? https::fetch({.url = file, .etag = etag, .most = most, .session = source.session},
+                            take)
+             : read(file, most, take);
 }
 
 Result<Text> fetch_text(const Source& source, std::string_view name, std::uint64_t most,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@ namespace docent::update {
 /// Where releases come from: a folder, such as a USB stick's, or the URL of one.
 struct Source {
   std::string place{};
+  std::filesystem::path session{};  ///< Where a server's TLS session is kept; may be empty.
 };
 
 bool is_url(const Source& source);

@@ -143,6 +143,28 @@ bool fetch_differences(const Store& store, const Source& source, const release::
   return kept;
 }
 
+/// Is there room for a file, and for what else a kiosk writes meanwhile? A full disk would hurt
+/// more than one that keeps an old release.
+Result<void> check_room(const Store& store, const release::ReleasedFile& file,
+                        std::uint64_t version) {
+  constexpr std::uint64_t for_others = 8U << 20U;
+  const fs::path folder = releases_folder(store);
+  std::error_code status;
+  const std::uint64_t room = fs::space(folder, status).available;
+  if (status || (room >= for_others && file.size <= room - for_others)) return {};
+  return std::unexpected(
+      Error{Errc::Environment,
+            fmt::format("{}: has {} MB of room, and release {} needs {}; what is shown stays",
+                        folder.string(), room >> 20U, version, (file.size + for_others) >> 20U)});
+}
+
+Result<void> fetch_new(const Store& store, const Source& source, const release::ReleasedFile& file,
+                       const DeviceState& state, const fs::path& place, std::uint64_t version) {
+  if (const Result<void> fits = check_room(store, file, version); !fits) return fits;
+  if (fetch_differences(store, source, file, state, place)) return {};
+  return fetch_whole(source, file, place);
+}
+
 /// A kept file with these bytes, by another release's name.
 bool link_same(const Store& store, const release::ReleasedFile& file, const DeviceState& state,
                const fs::path& place) {
@@ -172,9 +194,9 @@ Result<void> put_in_place(const Store& store, const Kept& kept) {
 
 }  // namespace
 
-StoreLock::StoreLock(const Store& store, int seconds) {
-  const fs::path file = folder_of(store) / "update.lock";
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0644);
+StoreLock::StoreLock(const Store& store, int seconds) : file_(folder_of(store) / "update.lock") {
+  const int descriptor = ::open(file_.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor < 0) why_ = errno;
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   while (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     if (std::chrono::steady_clock::now() >= until) {
@@ -184,6 +206,12 @@ StoreLock::StoreLock(const Store& store, int seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
   descriptor_ = descriptor;
+}
+
+Error StoreLock::why() const {
+  if (why_ != 0) return failure(file_, "cannot be written", why_).error();
+  return {Errc::Environment,
+          fmt::format("{}: another docent-update is at work; try again", file_.string())};
 }
 
 void become_owner(const Store& store) noexcept {
@@ -228,9 +256,9 @@ Result<Kept> keep(const Store& store, const Source& source, std::uint64_t versio
   std::error_code status;
   fs::create_directories(releases_folder(store), status);
   if (status) return failure(releases_folder(store), "cannot be made", status.value());
-  if (!link_same(store, file, state, place) &&
-      !fetch_differences(store, source, file, state, place))
-    if (const Result<void> fetched = fetch_whole(source, file, place); !fetched)
+  if (!link_same(store, file, state, place))
+    if (const Result<void> fetched = fetch_new(store, source, file, state, place, version);
+        !fetched)
       return std::unexpected(fetched.error());
   if (std::ranges::find(state.kept, kept) == state.kept.end()) state.kept.push_back(kept);
   return kept;

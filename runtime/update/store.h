@@ -15,6 +15,7 @@ namespace docent::update {
 ///
 ///   museum.db                     the database shown: another name of the release's own file
 ///   update.state                  what the device remembers (release::DeviceState)
+///   update.session                a TLS session of the source (https::Session); may be missing
 ///   update.lock                   held by whoever changes any of this
 ///   releases/000042-s7.db         release 42, for schema version 7: the last three, and of the
 ///                                 newest the ones that a newer program will show
@@ -40,9 +41,13 @@ class StoreLock {
   StoreLock& operator=(const StoreLock&) = delete;
   ~StoreLock();
   [[nodiscard]] bool is_held() const noexcept { return descriptor_ >= 0; }
+  /// Why it is not held.
+  [[nodiscard]] Error why() const;
 
  private:
+  std::filesystem::path file_;
   int descriptor_ = -1;
+  int why_ = 0;  ///< errno; 0: somebody else holds it.
 };
 
 std::filesystem::path file_of(const Store& store, const release::Kept& kept);

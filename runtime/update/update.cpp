@@ -11,6 +11,7 @@
 #include "platform/signature/signed_text.h"
 #include "platform/sqlite/content_reader.h"
 #include "platform/sqlite/signature_block.h"
+#include "runtime/schema/schema.h"
 
 namespace docent::update {
 namespace {
@@ -24,16 +25,10 @@ using release::Time;
 constexpr int patience_at_start = 2, patience = 120;  // seconds for whoever has the lock
 constexpr std::uint64_t largest_health = 4096;
 
-std::unexpected<Error> is_busy() {
-  return std::unexpected(
-      Error{Errc::Environment,
-            "another docent-update is at work, or its folder cannot be written to; try again"});
-}
-
 /// Would the kiosk show it? Every byte of it is looked at.
 Result<void> check_database(const std::filesystem::path& file,
                             std::span<const signature::PublicKey> keys) {
-  const Result<sqlite::Database> database = sqlite::open_database(file);
+  const Result<sqlite::Database> database = sqlite::open_database(file, schema::largest_shown);
   if (!database) return std::unexpected(database.error());
   if (!keys.empty())
     if (const Result<void> trusted = sqlite::check_signature(*database, file, keys); !trusted)
@@ -126,6 +121,12 @@ void keep_for_newer_programs(const Settings& settings, const Manifest& manifest,
 Result<void> take(const Settings& settings, const Manifest& manifest, DeviceState& state,
                   Time now) {
   const release::ReleasedFile& file = *file_for(manifest, settings.device.schema);
+  if (file.size > schema::largest_shown)
+    return std::unexpected(Error{
+        Errc::InvalidInput,
+        fmt::format("release {} holds a database of {} MB, and the most that a kiosk shows is {}; "
+                    "it is not fetched",
+                    manifest.version, file.size >> 20U, schema::largest_shown >> 20U)});
   const Result<Kept> kept = keep(settings.store, settings.source, manifest.version, file, state);
   if (!kept) return std::unexpected(kept.error());
   const Result<void> sound = check_database(file_of(settings.store, *kept), settings.keys);
@@ -173,7 +174,7 @@ Result<DeviceState> open_store(const Settings& settings) {
 
 Result<Outcome> update(const Settings& settings, Time now) {
   const StoreLock lock(settings.store, patience);
-  if (!lock.is_held()) return is_busy();
+  if (!lock.is_held()) return std::unexpected(lock.why());
   Result<DeviceState> state = open_store(settings);
   if (!state) return std::unexpected(state.error());
   const Result<Offer> offer = look(settings, *state);
@@ -203,7 +204,7 @@ Result<Outcome> update(const Settings& settings, Time now) {
 
 Result<Outcome> go_back(const Settings& settings, Time now) {
   const StoreLock lock(settings.store, patience);
-  if (!lock.is_held()) return is_busy();
+  if (!lock.is_held()) return std::unexpected(lock.why());
   Result<DeviceState> state = open_store(settings);
   if (!state) return std::unexpected(state.error());
   return go_back_from_shown(settings, *state, now);
@@ -211,7 +212,7 @@ Result<Outcome> go_back(const Settings& settings, Time now) {
 
 Result<Outcome> prepare_start(const Settings& settings, Time now) {
   const StoreLock lock(settings.store, patience_at_start);
-  if (!lock.is_held()) return is_busy();
+  if (!lock.is_held()) return std::unexpected(lock.why());
   Result<DeviceState> state = open_store(settings);
   if (!state) return std::unexpected(state.error());
   const std::uint32_t schema = settings.device.schema;

@@ -49,7 +49,8 @@ TEST_F(QueryCommands, RouteAnswersInJson) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out,
             "{\"status\": \"ok\", \"length\": 10, \"clearance_min\": 1, "
-            "\"points\": [[1, 1], [11, 1]]}\n");
+            "\"points\": [[1, 1], [11, 1]], \"seconds\": 10, \"floors\": [\"hall\"], "
+            "\"legs\": [{\"floor\": \"hall\", \"points\": [[1, 1], [11, 1]]}]}\n");
 }
 
 TEST_F(QueryCommands, RouteSaysWhatIsBlocked) {
@@ -98,7 +99,7 @@ TEST_F(QueryCommands, ATableOfAnotherEncodingIsNamed) {
   write_file(path("q.csv"), wide(U"\uFEFFx0,y0,x1,y1,r\n", 2, ByteOrder::Little));
 
   EXPECT_THAT(route({"--queries", path("q.csv"), "-o", path("a.csv")}).err,
-              HasSubstr("q.csv: error[not-utf8]: is UTF-16 (little endian)"));
+              HasSubstr("q.csv:1:1: error[not-utf8]: is UTF-16 (little endian)"));
 }
 
 TEST_F(QueryCommands, RouteRefusesCommandLinesThatMakeNoSense) {

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/look.h"
@@ -23,17 +24,17 @@ namespace {
 constexpr std::size_t guides = scene::guide_look_count, strollers = 40;
 
 /// Lets the kiosk run in simulated time, the worker's answers always there.
-void run(kiosk::Exhibition& exhibition, gles::Renderer& renderer, double seconds) {
+void run(kiosk::Exhibition& exhibition, double seconds) {
   for (int frame = 0; frame < std::lround(60 * seconds); ++frame) {
     exhibition.planner->wait();
     exhibition.guide->step(guide::Seconds{1.0F / 60});
-    kiosk::apply_pieces(*exhibition.guide, renderer);
+    kiosk::apply_pieces(exhibition);
   }
 }
 
-void press(kiosk::Exhibition& exhibition, gles::Renderer& renderer, input::Key key) {
+void press(kiosk::Exhibition& exhibition, input::Key key) {
   exhibition.guide->touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = key});
-  run(exhibition, renderer, 0.1);
+  run(exhibition, 0.1);
 }
 
 /// The leader again, elsewhere and in another look.
@@ -73,23 +74,29 @@ struct Cost {
   std::vector<double> wall, processor;  ///< Milliseconds a frame.
 };
 
-void draw_once(gles::Renderer& renderer, headless::HeadlessDisplay& display,
-               const scene::DrawList& list, Cost& cost) {
+/// What a picture is drawn with, and to.
+struct Easel {
+  gles::Renderer& renderer;
+  const gles::Holdings& holdings;
+  headless::HeadlessDisplay& display;
+};
+
+void draw_once(const Easel& easel, const scene::DrawList& list, Cost& cost) {
   const double begun = now();
   const std::clock_t worked = std::clock();
-  renderer.draw(list, display.target());
+  easel.renderer.draw(list, easel.holdings, easel.display.target());
   glFinish();
   cost.wall.push_back(1e3 * (now() - begun));
   cost.processor.push_back(1e3 * static_cast<double>(std::clock() - worked) / CLOCKS_PER_SEC);
 }
 
 /// What do seven more guides and forty visitors cost beside one guide, frame about frame?
-void compare(const char* picture, gles::Renderer& renderer, headless::HeadlessDisplay& display,
-             const scene::DrawList& alone, const scene::DrawList& crowd, int frames) {
+void compare(const char* picture, const Easel& easel, const scene::DrawList& alone,
+             const scene::DrawList& crowd, int frames) {
   Cost one, many;
   for (int frame = 0; frame < frames + 2; ++frame) {
-    draw_once(renderer, display, alone, one);
-    draw_once(renderer, display, crowd, many);
+    draw_once(easel, alone, one);
+    draw_once(easel, crowd, many);
     if (frame == 1) one = many = {};  // textures and buffers have found their places
   }
   const auto report = [&](const char* clock, std::span<const double> a, std::span<const double> b) {
@@ -113,27 +120,27 @@ int measure(const std::string& database, int frames) {
     return 1;
   }
   kiosk::Exhibition& exhibition = **loaded;
-  kiosk::upload(exhibition, *renderer);
-  renderer->warm_up((*display)->target());
+  kiosk::upload(exhibition);
+  renderer->warm_up(exhibition.holdings, (*display)->target());
+  const Easel easel{*renderer, exhibition.holdings, **display};
   std::printf("milliseconds a frame at 1920 x 1080     clock      1 avatar       48    ratio\n");
 
-  run(exhibition, *renderer, 0.5);
-  press(exhibition, *renderer, input::Key::Enter);
-  run(exhibition, *renderer, 2);
+  run(exhibition, 0.5);
+  press(exhibition, input::Key::Enter);
+  run(exhibition, 2);
   const scene::DrawList overview = exhibition.guide->draw_list();
-  compare("overview, all over the floor", *renderer, **display, overview,
+  compare("overview, all over the floor", easel, overview,
           with_company(overview, {0.5, 0.5}, 38, 30), frames);
 
-  press(exhibition, *renderer, input::Key::Down);
-  press(exhibition, *renderer, input::Key::Enter);
-  run(exhibition, *renderer, 4);
+  press(exhibition, input::Key::Down);
+  press(exhibition, input::Key::Enter);
+  run(exhibition, 4);
   const scene::DrawList walking = exhibition.guide->draw_list();
-  compare("walking, all over the floor", *renderer, **display, walking,
-          with_company(walking, {0.5, 0.5}, 38, 30), frames);
+  compare("walking, all over the floor", easel, walking, with_company(walking, {0.5, 0.5}, 38, 30),
+          frames);
   const Vec2 leader = to_floor(walking.avatars.front().centre);
-  compare("walking, all within 14 m by 14 m", *renderer, **display, walking,
+  compare("walking, all within 14 m by 14 m", easel, walking,
           with_company(walking, leader - Vec2{7, 7}, 14, 14), frames);
-  renderer->release_textures();
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "platform/image/image.h"
 #include "runtime/guide/stage.h"
@@ -49,21 +50,24 @@ scene::CameraView seen(const guide::Avatar& avatar, const Camera& camera, double
   return scene::view_of(rig, 1);
 }
 
-int film(kiosk::Exhibition& exhibition, const WalkShape& shape, const Camera& camera,
-         const std::filesystem::path& folder) {
-  constexpr std::uint32_t side = 360;
+/// What walks are filmed with.
+struct Studio {
+  headless::HeadlessDisplay& display;
+  gles::Renderer& renderer;
+  Camera camera;
+  std::filesystem::path folder;
+};
+
+int film(const Studio& studio, kiosk::Exhibition& exhibition, const WalkShape& shape) {
   const Museum& museum = exhibition.museum;
-  auto display = headless::open_headless({side, side});
-  auto renderer = gles::make_renderer();
-  if (!display || !renderer) return 3;
+  const Camera& camera = studio.camera;
   auto plan = plan_along(museum, shape, museum.kiosk.position);
   if (!plan) return 1;
-  kiosk::upload(exhibition, *renderer);
+  kiosk::upload(exhibition);
   guide::Avatar avatar =
       guide::make_avatar(museum, 0, plan::make_standing(museum, plan->walk.body.front()));
   avatar.look = 1;
   avatar.plan = std::move(plan);
-  std::filesystem::create_directories(folder);
   scene::DrawList list;
   list.ribbons.reserve(1);
   list.ribbon_point.reserve(1 << 14);
@@ -80,9 +84,10 @@ int film(kiosk::Exhibition& exhibition, const WalkShape& shape, const Camera& ca
       yaw = scene::turn_smoothly(yaw, avatar.body.heading + camera.yaw, picture_seconds, 0.6, 1.2);
     list.camera = seen(avatar, camera, yaw);
     list.focus = avatar.body.position;
-    renderer->draw(list, (*display)->target());
-    (*display)->read_back(picture);
-    if (!image::write_png(folder / fmt::format("{}-{:04}.png", shape.name, i), picture)) return 3;
+    studio.renderer.draw(list, exhibition.holdings, studio.display.target());
+    studio.display.read_back(picture);
+    if (!image::write_png(studio.folder / fmt::format("{}-{:04}.png", shape.name, i), picture))
+      return 3;
     guide::advance(museum, avatar, picture_seconds);
   }
   return 0;
@@ -100,6 +105,12 @@ int run(int argc, char** argv) {
   app.add_option("--distance", camera.distance, "metres");
   app.add_flag("--along", camera.goes_along, "the camera turns with the guide");
   CLI11_PARSE(app, argc, argv);
+  constexpr std::uint32_t side = 360;
+  auto display = headless::open_headless({side, side});
+  auto renderer = gles::make_renderer();
+  if (!display || !renderer) return 3;
+  std::filesystem::create_directories(folder);
+  const Studio studio{**display, *renderer, camera, folder};
   for (const WalkShape& one : basic_shapes()) {
     if (!shape.empty() && one.name != shape) continue;
     auto exhibition = kiosk::load_exhibition(database, kiosk::Selection{}, {});
@@ -107,7 +118,7 @@ int run(int argc, char** argv) {
       fmt::print(stderr, "{}\n", exhibition.error().what);
       return 1;
     }
-    if (const int failed = film(**exhibition, one, camera, folder); failed != 0) return failed;
+    if (const int failed = film(studio, **exhibition, one); failed != 0) return failed;
     fmt::print("{}\n", one.name);
   }
   return 0;

@@ -184,20 +184,6 @@ TEST(MuseumConfig, ShowsTheOtherLanguagesTextWhereATranslationIsMissing) {
   EXPECT_THAT(loaded.diagnostics[0].hint, HasSubstr("A disc."));
 }
 
-TEST(MuseumConfig, WantsTheSameWordsInEveryLanguage) {
-  const MuseumFolder museum;
-  museum.write("words/en.toml",
-               "name = \"English\"\ndirection = \"left-to-right\"\n[words]\nhome = \"Home\"\n");
-  museum.write("words/ar.toml",
-               "name = \"العربية\"\ndirection = \"right-to-left\"\n[words]\nhoem = \"البداية\"\n");
-
-  const auto loaded = load_museum_config(museum.path());
-
-  ASSERT_THAT(codes(loaded), ElementsAre("missing-translation", "unknown-key"));
-  EXPECT_EQ(loaded.diagnostics[0].hint, "translate: home = \"Home\"");
-  EXPECT_EQ(loaded.diagnostics[1].hint, "did you mean 'home'?");
-}
-
 TEST(MuseumConfig, NamesTheFloorsWhereOneIsUnknown) {
   const MuseumFolder museum;
   museum.replace("museum.toml", "[kiosk]\n", "[kiosk]\nfloor = \"first\"\n");

@@ -51,7 +51,7 @@ TEST(TomlDocument, SaysWhereAFileCannotBeRead) {
   EXPECT_EQ(file.diagnostics[0].code, "unreadable-toml");
   EXPECT_EQ(file.diagnostics[0].file, "museum.toml");
   EXPECT_EQ(file.diagnostics[0].line, 2U);
-  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("cannot be read as TOML"));
+  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("two equals signs stand in this line"));
 }
 
 TEST(TomlDocument, SaysWhatIsWrongWhereAKeyShouldBegin) {
@@ -109,7 +109,8 @@ TEST(TomlDocument, SaysWhereALetterOfLatin1Stands) {
   ASSERT_EQ(file.diagnostics.size(), 1U);
   EXPECT_EQ(file.diagnostics[0].line, 2U);
   EXPECT_EQ(file.diagnostics[0].column, 13U);
-  EXPECT_THAT(file.diagnostics[0].message, HasSubstr("in Latin-1 it is 'é'"));
+  EXPECT_THAT(file.diagnostics[0].message,
+              HasSubstr("it seems, Windows-1252 (or Latin-1): the byte 0xE9 here is 'é'"));
 }
 
 TEST(TomlDocument, TakesAByteOrderMarkOfUtf8) {

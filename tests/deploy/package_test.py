@@ -29,6 +29,13 @@ MOST_BYTES = 3_000_000
 # What Mesa and cairo bring is theirs; these the kiosk itself must not name.
 NEVER = r"\b(libx11|xserver|xorg|gcc-|g\+\+|clang|libcgal|libgmp|libmpfr|libboost|librsvg)"
 
+# What tells an integrator and a museum's staff how to go on.
+MANUALS = {
+    "docent": ("docent.1", "docent-update.1", "docent-database.5", "docent-visit.5", "kiosk.toml.5"),
+    "docent-content": ("docent-content.1", "museum.toml.5"),
+}
+COMPLETED = {"docent": ("docent", "docent-update"), "docent-content": ("docent-content",)}
+
 LIVES = """set -ex
 id -u docent
 id -u docent-update
@@ -45,6 +52,8 @@ for unit in lock start update; do test -s /lib/systemd/system/docent-$unit.servi
 test ! -e /etc/systemd/system/timers.target.wants/docent-update.timer
 setpriv --reuid docent --regid docent --clear-groups env HOME=/tmp docent --display headless --size 320x180 --seconds 1 --stats /tmp/stats.json
 grep '"frames": 6[0-9],' /tmp/stats.json
+setpriv --reuid docent-update --regid docent-update --clear-groups docent-update --starting
+test -e /var/lib/docent/update.state
 """
 CHANGE = "sed -i 's/^idle_reset = 60 /idle_reset = 90 /' /etc/docent/kiosk.toml && grep -q '= 90' /etc/docent/kiosk.toml"
 UPGRADED = """set -ex
@@ -92,6 +101,13 @@ def judge(packages: dict[str, pathlib.Path], out: pathlib.Path) -> None:
         raise Failure("the copyright file of docent-content does not say GPL-3")
     if "/etc/docent/kiosk.toml" not in file_of(kiosk, "--ctrl-tarfile", "./conffiles"):
         raise Failure("kiosk.toml is no conffile")
+    for name, deb in packages.items():
+        listed = run("dpkg-deb", "-c", str(deb)).stdout
+        helps = [f"/usr/share/man/man{manual[-1]}/{manual}.gz\n" for manual in MANUALS[name]]
+        helps += [f"/usr/share/bash-completion/completions/{program}\n" for program in COMPLETED[name]]
+        helps += [f"/usr/share/zsh/vendor-completions/_{program}\n" for program in COMPLETED[name]]
+        if missing := [file.strip() for file in helps if file not in listed]:
+            raise Failure(f"the package {name} lacks {missing}")
     if not shutil.which("lintian"):
         print("lintian is not installed, and not asked")
         return

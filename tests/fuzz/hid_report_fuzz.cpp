@@ -55,7 +55,8 @@ class Glass {
     const std::uint32_t id = event.contact.id;
     if (event.kind == Kind::Down && !down_.insert(id).second) __builtin_trap();
     if (event.kind == Kind::Move && !down_.contains(id)) __builtin_trap();
-    if (event.kind == Kind::Up && down_.erase(id) != 1) __builtin_trap();
+    if ((event.kind == Kind::Up || event.kind == Kind::Cancel) && down_.erase(id) != 1)
+      __builtin_trap();
   }
 
   std::vector<input::Contact> before_;

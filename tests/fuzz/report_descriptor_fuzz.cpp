@@ -20,7 +20,8 @@ void check(std::span<const input::InputEvent> events, std::set<std::uint32_t>& d
     if (!(c.x >= 0 && c.x <= 1 && c.y >= 0 && c.y <= 1)) __builtin_trap();
     if (event.kind == Kind::Down && !down.insert(c.id).second) __builtin_trap();
     if (event.kind == Kind::Move && !down.contains(c.id)) __builtin_trap();
-    if (event.kind == Kind::Up && down.erase(c.id) == 0) __builtin_trap();
+    if ((event.kind == Kind::Up || event.kind == Kind::Cancel) && down.erase(c.id) == 0)
+      __builtin_trap();
   }
 }
 

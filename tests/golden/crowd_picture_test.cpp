@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/camera.h"
@@ -44,13 +45,13 @@ guide::Avatar walker(kiosk::Exhibition& exhibition, std::uint32_t look, const Po
 /// Six guides with their trails, as in the paper's Figure 1.
 TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
   constexpr PixelSize size{1280, 720};
-  auto loaded = kiosk::load_exhibition(sample_database(), kiosk::Selection{}, {});
-  ASSERT_TRUE(loaded.has_value()) << loaded.error().what;
-  kiosk::Exhibition& exhibition = **loaded;
   auto display = headless::open_headless(size);
   ASSERT_TRUE(display.has_value()) << display.error().what;
   auto renderer = gles::make_renderer();
   ASSERT_TRUE(renderer.has_value()) << renderer.error().what;
+  auto loaded = kiosk::load_exhibition(sample_database(), kiosk::Selection{}, {});
+  ASSERT_TRUE(loaded.has_value()) << loaded.error().what;
+  kiosk::Exhibition& exhibition = **loaded;
   const auto from = [](double x, double y, double degrees) {
     return Placement{{x, y}, glm::radians(degrees)};
   };
@@ -78,8 +79,8 @@ TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
   rig.distance = 28;
   list.camera = scene::view_of(rig, 16.0F / 9);
   list.focus = {20.2, 14.3};
-  kiosk::upload(exhibition, *renderer);
-  renderer->draw(list, (*display)->target());
+  kiosk::upload(exhibition);
+  renderer->draw(list, exhibition.holdings, (*display)->target());
   Pixels drawn;
   (*display)->read_back(drawn);
 

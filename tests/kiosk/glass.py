@@ -2,7 +2,8 @@
 """A multi-touch screen that is not there: runs inside the machine, plugs itself in through /dev/uhid and is touched by
 lines of text. Needs python3-minimal only.
 
-    glass.py FIFO [DESCRIPTOR]    each line "X Y" written to FIFO, in [0, 1] from the top left, is one short touch
+    glass.py FIFO [DESCRIPTOR]    each line "X Y" written to FIFO, in [0, 1] from the top left, is one short touch; the file
+                                  FIFO.reports gets the time of its first report, nanoseconds of the monotonic clock
     glass.py storm SECONDS        three screens that are plugged in and pulled out all the time, for so long
 
 DESCRIPTOR is a report descriptor in hexadecimal bytes; without one it is `OWN`. Either has the input report that `report`
@@ -110,7 +111,10 @@ def main(fifo: str, descriptor: str = OWN) -> None:
             answer(device)
         if lines in ready:
             x, y = lines.readline().split()
+            reported = time.monotonic_ns()
             touch(device, float(x), float(y))
+            with open(f"{fifo}.reports", "a") as times:
+                print(reported, file=times)
 
 
 if __name__ == "__main__":

@@ -8,9 +8,17 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable
+from typing import Protocol
 
 from picture import Picture, read_ppm
-from root_image import RootImage
+
+
+class Bootable(Protocol):
+    """What a machine starts from."""
+
+    def arguments(self) -> list[str]:
+        """For QEMU; what is written is forgotten."""
+        ...
 
 
 class Failure(Exception):
@@ -83,9 +91,12 @@ class Viewer:
 
 class Machine:
     """A running machine with a screen of the given size. What it says is kept under `logs`. Nobody waits for anything on
-    its screen beyond `deadline`, a time of the monotonic clock."""
+    its screen beyond `deadline`, a time of the monotonic clock. `devices` are further arguments of QEMU."""
 
-    def __init__(self, image: RootImage, luggage: pathlib.Path, size: tuple[int, int], logs: pathlib.Path, deadline: float) -> None:
+    # fmt: off
+    def __init__(self, image: Bootable, luggage: pathlib.Path, size: tuple[int, int], logs: pathlib.Path, deadline: float,
+                 devices: tuple[str, ...] = ()) -> None:
+        # fmt: on
         self.logs, self.deadline = logs, deadline
         self.shell, self.monitor = Line(), Line()
         self.folder = tempfile.TemporaryDirectory(prefix="machine-")  # a socket's address has to be short
@@ -98,15 +109,13 @@ class Machine:
             "-smp", "2", "-cpu", "Nehalem", "-m", "1536",
             "-nodefaults", "-display", "none", "-vga", "none", "-nic", "none",
             "-vnc", f"unix:{self.viewers}",
-            "-kernel", str(image.kernel), "-initrd", str(image.initial_root),
-            "-append", "console=ttyS0 quiet mitigations=off nokaslr systemd.show_status=0",
+            *image.arguments(),
             "-device", f"virtio-gpu-pci,id=screen,xres={size[0]},yres={size[1]}",
-            "-drive", f"file={image.disk},if=virtio,format=raw,snapshot=on",  # what is written is forgotten
             "-drive", f"file={luggage},if=virtio,format=raw,readonly=on",
             "-device", "virtio-serial-pci", "-chardev", f"socket,id=shell,fd={ends[self.shell]}",
             "-device", "virtserialport,chardev=shell,name=shell",
             "-chardev", f"socket,id=monitor,fd={ends[self.monitor]}", "-mon", "chardev=monitor,mode=control",
-            "-serial", f"file:{logs / 'serial.log'}",
+            "-serial", f"file:{logs / 'serial.log'}", *devices,
         ]
         # fmt: on
         with open(logs / "qemu.log", "wb") as log:
@@ -163,13 +172,27 @@ class Machine:
         viewer.set_size(width, height)
         viewer.close()
 
-    def picture(self) -> Picture:
+    def plug_in_stick(self, file: pathlib.Path) -> None:
+        """A USB stick with these bytes; the machine has a controller `usb`."""
+        self.ask_monitor("blockdev-add", **{"driver": "raw", "node-name": "stick", "file": {"driver": "file", "filename": str(file)}})
+        self.ask_monitor("device_add", driver="usb-storage", id="plugged", bus="usb.0", drive="stick", removable=True)
+
+    def pull_out_stick(self) -> None:
+        self.ask_monitor("device_del", id="plugged")
+
+    def cut_power(self) -> None:
+        """And gives it again at once: what had not come to the disk is lost."""
+        self.shell.read = b""
+        self.ask_monitor("system_reset")
+
+    def picture(self, screen: str = "screen") -> Picture:
+        """What is on a screen, named as its graphics card is among `devices`."""
         file = self.logs / "now.ppm"
-        self.ask_monitor("screendump", filename=str(file), device="screen", head=0)
+        self.ask_monitor("screendump", filename=str(file), device=screen, head=0)
         return read_ppm(file)
 
-    def keep_picture(self, name: str) -> None:
-        self.ask_monitor("screendump", filename=str(self.logs / f"{name}.png"), format="png", device="screen", head=0)
+    def keep_picture(self, name: str, screen: str = "screen") -> None:
+        self.ask_monitor("screendump", filename=str(self.logs / f"{name}.png"), format="png", device=screen, head=0)
 
     def wait_until(self, what: str, is_so: Callable[[], bool], patience: float) -> float:
         """Waits for what is slow here and quick on a device; returns how many seconds it took."""

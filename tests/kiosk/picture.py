@@ -33,6 +33,21 @@ class Picture:
         width, row = self.width * 3 // 8, self.width * 3
         return Picture(width, self.height, b"".join(self.rgb[at : at + 3 * width] for at in range(0, len(self.rgb), row)))
 
+    def turned(self, quarters: int) -> "Picture":
+        """Turned clockwise."""
+        turned = self
+        for _ in range(quarters % 4):
+            row = turned.width * 3
+            columns = (b"".join(turned.rgb[at + x : at + x + 3] for at in range(len(turned.rgb) - row, -1, -row)) for x in range(0, row, 3))
+            turned = Picture(turned.height, turned.width, b"".join(columns))
+        return turned
+
+    def shifted(self, right: int) -> "Picture":
+        """Moved to the right; the left edge fills what is left free."""
+        row = self.width * 3
+        rows = (self.rgb[at : at + 3] * right + self.rgb[at : at + row - 3 * right] for at in range(0, len(self.rgb), row))
+        return Picture(self.width, self.height, b"".join(rows))
+
     def difference(self, other: "Picture") -> float:
         """The mean difference of a channel, 0 to 255; of every seventh byte, which is enough and quick."""
         if (self.width, self.height) != (other.width, other.height):

@@ -19,7 +19,9 @@ STOCK = "systemd systemd-sysv udev dbus libpam-systemd kmod".split()
 FOR_THE_TEST = ["python3-minimal"]
 # What this machine needs by itself to reach the disk; everything else is loaded by udev, as on any Debian.
 TO_REACH_THE_DISK = ["virtio_pci", "virtio_blk", "ext4", "crc32c_generic"]
-FOR_UDEV = ["virtio_console", "virtio_gpu", "uhid", "hid_generic", "hid_multitouch", "evdev"]
+TO_BE_FIRST = ["virtio_gpu"]  # of several graphics cards
+FOR_UDEV = ["virtio_console", "virtio_gpu", "bochs", "uhid", "hid_generic", "hid_multitouch", "evdev"]
+FOR_A_STICK = ["xhci_pci", "usb_storage", "sd_mod", "vfat", "nls_cp437", "nls_ascii", "nls_iso8859-1"]
 FREE_MIB = 400
 
 SHELL_UNIT = """\
@@ -60,6 +62,15 @@ class RootImage:
     kernel: pathlib.Path
     initial_root: pathlib.Path
     disk: pathlib.Path
+    further: str = ""  # arguments of the kernel
+
+    def arguments(self) -> list[str]:
+        """For QEMU; what is written is forgotten."""
+        # fmt: off
+        return ["-kernel", str(self.kernel), "-initrd", str(self.initial_root),
+                "-append", f"console=ttyS0 quiet mitigations=off nokaslr systemd.show_status=0 {self.further}",
+                "-drive", f"file={self.disk},if=virtio,format=raw,snapshot=on"]
+        # fmt: on
 
 
 def require_tools() -> None:
@@ -71,6 +82,9 @@ def require_tools() -> None:
         "qemu-system-x86_64": "qemu-system-x86",
         "mmdebstrap": "mmdebstrap",
         "mke2fs": "e2fsprogs",
+        "mkfs.vfat": "dosfstools",
+        "mcopy": "mtools",
+        "sfdisk": "fdisk",
         "busybox": "busybox-static",
         "cpio": "cpio",
         "modprobe": "kmod",
@@ -165,7 +179,7 @@ def bootstrap(scratch: pathlib.Path, root: pathlib.Path, packages: list[str]) ->
 def furnish(root: pathlib.Path, modules: pathlib.Path) -> None:
     """The kernel's modules, and the test's way in."""
     inside = root / "usr/lib/modules" / modules.name
-    for file in module_files(modules, TO_REACH_THE_DISK + FOR_UDEV):
+    for file in module_files(modules, TO_REACH_THE_DISK + FOR_UDEV + FOR_A_STICK):
         copy = inside / file.relative_to(modules)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, copy)
@@ -181,7 +195,7 @@ def make_initial_root(scratch: pathlib.Path, modules: pathlib.Path, out: pathlib
     tree = scratch / "initial"
     (tree / "bin").mkdir(parents=True)
     shutil.copy(shutil.which("busybox"), tree / "bin/busybox")
-    files = module_files(modules, TO_REACH_THE_DISK)
+    files = module_files(modules, TO_REACH_THE_DISK + TO_BE_FIRST)
     for file in files:
         shutil.copy(file, tree / file.name)
     (tree / "init").write_text(INIT.format(modules=" ".join(file.name for file in files)))

@@ -5,13 +5,16 @@
 //
 //   DOCENT_DISK_FOLDER   the folder
 //   DOCENT_DISK_LOG      where the record goes: a line an operation, and the bytes of a write
-//   behind its line DOCENT_DISK_KILL     the number of the operation before which the program is
-//   killed, from 1 DOCENT_DISK_FULL     the number of the operation from which on every write finds
-//   the disk full
+//                        behind its line
+//   DOCENT_DISK_KILL     the number of the operation before which the program is killed, from 1
+//   DOCENT_DISK_FULL     the number of the operation from which on every write finds the disk full
+//   DOCENT_DISK_FREE     how many bytes the disk says are free
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,6 +41,19 @@ const char* setting(const char* name) {
 bool is_watched(const char* path) {
   static const std::string folder = setting("DOCENT_DISK_FOLDER");
   return !folder.empty() && std::strncmp(path, folder.c_str(), folder.size()) == 0;
+}
+
+/// As the record names it, wherever the program is.
+std::string absolute(int folder, const char* path) {
+  if (*path == '/') return path;
+  char link[64], there[PATH_MAX];
+  std::snprintf(link, sizeof link, folder == AT_FDCWD ? "/proc/self/cwd" : "/proc/self/fd/%d",
+                folder);
+  const ssize_t size = readlink(link, there, sizeof there);
+  return size > 0 ? std::string(there, static_cast<std::size_t>(size)) + '/' + path : path;
+}
+std::string absolute(const char* path) {
+  return absolute(AT_FDCWD, path);
 }
 
 std::string path_of(int descriptor) {
@@ -72,12 +88,14 @@ bool is_full() {
 
 extern "C" {
 
-int open(const char* path, int flags, ...) {
+int open(const char* named, int flags, ...) {
   std::va_list arguments;
   va_start(arguments, flags);
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
   const auto real = next<int(const char*, int, ...)>("open");
+  const std::string whole = absolute(named);
+  const char* const path = whole.c_str();
   if (!is_watched(path) || (flags & O_CREAT) == 0) return real(path, flags, mode);
   struct stat status{};
   const bool is_new = stat(path, &status) != 0;
@@ -94,7 +112,8 @@ int open64(const char* path, int flags, ...) {
 ssize_t write(int descriptor, const void* bytes, std::size_t size) {
   const std::string path = path_of(descriptor);
   if (is_watched(path.c_str())) {
-    record("write " + std::to_string(size) + " " + path, bytes, size);
+    const off_t at = lseek(descriptor, 0, SEEK_CUR);
+    record("write " + std::to_string(size) + " " + std::to_string(at) + " " + path, bytes, size);
     if (is_full()) return errno = ENOSPC, -1;
   }
   return next<ssize_t(int, const void*, std::size_t)>("write")(descriptor, bytes, size);
@@ -117,10 +136,41 @@ int unlink(const char* path) {
   if (is_watched(path) && stat(path, &status) == 0) record(std::string("unlink ") + path);
   return next<int(const char*)>("unlink")(path);
 }
+int unlinkat(int folder, const char* named, int flags) {
+  struct stat status{};
+  const std::string path = absolute(folder, named);
+  if (is_watched(path.c_str()) && (flags & AT_REMOVEDIR) == 0 && stat(path.c_str(), &status) == 0)
+    record("unlink " + path);
+  return next<int(int, const char*, int)>("unlinkat")(folder, named, flags);
+}
+int ftruncate(int descriptor, off_t size) {
+  const std::string path = path_of(descriptor);
+  if (is_watched(path.c_str())) record("truncate " + std::to_string(size) + " " + path);
+  return next<int(int, off_t)>("ftruncate")(descriptor, size);
+}
 int remove(const char* path) {
   struct stat status{};
   if (is_watched(path) && stat(path, &status) == 0) record(std::string("unlink ") + path);
   return next<int(const char*)>("remove")(path);
+}
+/// What a program that is limited in the size of its files writes is in the record too, which grows
+/// beyond that.
+int setrlimit(__rlimit_resource_t what, const struct rlimit* limit) {
+  if (what == RLIMIT_FSIZE) return 0;
+  return next<int(__rlimit_resource_t, const struct rlimit*)>("setrlimit")(what, limit);
+}
+int setrlimit64(__rlimit_resource_t what, const struct rlimit64* limit) {
+  return setrlimit(what, reinterpret_cast<const struct rlimit*>(limit));  // the same on 64 bits
+}
+int statvfs(const char* path, struct statvfs* says) {
+  const int result = next<int(const char*, struct statvfs*)>("statvfs")(path, says);
+  const char* const free = setting("DOCENT_DISK_FREE");
+  if (result != 0 || *free == '\0' || !is_watched(path)) return result;
+  says->f_bavail = static_cast<fsblkcnt_t>(std::strtoull(free, nullptr, 10) / says->f_frsize);
+  return 0;
+}
+int statvfs64(const char* path, struct statvfs64* says) {
+  return statvfs(path, reinterpret_cast<struct statvfs*>(says));  // the same on 64 bits
 }
 int mkdir(const char* path, mode_t mode) {
   struct stat status{};

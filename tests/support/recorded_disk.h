@@ -16,9 +16,10 @@ namespace docent::test {
 
 /// One operation of a program on the disk, as disk_recorder.cpp records it.
 struct DiskOperation {
-  std::string kind;  ///< create write fsync rename link unlink mkdir
+  std::string kind;  ///< create write truncate fsync rename link unlink mkdir
   std::string path, to;
-  std::string bytes;  ///< Of a write.
+  std::size_t at = 0;  ///< Where a write begins; what a truncated file keeps.
+  std::string bytes;   ///< Of a write.
 };
 
 inline std::vector<DiskOperation> read_operations(const std::filesystem::path& log) {
@@ -30,10 +31,11 @@ inline std::vector<DiskOperation> read_operations(const std::filesystem::path& l
     words >> operation.kind;
     if (operation.kind == "write") {
       std::size_t size = 0;
-      words >> size;
+      words >> size >> operation.at;
       operation.bytes.resize(size);
       in.read(operation.bytes.data(), static_cast<std::streamsize>(size));
     }
+    if (operation.kind == "truncate") words >> operation.at;
     words >> operation.path >> operation.to;
     operations.push_back(std::move(operation));
   }
@@ -65,13 +67,17 @@ class RecordedDisk {
     const std::string& path = operation.path;
     if (operation.kind == "create") {
       if (names_.contains(path)) {
-        files_[names_[path]].bytes.clear();  // truncated
+        files_[names_[path]].bytes.clear();
         return;
       }
       files_.emplace_back();
       change([path, file = files_.size() - 1](Names& names) { names[path] = file; });
     } else if (operation.kind == "write") {
-      files_[names_.at(path)].bytes += operation.bytes;
+      std::string& bytes = files_[names_.at(path)].bytes;
+      bytes.resize(std::max(bytes.size(), operation.at + operation.bytes.size()));
+      bytes.replace(operation.at, operation.bytes.size(), operation.bytes);
+    } else if (operation.kind == "truncate") {
+      files_[names_.at(path)].bytes.resize(operation.at);
     } else if (operation.kind == "fsync") {
       if (names_.contains(path)) {
         File& file = files_[names_.at(path)];

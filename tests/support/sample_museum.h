@@ -6,9 +6,9 @@
 
 namespace docent::test {
 
-/// The sample museum's texts, words, rooms and exhibits as staff wrote them, round a plain floor of
-/// the same size: enough for views, without compiling anything. Viewing points are a metre in front
-/// of the exhibits.
+/// The sample museum's texts, words, and its ground floor's rooms and exhibits as staff wrote them,
+/// round a plain floor of the same size: enough for views, without compiling anything. Viewing
+/// points are a metre in front of the exhibits.
 inline Museum sample_museum_without_walls() {
   const config::Loaded<config::MuseumConfig> loaded =
       config::load_museum_config(source_dir() / "config/museum");
@@ -36,12 +36,17 @@ inline Museum sample_museum_without_walls() {
   floor.plan.ring = {{0, 4}};
   floor.plan.next = {1, 2, 3, 0};
   museum.floors.push_back(std::move(floor));
+  const auto is_below = [](const auto& section) {
+    return section.floor.value.empty() || section.floor.value == "ground";
+  };
   for (const config::RoomSection& section : config.rooms)
-    museum.rooms.push_back({.id = section.id.value,
-                            .title = texts(section.title),
-                            .label = section.label.value,
-                            .outline = {}});
+    if (is_below(section))
+      museum.rooms.push_back({.id = section.id.value,
+                              .title = texts(section.title),
+                              .label = section.label.value,
+                              .outline = {}});
   for (const config::ExhibitSection& section : config.exhibits) {
+    if (!is_below(section)) continue;
     Exhibit exhibit;
     exhibit.id = section.id.value;
     exhibit.placement = {section.position.value, glm::radians(section.facing.value)};
@@ -54,6 +59,16 @@ inline Museum sample_museum_without_walls() {
     museum.exhibits.push_back(std::move(exhibit));
     museum.images.push_back(
         {.name = section.image.value, .width = 960, .height = 960, .bytes = {}});
+  }
+  for (const config::TourSection& section : config.tours) {
+    Tour& tour = museum.tours.emplace_back();
+    tour.id = section.id.value;
+    tour.title = texts(section.title);
+    for (std::uint32_t i = 0; i < 7; ++i) {
+      tour.exhibits.push_back(3 * i);
+      tour.arrives.push_back(100.0 * i + 40);
+    }
+    tour.seconds = 700;
   }
   museum.kiosk = {{20, 2.6}, glm::radians(90.0)};
   return museum;

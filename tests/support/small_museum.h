@@ -61,7 +61,23 @@ inline Museum small_museum() {
                                     .link = {1},
                                     .parent = {LabelTable::no_parent}},
                        .link_part = {0, HubLabels::roll}}};
+  floor.title = {{"en", "Ground floor"}};
   museum.floors.push_back(floor);
+  floor.plan.name = "upper";
+  floor.plan.ordinal = 1;
+  floor.plan.height = 4.5;
+  floor.plan.short_name = "1";
+  floor.title = {{"en", "Upper floor"}};
+  museum.floors.push_back(floor);
+  museum.connections.push_back({.id = "lift",
+                                .kind = ConnectionKind::Lift,
+                                .direction = ConnectionDirection::Down,
+                                .step_free = true,
+                                .closed = true,
+                                .wait_seconds = 20,
+                                .seconds_per_floor = 2.5,
+                                .metres_per_floor = 0.5,
+                                .stops = {{0, {{1, 2}, 0.5}}, {1, {{3, 4}, -1}}}});
 
   museum.scenery.push_back(
       {.vertices = {{.position = {1, 2, 3}, .uv = {0.5F, 0.25F}, .sky = 7},
@@ -90,6 +106,7 @@ inline Museum small_museum() {
                              .title = {{"en", "Jade disc"}},
                              .text = {{"en", "A disc of jade."}, {"zh", "玉璧。"}},
                              .image = 0});
+  museum.scenery.push_back(museum.scenery.front());
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
   museum.kiosk = {{1, 1}, 0.5};

@@ -42,11 +42,13 @@ class StaticServer {
   }
 
   std::string url() const { return fmt::format("http://127.0.0.1:{}", port_); }
+  unsigned port() const { return port_; }
   std::size_t bytes() const { return bytes_; }
   std::size_t requests() const { return requests_; }
 
-  /// Away: connections are taken and dropped. Half: an answer ends in the middle.
-  enum class Mood : std::uint8_t { Well, Away, Half, Redirecting };
+  /// Away: connections are taken and dropped. Half: an answer ends in the middle. Redirecting: to
+  /// a file of whoever asks. Moved: everything is at another address of this server.
+  enum class Mood : std::uint8_t { Well, Away, Half, Redirecting, Moved };
   void set_mood(Mood mood) { mood_ = mood; }
 
  private:
@@ -78,11 +80,22 @@ class StaticServer {
     }
   }
 
+  /// What is asked for, of this server or, as one asks a proxy, of any.
+  static std::string name_in(const std::string& request) {
+    std::size_t begin = request.find(' ') + 1;
+    const std::size_t end = request.find(' ', begin);
+    if (request[begin] != '/') begin = request.find('/', request.find("//", begin) + 2);
+    return request.substr(begin + 1, end - begin - 1);
+  }
+
   std::string reply_to(const std::string& request) const {
     if (mood_ == Mood::Redirecting)
       return "HTTP/1.1 302 Found\r\nLocation: file:///etc/hostname\r\nContent-Length: 0\r\n\r\n";
-    const std::size_t begin = request.find('/'), end = request.find(' ', begin);
-    const auto file = folder_ / request.substr(begin + 1, end - begin - 1);
+    const std::string name = name_in(request);
+    if (mood_ == Mood::Moved && !name.starts_with(moved))
+      return fmt::format("HTTP/1.1 302 Found\r\nLocation: {}/{}{}\r\nContent-Length: 0\r\n\r\n",
+                         url(), moved, name);
+    const auto file = folder_ / (name.starts_with(moved) ? name.substr(moved.size()) : name);
     if (!std::filesystem::exists(file))
       return "HTTP/1.1 404 Not Found\r\nContent-Length: 4\r\nConnection: close\r\n\r\nnone";
     const std::string body = text_of(file);
@@ -129,6 +142,8 @@ class StaticServer {
         "HTTP/1.1 206 Partial Content\r\n{}Content-Length: {}\r\nConnection: close\r\n\r\n{}", type,
         parts.size(), parts);
   }
+
+  static constexpr std::string_view moved = "moved/";
 
   std::filesystem::path folder_;
   int socket_;

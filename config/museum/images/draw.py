@@ -831,8 +831,266 @@ def fish_mosaic():
     p.save()
 
 
+def star_map():
+    p = Picture('star-map', '#cfd0cc')
+    p.add('<ellipse cx="500" cy="866" rx="380" ry="28" fill="url(#shade)"/>')
+    p.path('M96,96h768v752h-768z', p.fill('wood', False))
+    p.path('M124,124h712v696h-712z', '#1d2b3f')
+    silver = '#d9dbd2'
+    for r in (110, 210, 310):
+        p.path(ellipse(480, 472, r, r), 'none', silver, 2, .35)
+    for k in range(12):
+        a = math.pi * k / 6
+        p.path(f'M{480 + 110 * math.cos(a):.0f},{472 + 110 * math.sin(a):.0f}L{480 + 310 * math.cos(a):.0f},{472 + 310 * math.sin(a):.0f}', 'none', silver, 1.5, .3)
+    p.path(smooth([(150, 700), (300, 560), (470, 520), (640, 400), (810, 220)]), 'none', '#8fa0ad', 90, .16)
+    for _ in range(9):  # figures: a chain of stars each
+        a, r = p.random.uniform(0, 2 * math.pi), p.random.uniform(90, 290)
+        x, y, chain = 480 + r * math.cos(a), 472 + r * math.sin(a), []
+        for _ in range(p.random.randint(4, 7)):
+            chain.append((x, y))
+            a += p.random.uniform(-.9, .9)
+            x, y = min(800, max(160, x + 46 * math.cos(a))), min(790, max(150, y + 46 * math.sin(a)))
+        p.path('M' + 'L'.join(f'{x:.0f},{y:.0f}' for x, y in chain), 'none', silver, 2, .55)
+        for x, y in chain:
+            p.path(ellipse(x, y, 7, 7), '#f3f0df')
+    for _ in range(150):
+        r = p.random.choice((1.6, 2.2, 3.4))
+        p.path(ellipse(p.random.uniform(140, 820), p.random.uniform(140, 806), r, r), silver, opacity=.8)
+    p.path(ellipse(556, 770, 12, 10), MATERIALS['gold'][1])
+    p.save()
+
+
+def water_clock():
+    p = Picture('water-clock', '#d9dfda')
+    p.shadow(500, 836, 280, 44)
+    deep = MATERIALS['bronze'][3]
+    for k, (x, y) in enumerate(((290, 250), (420, 420), (550, 590))):
+        p.path(f'M{x - 100},{y + 96}h200v{740 - y}h-200z', p.fill('wood', False))
+        prof = [(y - 60, 92), (y - 40, 84), (y + 70, 72), (y + 96, 78)]
+        vessel(p, 'bronze', prof, cx=x)
+        p.path(band(prof, y - 8, y, x), deep, opacity=.7)
+        p.path(smooth([(x + 74, y + 66), (x + 120, y + 70), (x + 128, y + 96)]), 'none', MATERIALS['bronze'][0], 13)
+        p.path(f'M{x + 128},{y + 98}V{y + 138}', 'none', '#9fc7cc', 6, .9)
+    tall = [(640, 74), (660, 68), (800, 68), (832, 74)]
+    vessel(p, 'bronze', tall, cx=692)
+    p.path('M686,640V380h12V640z', p.fill('gold', False))
+    for k in range(9):
+        p.path(f'M698,{400 + 26 * k}h16', 'none', MATERIALS['gold'][0], 4)
+    p.path(ellipse(692, 372, 22, 20), p.fill('gold'), MATERIALS['gold'][0], 3)
+    p.save()
+
+
+def rain_scroll():
+    p = Picture('rain-scroll', '#ddd6c6')
+    p.path('M326,96h308v770h-308z', '#b8a98c')
+    p.path('M306,84h348v22h-348zM296,856h368v24h-368z', p.fill('wood', False))
+    silk = 'M350,150h260v640h-260z'
+    p.path(silk, '#e9e2cf')
+    p.add(f'<g {p.clip(silk)}>')
+    for k, (base, shade) in enumerate(((340, .16), (420, .26), (520, .42))):
+        ridge = [(340 + 34 * i, base + p.random.uniform(-70, 30) - 40 * math.sin(i * .9 + k)) for i in range(9)]
+        p.path(smooth(ridge) + 'L630,640L330,640Z', '#4b5350', opacity=shade)
+    for _ in range(70):
+        x, y = p.random.uniform(340, 640), p.random.uniform(150, 700)
+        p.path(f'M{x:.0f},{y:.0f}l-9,44', 'none', '#f4efe2', 3, .75)
+    for k in range(3):
+        p.path(smooth([(340, 640 + 38 * k), (420, 630 + 38 * k), (520, 648 + 38 * k), (620, 634 + 38 * k)]), 'none', '#59615d', 3, .4)
+    p.path('M452,690q34,18 72,0', 'none', '#26241f', 7)
+    p.path('M486,688v-22', 'none', '#26241f', 5)
+    for x, h in ((392, 90), (410, 120), (580, 100)):
+        p.path(smooth([(x, 620), (x + 4, 620 - h * .5), (x - 3, 620 - h)]), 'none', '#2c2b26', 5, .8)
+        for k in range(7):
+            p.path(ellipse(x + p.random.uniform(-22, 22), 620 - h + p.random.uniform(-14, 30), 13, 8), '#2c2b26', opacity=.5)
+    p.path('M576,176h20v20h-20zM576,202h20v20h-20z', '#b23a2a')
+    p.add('</g>')
+    p.save()
+
+
+def ink_stone():
+    p = Picture('ink-stone', '#e2dccd')
+    p.shadow(500, 770, 320, 60)
+    out = smooth([(200, 380), (260, 300), (480, 270), (700, 300), (770, 390), (780, 620), (720, 730), (480, 756), (240, 730), (188, 620)], True)
+    p.path(out, darker(MATERIALS['dark stone'][0], .7), extra='transform="translate(14,34)"')
+    p.path(out, p.fill('dark stone', False))
+    p.grain(out, 'dark stone', 160)
+    p.path(ellipse(480, 560, 210, 130), darker(MATERIALS['dark stone'][0], .75))
+    p.path(ellipse(484, 566, 196, 116), '#191a1c')
+    p.path(smooth([(340, 530), (420, 470), (520, 462)]), 'none', '#8c97a3', 7, .5)
+    p.path(smooth([(380, 580), (450, 540), (540, 556), (584, 580), (540, 606), (450, 616)], True), '#4c5056', '#7d858c', 3)
+    p.path(polygon([(380, 580), (340, 552), (348, 612)]), '#4c5056', '#7d858c', 3)
+    for k in range(4):
+        p.path(f'M{440 + 28 * k},560q12,20 0,38', 'none', '#868e95', 3, .8)
+    p.path(ellipse(556, 574, 6, 6), '#d7dde0')
+    for k in range(7):
+        x = 270 + 70 * k
+        p.path(f'M{x - 26},{352}q26,-34 52,0', 'none', '#8a867c', 5, .55)
+    p.path('M640,250l150,-130l26,26l-140,146z', p.fill('wood', False), '#2b2018', 3)
+    p.path('M640,250l-40,78l76,-36z', '#1b1a19')
+    p.save()
+
+
+def river_lute():
+    p = Picture('river-lute', '#e0d7c4')
+    p.add('<g transform="rotate(24 480 480)">')
+    p.add('<ellipse cx="520" cy="640" rx="230" ry="280" fill="url(#shade)" opacity=".6"/>')
+    p.path(polygon([(448, 80), (512, 80), (524, 420), (436, 420)]), p.fill('wood'))
+    body = smooth([(480, 350), (560, 420), (640, 560), (650, 690), (580, 800), (480, 826), (380, 800), (310, 690), (320, 560), (400, 420)], True)
+    p.path(body, darker(MATERIALS['wood'][0], .7), extra='transform="translate(16,10)"')
+    p.path(body, p.fill('pale clay'), MATERIALS['wood'][0], 7)
+    p.path(smooth([(356, 560), (346, 680), (400, 780)]), 'none', '#fff6df', 14, .35)
+    for k in range(12):
+        y = 150 + 44 * k
+        p.path(f'M{452 - k},{y}h{56 + 2 * k}', 'none', MATERIALS['bone'][1] if k < 6 else MATERIALS['wood'][0], 6)
+    p.path('M392,740h176v20h-176z', p.fill('wood', False), MATERIALS['wood'][3], 2)
+    for k in range(4):
+        p.path(f'M{462 + 12 * k},84L{444 + 24 * k},746', 'none', '#f7f1df', 2.6)
+    for side in (-1, 1):
+        for k in range(2):
+            p.path(f'M{480 + side * 30},{104 + 36 * k}h{side * 70}', 'none', MATERIALS['wood'][3], 15)
+        p.path(smooth([(480 + side * 66, 560), (480 + side * 96, 590), (480 + side * 84, 640)]), 'none', MATERIALS['wood'][3], 8, .8)
+    p.path(polygon([(448, 80), (512, 80), (500, 30), (460, 30)]), p.fill('jade', False), MATERIALS['jade'][3], 3)
+    p.add('</g>')
+    p.save()
+
+
+def dance_mask():
+    p = Picture('dance-mask', '#dfd9cb')
+    p.shadow(480, 836, 170)
+    p.path('M468,690h24v140h-24z', p.fill('wood'))
+    p.path('M400,820h160v22h-160z', p.fill('wood', False))
+    for side in (-1, 1):
+        for k in range(6):
+            x = 480 + side * (120 + 26 * k)
+            p.path(smooth([(480 + side * 90, 250), (x, 170 - 6 * k), (x + side * 34, 250 + 24 * k)]), 'none', '#3d6f86' if k % 2 else '#2c4a5e', 20, .9)
+    d = smooth([(480, 130), (600, 160), (674, 280), (676, 440), (620, 610), (540, 716), (480, 736), (420, 716), (340, 610), (284, 440), (286, 280), (360, 160)], True)
+    p.path(d, darker('#7a2f24', .7), extra='transform="translate(16,12)"')
+    p.path(d, p.fill('clay'))
+    p.grain(d, 'clay', 110)
+    white, dark = '#f3e8cf', '#2b1710'
+    p.add(f'<g {p.clip(d)}>')
+    for k in range(3):
+        p.path(smooth([(270, 236 + 26 * k), (380, 210 + 26 * k), (480, 244 + 26 * k), (590, 210 + 26 * k), (690, 240 + 26 * k)]), 'none', '#3d6f86', 9, .85)
+    p.path(smooth([(480, 300), (516, 470), (540, 520), (480, 548), (420, 520), (444, 470)], True), p.fill('clay'), dark, 3)
+    for side, lift in ((-1, -10), (1, 16)):  # it scolds on the left and laughs on the right
+        x = 480 + side * 104
+        p.path(ellipse(x, 400, 56, 38), white, dark, 7)
+        p.path(ellipse(x + 6, 404, 20, 22), dark)
+        p.path(smooth([(x - 74, 352 + side * lift), (x, 322), (x + 74, 352 - side * lift)]), 'none', dark, 20)
+        p.path(spiral(480 + side * 134, 530, 42, 1.8, side), 'none', white, 9, .85)
+    p.path(smooth([(366, 640), (420, 600), (500, 604), (590, 566), (604, 600), (540, 656), (450, 668)], True), dark)
+    for k in range(6):
+        p.path(f'M{404 + 30 * k},{618 - 5 * k}h22v20h-22z', white)
+    p.add('</g>')
+    p.path(smooth([(316, 300), (306, 400), (340, 540)]), 'none', '#fff', 13, .28)
+    p.save()
+
+
+def river_core():
+    p = Picture('river-core', '#dbdcd2')
+    p.add('<ellipse cx="500" cy="870" rx="340" ry="26" fill="url(#shade)"/>')
+    for column in range(3):
+        x = 220 + 190 * column
+        p.path(f'M{x - 14},96h168v770h-168z', p.fill('wood', False))
+        core = f'M{x},110h140v742h-140z'
+        p.path(core, '#8a7458')
+        p.add(f'<g {p.clip(core)}>')
+        y = 110 if column else 200
+        if not column:
+            p.path(f'M{x},110h140v90h-140z', '#efe8d8')
+        while y < 852:
+            h = p.random.uniform(5, 30)
+            tone = p.random.choice(('#6b5a45', '#9a8466', '#b09a78', '#574a3b', '#7f7563', '#a58d6a'))
+            wave = [(x + 35 * i, y + p.random.uniform(-4, 4)) for i in range(5)]
+            p.path(smooth(wave) + f'L{x + 140},{y + h + 8:.0f}L{x},{y + h + 8:.0f}Z', tone)
+            p.path(smooth(wave), 'none', '#2f271e', 3, .55)
+            y += h
+        if column == 1:
+            p.path(smooth([(x, 520), (x + 60, 516), (x + 140, 523)]), 'none', '#b8402c', 8)
+        for _ in range(26):
+            p.path(ellipse(p.random.uniform(x, x + 140), p.random.uniform(220, 850), 5, 3), '#d8ccb2', opacity=.6)
+        p.path(f'M{x + 16},110v742', 'none', '#fff', 20, .14)
+        p.add('</g>')
+    p.save()
+
+
+def sherd_tray():
+    p = Picture('sherd-tray', '#e1d9c8')
+    p.shadow(500, 800, 350, 46)
+    p.path('M120,190h720v600h-720z', p.fill('wood', False))
+    p.path('M146,216h668v548h-668z', '#efe6d3')
+    for row in range(7):
+        for col in range(9):
+            cx, cy, n = 184 + 74 * col, 256 + 78 * row, p.random.randint(4, 6)
+            turn = p.random.uniform(0, 6.28)
+            pts = [(cx + p.random.uniform(20, 32) * math.cos(turn + 2 * math.pi * k / n), cy + p.random.uniform(18, 30) * math.sin(turn + 2 * math.pi * k / n)) for k in range(n)]
+            edge, body, _, deep = MATERIALS[p.random.choice(('clay', 'pale clay', 'clay', 'stone'))]
+            p.path(polygon([(x + 5, y + 6) for x, y in pts]), darker(edge, .7), opacity=.6)
+            p.path(polygon(pts), darker(body, p.random.uniform(.85, 1.15)), edge, 2)
+            p.path(ellipse(cx, cy, 9, 11), deep, opacity=.5)
+            for r in (4, 7):
+                p.path(ellipse(cx, cy, r, r * 1.3), 'none', body, 1.2, .8)
+            if p.random.random() < .3:
+                p.path(f'M{cx - 20:.0f},{cy - 14:.0f}l36,-4', 'none', '#34190f', 4, .7)
+    p.save()
+
+
+def forged_ding():
+    p = Picture('forged-ding', '#dcdccb')
+    p.shadow(480, 816, 220)
+    deep = MATERIALS['gold'][3]
+    for x, lean in ((366, -1), (594, 1), (480, 0)):
+        leg = [(x - 30, 560), (x - 30 + lean * 6, 680), (x - 40 + lean * 14, 806), (x + 40 + lean * 14, 806), (x + 30 + lean * 6, 680), (x + 30, 560)]
+        p.path(smooth(leg, True), p.fill('bronze'), deep, 2)
+    for x in (344, 616):
+        p.path(f'M{x - 40},300V200q0,-30 40,-30t40,30V300h-24V212q0,-14 -16,-14t-16,14V300z', p.fill('bronze'), deep, 2)
+    prof = [(290, 206), (316, 200), (360, 204), (470, 214), (560, 190), (630, 110), (646, 60)]
+    d = vessel(p, 'bronze', prof, tilt=.2)
+    p.add(f'<g {p.clip(d)}>')
+    for y in (372, 486):
+        p.path(band(prof, y, y + 7, tilt=.2), deep, opacity=.75)
+    for k in range(11):  # too regular, and that gave it away
+        a = -1.2 + 2.4 * k / 10
+        p.path(spiral(480 + 204 * math.sin(a), 424 + 42 * math.cos(a), 24 * max(.4, math.cos(a)), 2.2, 1 if k % 2 else -1), 'none', deep, 6, .75)
+    for _ in range(16):
+        x, y, r = p.random.uniform(280, 680), p.random.uniform(330, 630), p.random.uniform(14, 46)
+        p.path(ellipse(x, y, r, r * .6), '#58b39a', opacity=.5)
+    p.add('</g>')
+    p.path('M640,590l110,34v96l-120,-20z', '#f4ecd8', '#8b7a58', 3)
+    for k in range(3):
+        p.path(f'M656,{628 + 22 * k}l74,{14}', 'none', '#6d2f3a', 4, .8)
+    p.path('M640,590q-40,-6 -56,30', 'none', '#8b7a58', 4)
+    p.save()
+
+
+def thunder_drum():
+    p = Picture('thunder-drum', '#ded3c2')
+    p.shadow(480, 836, 300, 44)
+    for side in (-1, 1):
+        p.path(polygon([(480 + side * 90, 470), (480 + side * 130, 470), (480 + side * 250, 836), (480 + side * 190, 836)]), p.fill('wood', False), '#2b1a0e', 3)
+    p.path('M270,700h420v26h-420z', p.fill('wood', False))
+    barrel = ellipse(480, 400, 316, 300)
+    p.path(barrel, p.fill('clay'), '#4a2113', 6)
+    for k in range(40):
+        a = 2 * math.pi * k / 40
+        p.path(ellipse(480 + 288 * math.cos(a), 400 + 273 * math.sin(a), 10, 10), p.fill('gold'), MATERIALS['gold'][3], 2)
+    p.path(ellipse(480, 400, 258, 244), p.fill('bone', False), '#5d4526', 5)
+    p.grain(ellipse(480, 400, 258, 244), 'bone', 140)
+    for turn in range(3):
+        a = 2 * math.pi * turn / 3 - .5
+        p.add(f'<g transform="translate({480 + 104 * math.cos(a):.0f},{400 + 98 * math.sin(a):.0f}) rotate({math.degrees(a) + 90:.0f})">')
+        p.path(spiral(0, 0, 72, 2, 1), 'none', '#8c3a2d', 15, .85)
+        p.path(smooth([(72, 0), (96, 60), (30, 110)]), 'none', '#8c3a2d', 11, .7)
+        p.add('</g>')
+    p.path(ellipse(480, 400, 26, 25), '#8c3a2d', opacity=.85)
+    p.path(smooth([(270, 300), (330, 214), (420, 176)]), 'none', '#fff', 15, .35)
+    p.path('M690,640l150,-120l14,18l-146,126z', p.fill('wood', False), '#2b1a0e', 2)
+    p.path(ellipse(690, 656, 34, 30), '#b23a2a', '#6d211a', 4)
+    p.save()
+
+
 if __name__ == '__main__':
     for draw in (boundary_stone, standing_king, painted_jar, bone_flute, millstone, tripod_ding, chime_bells, owl_vessel, oracle_bone, clay_letter,
                  papyrus_account, seal_stones, glass_flask, camel_figure, silk_fragment, coin_hoard, jade_disc, gold_diadem, jade_cicada,
-                 tomb_guardian, painted_portrait, model_granary, amphora, stone_anchor, fish_mosaic):
+                 tomb_guardian, painted_portrait, model_granary, amphora, stone_anchor, fish_mosaic, star_map, water_clock, rain_scroll, ink_stone,
+                 river_lute, dance_mask, river_core, sherd_tray, forged_ding, thunder_drum):
         draw()

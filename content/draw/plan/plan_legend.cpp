@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "content/draw/plan/plan_rings.h"
+#include "content/draw/plan/plan_signs.h"
 #include "content/draw/plan/plan_style.h"
 
 namespace docent::draw {
@@ -33,6 +34,7 @@ PlanLegend::PlanLegend(const FloorPlan& plan, const PlanLayers& layers,
     entries_.push_back({Symbol::WallSites, "walls as sites, in turn"});
     entries_.push_back({Symbol::Corner, "reflex corner"});
   }
+  if (layers.connections) entries_.push_back({Symbol::Stop, "way to other floors, and to which"});
   add_lines(lines);
 }
 
@@ -131,6 +133,9 @@ void PlanLegend::draw_symbol(Svg& svg, const Entry& entry, Vec2 at) {
       break;
     case Symbol::Corner:
       svg.circle(left + Vec2{symbol_width / 2, 0}, 4, fmt::format(R"(fill="{}")", ink::vermilion));
+      break;
+    case Symbol::Stop:
+      draw_sign(svg, {}, left + Vec2{symbol_width / 2, 0}, 26);
       break;
     case Symbol::Way:
       line(way_stroke(info_of(entry.kind), 6));

@@ -33,6 +33,7 @@ class PlanLegend {
     WallSites,
     Levels,
     Corner,
+    Stop,
     Way,
     OffsetCurve,
   };

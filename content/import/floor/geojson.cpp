@@ -10,6 +10,7 @@
 #include "content/import/floor/json.h"
 #include "content/import/floor/projection.h"
 #include "content/read_source.h"
+#include "platform/file/file_kind.h"
 #include "runtime/model/none.h"
 
 namespace docent::import {
@@ -36,7 +37,9 @@ class GeoJsonReader {
       read_all(array_member(object, "features"));
     } else if (type == "Feature") {
       const JsonValue* geometry = find_member(object, "geometry");
-      if (geometry == nullptr) fail(object, "this Feature has no geometry");
+      if (geometry == nullptr)
+        fail(object, "this Feature has no geometry",
+             "write \"geometry\": {\"type\": \"Polygon\", \"coordinates\": [...]}, or remove it");
       if (geometry->kind != Kind::Null) read_object(*geometry);
     } else if (type == "GeometryCollection") {
       read_all(array_member(object, "geometries"));
@@ -48,7 +51,7 @@ class GeoJsonReader {
     } else if (is_thin_geometry(type)) {
       plan_.left_out.push_back({type, place(object)});
     } else {
-      fail(object, fmt::format("'{}' is not a type of GeoJSON", type));
+      fail(object, fmt::format("'{}' is not a type of GeoJSON", type), type_hint(type));
     }
   }
 
@@ -56,6 +59,24 @@ class GeoJsonReader {
   static bool is_thin_geometry(const std::string& type) {
     return type == "Point" || type == "MultiPoint" || type == "LineString" ||
            type == "MultiLineString";
+  }
+
+  static std::string type_hint(const std::string& type) {
+    if (type == "Topology")
+      return "this is TopoJSON: save it as GeoJSON in the program that made it";
+    const auto small = [](std::string_view text) {
+      std::string letters;
+      for (const char c : text)
+        if (c != ' ' && c != '-' && c != '_')
+          letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      if (letters.ends_with('s')) letters.pop_back();
+      return letters;
+    };
+    for (const std::string_view known :
+         {"FeatureCollection", "Feature", "Polygon", "MultiPolygon", "GeometryCollection"})
+      if (small(known) == small(type))
+        return fmt::format("write \"{}\": capital letters matter", known);
+    return "a floor is a FeatureCollection of Polygons";
   }
 
   [[noreturn]] void fail(const JsonValue& where, const std::string& message,
@@ -70,18 +91,26 @@ class GeoJsonReader {
   }
 
   [[nodiscard]] const std::string& type_of(const JsonValue& object) const {
-    if (object.kind != Kind::Object) fail(object, "a GeoJSON object belongs here");
+    if (object.kind != Kind::Object)
+      fail(object, "a GeoJSON object belongs here",
+           "a floor is written {\"type\": \"FeatureCollection\", \"features\": [...]}");
     const JsonValue* type = find_member(object, "type");
-    if (type == nullptr) fail(object, "this object has no \"type\", so it is not GeoJSON");
-    if (type->kind != Kind::String) fail(*type, "a \"type\" must be a string");
+    if (type == nullptr)
+      fail(object, "this object has no \"type\", so it is not GeoJSON",
+           "a floor is a FeatureCollection of Polygons; docent-content import reads other plans");
+    if (type->kind != Kind::String)
+      fail(*type, "a \"type\" must be a text", "write \"type\": \"Polygon\"");
     return type->string;
   }
 
   [[nodiscard]] const JsonValue& array_member(const JsonValue& object, const char* name) const {
     const JsonValue* member = find_member(object, name);
     if (member == nullptr)
-      fail(object, fmt::format("this {} has no \"{}\"", type_of(object), name));
-    if (member->kind != Kind::Array) fail(*member, fmt::format("\"{}\" must be an array", name));
+      fail(object, fmt::format("this {} has no \"{}\"", type_of(object), name),
+           fmt::format("write \"{}\": [...], or remove it", name));
+    if (member->kind != Kind::Array)
+      fail(*member, fmt::format("\"{}\" must be a list", name),
+           fmt::format("write \"{}\": [...]", name));
     return *member;
   }
 
@@ -90,7 +119,8 @@ class GeoJsonReader {
   }
 
   void read_polygon(const JsonValue& rings) {
-    if (rings.kind != Kind::Array) fail(rings, "a polygon must be an array of rings");
+    if (rings.kind != Kind::Array)
+      fail(rings, "a polygon must be a list of rings", std::string(ring_form));
     if (rings.items.empty()) return;  // RFC 7946, 3.1: an empty array is a null geometry.
     ImportedPolygon polygon{.outer = read_ring(rings.items.front()), .holes = {}};
     if (distinct_vertices(polygon.outer) < 3)
@@ -114,8 +144,10 @@ class GeoJsonReader {
   }
 
   [[nodiscard]] ImportedRing read_ring(const JsonValue& positions) const {
-    if (positions.kind != Kind::Array) fail(positions, "a ring must be an array of positions");
-    if (positions.items.empty()) fail(positions, "this ring has no points");
+    if (positions.kind != Kind::Array)
+      fail(positions, "a ring must be a list of points", std::string(ring_form));
+    if (positions.items.empty()) fail(positions, "this ring has no points", "remove it");
+    refuse_decimal_commas(positions);
     ImportedRing ring;
     ring.vertex.reserve(positions.items.size());
     ring.place.reserve(positions.items.size());
@@ -131,9 +163,15 @@ class GeoJsonReader {
   }
 
   [[nodiscard]] Vec2 read_position(const JsonValue& position) const {
-    if (position.kind != Kind::Array) fail(position, "a position must be an array of two numbers");
+    if (position.kind != Kind::Array)
+      fail(position, "a point must be a list of two numbers",
+           fmt::format("are there too few brackets? {}", ring_form));
     if (position.items.size() < 2)
-      fail(position, "a position needs two numbers: x and y, or longitude and latitude");
+      fail(position, "a point needs two numbers: x and y, or longitude and latitude",
+           "write it as [12.5, 4.0]");
+    if (position.items.size() > 3)
+      fail(position, fmt::format("a position of {} numbers", position.items.size()),
+           "decimals are written with a full stop: [0.5, 4.0], not [0,5, 4,0]");
     const Vec2 point{read_coordinate(position.items[0]), read_coordinate(position.items[1])};
     if (coordinates_ == Coordinates::Wgs84 && (std::abs(point.x) > 180 || std::abs(point.y) > 90))
       fail(position, fmt::format("[{}, {}] is no longitude and latitude", point.x, point.y),
@@ -143,13 +181,34 @@ class GeoJsonReader {
 
   [[nodiscard]] double read_coordinate(const JsonValue& value) const {
     if (value.kind != Kind::Number || !std::isfinite(value.number))
-      fail(value, "a coordinate must be a finite number");
+      fail(value, "a coordinate must be a finite number",
+           value.kind == Kind::Array ? fmt::format("are there too many brackets? {}", ring_form)
+                                     : "write it without quotation marks: [12.5, 4.0]");
     // Beyond this, squares of distances lose the millimetre: no floor on Earth is there.
     constexpr double farthest = 1e8;
     if (std::abs(value.number) > farthest)
-      fail(value, fmt::format("the coordinate {} is farther away than any floor", value.number));
+      fail(value, fmt::format("the coordinate {} is farther away than any floor", value.number),
+           "move the plan near to [0, 0], and write it in metres");
     return value.number;
   }
+
+  /// [13,6, 4.8] among points of two numbers has a third one by mistake, and is no height.
+  void refuse_decimal_commas(const JsonValue& positions) const {
+    const auto has = [](std::size_t size) {
+      return [size](const JsonValue& p) { return p.kind == Kind::Array && p.items.size() == size; };
+    };
+    if (std::ranges::none_of(positions.items, has(2))) return;
+    const auto is_whole = [](const JsonValue& v) {
+      return v.kind == Kind::Number && v.number == std::trunc(v.number);
+    };
+    for (const JsonValue& p : positions.items)
+      if (has(3)(p) && is_whole(p.items[1]) && (is_whole(p.items[0]) || is_whole(p.items[2])))
+        fail(p, "a point of 3 numbers among points of 2",
+             "decimals are written with a full stop: [0.5, 4.0], not [0,5, 4.0]");
+  }
+
+  static constexpr std::string_view ring_form =
+      "a polygon is written [[[0, 0], [10, 0], [10, 8], [0, 0]]]";
 
   std::string file_;
   LineIndex lines_;
@@ -182,15 +241,32 @@ void project(ImportedPlan& plan) {
   for_each_vertex(plan, [&](Vec2& vertex) { vertex = projection.to_floor(vertex); });
 }
 
+/// Says what a file is that is no GeoJSON, and what reads it.
+void refuse_other_kinds(const GeoJsonText& source) {
+  const file::FileKind kind = file::file_kind(source.text);
+  if (kind.name.empty()) return;
+  throw content::ContentError(
+      source.file, 1, 1, "not-geojson",
+      fmt::format("this is {}, and a floor is GeoJSON", kind.name),
+      kind.use == file::FileKind::For::Plan || kind.name == "an SVG drawing"
+          ? fmt::format("docent-content import {} -o MUSEUM makes a museum's files of it",
+                        source.file)
+      : kind.use == file::FileKind::For::Picture
+          ? "draw the floor as areas over it, in metres, and save it as GeoJSON"
+          : std::string(kind.remedy));
+}
+
 }  // namespace
 
 ImportedPlan parse_floor_plan(std::span<const GeoJsonText> texts, Coordinates coordinates) {
   ImportedPlan plan;
-  for (const GeoJsonText& source : texts)
+  for (const GeoJsonText& source : texts) {
+    refuse_other_kinds(source);
     GeoJsonReader(source, coordinates, plan).read_object(parse_json(source.file, source.text));
+  }
   if (plan.polygons.empty())
     throw content::ContentError(
-        plan.files.empty() ? "" : plan.files.front(), 0, 0, "no-floor",
+        plan.files.empty() ? "" : plan.files.front(), 1, 1, "no-floor",
         "there is no Polygon or MultiPolygon, so there is no floor to walk on",
         "draw the walkable floor as areas, not as lines");
   if (coordinates == Coordinates::Wgs84) project(plan);

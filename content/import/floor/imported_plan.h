@@ -27,6 +27,7 @@ struct ImportedRing {
 struct ImportedPolygon {
   ImportedRing outer;
   std::vector<ImportedRing> holes;
+  bool doorway = false;  ///< Cut through a wall by a door (content/floor/open_doors.h).
 };
 
 /// Something in a source that is no area and was left out.

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "content/import/floor/json_fault.h"
 #include "content/read_source.h"
 
 namespace docent::import {
@@ -85,24 +86,18 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string& /*token*/,
                    const nlohmann::json::exception& error) override {
     constexpr int number_overflow = 406;
-    const bool overflow = error.id == number_overflow;
-    fail(overflow ? number_start() : position - std::min<std::size_t>(position, 1),
-         overflow ? "a number is too large" : "this is not JSON: " + reason(error.what()));
+    if (error.id == number_overflow)
+      fail(number_start(), "a number is too large", "write it in metres, with few figures: 12.5");
+    const JsonFault fault =
+        explain_json_fault(text_, position - std::min<std::size_t>(position, 1));
+    fail(fault.offset, fault.message, fault.hint);
     return false;
   }
 
  private:
-  /// nlohmann's sentence without its own prefix and position: "[json.exception...] parse error at
-  /// line 3, column 4: syntax error while parsing value - ...".
-  static std::string reason(std::string_view sentence) {
-    const auto begin = sentence.find(": ");
-    return std::string(begin == std::string_view::npos ? sentence : sentence.substr(begin + 2));
-  }
-
-  [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+  [[noreturn]] void fail(std::size_t offset, const std::string& message, std::string hint) const {
     const auto [line, column] = LineIndex(text_).at(offset);
-    throw content::ContentError(file_, line, column, "unreadable-json", message,
-                                "check the file with a JSON validator, or export it again");
+    throw content::ContentError(file_, line, column, "unreadable-json", message, std::move(hint));
   }
 
   /// A number's end is only known by reading one byte beyond it.
@@ -142,7 +137,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   bool open(JsonValue::Kind kind) {
     const std::size_t offset = *bytes_read_ - 1;
-    if (open_.size() == deepest_nesting) fail(offset, "the values are nested too deeply");
+    if (open_.size() == deepest_nesting)
+      fail(offset, "the values are nested too deeply",
+           "a floor is a FeatureCollection of Polygons: export it again");
     // The pointers of enclosing values stay good: a container grows only while it is the innermost.
     open_.push_back(&add({.kind = kind}, offset));
     return true;
@@ -168,15 +165,20 @@ const JsonValue* find_member(const JsonValue& object, std::string_view name) noe
 }
 
 LineIndex::LineIndex(std::string_view text) : line_start_{0} {
-  for (std::size_t i = 0; i < text.size(); ++i)
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continued_.push_back(i);
     if (text[i] == '\n') line_start_.push_back(i + 1);
+  }
 }
 
 TextPosition LineIndex::at(std::size_t offset) const noexcept {
   const auto after = std::upper_bound(line_start_.begin(), line_start_.end(), offset);
   const auto line = static_cast<std::size_t>(after - line_start_.begin());
+  const std::size_t start = line_start_[line - 1];
+  const auto continued =
+      std::ranges::lower_bound(continued_, offset) - std::ranges::lower_bound(continued_, start);
   return {static_cast<std::uint32_t>(line),
-          static_cast<std::uint32_t>(offset - line_start_[line - 1] + 1)};
+          static_cast<std::uint32_t>(offset - start + 1) - static_cast<std::uint32_t>(continued)};
 }
 
 JsonValue parse_json(const std::string& file, std::string_view text) {

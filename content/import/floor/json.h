@@ -23,7 +23,7 @@ struct JsonValue {
 /// The member of that name, the last where there are several; null where there is none.
 const JsonValue* find_member(const JsonValue& object, std::string_view name) noexcept;
 
-/// Line and column of a byte of a text, both from 1, columns in bytes.
+/// Line and column of a byte of a text, both from 1, columns in characters.
 struct TextPosition {
   std::uint32_t line = 1, column = 1;
 };
@@ -36,6 +36,7 @@ class LineIndex {
 
  private:
   std::vector<std::size_t> line_start_;
+  std::vector<std::size_t> continued_;  ///< Bytes that begin no character.
 };
 
 /// Parses one JSON text (RFC 8259). Throws ContentError with the place for text that is not JSON,

@@ -1,16 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/model/local_text.h"
 
 namespace docent {
-
-/// Text by language tag (BCP 47: "en", "zh", "ar").
-using LocalText = std::map<std::string, std::string, std::less<>>;
 
 /// What an exhibit stands on, found by the compiler from its position.
 enum class ExhibitPlace : std::uint8_t { OnFloor, OnWall, InCase };
@@ -26,6 +23,12 @@ struct Exhibit {
   LocalText title;
   LocalText text;
   std::uint32_t image = 0;  ///< Index into Museum::images.
+  bool closed = false;      ///< For good, or until staff say otherwise.
+  std::string hours{};      ///< When it can be seen (opening_hours.h); empty: always.
+  /// How much it is worth seeing, where not all can be seen; not negative, and how long one looks.
+  double weight = 1, looking_seconds = ordinary_look;
+
+  static constexpr double ordinary_look = 60;
 };
 
 /// A gallery: a name for a part of a floor.
@@ -35,6 +38,8 @@ struct Room {
   LocalText title;
   Vec2 label{};               ///< Floor frame: where its name stands.
   std::vector<Vec2> outline;  ///< Floor frame, counter-clockwise polygon; may be empty.
+  bool closed = false;        ///< For good, or until staff say otherwise.
+  std::string hours{};        ///< When it is open (opening_hours.h); empty: always.
 };
 
 }  // namespace docent

@@ -8,12 +8,14 @@
 #include "runtime/model/geometry/sight_map.h"
 #include "runtime/model/geometry/tangent_graph.h"
 #include "runtime/model/geometry/voronoi_diagram.h"
+#include "runtime/model/local_text.h"
 
 namespace docent {
 
 /// One floor as the database holds it.
 struct Floor {
   FloorPlan plan;
+  LocalText title;  ///< What visitors call it; may be empty.
   VoronoiDiagram diagram;
   Roadmap roadmap;
   SightMap sight;

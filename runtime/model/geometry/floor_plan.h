@@ -16,9 +16,10 @@ struct Ring {
 
 /// A doorway that staff can close. Its segment crosses free floor between two walls.
 struct Door {
-  std::string name;
+  std::string name;  ///< Stable: what staff call it, or its id.
   Vec2 a{}, b{};
-  bool closed = false;
+  bool closed = false;  ///< For good: the plan has a wall there.
+  std::string hours{};  ///< When it is open (opening_hours.h); empty: always.
 };
 
 /// The walls of one floor, mended: what remains is the walkable interior.
@@ -31,7 +32,9 @@ struct Door {
 /// Immutable once loaded, so any thread may read it.
 struct FloorPlan {
   std::string name;
-  double height = 0;  ///< Metres, world y of the floor.
+  std::int32_t ordinal = 0;  ///< Which storey it is: of two floors the upper one's is greater.
+  double height = 0;         ///< Metres, world y of the floor.
+  std::string short_name{};  ///< What a lift's button says: "G", "1".
   std::vector<Vec2> vertex;
   std::vector<Ring> ring;
   std::vector<std::uint32_t> next;  ///< One per vertex: the vertex after it in its ring.

@@ -117,19 +117,24 @@ RoadGraph::Place MedialAxisMap::nearest_place(std::uint32_t thing, Vec2 point) c
   return roads_.place_on(thing, curve_[edges[thing].voronoi_edge].nearest_place(point));
 }
 
-/// Spreads from the nodes over the axis edges that the roadmap leaves out, breadth first.
+/// Spreads from the nodes over the axis edges that the roadmap leaves out, breadth first; over a
+/// place where obstacles touch, which only a point can pass, to what has no other way.
 void MedialAxisMap::lead_to_road() {
   const VoronoiDiagram& voronoi = floor_->diagram;
   edge_to_road_.assign(voronoi.vertex.size(), none);
-  std::vector<std::uint32_t> reached = floor_->roadmap.voronoi_vertex;
-  for (std::size_t i = 0; i < reached.size(); ++i) {
+  std::vector<std::uint32_t> reached = floor_->roadmap.voronoi_vertex, where_walls_touch;
+  for (std::size_t i = 0; i < reached.size() || !where_walls_touch.empty(); ++i) {
+    if (i == reached.size()) {
+      reached.push_back(where_walls_touch.back());
+      where_walls_touch.pop_back();
+    }
     const std::uint32_t vertex = reached[i];
     for (const std::uint32_t e : axis_edges_at(vertex)) {
       const VoronoiEdge& edge = voronoi.edge[e];
       const std::uint32_t other = edge.from == vertex ? edge.to : edge.from;
       if (vertex_node_[other] != none || edge_to_road_[other] != none) continue;
       edge_to_road_[other] = e;
-      reached.push_back(other);
+      (voronoi.clearance[other] > 0 ? reached : where_walls_touch).push_back(other);
     }
   }
 }

@@ -4,9 +4,11 @@
 #include <array>
 #include <functional>
 #include <ranges>
+#include <span>
 #include <utility>
 
 #include "runtime/model/none.h"
+#include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 
@@ -61,12 +63,15 @@ std::optional<Entry> climb(const FloorMap& map, Vec2 point) {
 }
 
 /// The nearest place of the roadmap that a straight line reaches which keeps the least clearance.
-std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double least) {
+std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double least,
+                                   const ClosedDoors* closed) {
   const double here = map.clearance_at(point);
   double clearance = 0;
   Vec2 reached;
   const auto place = map.medial_axis().nearest_road(point, [&](const Place&, Vec2 there) {
     if (!map.walls().segment_clear(point, there)) return false;
+    const double to_leaf = closed != nullptr ? closed->distance(point, there) : infinity;
+    if (to_leaf < least || to_leaf == 0) return false;
     reached = there;
     clearance =
         map.walls().segment_clearance(point, there, std::min(here, map.clearance_at(there)));
@@ -79,6 +84,7 @@ std::optional<Entry> nearest_entry(const FloorMap& map, Vec2 point, double least
   }
   auto entry = climb(map, point);
   if (entry && entry->clearance < least) entry.reset();
+  if (entry && closed != nullptr && closed->crosses(entry->points)) entry.reset();
   return entry;
 }
 
@@ -106,8 +112,10 @@ struct Visitor {
 /// A* over the junctions, with the landmarks' bounds, along the roads that keep a clearance.
 class RoadSearch {
  public:
-  RoadSearch(const RoadGraph& roads, const Place& from, const Place& to, double least)
+  RoadSearch(const RoadGraph& roads, const Place& from, const Place& to, double least,
+             const ClosedDoors* closed)
       : roads_(roads),
+        closed_(closed),
         from_(from),
         to_(to),
         least_(least),
@@ -119,11 +127,13 @@ class RoadSearch {
 
   /// False where there is no way.
   bool find() {
-    if (const auto direct = roads_.between(from_, to_); direct && direct->clearance >= least_)
+    if (const auto direct = roads_.between(from_, to_);
+        direct && direct->clearance >= least_ && is_open_between())
       length_ = direct->length;
     const auto departures = roads_.exits_of(from_);
     for (const auto& departure : departures)
-      if (departure.junction != none && departure.clearance >= least_)
+      if (departure.junction != none && departure.clearance >= least_ &&
+          is_open(from_, &departure == &departures[1]))
         shorten(departure.junction, departure.length, none, &departure == &departures[1]);
     while (!queue_.empty()) {
       std::ranges::pop_heap(queue_, std::greater{});
@@ -167,6 +177,23 @@ class RoadSearch {
     thread_local StampedArray<Visitor> kept;
     return kept;
   }
+  std::span<const double> cuts_of(std::uint32_t road) const noexcept {
+    if (closed_ == nullptr || road == none) return {};
+    return closed_->cuts_of(road);
+  }
+  /// Is no closed door between a place and the end, or the begin, of its road?
+  bool is_open(const Place& place, bool to_end) const {
+    const double at = roads_.exits_of(place)[0].length;
+    return std::ranges::none_of(cuts_of(roads_.road_of(place)),
+                                [&](double cut) { return to_end ? cut >= at : cut <= at; });
+  }
+  /// And none between the two places of the query, along the road that both are on?
+  bool is_open_between() const {
+    const auto [first, last] =
+        std::minmax({roads_.exits_of(from_)[0].length, roads_.exits_of(to_)[0].length});
+    return std::ranges::none_of(cuts_of(roads_.road_of(from_)),
+                                [&](double cut) { return first <= cut && cut <= last; });
+  }
   /// The junction that a road, as `roads_at` counts, leads to.
   std::uint32_t far_end(std::uint32_t way) const {
     const RoadGraph::Road& road = roads_.roads()[way / 2];
@@ -184,7 +211,9 @@ class RoadSearch {
   }
   void arrive(std::uint32_t junction, double length) {
     for (const auto& arrival : arrival_) {
-      if (arrival.junction != junction || arrival.clearance < least_) continue;
+      if (arrival.junction != junction || arrival.clearance < least_ ||
+          !is_open(to_, &arrival == &arrival_[1]))
+        continue;
       if (length + arrival.length >= length_) continue;
       length_ = length + arrival.length;
       last_ = junction;
@@ -194,7 +223,8 @@ class RoadSearch {
   void leave(std::uint32_t junction, double length) {
     for (const std::uint32_t way : roads_.roads_at(junction)) {
       const RoadGraph::Road& road = roads_.roads()[way / 2];
-      if (road.clearance >= least_) shorten(far_end(way), length + road.length, way);
+      if (road.clearance >= least_ && cuts_of(way / 2).empty())
+        shorten(far_end(way), length + road.length, way);
     }
   }
   /// The piece of road between the start or goal and the begin or the end of its road.
@@ -209,6 +239,7 @@ class RoadSearch {
   }
 
   const RoadGraph& roads_;
+  const ClosedDoors* closed_;
   Place from_, to_;
   double least_;
   RoadGraph::Distances to_goal_;
@@ -221,12 +252,12 @@ class RoadSearch {
 };
 
 Way way_between(const FloorMap& map, const RouteQuery& query, double least) {
-  const auto from = nearest_entry(map, query.from, least);
-  const auto to = nearest_entry(map, query.to, least);
+  const auto from = nearest_entry(map, query.from, least, query.closed);
+  const auto to = nearest_entry(map, query.to, least, query.closed);
   if (!from || !to) return {};
   const RoadGraph& roads = map.medial_axis().roads();
   if (widest_clearance(roads, from->place, to->place) < least) return {};
-  RoadSearch search(roads, from->place, to->place, least);
+  RoadSearch search(roads, from->place, to->place, least, query.closed);
   if (!search.find()) return {};
   Way way{RouteStatus::Ok, from->length, std::min(from->clearance, to->clearance), from->points};
   search.append_way(way);

@@ -16,15 +16,13 @@ bool LevelCurve::is_wall(std::uint32_t site) const noexcept {
 }
 
 LevelCurve::Crossings LevelCurve::crossings_of(std::uint32_t voronoi_edge) const noexcept {
-  // A passage of exactly twice the distance is not passed: what would connect there has no area.
-  const double above_distance = distance_ + touching;
-  if (!map_->clearances(voronoi_edge).contains(above_distance)) return {};
+  if (!map_->clearances(voronoi_edge).contains(distance_ + touching)) return {};
   const VoronoiDiagram& voronoi = map_->diagram();
   const VoronoiEdge& edge = voronoi.edge[voronoi_edge];
   const EdgeCurve& curve = map_->curve(voronoi_edge);
   // Vertices are judged by their own stored clearance, so that all their edges agree.
-  const bool from_above = voronoi.clearance[edge.from] > above_distance;
-  const bool to_above = voronoi.clearance[edge.to] > above_distance;
+  const bool from_above = passes(voronoi.clearance[edge.from]);
+  const bool to_above = passes(voronoi.clearance[edge.to]);
   Crossings crossings{.count = from_above && to_above ? 2U : 1U, .first_rises = !from_above};
   const double lowest = curve.lowest_place();
   crossings.at_pinch = map_->clearances(voronoi_edge).low >= distance_ - touching;

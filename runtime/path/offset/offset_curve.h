@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/path/medial_axis/medial_axis_map.h"
+#include "runtime/path/touching.h"
 
 namespace docent::path {
 
@@ -38,6 +39,9 @@ class LevelCurve {
       : map_(&map), distance_(distance) {}
 
   double distance() const noexcept { return distance_; }
+  /// Does the curve pass a place of a clearance by? At exactly the distance there is no area
+  /// between what would pass there, so it closes before.
+  bool passes(double clearance) const noexcept { return clearance > distance_ + touching; }
 
   /// The crossings of a Voronoi edge, in its direction.
   struct Crossings {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/model/none.h"
+#include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
 #include "runtime/path/offset/offset_curve.h"
@@ -28,6 +29,40 @@ struct OffsetLink {
   Vec2 reached{};  ///< The point of `to`.
 };
 
+void append_road(const RoadGraph& roads, const OffsetLink& link, std::vector<Vec2>& points) {
+  const auto begin = roads.begin_of(link.along), end = roads.end_of(link.along);
+  link.begin < link.end ? roads.append_between(begin, end, points)
+                        : roads.append_between(end, begin, points);
+}
+
+void append_chain(const LevelCurve& curve, const OffsetLink& link, std::vector<Vec2>& points) {
+  LevelCrossing at = link.from;
+  do {
+    const bool onwards = link.begin < link.end;
+    const LevelPiece piece = onwards ? curve.piece_from(at) : curve.piece_to(at);
+    onwards ? curve.append_points(piece.site, piece.begin, piece.end, points)
+            : curve.append_points(piece.site, piece.end, piece.begin, points);
+    at = onwards ? piece.to : piece.from;
+  } while (at != link.to);
+}
+
+/// Appends the points of a link that begins where the points end.
+void append_link(const MedialAxisMap& axis, const LevelCurve& curve, const OffsetLink& link,
+                 std::vector<Vec2>& points) {
+  switch (link.kind) {
+    case OffsetLink::Kind::Level:
+      return curve.append_points(link.along, link.begin, link.end, points);
+    case OffsetLink::Kind::Axis:
+      return axis.curve(link.along).append_points(link.begin, link.end, points);
+    case OffsetLink::Kind::Chain:
+      return append_chain(curve, link, points);
+    case OffsetLink::Kind::Road:
+      return append_road(axis.roads(), link, points);
+    case OffsetLink::Kind::Straight:
+      return append_point(link.reached, points);
+  }
+}
+
 /// Where a query's end meets the walls' curve.
 struct Attachment {
   std::uint32_t node = none;        ///< The place on the curve, or on the axis of a narrow place.
@@ -40,8 +75,9 @@ struct Attachment {
 /// curve's crossings, then the Voronoi vertices, then what the ends of the query add.
 class Network {
  public:
-  Network(const FloorMap& map, const LevelCurve& curve, double radius)
+  Network(const FloorMap& map, const LevelCurve& curve, double radius, const ClosedDoors* closed)
       : map_(map),
+        closed_(closed),
         axis_(map.medial_axis()),
         curve_(curve),
         radius_(radius),
@@ -75,7 +111,8 @@ class Network {
   template <class Visitor>
   void visit_links(std::uint32_t node, Hand hand, Visitor visit) const {
     const auto visit_wide = [&](const OffsetLink& link) {
-      if (link.clearance >= least_clearance(radius_) && link.to != node) visit(link);
+      if (link.clearance >= least_clearance(radius_) && link.to != node && is_open(link))
+        visit(link);
     };
     if (node < first_vertex_) {
       if (hand != Hand::Left) visit_wide(chain_from(node));
@@ -93,6 +130,14 @@ class Network {
   }
 
  private:
+  /// Is no closed door across a link?
+  bool is_open(const OffsetLink& link) const {
+    if (closed_ == nullptr) return true;
+    thread_local std::vector<Vec2> points;  // kept, so that nobody has to make it
+    points.assign(1, position(link.from));
+    append_link(axis_, curve_, link, points);
+    return !closed_->crosses(points);
+  }
   std::uint32_t add_node(Vec2 point) {
     own_.push_back(point);
     return first_own_ + static_cast<std::uint32_t>(own_.size() - 1);
@@ -154,7 +199,7 @@ class Network {
   OffsetLink axis_link(std::uint32_t e, std::uint32_t from, double begin, std::uint32_t to,
                        double end) const {
     const EdgeCurve& bisector = axis_.curve(e);
-    const bool wide = bisector.clearance_at((begin + end) / 2) > curve_.distance();
+    const bool wide = curve_.passes(bisector.clearance_at((begin + end) / 2));
     return {OffsetLink::Kind::Axis,
             wide,
             from,
@@ -169,8 +214,8 @@ class Network {
   /// Is a road too narrow for the distance all along, and free of ends of the query? Then it is one
   /// link: no curve meets it, and what the roadmap leaves out beside it leads nowhere.
   bool is_narrow(std::uint32_t road) const {
-    return axis_.roads().roads()[road].greatest_clearance <= curve_.distance() + touching &&
-           road != own_road_[0] && road != own_road_[1];
+    return !curve_.passes(axis_.roads().roads()[road].greatest_clearance) && road != own_road_[0] &&
+           road != own_road_[1];
   }
   /// The road that a place of the axis is on, or that the twig with the place hangs on; none where
   /// that is a junction.
@@ -271,8 +316,8 @@ class Network {
     own_road_[end - first_own_] = road_below(made.above->voronoi_edge);
     made.node = add_node(bisector.point_at(made.above->at));
     join_axis(made.node, *made.above);
-    add_straight(end, made.node, std::min(clearance, height), height > curve_.distance());
-    if (height > curve_.distance()) attach_to_curve(end, site, clearance, made);
+    add_straight(end, made.node, std::min(clearance, height), curve_.passes(height));
+    if (curve_.passes(height)) attach_to_curve(end, site, clearance, made);
     return made;
   }
   /// Goes straight to the nearest place of the curve about a site.
@@ -307,6 +352,7 @@ class Network {
   }
 
   const FloorMap& map_;
+  const ClosedDoors* closed_;
   const MedialAxisMap& axis_;
   const LevelCurve& curve_;
   double radius_;
@@ -408,46 +454,13 @@ class NetworkSearch {
   StampedArray<Visitor>& visit_;
 };
 
-void append_road(const RoadGraph& roads, const OffsetLink& link, std::vector<Vec2>& points) {
-  const auto begin = roads.begin_of(link.along), end = roads.end_of(link.along);
-  link.begin < link.end ? roads.append_between(begin, end, points)
-                        : roads.append_between(end, begin, points);
-}
-
-void append_chain(const LevelCurve& curve, const OffsetLink& link, std::vector<Vec2>& points) {
-  LevelCrossing at = link.from;
-  do {
-    const bool onwards = link.begin < link.end;
-    const LevelPiece piece = onwards ? curve.piece_from(at) : curve.piece_to(at);
-    onwards ? curve.append_points(piece.site, piece.begin, piece.end, points)
-            : curve.append_points(piece.site, piece.end, piece.begin, points);
-    at = onwards ? piece.to : piece.from;
-  } while (at != link.to);
-}
-
 Way way_along(const std::vector<OffsetLink>& links, const Network& network,
               const MedialAxisMap& axis, const LevelCurve& curve) {
   Way way{RouteStatus::Ok, 0, infinity, {network.position(network.start())}};
   for (const OffsetLink& link : links) {
     way.length += link.length;
     way.clearance_min = std::min(way.clearance_min, link.clearance);
-    switch (link.kind) {
-      case OffsetLink::Kind::Level:
-        curve.append_points(link.along, link.begin, link.end, way.points);
-        break;
-      case OffsetLink::Kind::Axis:
-        axis.curve(link.along).append_points(link.begin, link.end, way.points);
-        break;
-      case OffsetLink::Kind::Chain:
-        append_chain(curve, link, way.points);
-        break;
-      case OffsetLink::Kind::Road:
-        append_road(axis.roads(), link, way.points);
-        break;
-      case OffsetLink::Kind::Straight:
-        append_point(network.position(link.to), way.points);
-        break;
-    }
+    append_link(axis, curve, link, way.points);
   }
   return way;
 }
@@ -459,7 +472,7 @@ Way offset_way(const FloorMap& map, const RouteQuery& query) {
   const double asked = std::isfinite(query.offset) ? query.offset : RouteQuery{}.offset;
   const MedialAxisMap& axis = map.medial_axis();
   const LevelCurve curve(axis, std::max({asked, query.radius, least_offset}));
-  Network network(map, curve, query.radius);
+  Network network(map, curve, query.radius, query.closed);
   network.attach(query.from, query.to);
   NetworkSearch search(network, query.hand);
   if (!search.find(!keeps_to_walls(network))) return {};

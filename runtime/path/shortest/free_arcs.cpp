@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace docent::path {
 namespace {
@@ -83,6 +84,36 @@ std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
       free.push_back({cuts[i], cuts[i + 1]});
   }
   return free;
+}
+
+void cut_arcs(const ReflexCorner& corner, double rolling, double reach, Vec2 a, Vec2 b,
+              std::vector<ArcInterval>& free) {
+  const double farthest = rolling + reach;
+  if (nearest_on_segment(corner.position, a, b).distance_squared >= farthest * farthest) return;
+  std::vector<Vec2> directions;
+  add_crossings(corner.position, rolling, a, b, reach, directions);
+  std::vector<double> cuts;
+  for (const Vec2 direction : directions) cuts.push_back(corner.angle_of(direction));
+  std::ranges::sort(cuts);
+  std::vector<ArcInterval> left;
+  const auto add = [&](double begin, double end) {
+    const Vec2 middle = corner.point_at((begin + end) / 2, rolling);
+    if (nearest_on_segment(middle, a, b).distance_squared < reach * reach) return;
+    if (!left.empty() && left.back().end == begin)
+      left.back().end = end;
+    else
+      left.push_back({begin, end});
+  };
+  for (const ArcInterval& arc : free) {
+    double begin = arc.begin;
+    for (const double cut : cuts)
+      if (cut > begin && cut < arc.end) {
+        add(begin, cut);
+        begin = cut;
+      }
+    add(begin, arc.end);
+  }
+  free = std::move(left);
 }
 
 }  // namespace docent::path

@@ -19,4 +19,9 @@ struct ArcInterval {
 std::vector<ArcInterval> free_arcs(const FloorPlan& plan, const WallGrid& walls,
                                    const ReflexCorner& corner, std::uint32_t before, double radius);
 
+/// Takes out of parts of the circle of radius `rolling` about a corner what is nearer than `reach`
+/// to the segment a b.
+void cut_arcs(const ReflexCorner& corner, double rolling, double reach, Vec2 a, Vec2 b,
+              std::vector<ArcInterval>& free);
+
 }  // namespace docent::path

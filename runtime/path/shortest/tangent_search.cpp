@@ -21,13 +21,14 @@ double sign(std::uint32_t side) noexcept {
 /// Whatever enters the queue has the lower bound that it would have if it were clear of walls.
 class Search {
  public:
-  Search(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to)
+  Search(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to, const ClosedDoors* closed)
       : map_(map),
+        closed_(closed),
         radius_(radius),
         rolling_(rolling_radius(radius, map.walls().slack())),
         from_(from),
         to_(to),
-        to_goal_(map.landmarks(), radius),
+        to_goal_(landmarks(map, closed), radius),
         work_(workspace()) {
     work_.begin(map.corners());
   }
@@ -122,7 +123,12 @@ class Search {
   double arrive_angle(const Tangent& tangent) const noexcept {
     return map_.corner(tangent.to_side / 2).angle_of(tangent.in);
   }
+  static const Landmarks& landmarks(const TangentSearchMap& map, const ClosedDoors* closed) {
+    return closed != nullptr && closed->landmarks() != nullptr ? *closed->landmarks()
+                                                               : map.landmarks();
+  }
   bool clear(Vec2 p, Vec2 q) const noexcept {
+    if (closed_ != nullptr && closed_->blocks(p, q, radius_)) return false;
     return radius_ == 0 ? map_.walls().segment_clear(p, q)
                         : map_.walls().capsule_clear(p, q, radius_);
   }
@@ -156,6 +162,7 @@ class Search {
       else
         known.arcs = free_arcs(map_.plan(), map_.walls(), map_.corner(corner),
                                map_.wall_before(corner), radius_);
+      if (closed_ != nullptr) closed_->cut_arcs(map_.corner(corner), radius_, known.arcs);
     }
     return known.arcs;
   }
@@ -322,6 +329,7 @@ class Search {
   }
 
   const TangentSearchMap& map_;
+  const ClosedDoors* closed_;
   double radius_;
   double rolling_;  ///< Radius of the circles on which it bends.
   Vec2 from_, to_;
@@ -389,8 +397,9 @@ std::span<const std::uint32_t> TangentSearchMap::seen_from(Vec2 point) const noe
       .subspan(sight_.cell_first[*cell], sight_.cell_first[*cell + 1] - sight_.cell_first[*cell]);
 }
 
-Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to) {
-  return Search(map, radius, from, to).run();
+Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to,
+                    const ClosedDoors* closed) {
+  return Search(map, radius, from, to, closed).run();
 }
 
 }  // namespace docent::path

@@ -4,6 +4,7 @@
 
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/geometry/sight_map.h"
+#include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/index/wall_grid.h"
 #include "runtime/path/shortest/landmarks.h"
 #include "runtime/path/shortest/reflex_corner.h"
@@ -66,7 +67,8 @@ class TangentSearchMap {
 
 /// The same as shortest_way, for a disc of any radius and with nothing precomputed for it: A* over
 /// tangents that are found when the way reaches a corner, and tested against the walls when their
-/// turn comes.
-Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to);
+/// turn comes. `closed`: doors that nobody passes; null for none.
+Way search_tangents(const TangentSearchMap& map, double radius, Vec2 from, Vec2 to,
+                    const ClosedDoors* closed = nullptr);
 
 }  // namespace docent::path

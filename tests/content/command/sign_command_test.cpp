@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "content/write/content_writer.h"
+#include "platform/signature/key.h"
 #include "tests/support/run_program.h"
 #include "tests/support/small_museum.h"
 
@@ -54,6 +55,27 @@ TEST_F(Signing, NeverOverwritesAKey) {
   std::filesystem::remove(file("ours.key"));
   EXPECT_EQ(keygen("ours").exit_code, 3);
   EXPECT_FALSE(std::filesystem::exists(file("ours.key"))) << "half a pair";
+}
+
+TEST_F(Signing, IsToldByInfoBesideTheKiosksOfTheMuseum) {
+  keygen("ours");
+  keygen("theirs");
+  const auto info = [&](const char* more) {
+    return run_program("docent-content", "info " + file("museum.db") + more).out;
+  };
+  const auto id_of = [&](const char* key) {
+    return signature::name_of(signature::id_of(*signature::read_public_key(file(key))));
+  };
+  EXPECT_THAT(info(" --json"), HasSubstr(R"("signed_with":[],"kiosks":["foyer","cafe"],)"));
+  EXPECT_THAT(info(""), HasSubstr("\nsigned with        none\n"));
+
+  sign("ours.key");
+  sign("theirs.key");
+
+  EXPECT_THAT(info(" --json"),
+              HasSubstr("\"signed_with\":[\"" + id_of("ours.pub") + "\",\"" + id_of("theirs.pub")));
+  EXPECT_THAT(info(""), HasSubstr("signed with        " + id_of("ours.pub") + ", "));
+  EXPECT_THAT(info(""), HasSubstr("kiosks             foyer, cafe\n"));
 }
 
 TEST_F(Signing, IsVerifiedWithThePublicKey) {

@@ -135,7 +135,7 @@ TEST(BadInput, AMissingTranslation) {
   EXPECT_THAT(failing_compile(museum).err,
               AllOf(HasSubstr("hall.toml:16:12: error[missing-translation]: the title of exhibit "
                               "'portrait' is not translated into 'ar'"),
-                    HasSubstr("hint: translate: Portrait")));
+                    HasSubstr("hint: translate from 'en': Portrait")));
 }
 
 TEST(BadInput, ALanguageThatTheInterfaceDoesNotSpeak) {
@@ -314,15 +314,16 @@ TEST(BadInput, AnImageThatIsAFolder) {
   museum.replace("exhibits/hall.toml", "image = \"images/disc.svg\"", "image = \"images\"");
 
   EXPECT_THAT(failing_compile(museum).err,
-              AllOf(HasSubstr("hall.toml:5:9: error[unreadable-image]: is a folder; name a file"),
-                    HasSubstr("hint: name a PNG, JPEG or SVG file")));
+              AllOf(HasSubstr("hall.toml:5:9: error[bad-path]: 'images' is a folder"),
+                    HasSubstr("hint: name a file in it")));
 }
 
 TEST(BadInput, APlanThatIsAFolder) {
   const MuseumFolder museum;
   museum.replace("museum.toml", "plan = \"ground.geojson\"", "plan = \"images\"");
 
-  EXPECT_THAT(failing_compile(museum).err, HasSubstr("images: error[missing-file]: is a folder"));
+  EXPECT_THAT(failing_compile(museum).err,
+              HasSubstr("museum.toml:7:8: error[bad-path]: 'images' is a folder"));
 }
 
 TEST(BadInput, AMuseumFolderBesideAnotherSource) {

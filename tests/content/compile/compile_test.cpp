@@ -7,6 +7,7 @@
 #include <string>
 
 #include "platform/sqlite/content_reader.h"
+#include "runtime/path/building/building_map.h"
 #include "runtime/path/route.h"
 #include "runtime/schema/schema.h"
 #include "tests/support/museum_folder.h"
@@ -45,6 +46,18 @@ TEST(Compile, TurnsAFolderIntoAMuseum) {
   EXPECT_NEAR(museum.kiosk.heading, std::numbers::pi / 2, 1e-12);
 }
 
+TEST(Compile, TakesWordsThatAMuseumsOwnFileLacksFromThoseThatShip) {
+  const MuseumFolder folder;
+  folder.write(
+      "words/en.toml",
+      "name = \"English\"\ndirection = \"left-to-right\"\n[words]\nbegin = \"Press here\"\n");
+  const Museum museum = compiled(folder);
+
+  ASSERT_FALSE(museum.languages.empty());
+  EXPECT_EQ(museum.languages[0].words.at("begin"), "Press here");
+  EXPECT_EQ(museum.languages[0].words.at("staff_title"), "For staff");
+}
+
 TEST(Compile, PlacesEachOfSeveralKiosks) {
   const MuseumFolder folder;
   folder.replace("museum.toml", "[kiosk]\n",
@@ -73,7 +86,9 @@ TEST(Compile, KeepsWhereStrollingVisitorsComeFromAndHowLongTheyLook) {
 }
 
 /// A visitor stands in front of the exhibit, facing it, with room for the body, and can get there.
-void expect_good_view(const Museum& museum, const Exhibit& exhibit, const path::FloorMap& map) {
+void expect_good_view(const Museum& museum, const Exhibit& exhibit,
+                      const path::BuildingMap& building) {
+  const path::FloorMap& map = building.floor(exhibit.floor);
   const Vec2 view = exhibit.viewing_point.position;
   const Vec2 to_object = exhibit.placement.position - view;
   const Vec2 facing{std::cos(exhibit.viewing_point.heading),
@@ -82,9 +97,11 @@ void expect_good_view(const Museum& museum, const Exhibit& exhibit, const path::
   EXPECT_GE(path::clearance_at(map, view), museum.body_radius) << exhibit.id;
   EXPECT_NEAR(dot(facing, to_object), glm::length(to_object), 1e-9) << exhibit.id;
   EXPECT_GE(glm::length(to_object), 0.79) << exhibit.id;
-  const path::RouteQuery query{
-      .from = museum.kiosk.position, .to = view, .radius = museum.body_radius};
-  EXPECT_EQ(path::route(map, query).status, path::RouteStatus::Ok) << exhibit.id;
+  const path::BuildingQuery query{
+      .way = {.from = museum.kiosk.position, .to = view, .radius = museum.body_radius},
+      .from_floor = museum.kiosk_floor,
+      .to_floor = exhibit.floor};
+  EXPECT_EQ(building.route(query).status, path::BuildingStatus::Ok) << exhibit.id;
 }
 
 TEST(Compile, FindsAViewingPointForEveryExhibitOfTheSampleMuseum) {
@@ -96,10 +113,12 @@ TEST(Compile, FindsAViewingPointForEveryExhibitOfTheSampleMuseum) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Result<Museum> museum = sqlite::load_museum(database);
   ASSERT_TRUE(museum.has_value());
-  const auto map = path::make_floor_map(museum->floors.at(0));
+  std::vector<std::shared_ptr<const path::FloorMap>> maps;
+  for (const Floor& floor : museum->floors) maps.push_back(path::make_floor_map(floor));
+  const path::BuildingMap building(*museum, std::move(maps));
 
-  EXPECT_GE(museum->exhibits.size(), 24U);
-  for (const Exhibit& exhibit : museum->exhibits) expect_good_view(*museum, exhibit, *map);
+  EXPECT_GE(museum->exhibits.size(), 35U);
+  for (const Exhibit& exhibit : museum->exhibits) expect_good_view(*museum, exhibit, building);
   EXPECT_LT(std::filesystem::file_size(database), 20U << 20U);
 }
 
@@ -156,8 +175,8 @@ TEST(Info, CountsWhatADatabaseHolds) {
       run_program("docent-content", "info '" + museum.database().string() + "' --json");
 
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.out, HasSubstr(fmt::format(R"("schema_version":{},"floors":1,"exhibits":2)",
-                                             schema::version)));
+  EXPECT_THAT(run.out, HasSubstr(fmt::format(R"("schema_version":{},)", schema::version)));
+  EXPECT_THAT(run.out, HasSubstr(R"("floors":1,"exhibits":2)"));
   EXPECT_THAT(run.out, HasSubstr(R"("exhibit_ids":["jade-disc","portrait"])"));
   EXPECT_THAT(run.out, HasSubstr(R"("sites":16,)")) << "12 walls and the case's 4 corners";
   EXPECT_THAT(run.out, HasSubstr(R"("skeleton_length":)"));

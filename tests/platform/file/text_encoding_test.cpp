@@ -29,6 +29,7 @@ TEST(TextEncoding, IsToldByName) {
     for (const std::u32string& text :
          {std::u32string(U"\uFEFFname = 1\n"), std::u32string(U"name = 1\n"),
           std::u32string(U"{\"名\": \"青铜三足鼎\"}"), std::u32string(U"\uFEFF"),
+          std::u32string(U"id = 1\nid = 2\nid = 3\nid = 4\nid = 5\ntitle = \"一\"\n"),
           std::u32string(U"\uFEFF鼎")}) {
       if (text == U"\uFEFF鼎" && form.unit == 4) continue;
       const std::optional<EncodingFault> fault = encoding_fault(wide(text, form.unit, form.order));
@@ -36,7 +37,7 @@ TEST(TextEncoding, IsToldByName) {
       ASSERT_TRUE(fault.has_value()) << form.name;
       EXPECT_THAT(fault->message, StartsWith(std::string("is ") + form.name));
       EXPECT_THAT(fault->hint, HasSubstr("UTF-8"));
-      EXPECT_EQ(fault->line, 0U);
+      EXPECT_EQ(fault->line, 1U);
     }
 }
 
@@ -70,7 +71,18 @@ TEST(TextEncoding, SaysWhereALetterOfLatin1StandsAndWhichItIs) {
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->line, 2U);
   EXPECT_EQ(fault->column, 12U);
-  EXPECT_EQ(fault->message, "the byte 0xE9 here is not UTF-8; in Latin-1 it is 'é'");
+  EXPECT_EQ(
+      fault->message,
+      "is not UTF-8 but, it seems, Windows-1252 (or Latin-1): the byte 0xE9 here is 'é' in it");
+}
+
+TEST(TextEncoding, NamesTheEncodingsThatALetterMayBeOf) {
+  EXPECT_THAT(encoding_fault("title = \"Caf\x8E\"")->message,
+              HasSubstr("Windows-1252 or Mac OS Roman: the byte 0x8E here is 'Ž' or 'é'"));
+  EXPECT_THAT(encoding_fault("title = \"\x88 la carte\"")->message,
+              HasSubstr("Mac OS Roman: the byte 0x88 here is 'à'"));
+  EXPECT_THAT(encoding_fault("title = \"\xC7\xE1\xE3\xD1\xCC\xE1\"")->message,
+              HasSubstr("Windows-1256 (Arabic), GBK or Big5 (Chinese)"));
 }
 
 TEST(TextEncoding, KnowsWhatIsNoCharacterOfUtf8) {

@@ -137,6 +137,7 @@ class Rendering : public ::testing::Test {
   void SetUp() override { open(small); }
 
   void open(PixelSize size, const RendererOptions& options = {}) {
+    holdings_.reset();
     renderer_.reset();
     display_.reset();
     auto display = headless::open_headless(size);
@@ -151,21 +152,26 @@ class Rendering : public ::testing::Test {
     const float square = 1;
     Pixels red{1, 1, {std::byte{200}, std::byte{30}, std::byte{30}, std::byte{255}}};
     const auto image = scene::TextureId{1};
-    renderer_->upload_scenery_image(image, red);
-    renderer_->upload_scenery(0, scenery::make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {}),
-                              {&image, 1});
-    renderer_->upload_avatar(box_body());
+    holdings_.emplace();
+    holdings_->add_scenery_image(image, {&red, 1});
+    const Scenery hall = scenery::make_scenery(small_hall(), {&vase, 1}, {&square, 1}, {});
+    while (holdings_->add_scenery(0, hall, {&image, 1})) {
+    }
+    const SkinnedMesh body = box_body();
+    holdings_->set_body(body, scene::levels_of(body));
   }
 
   Pixels drawn(const scene::DrawList& list) {
-    renderer_->draw(list, display_->target());
+    renderer_->draw(list, *holdings_, display_->target());
     Pixels picture;
     display_->read_back(picture);
     return picture;
   }
 
   std::unique_ptr<headless::HeadlessDisplay> display_;
-  std::optional<Renderer> renderer_;  // after the display: it goes first
+  // After the display: they go first.
+  std::optional<Renderer> renderer_;
+  std::optional<Holdings> holdings_;
 };
 
 TEST_F(Rendering, ShowsPaperWhereThereIsNothing) {
@@ -366,7 +372,7 @@ TEST_F(Rendering, SetsTextTexelForPixelAndBlendsItInLinearLight) {
   scene::Quad text;
   text.fill = scene::QuadFill::Text;
   text.texture = scene::TextureId{2};
-  renderer_->upload_text(text.texture, 3, 2, coverage);
+  holdings_->add_text(text.texture, 3, 2, coverage);
   text.rect = {100.3F / 320, 49.7F / 180, 0.5F, 0.5F};  // only its place counts
   text.colour = {0, 0, 0, 1};
   list.quads.push_back(text);
@@ -457,17 +463,66 @@ TEST_F(Rendering, DrawsNothingOfATextureThatIsReleasedOrWasNeverKept) {
     return pixel(drawn(list), 2, 2).r;
   };
   const int bare = drawn_with(scene::TextureId::None);
-  renderer_->upload_text(scene::TextureId{7}, 1, 1, coverage);
+  holdings_->add_text(scene::TextureId{7}, 1, 1, coverage);
 
   EXPECT_NE(drawn_with(scene::TextureId{7}), bare);
   EXPECT_EQ(drawn_with(scene::TextureId{8}), bare);
   EXPECT_EQ(drawn_with(scene::TextureId{1'000'000}), bare);
-  renderer_->release(scene::TextureId{7});
-  renderer_->release(scene::TextureId{7});
+  holdings_->release(scene::TextureId{7});
+  holdings_->release(scene::TextureId{7});
   EXPECT_EQ(drawn_with(scene::TextureId{7}), bare);
-  renderer_->upload_text(scene::TextureId{7}, 1, 1, coverage);
-  renderer_->release_textures();
-  EXPECT_EQ(drawn_with(scene::TextureId{7}), bare);
+}
+
+TEST_F(Rendering, DrawsTheOldHoldingsWhileNewOnesAreMade) {
+  const std::array<std::uint8_t, 1> inked{255};
+  const scene::TextureId id{7};
+  scene::DrawList list = view_of_hall(small);
+  add_guide(list, {6, 2});
+  scene::Quad text;
+  text.rect = {2.0F / 320, 2.0F / 180, 0.5F, 0.5F};  // only its place counts
+  text.fill = scene::QuadFill::Text;
+  text.texture = id;
+  list.quads.push_back(text);
+  const Pixels before = drawn(list);
+
+  Holdings next;
+  next.add_text(id, 1, 1, inked);
+  next.set_body({}, {});
+  next.add_scenery(0, {}, {});
+
+  EXPECT_EQ(drawn(list).rgba, before.rgba);
+  holdings_ = std::move(next);
+  const Pixels after = drawn(list);
+  EXPECT_NE(pixel(after, 2, 2).r, pixel(before, 2, 2).r);
+  const auto [x, y] = pixel_of(list.camera, to_world({6, 2}, 1), small);
+  expect_near(pixel(after, x, y), paper, 1, "where hall and guide were");
+}
+
+TEST_F(Rendering, CarriesALargeBuildingAMegabyteAtATimeAndDrawsItWhenItIsThere) {
+  const scene::DrawList list = view_of_hall(small);
+  const Pixels with_hall = drawn(list);
+  Scenery large = scenery::make_scenery(small_hall(), {}, {}, {});
+  const std::size_t bytes = large.vertices.size() * sizeof(SceneryVertex) +
+                            large.indices.size() * sizeof(std::uint32_t) + large.lightmap.size();
+  large.vertices.resize(large.vertices.size() + (std::size_t{3} << 20U) / sizeof(SceneryVertex));
+
+  Holdings next;
+  int steps = 1;
+  while (next.add_scenery(0, large, {})) {
+    ++steps;
+    EXPECT_EQ(drawn(list).rgba, with_hall.rgba) << "the one that is shown";
+  }
+
+  EXPECT_GE(steps, 4);
+  EXPECT_LE(steps, static_cast<int>((bytes >> 20U) + 3 + 3)) << "three kinds of bytes";
+  holdings_ = std::move(next);
+  EXPECT_NE(drawn(list).rgba, with_hall.rgba) << "no vase";
+  Scenery hall = scenery::make_scenery(small_hall(), {}, {}, {});
+  const Pixels large_hall = drawn(list);
+  holdings_ = Holdings();
+  while (holdings_->add_scenery(0, hall, {})) {
+  }
+  EXPECT_EQ(drawn(list).rgba, large_hall.rgba);
 }
 
 TEST_F(Rendering, GivesTheSamePictureInOneStripAndInMany) {
@@ -524,7 +579,8 @@ TEST_F(Rendering, TurnsThePictureForAPanelThatHangsTurned) {
   // A panel of 320 x 180 whose upper edge hangs to the right: the visitor sees 180 x 320.
   const Panel panel;
 
-  renderer_->draw(list, {panel.framebuffer(), {180, 320}, Encoding::Plain, Rotation::Quarter});
+  renderer_->draw(list, *holdings_,
+                  {panel.framebuffer(), {180, 320}, Encoding::Plain, Rotation::Quarter});
 
   // Seen upright, the panel's lower left corner is the visitor's upper left.
   expect_near(panel.pixel(5, 174), {0xD2, 0x45, 0x2D}, 1, "lower left");
@@ -543,7 +599,8 @@ TEST_F(Rendering, ShiftsThePictureAndDrawsItsEdgeOutToThePanels) {
   const Panel panel;
 
   renderer_->draw(
-      list, {.framebuffer = panel.framebuffer(), .size = {320, 180}, .shift_x = 4, .shift_y = 2});
+      list, *holdings_,
+      {.framebuffer = panel.framebuffer(), .size = {320, 180}, .shift_x = 4, .shift_y = 2});
 
   expect_near(panel.pixel(163, 50), red, 1, "four to the right");
   expect_near(panel.pixel(164, 50), paper, 1, "and no more");
@@ -562,7 +619,7 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
   scene::Quad panel;
   panel.rect = {0, 0, 0.3F, 1};
   list.quads.push_back(panel);
-  renderer_->warm_up(display_->target());
+  renderer_->warm_up(*holdings_, display_->target());
   drawn(list);
   const RenderTarget target = display_->target();
 
@@ -570,7 +627,7 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
   for (int frame = 0; frame < 30; ++frame) {
     list.ribbons[0].flow += 0.01F;
     list.ribbons[0].revision = static_cast<std::uint32_t>(frame);
-    renderer_->draw(list, target);
+    renderer_->draw(list, *holdings_, target);
     display_->present();
   }
 

@@ -87,7 +87,10 @@ struct Told {
   void take(DeviceReader& reader) {
     for (input::InputEvent event; reader.pop(event);) {
       downs += event.kind == input::InputEvent::Kind::Down ? 1 : 0;
-      ups += event.kind == input::InputEvent::Kind::Up ? 1 : 0;
+      ups +=
+          event.kind == input::InputEvent::Kind::Up || event.kind == input::InputEvent::Kind::Cancel
+              ? 1
+              : 0;
       moves += event.kind == input::InputEvent::Kind::Move ? 1 : 0;
       last_x = event.contact.x;
     }

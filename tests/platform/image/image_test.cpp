@@ -88,7 +88,7 @@ TEST(Png, CutShortAnywhereIsRefusedWithASentence) {
   for (std::size_t size = 8; size + behind_the_pixels < whole.size(); ++size) {
     const auto decoded = decode_image(std::span(whole).first(size));
     ASSERT_FALSE(decoded.has_value()) << size;
-    EXPECT_THAT(decoded.error().what, HasSubstr("PNG cannot be read"));
+    EXPECT_THAT(decoded.error().what, HasSubstr("this PNG is damaged or cut short"));
   }
 }
 
@@ -112,13 +112,31 @@ TEST(Jpeg, ComesBackWithinItsLoss) {
     EXPECT_NEAR(std::to_integer<int>(decoded->rgba[i]), std::to_integer<int>(plain.rgba[i]), 4);
 }
 
+TEST(Jpeg, IsReadAtASmallerScaleWhereThatIsEnough) {
+  Pixels halves{.width = 770, .height = 400, .rgba = {}};
+  for (std::size_t i = 0; i < std::size_t{770} * 400; ++i)
+    halves.rgba.insert(halves.rgba.end(), 3,
+                       std::byte{i % 770 < 385 ? std::uint8_t{40} : std::uint8_t{220}}),
+        halves.rgba.push_back(std::byte{255});
+  const auto file = encode_jpeg(halves).value();
+
+  const Pixels small = decode_at_least(file, 144).value();
+  EXPECT_EQ(small.width, 193U);  // a quarter, rounded up
+  EXPECT_EQ(small.height, 100U);
+  EXPECT_NEAR(std::to_integer<int>(small.rgba[4 * (50 * 193 + 40)]), 40, 4);
+  EXPECT_NEAR(std::to_integer<int>(small.rgba[4 * (50 * 193 + 150)]), 220, 4);
+  EXPECT_EQ(decode_at_least(file, 385).value().width, 385U);
+  EXPECT_EQ(decode_at_least(file, 386).value().width, 770U);
+  EXPECT_EQ(decode_at_least(file, 9000).value().width, 770U);
+}
+
 TEST(Jpeg, CutShortIsRefusedWithASentence) {
   const auto whole = jpeg_of(chequered(64, 64));
 
   for (const std::size_t size : {whole.size() / 4, whole.size() / 2, whole.size() * 3 / 4}) {
     const auto decoded = decode_image(std::span(whole).first(size));
     ASSERT_FALSE(decoded.has_value()) << size;
-    EXPECT_THAT(decoded.error().what, HasSubstr("JPEG cannot be read"));
+    EXPECT_THAT(decoded.error().what, HasSubstr("this JPEG is damaged or cut short"));
   }
 }
 
@@ -205,6 +223,24 @@ TEST(Shrinking, GivesAPixelOnABorderToBothSides) {
   // The right half has a third of its light from the middle pixel: 1/3 is 156 in sRGB.
   EXPECT_EQ(std::to_integer<int>(small.rgba[0]), 255);
   EXPECT_EQ(std::to_integer<int>(small.rgba[4]), 156);
+}
+
+TEST(MipLevels, HalveThePictureDownToAPixelOfAllItsLight) {
+  Pixels chequered{6, 3, {}};
+  for (int i = 0; i < 18; ++i)
+    for (const int channel : {i % 2 == 0 ? 255 : 0, 0, 0, 255})
+      chequered.rgba.push_back(static_cast<std::byte>(channel));
+
+  const std::vector<Pixels> levels = mip_levels(chequered);
+
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0].rgba, chequered.rgba);
+  EXPECT_EQ(levels[1].width, 3U);
+  EXPECT_EQ(levels[1].height, 1U);
+  EXPECT_EQ(levels[2].width, 1U);
+  EXPECT_EQ(levels[2].height, 1U);
+  EXPECT_EQ(std::to_integer<int>(levels[2].rgba[0]), 188) << "half of the light";
+  EXPECT_TRUE(mip_levels({}).empty());
 }
 
 TEST(Filling, TakesTheMiddleInTheShapeAskedFor) {

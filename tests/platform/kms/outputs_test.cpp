@@ -68,6 +68,9 @@ TEST(BestMode, IsInterlacedOnlyWhereNothingElseHasTheSize) {
 
   EXPECT_EQ(best_mode(std::vector{interlaced, other(full_hd, 50)}, full_hd, 0), 1U);
   EXPECT_EQ(best_mode(std::vector{interlaced, other(xga)}, full_hd, 0), 0U);
+  interlaced.is_preferred = true;
+  EXPECT_EQ(best_mode(std::vector{interlaced, other(full_hd)}, {}, 0), 1U);
+  EXPECT_EQ(best_mode(std::vector{interlaced}, {}, 0), 0U);
 }
 
 TEST(OutputPlans, DriveTheFirstConnectedScreen) {
@@ -188,6 +191,18 @@ RC_GTEST_PROP(OutputPlans, AreThereWheneverAConnectedScreenCanBeFed, ()) {
 
   RC_ASSERT(output_plans(card, {}).empty() == !can_be_fed);
   RC_ASSERT(output_plans(card, {.mirror = true}).empty() == !can_be_fed);
+}
+
+TEST(OutputPlans, ThatAreNoneHaveAReason) {
+  Connector mute = screen("DP-1", {});
+  mute.is_connected = true;
+
+  EXPECT_THAT(why_none(card_with({mute}), {}),
+              testing::HasSubstr("the screen at DP-1 offers no mode"));
+  EXPECT_THAT(why_none(card_with({screen("DP-1", {})}), {}),
+              testing::HasSubstr("no screen is connected;"));
+  EXPECT_THAT(why_none(card_with({mute, screen("DP-2", {})}), {.connector = "DP-2"}),
+              testing::HasSubstr("no screen is connected to DP-2"));
 }
 
 TEST(Letterbox, KeepsThePicturesProportions) {

@@ -1,8 +1,12 @@
 #include "runtime/interface/text.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <numeric>
+#include <stop_token>
+#include <thread>
+#include <vector>
 
 #include "platform/pango/text_setter.h"
 
@@ -86,6 +90,59 @@ TEST(TextSetter, GivesTheSamePixelsTwice) {
 
   EXPECT_EQ((*set_text)(style("en"), "Chime Bells", 0).coverage,
             (*set_text)(style("en"), "Chime Bells", 0).coverage);
+}
+
+/// Sets a line in each of forty sizes, as a month's visitors would in time.
+std::uint64_t ink_in_forty_sizes(const interface::SetText& set_text) {
+  std::uint64_t sum = 0;
+  for (int size = 10; size < 50; ++size) {
+    interface::TextStyle of_size = style("en");
+    of_size.size = static_cast<float>(size);
+    const interface::TextBitmap bitmap = set_text(of_size, "The quick brown fox jumps over it", 0);
+    sum += ink(bitmap, 0, bitmap.width);
+  }
+  return sum;
+}
+
+TEST(TextSetter, SetsLettersThatItHasForgottenAsItDidBefore) {
+  const auto set_text = make_text_setter();
+  const std::uint64_t before = ink_in_forty_sizes(*set_text);
+
+  for (int again = 0; again < 3; ++again) {
+    forget_letters();
+    EXPECT_EQ(ink_in_forty_sizes(*set_text), before);
+  }
+}
+
+TEST(TextSetter, GivesBackTheMemoryOfLettersThatItForgets) {
+  const auto in_use = [] { return mallinfo2().uordblks; };
+  const std::size_t without = in_use();
+  if (const std::vector<std::byte> block(5000); in_use() <= without)
+    GTEST_SKIP() << "the allocator is not glibc's";
+  const auto set_text = make_text_setter();
+  ink_in_forty_sizes(*set_text);
+  forget_letters();
+
+  const std::size_t before = in_use();
+  ink_in_forty_sizes(*set_text);
+  const std::size_t learnt = in_use() - before;
+  forget_letters();
+
+  EXPECT_GT(learnt, 500'000U);
+  EXPECT_LT(in_use(), before + learnt / 10);
+}
+
+TEST(TextSetter, MayForgetWhileOthersAreSet) {
+  const auto set_text = make_text_setter();
+  const std::uint64_t before = ink_in_forty_sizes(*set_text);
+  std::jthread other([&set_text](const std::stop_token& stop) {
+    while (!stop.stop_requested()) (*set_text)(style("zh"), "青铜鼎", 0);
+  });
+
+  for (int again = 0; again < 3; ++again) {
+    forget_letters();
+    EXPECT_EQ(ink_in_forty_sizes(*set_text), before);
+  }
 }
 
 TEST(TextSetter, SurvivesWhatIsNoText) {

@@ -4,14 +4,18 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
 #include "content/write/replace_file.h"
+#include "runtime/schema/schema.h"
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
 
@@ -70,6 +74,20 @@ TEST(ContentReader, RefusesAFileInWhichAnyByteHasChanged) {
   }));
 }
 
+TEST(ContentReader, LooksAtTheFirstBytesBeforeItReadsGigabytes) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "museum.db";
+  std::ofstream(file) << "a film of the opening";
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 42U);
+  EXPECT_THAT(load_museum(file).error().what, HasSubstr("is not a docent database"));
+
+  write::write_museum(small_museum(), file);
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 42U);
+  const auto opened = open_database(file, schema::largest_shown);
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_THAT(opened.error().what, HasSubstr("the most that a kiosk shows is 1024"));
+}
+
 TEST(ContentReader, SaysThatAFlippedByteIsDamage) {
   const Error error = refusal_with_flipped_byte(20000, std::byte{1});
 
@@ -98,12 +116,12 @@ TEST(ContentReader, NoticesBytesAfterTheEnd) {
 
 TEST(ContentReader, NamesTheVersionThatItCannotRead) {
   std::vector<std::byte> bytes = write::encode_museum(small_museum());
-  bytes[63] = std::byte{9};  // the last byte of user_version
+  bytes[63] = std::byte{schema::version + 1};  // the last byte of user_version
 
   const Error error = refusal(bytes);
 
   EXPECT_EQ(error.code, Errc::WrongVersion);
-  EXPECT_THAT(error.what, HasSubstr("has schema version 9"));
+  EXPECT_THAT(error.what, HasSubstr(fmt::format("has schema version {}", schema::version + 1)));
   EXPECT_THAT(error.what, HasSubstr("recompile the content"));
 }
 
@@ -165,12 +183,20 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"scenery", [](Museum& m) { m.scenery[0].parts[0].surface = Surface::Count; }},
       {"scenery", [](Museum& m) { m.scenery[0].lightmap_height = 0x80000001; }},
       {"scenery", [](Museum& m) { m.scenery.clear(); }},
-      {"room", [](Museum& m) { m.rooms[0].floor = 1; }},
+      {"room", [](Museum& m) { m.rooms[0].floor = 2; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].image = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
-      {"kiosk", [](Museum& m) { m.kiosk_floor = 1; }},
-      {"kiosk 'cafe'", [](Museum& m) { m.kiosks[1].floor = 1; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 2; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 0; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].stops.pop_back(); }},
+      {"connection 'lift'", [](Museum& m) { std::ranges::reverse(m.connections[0].stops); }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].kind = ConnectionKind{4}; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].direction = ConnectionDirection{3}; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].wait_seconds = INFINITY; }},
+      {"connection 'lift'", [](Museum& m) { m.connections[0].metres_per_floor = -1; }},
+      {"kiosk", [](Museum& m) { m.kiosk_floor = 2; }},
+      {"kiosk 'cafe'", [](Museum& m) { m.kiosks[1].floor = 2; }},
       {"kiosk 'foyer'", [](Museum& m) { m.kiosks[0].placement.position.x = INFINITY; }},
       {"radius", [](Museum& m) { m.body_radius = 0; }},
       {"strolling visitors", [](Museum& m) { m.ambient.count = 100000; }},

@@ -21,7 +21,8 @@ const Museum& museum() {
 /// A guide in simulated time: the worker's answers are there in the next step.
 class Session {
  public:
-  Session() : planner_(museum(), {test::boxes, {}}), guide_(museum(), planner_, settings()) {
+  explicit Session(const Museum& shown = museum())
+      : planner_(shown, {test::boxes, {}}), guide_(shown, planner_, settings()) {
     run(0.1);
   }
 
@@ -110,6 +111,21 @@ TEST(Guide, BeginsWhereverTheWelcomeIsTouched) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
 }
 
+TEST(Guide, IsNotBegunByAPalmNorByAGlassThatIsPulledOut) {
+  Session session;
+  session.run(1);
+  session.touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+  session.run(0.05);
+  session.touch(input::InputEvent::Kind::Cancel, 1, 0.9F, 0.1F);
+  session.run(0.05);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Welcome);
+
+  session.touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+  session.touch(input::InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+  session.run(0.05);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
+}
+
 TEST(Guide, AnswersATouchByARingInTheNextFrame) {
   Session session;
   EXPECT_EQ(rings(session), 0U);
@@ -136,9 +152,12 @@ TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
   Session session;
   session.tap("begin");
   session.run(2);
-  session.tap("exhibit:" + museum().exhibits.back().id, interface::Role::Spot);
+  std::uint32_t last = 0;  // of the kiosk's floor
+  for (std::uint32_t i = 0; i < museum().exhibits.size(); ++i)
+    if (museum().exhibits[i].floor == museum().kiosk_floor) last = i;
+  session.tap("exhibit:" + museum().exhibits[last].id, interface::Role::Spot);
 
-  EXPECT_EQ(session.guide().state().exhibit, museum().exhibits.size() - 1);
+  EXPECT_EQ(session.guide().state().exhibit, last);
 }
 
 TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
@@ -158,7 +177,7 @@ TEST(Guide, LooksIntoABendBeforeItWalksIt) {
   Session session;
   session.tap("begin");
   session.run(2);
-  session.tap("exhibit:" + museum().exhibits[8].id, interface::Role::Spot);
+  session.tap("exhibit:" + museum().exhibits[6].id, interface::Role::Spot);
   int led = 0, bends = 0;
   double gaze = 0;
   for (int i = 0; i < 60 * 20; ++i) {
@@ -275,6 +294,8 @@ TEST(Guide, CanBeUsedByKeysAlone) {
   session.key(input::Key::Enter);
   session.run(0.5);
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
+  for (std::size_t tour = 0; tour < museum().tours.size(); ++tour)
+    session.key(input::Key::Down);  // they come before the exhibits
   session.key(input::Key::Down);
   session.key(input::Key::Down);
   session.key(input::Key::Enter);
@@ -296,6 +317,78 @@ TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
   session.run(0.1);
 
   EXPECT_EQ(session.guide().state().page, 1U);
+}
+
+/// The sample museum twice, one above the other, with a lift beside the kiosk; upstairs is a copy
+/// of the first exhibit.
+Museum house_with_a_lift() {
+  Museum house = museum();
+  const std::uint32_t ground = house.kiosk_floor;
+  house.floors.push_back(house.floors[ground]);
+  house.scenery.push_back(house.scenery[ground]);
+  const auto upper = static_cast<std::uint32_t>(house.floors.size() - 1);
+  FloorPlan& plan = house.floors.back().plan;
+  plan.name = "copy";
+  plan.ordinal = 9;
+  plan.height = 40;
+  const Placement stop{house.kiosk.position + Vec2(2, 0), 0};
+  Connection lift;
+  lift.id = "lift-to-the-copy";
+  lift.kind = ConnectionKind::Lift;
+  lift.step_free = true;
+  lift.wait_seconds = 1;
+  lift.seconds_per_floor = 6 / std::abs(9.0 - house.floors[ground].plan.ordinal);
+  lift.stops = {{ground, stop}, {upper, stop}};
+  house.connections = {lift};
+  house.exhibits.push_back(house.exhibits.front());
+  house.exhibits.back().id = "copy";
+  house.exhibits.back().floor = upper;
+  return house;
+}
+
+TEST(Guide, LeadsToAnotherFloorWhichComesIntoViewWhileTheModelIsBehindPaper) {
+  const Museum house = house_with_a_lift();
+  const auto upper = static_cast<std::uint32_t>(house.floors.size() - 1);
+  Session session(house);
+  session.tap("begin");
+  session.run(1);
+  session.tap("floor:copy");
+  session.run(1);
+  EXPECT_EQ(session.guide().draw_list().floor, upper);
+  EXPECT_TRUE(session.guide().draw_list().avatars.empty()) << "it stands on the kiosk's floor";
+
+  session.tap("exhibit:copy", interface::Role::Spot);
+  Vec3 eye = session.guide().draw_list().camera.eye;
+  std::uint32_t shown = session.guide().draw_list().floor;
+  bool flew_down = false;
+  for (int frame = 0; frame < 60 * 120 && !session.guide().state().arrived; ++frame) {
+    session.run(1.0 / 60);
+    const scene::DrawList& list = session.guide().draw_list();
+    if (list.floor != shown) {
+      EXPECT_GT(list.fade, 0.99F);
+      flew_down = true;
+    }
+    if (flew_down && frame > 150 && !session.guide().state().arrived) {
+      ASSERT_EQ(list.avatars.size(), 1U);
+      EXPECT_LT(glm::distance(list.camera.eye, eye), 0.5F) << "frame " << frame;
+    }
+    shown = list.floor;
+    eye = list.camera.eye;
+  }
+
+  EXPECT_TRUE(session.guide().state().arrived);
+  EXPECT_EQ(session.guide().crowd()[0].avatar.floor, upper);
+  EXPECT_EQ(shown, upper);
+  EXPECT_EQ(session.guide().counters().collisions, 0U);
+
+  session.tap("choose");
+  session.run(1);
+  EXPECT_EQ(session.guide().draw_list().floor, upper) << "that is where the visitor looked last";
+  session.tap("back");
+  session.run(1);
+  session.tap("home");
+  session.run(2);
+  EXPECT_EQ(session.guide().draw_list().floor, house.kiosk_floor);
 }
 
 TEST(Guide, DoesTheSameTwice) {

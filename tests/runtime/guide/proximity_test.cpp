@@ -37,6 +37,7 @@ class People {
       Agent one;
       one.is_here = true;
       one.avatar.body.position = place;
+      one.avatar.plan = std::make_unique<plan::Plan>();
       agents_.push_back(std::move(one));
     }
     proximity_.look(agents_, 0.5);

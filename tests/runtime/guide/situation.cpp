@@ -48,7 +48,7 @@ class Stage {
     step();
     for (std::uint32_t i = 0; i < situation_.parts.size(); ++i)
       if (!situation_.parts[i].stays)
-        crowd_.send(i, situation_.parts[i].to, situation_.parts[i].kind);
+        crowd_.send(i, 0, situation_.parts[i].to, situation_.parts[i].kind);
     const auto frames = static_cast<std::size_t>(situation_.seconds / frame_seconds);
     for (std::size_t f = 0; f < frames && !scene_.all_arrived(); ++f) {
       step();
@@ -88,7 +88,7 @@ class Stage {
       } else if (crowd_[i].has_arrived && crowd_[i].goal) {
         if (next_[i] < part.then.size() && seconds < part.rests) continue;
         if (next_[i] < part.then.size())
-          crowd_.send(i, part.then[next_[i]++], part.kind);
+          crowd_.send(i, 0, part.then[next_[i]++], part.kind);
         else
           scene_.arrival[i] = std::min(scene_.arrival[i], seconds);
       }

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "platform/sqlite/content_reader.h"
-#include "runtime/path/floor_map.h"
-#include "runtime/plan/plan.h"
+#include "runtime/path/building/building_map.h"
+#include "runtime/plan/traffic.h"
 #include "tests/runtime/motion/walk_measures.h"
 #include "tests/support/sample_database.h"
 
@@ -23,9 +23,18 @@ const motion::WalkGraph& walking() {
   static const motion::WalkGraph graph = motion::make_walk_graph(museum().motion).value();
   return graph;
 }
-const path::FloorMap& map() {
-  static const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
-  return *map;
+const path::BuildingMap& building() {
+  static const path::BuildingMap building = [] {
+    std::vector<std::shared_ptr<const path::FloorMap>> maps;
+    for (const Floor& floor : museum().floors) maps.push_back(path::make_floor_map(floor));
+    return path::BuildingMap(museum(), std::move(maps));
+  }();
+  return building;
+}
+
+/// For one body alone.
+std::unique_ptr<plan::Plan> plan_for(const plan::WalkOrder& order) {
+  return plan::Traffic(museum(), &walking(), building(), museum().kiosk_floor).plan(order);
 }
 
 const test::Quickest& recorded() {
@@ -46,7 +55,7 @@ Journey journey(RouteKind kind, const Placement& goal) {
   Journey out;
   plan::WalkOrder order{
       .floor = museum().kiosk_floor, .kind = kind, .goal = goal, .start = museum().kiosk};
-  std::unique_ptr<plan::Plan> plan = plan::make_plan(museum(), &walking(), map(), order), before;
+  std::unique_ptr<plan::Plan> plan = plan_for(order), before;
   for (;;) {
     EXPECT_EQ(plan->status, path::RouteStatus::Ok);
     const motion::Walk& walk = plan->walk;
@@ -66,7 +75,7 @@ Journey journey(RouteKind kind, const Placement& goal) {
     order.previous = before.get();
     order.previous_frame = before->handover_frame;
     order.continues = true;
-    plan = plan::make_plan(museum(), &walking(), map(), order);
+    plan = plan_for(order);
   }
 }
 
@@ -134,7 +143,7 @@ TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
     if (exhibit.floor == museum().kiosk_floor) views.push_back(exhibit.viewing_point);
   plan::WalkOrder order{
       .floor = museum().kiosk_floor, .goal = views.front(), .start = museum().kiosk};
-  std::unique_ptr<plan::Plan> plan = plan::make_plan(museum(), &walking(), map(), order), before;
+  std::unique_ptr<plan::Plan> plan = plan_for(order), before;
   for (int call = 0; call < 120; ++call) {
     before = std::move(plan);
     order.previous = before.get();
@@ -142,7 +151,7 @@ TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
     order.kind = static_cast<RouteKind>(random() % 3);
     order.goal = views[random() % views.size()];
 
-    plan = plan::make_plan(museum(), &walking(), map(), order);
+    plan = plan_for(order);
 
     const motion::Walk& walk = plan->walk;
     ASSERT_EQ(plan->status, path::RouteStatus::Ok);

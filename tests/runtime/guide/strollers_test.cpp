@@ -10,15 +10,12 @@
 #include "runtime/guide/strollers.h"
 #include "runtime/path/route.h"
 #include "tests/support/sample_database.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::guide {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr double watched_seconds = 120;  // everything takes ten times as long there
-#else
-constexpr double watched_seconds = 600;
-#endif
+constexpr double watched_seconds = test::is_sanitized ? 120 : 600;
 
 Museum busy_museum(std::uint32_t count) {
   Museum museum = sqlite::load_museum(test::sample_database()).value();
@@ -58,16 +55,19 @@ Stroll stroll(const Museum& museum, double seconds) {
             std::max(out.quickest, 60 * glm::distance(out.track[i].back().position, body.position));
       out.track[i].push_back(body);
       out.longest_held = std::max(out.longest_held, crowd[i].blocked_seconds);
-      out.least_clearance =
-          std::min(out.least_clearance,
-                   path::clearance_at(*planner.maps()[museum.kiosk_floor], body.position) -
-                       museum.body_radius);
+      const bool rides = ride_of(crowd[i].avatar) != nullptr;
+      if (!rides)
+        out.least_clearance =
+            std::min(out.least_clearance,
+                     path::clearance_at(*planner.maps()[crowd[i].avatar.floor], body.position) -
+                         museum.body_radius);
       if (crowd[i].goal && crowd[i].goal->position != goal[i]) {
         goal[i] = crowd[i].goal->position;
         ++out.ways;
       }
       for (std::uint32_t j = 0; j < i; ++j)
-        if (crowd[j].is_here)
+        if (crowd[j].is_here && !rides && ride_of(crowd[j].avatar) == nullptr &&
+            crowd[j].avatar.floor == crowd[i].avatar.floor)
           out.deepest_overlap = std::max(
               out.deepest_overlap,
               2 * museum.body_radius - glm::distance(crowd[j].avatar.body.position, body.position));

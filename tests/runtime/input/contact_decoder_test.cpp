@@ -188,6 +188,75 @@ TEST(Contacts, WithoutATipSwitchAreDownWhileInRange) {
   EXPECT_THAT(screen.contacts(), IsEmpty());
 }
 
+/// A Windows 8 screen of one finger, which says how sure it is: tip switch, in range and confidence
+/// in the first three bits.
+input::ContactDecoder confident_screen() {
+  const auto sure_finger =
+      bytes({0x05, 0x0d, 0x09, 0x22, 0xa1, 0x02, 0x09, 0x42, 0x09, 0x32, 0x09, 0x47, 0x15,
+             0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x03, 0x81, 0x02, 0x95, 0x05, 0x81, 0x03,
+             0x75, 0x08, 0x95, 0x01, 0x09, 0x51, 0x25, 0x7f, 0x81, 0x02, 0x05, 0x01, 0x26,
+             0xff, 0x7f, 0x75, 0x10, 0x09, 0x30, 0x81, 0x02, 0x09, 0x31, 0x81, 0x02, 0xc0});
+  return decoder_for(
+      join({begin_touch_screen(1), sure_finger, scan_time(), contact_count(), end_collection()}));
+}
+constexpr int on_glass = 7, hovering = 6, palm = 3, lifted = 0;
+std::vector<std::byte> sure_report(int state, int time) {
+  return bytes({1, state, 4, 0, 0, 0, 0, time, 0, 1});
+}
+
+TEST(Contacts, ThatHoverAreNone) {
+  input::ContactDecoder screen = confident_screen();
+
+  screen.take(sure_report(hovering, 1));
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+  screen.take(sure_report(on_glass, 2));
+  EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(4, 0.F, 0.F)));
+  screen.take(sure_report(hovering, 3));
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+}
+
+TEST(Contacts, ThatAreAPalmAreNone) {
+  input::ContactDecoder screen = confident_screen();
+  screen.take(sure_report(on_glass, 1));
+  screen.take(sure_report(palm, 2));
+
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+  EXPECT_THAT(screen.turned_to_palms(), ElementsAre(4U));
+  screen.take(sure_report(lifted, 3));
+  screen.take(sure_report(palm, 4));
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+  EXPECT_THAT(screen.turned_to_palms(), IsEmpty()) << "it was none before";
+}
+
+TEST(Contacts, OfAScreenThatIsNeverSureAreFingers) {
+  input::ContactDecoder screen = confident_screen();
+  screen.take(sure_report(palm, 1));
+  EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(4, 0.F, 0.F)));
+}
+
+TEST(Contacts, ThatGoWithoutConfidenceHaveBeenLifted) {
+  input::ContactDecoder screen = confident_screen();
+  screen.take(sure_report(on_glass, 1));
+  screen.take(sure_report(lifted, 2));
+
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+  EXPECT_THAT(screen.turned_to_palms(), IsEmpty());
+}
+
+TEST(Contacts, OfAScreenThatTellsPressureAloneAreDownWhileTheyPress) {
+  const auto pressing =
+      bytes({0x05, 0x0d, 0x09, 0x22, 0xa1, 0x02, 0x09, 0x30, 0x15, 0x00, 0x26, 0xff,
+             0x00, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02, 0x05, 0x01, 0x26, 0xff, 0x7f,
+             0x75, 0x10, 0x09, 0x30, 0x81, 0x02, 0x09, 0x31, 0x81, 0x02, 0xc0});
+  input::ContactDecoder screen =
+      decoder_for(join({begin_touch_screen(1), pressing, end_collection()}));
+
+  screen.take(bytes({1, 40, 0xff, 0x7f, 0, 0}));
+  EXPECT_THAT(screen.contacts(), ElementsAre(FingerAt(0, 1.F, 0.F)));
+  screen.take(bytes({1, 0, 0xff, 0x7f, 0, 0}));
+  EXPECT_THAT(screen.contacts(), IsEmpty());
+}
+
 TEST(Contacts, OfTwelveBitsFromBelowZeroCoverTheWholeGlass) {
   // tip (1 bit), padding (7), X and Y of 12 bits each, -1000 to 1000; no report id
   input::ContactDecoder screen =

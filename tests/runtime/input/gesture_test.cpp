@@ -32,6 +32,15 @@ TEST(Gestures, AreASwipeWhereItFlickedSideways) {
   EXPECT_EQ(gestures.take(event(up, 1, 0.3F, 0.52F))->kind, Gesture::Kind::SwipeLeft);
 }
 
+TEST(Gestures, AreNoneWhereTheContactWasCancelled) {
+  GestureRecogniser gestures;
+  gestures.take(event(down, 1, 0.5F, 0.5F));
+
+  EXPECT_FALSE(gestures.take(event(InputEvent::Kind::Cancel, 1, 0.5F, 0.5F)));
+  EXPECT_TRUE(gestures.fingers().empty());
+  EXPECT_FALSE(gestures.take(event(up, 1, 0.5F, 0.5F)));
+}
+
 TEST(Gestures, AreNoSwipeWhereItWasSlow) {
   GestureRecogniser gestures;
   gestures.take(event(down, 1, 0.5F, 0.5F));

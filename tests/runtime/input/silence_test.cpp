@@ -90,7 +90,7 @@ TEST(Silence, IsStillTrustedWhenTheNextFingerComesElsewhere) {
 }
 
 /// A Windows 8 screen whose last report is lost.
-TEST(EventMaker, LiftsTheFingersOfAScreenThatFellSilent) {
+TEST(EventMaker, CancelsTheFingersOfAScreenThatFellSilent) {
   const auto descriptor = input::parse_report_descriptor(
       join({begin_touch_screen(1), finger(), contact_count(), scan_time(), end_collection()}));
   input::EventMaker maker(*descriptor, input::classify(*descriptor), 1000);
@@ -101,10 +101,44 @@ TEST(EventMaker, LiftsTheFingersOfAScreenThatFellSilent) {
   EXPECT_TRUE(maker.wait(450ms).empty());
   const auto up = maker.wait(500ms);
   ASSERT_EQ(up.size(), 1U);
-  EXPECT_EQ(up[0].kind, input::InputEvent::Kind::Up);
+  EXPECT_EQ(up[0].kind, input::InputEvent::Kind::Cancel) << "no finger pressed anything";
   EXPECT_EQ(up[0].contact.id, 1007U);
   EXPECT_TRUE(maker.wait(10s).empty()) << "once";
   EXPECT_EQ(maker.take(bytes({1, 1, 7, 0, 0, 0, 0, 1, 2, 0}), 11s).size(), 1U) << "down again";
+}
+
+TEST(EventMaker, CancelsTheFingersOfAScreenThatIsPulledOut) {
+  const auto descriptor = input::parse_report_descriptor(
+      join({begin_touch_screen(1), finger(), contact_count(), scan_time(), end_collection()}));
+  input::EventMaker maker(*descriptor, input::classify(*descriptor), 1000);
+  maker.take(bytes({1, 1, 7, 0, 0, 0, 0, 1, 1, 0}), 0ms);
+
+  const auto gone = maker.lift_all();
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_EQ(gone[0].kind, input::InputEvent::Kind::Cancel);
+  EXPECT_EQ(gone[0].contact.id, 1007U);
+  EXPECT_TRUE(maker.lift_all().empty());
+}
+
+/// A finger whose device then finds it to be a palm, and one that is lifted in the same report.
+TEST(EventMaker, CancelsAPalmAndNoOtherFinger) {
+  const auto sure_finger =
+      bytes({0x05, 0x0d, 0x09, 0x22, 0xa1, 0x02, 0x09, 0x42, 0x09, 0x47, 0x15, 0x00, 0x25,
+             0x01, 0x75, 0x01, 0x95, 0x02, 0x81, 0x02, 0x95, 0x06, 0x81, 0x03, 0x75, 0x08,
+             0x95, 0x01, 0x09, 0x51, 0x25, 0x7f, 0x81, 0x02, 0x05, 0x01, 0x26, 0xff, 0x7f,
+             0x75, 0x10, 0x09, 0x30, 0x81, 0x02, 0x09, 0x31, 0x81, 0x02, 0xc0});
+  const auto descriptor =
+      input::parse_report_descriptor(join({begin_touch_screen(1), sure_finger, sure_finger,
+                                           contact_count(), scan_time(), end_collection()}));
+  input::EventMaker maker(*descriptor, input::classify(*descriptor), 1000);
+  maker.take(bytes({1, 3, 7, 0, 0, 0, 0, 3, 8, 0, 0, 0, 0, 2, 1, 0}), 0ms);
+
+  const auto events = maker.take(bytes({1, 1, 7, 0, 0, 0, 0, 2, 8, 0, 0, 0, 0, 2, 2, 0}), 10ms);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].contact.id, 1007U);
+  EXPECT_EQ(events[0].kind, input::InputEvent::Kind::Cancel);
+  EXPECT_EQ(events[1].contact.id, 1008U);
+  EXPECT_EQ(events[1].kind, input::InputEvent::Kind::Up);
 }
 
 TEST(EventMaker, TellsALateReaderOnlyWhereAFingerEndsUp) {

@@ -47,6 +47,65 @@ TEST(ControlGraph, TouchesTheModelWhereThePageIsTooFarOn) {
   EXPECT_EQ(touches.back().role, Role::Spot);
 }
 
+/// The sample museum with a floor above, which has the last exhibit.
+Museum museum_of_two_floors() {
+  Museum museum = test::sample_museum_without_walls();
+  museum.floors.resize(2);
+  museum.floors[0].plan.name = "ground";
+  museum.floors[1].plan.name = "upper";
+  museum.floors[1].plan.short_name = "1";
+  museum.floors[1].plan.ordinal = 1;
+  for (Exhibit& exhibit : museum.exhibits) exhibit.floor = 0;
+  museum.exhibits.back().floor = 1;
+  return museum;
+}
+
+TEST(ControlGraph, OffersTheFloorsTheHighestFirst) {
+  const Museum museum = museum_of_two_floors();
+  InterfaceState state;
+  state.screen = Screen::Choosing;
+
+  std::vector<std::string> floors;
+  for (const Control& control : controls_of(museum, state, 8))
+    if (control.name.starts_with("floor:")) floors.push_back(control.name);
+
+  EXPECT_THAT(floors, ElementsAre("floor:upper", "floor:ground"));
+  for (const Control& control : controls_of(test::sample_museum_without_walls(), state, 8))
+    EXPECT_FALSE(control.name.starts_with("floor:")) << "a house of one floor";
+}
+
+TEST(ControlGraph, ShowsOnTheModelWhatIsOnItsFloor) {
+  const Museum museum = museum_of_two_floors();
+  InterfaceState state;
+  state.screen = Screen::Choosing;
+  for (const std::uint32_t floor : {0U, 1U}) {
+    state.floor = floor;
+    for (const Control& control : controls_of(museum, state, 8)) {
+      if (control.role != Role::Spot) continue;
+      EXPECT_EQ(museum.exhibits[control.action.argument].floor, floor) << control.name;
+    }
+  }
+}
+
+TEST(ControlGraph, ChoosesAnotherFloorWhereAnExhibitIsToBeTouchedOnTheModel) {
+  const Museum museum = museum_of_two_floors();
+
+  const auto touches = touches_to(museum, {}, 8, "exhibit:" + museum.exhibits.back().id);
+
+  EXPECT_THAT(names(touches),
+              ElementsAre("begin", "floor:upper", "exhibit:" + museum.exhibits.back().id));
+}
+
+TEST(ControlGraph, ReturnsToTheKiosksFloorWithTheNextVisitor) {
+  InterfaceState state;
+  state.screen = Screen::Choosing;
+  state = after(state, {Action::Kind::ShowFloor, 1});
+  ASSERT_EQ(state.floor, 1U);
+
+  EXPECT_FALSE(after(state, {Action::Kind::Home}).floor);
+  EXPECT_FALSE(after(state, {Action::Kind::Return}).floor);
+}
+
 TEST(ControlGraph, ReachesEveryNamedControlWithinThreeTouchesFromEveryScreen) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<std::string> wanted{"home",        "stop",           "choose",

@@ -64,6 +64,9 @@ ViewRequest any_request() {
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
   if (*rc::gen::arbitrary<bool>())
+    request.state.tour = TourWalk{*rc::gen::inRange(0U, 2U), *rc::gen::inRange(0U, 7U)};
+  request.state.arrived = request.state.screen == Screen::Arrived;
+  if (*rc::gen::arbitrary<bool>())
     request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
   return request;
 }
@@ -341,6 +344,34 @@ TEST(PieceCache, StaysWithinItsBudgetAndTheLastViewsHoweverManyExhibitsAreSeen) 
   }
 
   EXPECT_LE(most, budget + 4 * bytes);
+}
+
+TEST(PieceCache, RetiresWhatWasUsedLongestAgoAndNoMoreThanItMust) {
+  PieceCache cache({boxes, plain}, 1, 64'000);  // 8 pictures of 40 by 30
+  std::vector<scene::TextureId> shown, retired;
+  for (std::uint32_t exhibit = 0; exhibit < 12; ++exhibit) {
+    shown.push_back(cache.picture(exhibit, 40, 30));
+    const auto changes = cache.end_view();
+    retired.insert(retired.end(), changes->retired.begin(), changes->retired.end());
+  }
+
+  EXPECT_EQ(retired, (std::vector{shown[0], shown[1], shown[2], shown[3]}));
+}
+
+TEST(PieceCache, CountsWhatATextTakesInTextureMemoryAndNotItsLettersAlone) {
+  constexpr std::size_t budget = 100'000, least = 2048;  // of any texture
+  TextStyle small;
+  small.size = 2;
+  PieceCache cache({boxes, plain}, 1, budget);
+  std::size_t held = 0;
+  for (int number = 0; number < 500; ++number) {
+    cache.text(small, std::to_string(number), 300);
+    const auto changes = cache.end_view();
+    held += changes->uploads.size();
+    held -= changes->retired.size();
+  }
+
+  EXPECT_LE(held, budget / least);
 }
 
 TEST(View, DrawsItsPicturesTexelForPixel) {

@@ -17,18 +17,14 @@ using testing::HasSubstr;
 using testing::Not;
 
 Health some_health() {
-  return {.is_up = true,
-          .starts = 3,
-          .frames = 1000000,
-          .dropped_frames = 7,
-          .refused_databases = 1,
-          .started = 1763900000.5,
-          .last_frame = 1763910000.25,
-          .museum = "The \"Two\" Rooms\\",
-          .content_time = 1763800000,
-          .last_error = Errc::Damaged,
-          .free_bytes = 5e9,
-          .temperature = 61.5};
+  KioskStatus status;
+  status.started = 1763900000.5;
+  status.content.museum = "The \"Two\" Rooms\\";
+  status.content.written = 1763800000;
+  status.counts = {.frames = 1000000, .dropped_frames = 7, .last_frame = 1763910000.25};
+  status.refusals = {.count = 1, .last = Errc::Damaged};
+  status.free_bytes = 5e9;
+  return {.status = status, .is_up = true, .starts = 3, .temperature = 61.5};
 }
 
 PublishedCounts some_day() {
@@ -56,8 +52,8 @@ TEST(Health, IsToldInMetricsWithTheirUnits) {
 
 TEST(Health, LeavesOutWhatIsNotKnown) {
   Health health = some_health();
-  health.last_error.reset();
-  health.free_bytes.reset();
+  health.status.refusals.last.reset();
+  health.status.free_bytes.reset();
   health.temperature.reset();
 
   const std::string page = to_prometheus(health, std::nullopt);

@@ -63,14 +63,16 @@ TEST(TooHot, LastsUntilItIsThreeDegreesCooler) {
   EXPECT_FALSE(is_too_hot({}, true));
 }
 
-TEST(HeatWatch, SaysWhenTheMachineIsTooHotAndWhenThatIsOver) {
+TEST(HeatWatch, HalvesTheFramesFromWhenTheMachineIsTooHotUntilThatIsOver) {
   const Thermal thermal;
   thermal.zone("thermal_zone0", 40000, "passive", 85000);
   const HeatWatch watch(thermal.path(), 1ms);
 
   EXPECT_TRUE(says(watch, false));
+  EXPECT_TRUE(watch.lets_show(6) && watch.lets_show(7));
   thermal.zone("thermal_zone0", 86000, "passive", 85000);
   EXPECT_TRUE(says(watch, true));
+  EXPECT_TRUE(watch.lets_show(6) && !watch.lets_show(7) && watch.lets_show(8));
   thermal.zone("thermal_zone0", 60000, "passive", 85000);
   EXPECT_TRUE(says(watch, false));
 }

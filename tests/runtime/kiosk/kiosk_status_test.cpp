@@ -14,6 +14,7 @@ using testing::HasSubstr;
 
 KioskStatus some_status() {
   return {.version = "1.2",
+          .started = 1763900000,
           .uptime_seconds = 61.25,
           .restarts = 2,
           .display = "a screen",
@@ -22,6 +23,7 @@ KioskStatus some_status() {
                       .checksum = "00ff",
                       .schema = 7},
           .counts = {.frames = 10, .dropped_frames = 1, .touches = 5, .routes = 3, .visits = 2},
+          .refusals = {.count = 1, .last = Errc::Damaged},
           .devices = {{"/dev/hidraw0", "Glass\n", "touch screen", true},
                       {"/dev/hidraw1", "Keys", "keypad", false}},
           .last_error = "",
@@ -40,6 +42,7 @@ TEST(Status, IsOneJsonObject) {
   "visits": 2,
   "touches": 5,
   "routes": 3,
+  "refused_databases": 1,
   "devices": [{"path": "/dev/hidraw0", "name": "Glass\u000a", "kind": "touch screen", "used": true}, {"path": "/dev/hidraw1", "name": "Keys", "kind": "keypad", "used": false}],
   "last_error": null,
   "free_bytes": 5000000
@@ -77,7 +80,7 @@ TEST(StatusBoard, TellsTheLastCountsHoweverOftenItIsAsked) {
   EXPECT_EQ(board.read().counts.frames, 2U);
   EXPECT_EQ(board.read().counts.frames, 2U);
   EXPECT_EQ(board.read().content.museum, "A");
-  EXPECT_GT(board.read().free_bytes, 0U);
+  EXPECT_GT(board.read().free_bytes.value_or(0), 0);
 }
 
 TEST(StatusBoard, TakesCountsOfAFrameWithoutAllocating) {
@@ -96,11 +99,26 @@ TEST(StatusBoard, NeverMixesTheCountsOfTwoFrames) {
       board.counts({.frames = n, .dropped_frames = n, .touches = n, .routes = n, .visits = n});
   });
 
-  for (int i = 0; i < 100; ++i) {
-    const StatusCounts counts = board.read().counts;
-    ASSERT_EQ(counts.frames, counts.visits);
-    ASSERT_EQ(counts.frames, counts.routes);
-  }
+  const auto look = [&] {
+    for (int i = 0; i < 100; ++i) {
+      const StatusCounts counts = board.read().counts;
+      EXPECT_EQ(counts.frames, counts.visits);
+      EXPECT_EQ(counts.frames, counts.routes);
+    }
+  };
+  std::jthread another(look);
+  look();
+}
+
+TEST(StatusBoard, CountsWhatWasRefusedAndKnowsWhy) {
+  StatusBoard board(std::chrono::nanoseconds(0), "memory");
+  EXPECT_FALSE(board.read().refusals.last.has_value());
+
+  board.refused(Errc::NotFound);
+  board.refused(Errc::Damaged);
+
+  EXPECT_EQ(board.read().refusals.count, 2U);
+  EXPECT_EQ(board.read().refusals.last, Errc::Damaged);
 }
 
 TEST(Restarts, AreCountedInTheServicesFolder) {

@@ -306,7 +306,7 @@ TEST(Docent, SaysWhatItHasTakenUp) {
   kiosk.signal(SIGHUP);
 
   EXPECT_TRUE(kiosk.runs_until([&] { return kiosk.said().contains("languages"); }));
-  EXPECT_THAT(kiosk.said(), AllOf(HasSubstr("docent: has taken up '"), HasSubstr("1 floor, ")));
+  EXPECT_THAT(kiosk.said(), AllOf(HasSubstr("docent: has taken up '"), HasSubstr("3 floors, ")));
   kiosk.signal(SIGTERM);
   EXPECT_EQ(kiosk.wait(), 0);
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "platform/pango/text_setter.h"
 #include "tests/support/temporary_folder.h"
@@ -19,9 +20,8 @@ Pixels setup_screen(PixelSize size) {
   gles::Renderer renderer = gles::make_renderer().value();
   const SetupScreen screen(pango::make_text_setter().value(), size,
                            "/var/lib/docent/museum.db: there is no such database; make it with "
-                           "'docent-content compile'",
-                           renderer);
-  renderer.draw(screen.draw_list(), display->target());
+                           "'docent-content compile'");
+  screen.draw(renderer, display->target());
   Pixels picture;
   display->read_back(picture);
   if (const char* folder = std::getenv("DOCENT_KEEP_PICTURES")) {

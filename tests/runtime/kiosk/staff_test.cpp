@@ -103,6 +103,21 @@ TEST(Staff, TypeTheirPinOnTheGlassToo) {
   EXPECT_EQ(run.exit_code, ended_by_staff) << run.err;
 }
 
+TEST(Staff, AreSpokenToInTheLanguageOnTheGlass) {
+  const StaffVisit visit;
+  const auto pad_in = [&](const char* language) {
+    const std::string file = visit.path(fmt::format("pad-{}.png", language).c_str());
+    const auto run = visit.play(
+        fmt::format("0.2 tap @language:{}\n{}8 shot {}\n9 quit\n", language, two_corners, file));
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return test::text_of(file);
+  };
+  const std::string english = pad_in("en"), arabic = pad_in("ar");
+
+  EXPECT_NE(english, arabic);
+  EXPECT_EQ(arabic, pad_in("ar"));
+}
+
 TEST(Staff, AreNotThoseWithAnotherPin) {
   const StaffVisit visit;
   const auto run =

@@ -34,24 +34,32 @@ bool sees(const FloorPlan& plan, Vec2 p, Vec2 q) {
 }  // namespace
 
 double brute_force_length(const FloorPlan& plan, Vec2 from, Vec2 to) {
-  std::vector<Vec2> node = plan.vertex;
+  return brute_force_lengths(plan, from, {&to, 1}).front();
+}
+
+std::vector<double> brute_force_lengths(const FloorPlan& plan, Vec2 from,
+                                        std::span<const Vec2> to) {
+  std::vector<Vec2> node(to.begin(), to.end());
+  node.insert(node.end(), plan.vertex.begin(), plan.vertex.end());
   node.push_back(from);
-  node.push_back(to);
   std::vector<double> length(node.size(), infinity);
   std::vector<bool> done(node.size(), false);
-  length[node.size() - 2] = 0;
-  for (;;) {
+  length.back() = 0;
+  for (std::size_t left = to.size(); left > 0;) {
     std::size_t next = node.size();
     for (std::size_t i = 0; i < node.size(); ++i)
       if (!done[i] && length[i] < infinity && (next == node.size() || length[i] < length[next]))
         next = i;
-    if (next == node.size() || next == node.size() - 1) return length.back();
+    if (next == node.size()) break;
     done[next] = true;
+    if (next < to.size()) --left;
     for (std::size_t i = 0; i < node.size(); ++i) {
       const double longer = length[next] + glm::distance(node[next], node[i]);
       if (longer < length[i] && sees(plan, node[next], node[i])) length[i] = longer;
     }
   }
+  length.resize(to.size());
+  return length;
 }
 
 double sampled_clearance(const FloorPlan& plan, const std::vector<Vec2>& points) {

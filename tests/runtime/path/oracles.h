@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "runtime/path/route.h"
@@ -11,6 +12,8 @@ namespace docent::test {
 /// other, seeing being decided by cutting the segment at every wall and testing the middle of each
 /// part. Infinite where there is none.
 double brute_force_length(const FloorPlan& plan, Vec2 from, Vec2 to);
+/// The same to many places at once.
+std::vector<double> brute_force_lengths(const FloorPlan& plan, Vec2 from, std::span<const Vec2> to);
 
 /// The smallest distance to a wall over points of a polyline at most 1 cm apart, by brute force.
 double sampled_clearance(const FloorPlan& plan, const std::vector<Vec2>& points);

@@ -148,6 +148,28 @@ TEST(Touching, BlocksAnEndForEveryKindOfRouteOrForNone) {
       }
 }
 
+TEST(Touching, LeadsAlongTheWallsOfADoorOfTwiceTheDistanceAsOfANarrowerOne) {
+  for (const Door door : doors)
+    for (const double angle : {0.0, 0.3, 1.9})
+      for (const double distance : {0.25, 0.4}) {
+        const auto length_along_walls = [&](double wider) {
+          const Floor floor = floor_of(turned_plan(door(2 * distance + wider), angle));
+          const path::FloorMap map(floor);
+          return route(map, {.kind = RouteKind::Offset,
+                             .from = turned({1, 2.2}, angle),
+                             .to = turned({7, 1.7}, angle),
+                             .radius = 0,
+                             .offset = distance})
+              .length;
+        };
+        const double narrower = length_along_walls(-1e-7), wider = length_along_walls(1e-7);
+        for (const double by : {-1e-8, -1e-9, 0.0, 0.5e-9, 1e-9, 1.9e-9, 2.1e-9, 3e-9, 1e-8})
+          EXPECT_NEAR(length_along_walls(by), by < 2e-9 ? narrower : wider, 1e-4)
+              << "door " << std::ranges::find(doors, door) - doors.begin() << ", turned by "
+              << angle << ", distance " << distance << ", wider by " << by;
+      }
+}
+
 /// Is each way one that fits, and none shorter than the shortest?
 bool fit(const std::array<path::Way, 5>& ways, double radius) {
   return std::ranges::all_of(ways, [&](const path::Way& way) {

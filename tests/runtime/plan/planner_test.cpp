@@ -37,5 +37,24 @@ TEST(APlanner, WhoseTypeSetterRunsOutOfMemoryOnceGoesOnWithTheNextView) {
   EXPECT_EQ(view->request, 2U);
 }
 
+TEST(APlanner, LetsTheMakersOfPiecesRestOnceTheGlassIsNobodys) {
+  const Museum museum = test::sample_museum_without_walls();
+  int rests = 0;
+  const interface::SetText set_text = [](const interface::TextStyle&, std::string_view,
+                                         std::uint32_t) { return interface::TextBitmap{}; };
+  Planner planner(museum, {set_text, {}, [&rests] { ++rests; }});
+  const auto ask = [&planner](interface::Screen screen) {
+    interface::ViewRequest request = welcome(1);
+    request.state.screen = screen;
+    planner.ask(request);
+    planner.wait();
+  };
+
+  ask(interface::Screen::Choosing);
+  EXPECT_EQ(rests, 0);
+  ask(interface::Screen::Welcome);
+  EXPECT_EQ(rests, 1);
+}
+
 }  // namespace
 }  // namespace docent::plan

@@ -35,11 +35,9 @@ RC_GTEST_PROP(AWay, OfABodyBesideAWallLeavesRoomToWalkAtTheCornersThatFollow, ()
   Museum museum;
   museum.body_radius = body;
   const Vec2 from = any_place(), to = any_place();
-  WalkOrder order;
-  order.kind = *rc::gen::elementOf(std::vector{RouteKind::Shortest, RouteKind::Skeleton});
-  order.goal = Placement{to, 0};
+  const RouteKind kind = *rc::gen::elementOf(std::vector{RouteKind::Shortest, RouteKind::Skeleton});
 
-  const path::Way way = find_way(museum, *map, order, from);
+  const path::Way way = find_way(museum, *map, kind, from, to);
 
   RC_ASSERT(way.status == path::RouteStatus::Ok);
   RC_ASSERT(way.points.front() == from);

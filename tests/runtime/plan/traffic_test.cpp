@@ -22,8 +22,8 @@ class Corridor {
     hall.room({0, 0}, {14, 2});
     museum_.body_radius = radius;
     museum_.floors.push_back(test::floor_of(hall.plan, {radius + Museum::walking_room, radius}));
-    map_ = path::make_floor_map(museum_.floors[0]);
-    traffic_ = std::make_unique<Traffic>(museum_, nullptr, *map_);
+    building_.emplace(museum_, std::vector{path::make_floor_map(museum_.floors[0])});
+    traffic_ = std::make_unique<Traffic>(museum_, nullptr, *building_, 0);
   }
 
   void enter(std::uint32_t who, Vec2 place) {
@@ -48,7 +48,7 @@ class Corridor {
 
  private:
   Museum museum_;
-  std::shared_ptr<const path::FloorMap> map_;
+  std::optional<path::BuildingMap> building_;
   std::unique_ptr<Traffic> traffic_;
 };
 

@@ -35,6 +35,42 @@ TEST(Overview, ShowsTheWholeFloorInTheFreePartOfTheScreen) {
   }));
 }
 
+/// How much of the free part the floor fills, in the direction in which it fills more; nothing
+/// where a corner is not in it.
+float filled_by(std::span<const Vec2> floor, double height, double yaw, const Rect& free,
+                float aspect) {
+  const CameraView view = view_of(overview_of(floor, height, yaw, free, aspect), aspect);
+  Vec2 low{1, 1}, high{0, 0};
+  for (const Vec2 corner : floor) {
+    const auto at = project(view, to_world(corner, height));
+    if (!at) return 0;
+    low = glm::min(low, Vec2{at->x, at->y});
+    high = glm::max(high, Vec2{at->x, at->y});
+  }
+  constexpr double slack = 1e-3;
+  const bool is_in = low.x > free.x - slack && low.y > free.y - slack &&
+                     high.x < free.x + free.width + slack && high.y < free.y + free.height + slack;
+  if (!is_in) return 0;
+  return static_cast<float>(
+      std::max((high.x - low.x) / free.width, (high.y - low.y) / free.height));
+}
+
+TEST(Overview, ShowsBuildingsUpToAKilometreAsLargeAsFits) {
+  EXPECT_TRUE(rc::check("all of the floor, and not much air", [] {
+    const double size = *rc::gen::element(30.0, 190.0, 200.0, 400.0, 1000.0);
+    const double depth = size * number(0.1, 1), height = number(-8, 60);
+    const Vec2 origin{number(-2000, 2000), number(-2000, 2000)};
+    const bool turned = *rc::gen::arbitrary<bool>();
+    const double x = turned ? depth : size, y = turned ? size : depth;
+    const std::array<Vec2, 4> floor{origin, origin + Vec2{x, 0}, origin + Vec2{x, y},
+                                    origin + Vec2{0, y}};
+    const Rect free = any_free();
+    const float aspect = free.height < 1 ? 9.0F / 16 : 16.0F / 9;
+
+    RC_ASSERT(filled_by(floor, height, number(-pi, pi), free, aspect) > 0.8F);
+  }));
+}
+
 TEST(Overview, HasWhatTheVisitorFacesAtTheTop) {
   const Rect free{0, 0, 1, 1};
   const CameraView view = view_of(overview_of(hall, 0, pi / 2, free, 1.5F), 1.5F);

@@ -4,16 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <random>
 
+#include "content/write/zchunk.h"
 #include "platform/sqlite/content_reader.h"
 #include "runtime/update/update.h"
 #include "tests/support/recorded_disk.h"
 #include "tests/support/release_maker.h"
-#include "tests/support/started_program.h"
+#include "tests/support/static_server.h"
 
 namespace docent::test {
 namespace {
@@ -28,21 +29,27 @@ release::Time now() {
       .count();
 }
 
+/// `.ci/kills` takes its time.
+bool is_long_night() {
+  return std::getenv("DOCENT_KILLS") != nullptr;
+}
+
 std::string shown_in(const fs::path& database) {
   const auto museum = sqlite::load_museum(database);
   return museum ? museum->title.at("en") : museum.error().what;
 }
 
+enum class From : std::uint8_t { Folder, Server };
+
 /// A device that shows "old", and a release "new" that it has not taken.
 class AnUpdate : public testing::Test {
  protected:
-  AnUpdate() {
-    fs::create_directories(maker_.folder);
+  explicit AnUpdate(From from = From::Folder) : from_(from) {
     fs::create_directories(device_);
     std::ofstream(path("museum.pub")) << signature::to_text(signature::public_key(maker_.key));
     std::ofstream(path("kiosk.toml"))
-        << "content = \"device/museum.db\"\nkeys = [\"museum.pub\"]\nsource = \""
-        << maker_.folder.string() << "\"\n";
+        << "content = \"device/museum.db\"\nkeys = [\"museum.pub\"]\nsource = \"" << source()
+        << "\"\n";
     publish(1, "old");
     EXPECT_EQ(run_program("docent-update", arguments()).exit_code, 0);
     EXPECT_EQ(shown_in(device_ / "museum.db"), "old");
@@ -50,11 +57,19 @@ class AnUpdate : public testing::Test {
     fs::copy(device_, before_, fs::copy_options::recursive);
   }
 
+  static fs::path made(const fs::path& folder) {
+    fs::create_directories(folder);
+    return folder;
+  }
   std::string path(const char* name) const { return (folder_.path() / name).string(); }
+  std::string source() const {
+    return from_ == From::Folder ? maker_.folder.string() : server_.url();
+  }
   std::string arguments() const { return "--once --config " + path("kiosk.toml"); }
   void publish(std::uint64_t version, const std::string& title) const {
     release::Manifest made{.version = version, .issued = now(), .expires = now() + 86400};
     maker_.add(made, signed_museum(title, maker_.key));
+    if (from_ == From::Server) write::write_zchunk(maker_.folder / made.files[0].name);
     maker_.publish(made);
   }
   void restore() const {
@@ -63,7 +78,7 @@ class AnUpdate : public testing::Test {
   }
   update::Settings settings(const fs::path& device) const {
     return {.store = {device / "museum.db"},
-            .source = {maker_.folder.string()},
+            .source = {source()},
             .keys = {signature::public_key(maker_.key)},
             .device = {.program = "0.1.0", .schema = schema::version, .group = {}}};
   }
@@ -77,75 +92,119 @@ class AnUpdate : public testing::Test {
     ASSERT_TRUE(looked.has_value()) << when << ": " << looked.error().what;
     ASSERT_EQ(shown_in(device / "museum.db"), "new") << when;
   }
+  /// Kills it before every so many-th of its operations; returns how often.
+  int kill_before_each(int every) const {
+    for (int kills = 0;; ++kills) {
+      restore();
+      const int at = 1 + kills * every;
+      const ProgramRun run = run_recorded("docent-update", arguments(), device_,
+                                          fmt::format("DOCENT_DISK_KILL={}", at));
+      expect_whole(device_, fmt::format("killed at {}", at));
+      if (run.exit_code == 0 || HasFatalFailure()) return kills;
+      EXPECT_EQ(run.exit_code, -1) << run.err;
+    }
+  }
+  /// Cuts it off at every so many-th moment; returns how often.
+  int cut_off_at_each(int every) const;
+  /// The third start within ten minutes of the update to "new" goes back to "old".
+  void start_twice() const {
+    ASSERT_EQ(run_program("docent-update", arguments()).exit_code, 0);
+    for (int start = 0; start < 2; ++start)
+      ASSERT_EQ(run_program("docent-update", starting()).exit_code, 0);
+    ASSERT_EQ(shown_in(device_ / "museum.db"), "new");
+    fs::remove_all(before_);
+    fs::copy(device_, before_, fs::copy_options::recursive);
+  }
+  std::string starting() const { return "--starting --config " + path("kiosk.toml"); }
 
+  const From from_;
   TemporaryFolder folder_;
-  ReleaseMaker maker_{folder_.path() / "server"};
+  ReleaseMaker maker_{made(folder_.path() / "server")};
+  StaticServer server_{maker_.folder};
   const fs::path device_ = folder_.path() / "device", before_ = folder_.path() / "before";
 };
 
+/// One from a server, which gives the differences where there is zchunk.
+class AFetch : public AnUpdate {
+ protected:
+  AFetch() : AnUpdate(From::Server) {}
+};
+
 TEST_F(AnUpdate, KilledBeforeAnyOfItsOperationsLeavesTheOldOrTheNew) {
-  int kills = 0;
-  for (;; ++kills) {
-    restore();
-    const ProgramRun run = run_recorded("docent-update", arguments(), device_,
-                                        fmt::format("DOCENT_DISK_KILL={}", kills + 1));
-    ASSERT_NO_FATAL_FAILURE(expect_whole(device_, fmt::format("killed at {}", kills + 1)));
-    if (run.exit_code == 0) break;
-    ASSERT_EQ(run.exit_code, -1) << run.err;
-  }
-  EXPECT_GT(kills, 20) << "how many operations an update has";
+  EXPECT_GT(kill_before_each(1), 20) << "how many operations an update has";
 }
 
-/// As many as DOCENT_KILLS says, for a long night.
-TEST_F(AnUpdate, KilledAtRandomMomentsLeavesAWholeDatabase) {
-  const char* const asked = std::getenv("DOCENT_KILLS");
-  const int kills = asked != nullptr ? std::atoi(asked) : 30;
-  std::mt19937 random(static_cast<unsigned>(kills));
-  int killed = 0;
-  std::uint64_t version = 2;
-  const auto before = std::chrono::steady_clock::now();
-  ASSERT_EQ(run_program("docent-update", arguments()).exit_code, 0);
-  const auto whole = std::chrono::duration_cast<std::chrono::microseconds>(
-      std::chrono::steady_clock::now() - before);
-  publish(++version, "old");
-  for (int i = 0; i < kills; ++i) {
-    StartedProgram run(program("docent-update"), {"--once", "--config", path("kiosk.toml")},
-                       path("said"));
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % (2 * whole.count())));
-    run.signal(SIGKILL);
-    const int end = run.wait();
-    killed += end == -SIGKILL ? 1 : 0;
-    ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << i;
-    ASSERT_TRUE(end == 0 || end == -SIGKILL) << end << text_of(path("said"));
-    if (end != 0) continue;
-    ++version;
-    publish(version, version % 2 == 0 ? "new" : "old");
-  }
-  EXPECT_GT(killed, kills / 10);
+TEST_F(AFetch, KilledBeforeAnyOfItsOperationsLeavesTheOldOrTheNew) {
+  const int every = is_long_night() ? 1 : 5;
+  EXPECT_GT(kill_before_each(every), 20 / every);
 }
 
-TEST_F(AnUpdate, CutOffFromPowerAtAnyMomentLeavesTheOldOrTheNew) {
-  RecordedDisk disk(device_);
-  const fs::path log = folder_.path() / "log", image = folder_.path() / "image";
-  ASSERT_EQ(
-      run_recorded("docent-update", arguments(), device_, "DOCENT_DISK_LOG='" + log.string() + "'")
-          .exit_code,
-      0);
-  ASSERT_EQ(shown_in(device_ / "museum.db"), "new");
-
-  int images = 0;
+/// What a power cut leaves of a folder in which a program has run, at any moment of it: calls
+/// `look` with each such folder and when it was. Every so many-th of them; returns how many.
+int cut_power(RecordedDisk disk, const fs::path& log, const fs::path& image, int every,
+              const std::function<void(const fs::path&, const std::string&)>& look) {
+  int moments = 0, images = 0;
   for (const DiskOperation& operation : read_operations(log)) {
     disk.apply(operation);
     for (std::size_t changes = 0; changes < disk.cuts(); ++changes)
       for (const auto bytes : {RecordedDisk::Bytes::All, RecordedDisk::Bytes::OnlySynced}) {
+        if (moments++ % every != 0) continue;
         disk.write_after_cut(changes, bytes, image);
         ++images;
-        ASSERT_NO_FATAL_FAILURE(
-            expect_whole(image, fmt::format("after {} {}, with {} changes of names", operation.kind,
-                                            operation.path, changes)));
+        look(image, fmt::format("after {} {}, with {} changes of names", operation.kind,
+                                operation.path, changes));
+        if (testing::Test::HasFatalFailure()) return images;
       }
   }
+  return images;
+}
+
+int AnUpdate::cut_off_at_each(int every) const {
+  const RecordedDisk disk(device_);
+  const fs::path log = folder_.path() / "log";
+  EXPECT_EQ(
+      run_recorded("docent-update", arguments(), device_, "DOCENT_DISK_LOG='" + log.string() + "'")
+          .exit_code,
+      0);
+  EXPECT_EQ(shown_in(device_ / "museum.db"), "new");
+  return cut_power(
+      disk, log, folder_.path() / "image", every,
+      [&](const fs::path& device, const std::string& when) { expect_whole(device, when); });
+}
+
+TEST_F(AnUpdate, CutOffFromPowerAtAnyMomentLeavesTheOldOrTheNew) {
+  const int images = cut_off_at_each(1);
   EXPECT_GT(images, 100);
+  RecordProperty("images", images);
+}
+
+TEST_F(AFetch, CutOffFromPowerAtAnyMomentLeavesTheOldOrTheNew) {
+  const int every = is_long_night() ? 1 : 8;
+  const int images = cut_off_at_each(every);
+  EXPECT_GT(images, 200 / every)
+      << "how many moments a fetch has; how many writes differs by build";
+  RecordProperty("images", images);
+}
+
+TEST_F(AnUpdate, CutOffFromPowerWhileItGoesBackLeavesTheOldOrTheNew) {
+  ASSERT_NO_FATAL_FAILURE(start_twice());
+  const RecordedDisk disk(device_);
+  const fs::path log = folder_.path() / "log";
+  ASSERT_EQ(
+      run_recorded("docent-update", starting(), device_, "DOCENT_DISK_LOG='" + log.string() + "'")
+          .exit_code,
+      0);
+  ASSERT_EQ(shown_in(device_ / "museum.db"), "old");
+
+  const int images = cut_power(
+      disk, log, folder_.path() / "image", 1, [&](const fs::path& device, const std::string& when) {
+        ASSERT_THAT(shown_in(device / "museum.db"), AnyOf("old", "new")) << when;
+        const auto started = update::prepare_start(settings(device), now());
+        ASSERT_TRUE(started.has_value()) << when << ": " << started.error().what;
+        ASSERT_EQ(shown_in(device / "museum.db"), "old") << when;
+      });
+  EXPECT_GT(images, 20);
+  RecordProperty("images", images);
 }
 
 TEST_F(AnUpdate, ThatFindsTheDiskFullSaysSoAndLosesNothing) {
@@ -164,19 +223,29 @@ TEST_F(AnUpdate, ThatFindsTheDiskFullSaysSoAndLosesNothing) {
   EXPECT_GT(refusals, 3);
 }
 
+TEST_F(AnUpdate, ThatHasNoRoomForTheNewFetchesNothing) {
+  const ProgramRun run =
+      run_recorded("docent-update", arguments(), device_, "DOCENT_DISK_FREE=1000000");
+
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.err, HasSubstr("releases: has 0 MB of room, and release 2 needs"));
+  EXPECT_EQ(shown_in(device_ / "museum.db"), "old");
+  EXPECT_EQ(run_program("docent-update", arguments()).exit_code, 0);
+  EXPECT_EQ(shown_in(device_ / "museum.db"), "new");
+}
+
 TEST_F(AnUpdate, BackKilledBeforeAnyOfItsOperationsLeavesTheOldOrTheNew) {
-  ASSERT_EQ(run_program("docent-update", arguments()).exit_code, 0);
-  fs::remove_all(before_);
-  fs::copy(device_, before_, fs::copy_options::recursive);
-  for (int kill = 1;; ++kill) {
-    restore();
-    const ProgramRun run = run_recorded("docent-update", "--back --config " + path("kiosk.toml"),
-                                        device_, fmt::format("DOCENT_DISK_KILL={}", kill));
-    ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << kill;
-    ASSERT_TRUE(update::prepare_start(settings(device_), now() + 3600).has_value()) << kill;
-    ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << kill;
-    if (run.exit_code == 0) break;
-  }
+  ASSERT_NO_FATAL_FAILURE(start_twice());
+  for (const std::string& back : {"--back --config " + path("kiosk.toml"), starting()})
+    for (int kill = 1;; ++kill) {
+      restore();
+      const ProgramRun run =
+          run_recorded("docent-update", back, device_, fmt::format("DOCENT_DISK_KILL={}", kill));
+      ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << kill;
+      ASSERT_TRUE(update::prepare_start(settings(device_), now() + 3600).has_value()) << kill;
+      ASSERT_THAT(shown_in(device_ / "museum.db"), AnyOf("old", "new")) << kill;
+      if (run.exit_code == 0) break;
+    }
   EXPECT_EQ(shown_in(device_ / "museum.db"), "old");
 }
 
@@ -223,6 +292,63 @@ TEST(Compiling, KilledBeforeAnyOfItsOperationsLeavesTheOldOrTheNew) {
     ASSERT_EQ(run.exit_code, -1) << run.err;
   }
   EXPECT_NE(text_of(database), old);
+}
+
+TEST(Compiling, CutOffFromPowerAtAnyMomentLeavesTheOldOrTheNew) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out", plan = folder.path() / "hall.geojson";
+  const fs::path log = folder.path() / "log";
+  fs::create_directories(out);
+  const std::string compile =
+      "compile " + plan.string() + " -o " + (out / "museum.db").string() + " --no-motion --quiet";
+  write_hall(plan, 10);
+  ASSERT_EQ(run_program("docent-content", compile).exit_code, 0);
+  const RecordedDisk disk(out);
+  write_hall(plan, 12);
+  ASSERT_EQ(run_recorded("docent-content", compile, out, "DOCENT_DISK_LOG='" + log.string() + "'")
+                .exit_code,
+            0);
+
+  const int images = cut_power(disk, log, folder.path() / "image", 1,
+                               [&](const fs::path& image, const std::string& when) {
+                                 const auto museum = sqlite::load_museum(image / "museum.db");
+                                 ASSERT_TRUE(museum.has_value()) << when << museum.error().what;
+                               });
+  EXPECT_GT(images, 5);
+}
+
+TEST(Releasing, KilledBeforeAnyOfItsOperationsLeavesTheOldReleaseOrTheNew) {
+  const TemporaryFolder folder;
+  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
+  ASSERT_EQ(run_program("docent-content", "keygen -o " + file("museum")).exit_code, 0);
+  std::ofstream(file("kiosk.toml")) << "content = \"device/museum.db\"\nkeys = [\"museum.pub\"]\n"
+                                    << "source = \"" << file("server") << "\"\n";
+  const std::string release =
+      "release " + file("museum.db") + " -o " + file("server") + " --key " + file("museum.key");
+  const std::string update = "--once --config " + file("kiosk.toml");
+  const auto write_titled = [&](const char* title) {
+    Museum museum = small_museum();
+    museum.title["en"] = title;
+    write::write_museum(museum, file("museum.db"));
+  };
+  write_titled("old");
+  ASSERT_EQ(run_program("docent-content", release).exit_code, 0);
+  fs::copy(file("server"), file("before"), fs::copy_options::recursive);
+  write_titled("new");
+  for (int kill = 1;; ++kill) {
+    fs::remove_all(file("server"));
+    fs::copy(file("before"), file("server"), fs::copy_options::recursive);
+    fs::remove_all(file("device"));
+    fs::create_directories(file("device"));
+    const ProgramRun run = run_recorded("docent-content", release, file("server"),
+                                        fmt::format("DOCENT_DISK_KILL={}", kill));
+    const ProgramRun taken = run_program("docent-update", update);
+    ASSERT_EQ(taken.exit_code, 0) << kill << taken.err;
+    ASSERT_THAT(shown_in(file("device/museum.db")), AnyOf("old", "new")) << kill;
+    if (run.exit_code == 0) break;
+    ASSERT_EQ(run.exit_code, -1) << run.err;
+  }
+  EXPECT_EQ(shown_in(file("device/museum.db")), "new");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -90,6 +91,26 @@ TEST_F(AServer, CannotSendTheKioskToAFileOfItsOwn) {
   server_.set_mood(Mood::Redirecting);
 
   EXPECT_THAT(look().error().what, HasSubstr("cannot be fetched"));
+}
+
+TEST_F(AServer, MaySendTheKioskToAnotherAddress) {
+  publish(1);
+  server_.set_mood(Mood::Moved);
+
+  EXPECT_EQ(look().value().status, "taken");
+
+  EXPECT_EQ(shown(), "1");
+}
+
+TEST_F(AServer, IsAskedThroughTheProxyThatTheEnvironmentNames) {
+  publish(1);
+  ::setenv("http_proxy", server_.url().c_str(), 1);
+  settings_.source = {"http://kiosks.example"};
+  const auto outcome = look();
+  ::unsetenv("http_proxy");
+
+  ASSERT_TRUE(outcome.has_value()) << outcome.error().what;
+  EXPECT_EQ(shown(), "1");
 }
 
 TEST_F(AServer, ThatSendsMoreThanItShouldIsNotListenedTo) {

@@ -157,6 +157,18 @@ TEST_F(ADevice, RefusesFilesOfOneReleaseInAnother) {
   EXPECT_EQ(kept(), 1U) << "left something half fetched";
 }
 
+TEST_F(ADevice, DoesNotFetchWhatItCouldNotShow) {
+  publish(1);
+  ASSERT_TRUE(look().has_value());
+  Manifest made = manifest(2);
+  maker_.add(made, test::signed_museum("2", maker_.key));
+  made.files[0].size = std::uint64_t{4} << 30U;
+  maker_.publish(made);
+
+  EXPECT_THAT(refusal(), HasSubstr("holds a database of 4096 MB, and the most that a kiosk shows"));
+  EXPECT_EQ(shown(), "1");
+}
+
 TEST_F(ADevice, RefusesToGoBackInTimeAndGoesOnShowing) {
   publish(1);
   const std::string old = test::text_of(maker_.folder / release::manifest_name);
@@ -169,6 +181,19 @@ TEST_F(ADevice, RefusesToGoBackInTimeAndGoesOnShowing) {
   EXPECT_THAT(refusal(noon + 31 * day), HasSubstr("expired on"));
   EXPECT_THAT(refusal(noon - 365 * day), HasSubstr("nothing is taken until its clock is right"));
   EXPECT_EQ(shown(), "2");
+}
+
+TEST_F(ADevice, SaysWhatItCannotReadOrWrite) {
+  publish(1);
+  Settings nowhere = settings_;
+  nowhere.store.database = folder_.path() / "nowhere/museum.db";
+  const auto unwritten = update(nowhere, noon + 1000);
+  ASSERT_FALSE(unwritten.has_value());
+  EXPECT_THAT(unwritten.error().what, HasSubstr("update.lock: cannot be written (No such file"));
+
+  fs::remove(maker_.folder / release::manifest_name);
+  fs::create_symlink(release::manifest_name, maker_.folder / release::manifest_name);
+  EXPECT_THAT(refusal(), HasSubstr("release.txt: cannot be looked at (Too many levels"));
 }
 
 TEST_F(ADevice, WhoseServerIsAwayShowsWhatItHas) {

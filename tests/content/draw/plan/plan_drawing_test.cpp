@@ -249,5 +249,52 @@ TEST(Mixed, BlendsColoursChannelByChannel) {
   EXPECT_EQ(draw::mixed("#102030", "#FFFFFF", 0), "#102030");
 }
 
+/// The room twice, joined by a lift and by an escalator that runs upwards.
+Museum small_house() {
+  Museum museum = small_museum();
+  museum.floors.push_back(museum.floors.front());
+  museum.floors[0].plan.short_name = "G";
+  museum.floors[1].plan.short_name = "1";
+  Connection lift;
+  lift.id = "lift";
+  lift.kind = ConnectionKind::Lift;
+  lift.stops = {{.floor = 0, .placement = {{1, 1}, 0}}, {.floor = 1, .placement = {{1, 1}, 0}}};
+  Connection escalator = lift;
+  escalator.id = "escalator";
+  escalator.kind = ConnectionKind::Escalator;
+  escalator.direction = ConnectionDirection::Up;
+  museum.connections = {lift, escalator};
+  return museum;
+}
+
+TEST(PlanDrawing, SaysAtEachStopWhereItLeads) {
+  const Museum museum = small_house();
+  const std::string ground = draw::draw_plan(museum, 0, {.connections = true}, {});
+  EXPECT_THAT(ground, AllOf(HasSubstr(">lift to 1<"), HasSubstr(">escalator to 1<")));
+  const std::string upper = draw::draw_plan(museum, 1, {.connections = true}, {});
+  EXPECT_THAT(upper, AllOf(HasSubstr(">lift to G<"), HasSubstr(">escalator from G<")));
+}
+
+TEST(PlanDrawing, MarksAClosedConnection) {
+  Museum museum = small_house();
+  museum.connections[0].closed = true;
+  EXPECT_THAT(draw::draw_plan(museum, 0, {.connections = true}, {}),
+              HasSubstr(">lift to 1, closed<"));
+}
+
+TEST(PlanDrawing, NumbersTheLinesOfTheGrid) {
+  const std::string svg = draw::draw_plan(small_museum(), 0, {.grid = true}, {});
+  for (const char* metres : {">0<", ">1<", ">5<", ">6<"}) EXPECT_EQ(count(svg, metres), 2U);
+  EXPECT_THAT(svg, Not(HasSubstr(">-0<")));
+}
+
+TEST(PlanDrawing, DrawsABuildingsFloorsSideBySideToOneScale) {
+  Museum museum = small_house();
+  for (Vec2& vertex : museum.floors[1].plan.vertex) vertex = vertex / 2.0;
+  const std::string svg = draw::draw_building(museum, {{0, {}}, {1, {}}}, {.walls = true});
+  EXPECT_EQ(count(svg, "translate("), 2U);
+  EXPECT_EQ(count(svg, "1 m<"), 2U);
+}
+
 }  // namespace
 }  // namespace docent::test

@@ -41,12 +41,18 @@ std::string complaint_about(std::string_view text,
 TEST(FloorPlanGeoJson, ReadsAPolygonWithItsHolesBitForBit) {
   const import::ImportedPlan plan = parse(R"({"type": "Polygon", "coordinates": [
     [[0.1, -0.2], [20.3, 1e-7], [20, 12.000000000000002], [0.1, -0.2]],
-    [[5, 4, 17.5], [5, 6], [8, 6]]]})");
+    [[5, 4, 17.5], [5, 6, 17.5], [8, 6, 17.5]]]})");
   ASSERT_EQ(plan.polygons.size(), 1U);
   EXPECT_EQ(plan.polygons[0].outer.vertex,
             (std::vector<Vec2>{{0.1, -0.2}, {20.3, 1e-7}, {20, 12.000000000000002}}));
   ASSERT_EQ(plan.polygons[0].holes.size(), 1U);
   EXPECT_EQ(plan.polygons[0].holes[0].vertex, (std::vector<Vec2>{{5, 4}, {5, 6}, {8, 6}}));
+}
+
+TEST(FloorPlanGeoJson, ADecimalCommaIsNoHeight) {
+  EXPECT_THAT(
+      complaint_about(R"({"type": "Polygon", "coordinates": [[[0, 0], [13,6, 4.8], [3, 9]]]})"),
+      testing::HasSubstr("a point of 3 numbers among points of 2"));
 }
 
 TEST(FloorPlanGeoJson, RemembersWhereEachVertexStands) {
@@ -84,21 +90,21 @@ TEST(FloorPlanGeoJson, UnitesSeveralFiles) {
 
 TEST(FloorPlanGeoJson, PointsAtTheMistake) {
   EXPECT_THAT(complaint_about("{\"type\": \"Polygon\",\n  oops}"),
-              HasSubstr("2:3: this is not JSON"));
-  EXPECT_THAT(complaint_about(""), HasSubstr("this is not JSON"));
+              HasSubstr("2:3: 'oops' is no value of JSON"));
+  EXPECT_THAT(complaint_about(""), HasSubstr("the file is empty"));
   EXPECT_EQ(complaint_about("[1, 2]"), "1:1: a GeoJSON object belongs here");
   EXPECT_EQ(complaint_about("{\"name\": 1}"),
             "1:1: this object has no \"type\", so it is not GeoJSON");
-  EXPECT_EQ(complaint_about("{\"type\": 3}"), "1:10: a \"type\" must be a string");
+  EXPECT_EQ(complaint_about("{\"type\": 3}"), "1:10: a \"type\" must be a text");
   EXPECT_EQ(complaint_about("{\"type\": \"Polygone\"}"),
             "1:1: 'Polygone' is not a type of GeoJSON");
   EXPECT_EQ(complaint_about("{\"type\": \"Polygon\"}"), "1:1: this Polygon has no \"coordinates\"");
   EXPECT_EQ(complaint_about(R"({"type": "Polygon", "coordinates": {}})"),
-            "1:36: \"coordinates\" must be an array");
+            "1:36: \"coordinates\" must be a list");
   EXPECT_EQ(complaint_about(R"({"type": "Polygon", "coordinates": [[0, 0]]})"),
-            "1:38: a position must be an array of two numbers");
+            "1:38: a point must be a list of two numbers");
   EXPECT_THAT(complaint_about(R"({"type": "Polygon", "coordinates": [[[0]]]})"),
-              HasSubstr("1:38: a position needs two numbers"));
+              HasSubstr("1:38: a point needs two numbers"));
 }
 
 TEST(FloorPlanGeoJson, RefusesCoordinatesThatAreNoFiniteNumbers) {
@@ -108,7 +114,7 @@ TEST(FloorPlanGeoJson, RefusesCoordinatesThatAreNoFiniteNumbers) {
   EXPECT_EQ(complaint_about(ring("\"NaN\"")), "1:42: a coordinate must be a finite number");
   EXPECT_EQ(complaint_about(ring("1e999")), "1:42: a number is too large");
   EXPECT_EQ(complaint_about(ring("null")), "1:42: a coordinate must be a finite number");
-  EXPECT_THAT(complaint_about(ring("NaN")), HasSubstr("this is not JSON"));
+  EXPECT_THAT(complaint_about(ring("NaN")), HasSubstr("1:42: 'NaN' is no value of JSON"));
   EXPECT_THAT(complaint_about(ring("1e12")), HasSubstr("1:42: the coordinate 1"));
 }
 
@@ -132,11 +138,12 @@ TEST(FloorPlanGeoJson, SurvivesNestingWithoutEnd) {
 TEST(FloorPlanGeoJson, SaysWhichEncodingItCannotRead) {
   const std::u32string_view plan = U"{\"type\": \"Polygon\", \"coordinates\": []}";
   EXPECT_EQ(complaint_about(wide(plan, 2, ByteOrder::Little)),
-            "0:0: is UTF-16 (little endian), and only UTF-8 is read");
+            "1:1: is UTF-16 (little endian), and only UTF-8 is read");
   EXPECT_EQ(complaint_about(wide(U"\uFEFF" + std::u32string(plan), 2, ByteOrder::Big)),
-            "0:0: is UTF-16 (big endian), and only UTF-8 is read");
+            "1:1: is UTF-16 (big endian), and only UTF-8 is read");
   EXPECT_EQ(complaint_about("{\n\"name\": \"Caf\xE9\"}"),
-            "2:13: the byte 0xE9 here is not UTF-8; in Latin-1 it is 'é'");
+            "2:13: is not UTF-8 but, it seems, Windows-1252 (or Latin-1): the byte 0xE9 here is "
+            "'é' in it");
 }
 
 TEST(FloorPlanGeoJson, TakesAByteOrderMarkOfUtf8) {

@@ -1,0 +1,177 @@
+#include "content/compile/add_languages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "config/text_faults.h"
+#include "content/compile/shipped_files.h"
+#include "platform/terminal/suggest.h"
+
+namespace docent::compile {
+
+namespace {
+
+namespace fs = std::filesystem;
+using config::LocatedTexts;
+using config::WordsFile;
+
+/// Languages that are written from right to left, whatever their script is said to be.
+bool is_written_from_right_to_left(std::string_view tag) {
+  constexpr std::array<std::string_view, 10> tags{"ar", "fa", "he", "ur", "ps",
+                                                  "sd", "ug", "yi", "dv", "ckb"};
+  const std::string_view language = tag.substr(0, tag.find('-'));
+  return std::ranges::find(tags, language) != tags.end() &&
+         tag.find("-Latn") == std::string_view::npos;
+}
+
+std::size_t letters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// The words of one language: the museum's own beside the shipped ones.
+class LanguageAdder {
+ public:
+  LanguageAdder(const config::MuseumConfig& config, Museum& museum, Report& report)
+      : config_(config), museum_(museum), report_(report) {
+    // What the screens say is what the shipped English says.
+    auto english = config::load_words(shipped_words("en"), "en");
+    if (english.value) wanted_ = std::move(english.value->words.value);
+  }
+
+  void add(const std::string& tag) {
+    const auto own = std::ranges::find(config_.words, tag, &WordsFile::tag);
+    auto shipped = config::load_words(shipped_words(tag), tag);
+    if (own == config_.words.end() && !shipped.value) {
+      // Words that cannot be read are told already.
+      if (std::ranges::none_of(config_.files,
+                               [&](const std::string& file) { return file == file_of(tag); }))
+        tell_missing_file(tag);
+      return;
+    }
+    const WordsFile& file = own == config_.words.end() ? *shipped.value : *own;
+    Language language;
+    language.tag = tag;
+    language.name = file.name.value.empty() ? tag : file.name.value;
+    language.right_to_left = file.direction.value == "right-to-left";
+    if (shipped.value) take(shipped.value->words.value, language);
+    if (own != config_.words.end()) {
+      check(*own, language);
+      take(own->words.value, language);
+    }
+    museum_.languages.push_back(std::move(language));
+  }
+
+ private:
+  static void take(const LocatedTexts& words, Language& language) {
+    for (const auto& [key, word] : words) language.words[key] = word.value;
+  }
+
+  std::string file_of(const std::string& tag) const {
+    return (config_.folder / "words" / (tag + ".toml")).string();
+  }
+
+  void tell_missing_file(const std::string& tag) {
+    report_.add(
+        {.file = file_of(tag),
+         .code = "missing-translation",
+         .message = fmt::format("there are no words of the interface in '{}'", tag),
+         .hint = "write this file in the museum's folder, with the keys of another language"});
+  }
+
+  void tell(Severity severity, const config::Place& place, std::string code, std::string message,
+            std::string hint) {
+    Diagnostic diagnostic = config::diagnostic_at(config_, place, std::move(code),
+                                                  std::move(message), {}, std::move(hint));
+    diagnostic.severity = severity;
+    report_.add(std::move(diagnostic));
+  }
+
+  /// `known`: what is shipped in that language.
+  void check(const WordsFile& own, const Language& known) {
+    check_direction(own);
+    if (!own.words.given) return;  // already reported
+    for (const auto& [key, word] : wanted_)
+      if (!own.words.value.contains(key) && !known.words.contains(key))
+        tell(Severity::Error, own.words.place, "missing-translation",
+             fmt::format("the word '{}' is not translated into '{}'", key, own.tag),
+             fmt::format("translate from 'en': {} = \"{}\"", key, word.value));
+    for (const auto& [key, word] : own.words.value)
+      if (word.given) check_word(key, word, own.tag);
+  }
+
+  void check_direction(const WordsFile& own) {
+    if (!own.direction.given) return;
+    const bool should = is_written_from_right_to_left(own.tag);
+    if ((own.direction.value == "right-to-left") == should) return;
+    tell(Severity::Warning, own.direction.place, "odd-direction",
+         fmt::format("'{}' is written {}", own.tag,
+                     should ? "from right to left" : "from left to right"),
+         fmt::format("write direction = \"{}\"", should ? "right-to-left" : "left-to-right"));
+  }
+
+  void check_word(const std::string& key, const config::Located<std::string>& word,
+                  const std::string& tag) {
+    const auto wanted = wanted_.find(key);
+    if (wanted == wanted_.end()) return tell_unknown(key, word);
+    if (word.value.find_first_not_of(" \t\r\n") == std::string::npos)
+      return tell(Severity::Error, word.place, "empty-text",
+                  fmt::format("the word '{}' is empty in '{}'", key, tag),
+                  fmt::format("translate from 'en': {} = \"{}\"", key, wanted->second.value));
+    if (key == "digits" && letters_in(word.value) != 10)
+      tell(Severity::Error, word.place, "bad-value",
+           fmt::format("'digits' holds {} figures, and there are ten", letters_in(word.value)),
+           "write all of them from 0 to 9, without blanks: digits = \"0123456789\"");
+    check_placeholders(key, word, wanted->second.value);
+    for (const config::TextFault& fault : config::faults_of(word.value))
+      tell(Severity::Warning, word.place, fault.code,
+           fmt::format("the word '{}' {} in '{}'{}", key, fault.what, tag, fault.why), fault.hint);
+  }
+
+  void tell_unknown(const std::string& key, const config::Located<std::string>& word) {
+    std::vector<std::string_view> keys;
+    for (const auto& [each, meaning] : wanted_) keys.emplace_back(each);
+    const std::string_view near = terminal::closest(key, keys);
+    tell(Severity::Error, {word.place.file, word.key}, "unknown-key",
+         fmt::format("no screen says the word '{}'", key),
+         near.empty() ? "remove it" : fmt::format("did you mean '{}'?", near));
+  }
+
+  /// What the kiosk fills in, such as {n}, is the same in every language.
+  void check_placeholders(const std::string& key, const config::Located<std::string>& word,
+                          const std::string& english) {
+    const std::set<std::string> wanted = config::placeholders_of(english),
+                                used = config::placeholders_of(word.value);
+    const std::string hint = fmt::format("in English it is: {}", english);
+    bool is_told = false;
+    for (const std::string& name : used)
+      if (!wanted.contains(name)) {
+        tell(Severity::Error, word.place, "wrong-placeholder",
+             fmt::format("the word '{}' holds {}, which nothing fills in", key, name), hint);
+        is_told = true;
+      }
+    for (const std::string& name : wanted)
+      if (!used.contains(name) && !is_told)
+        tell(Severity::Warning, word.place, "wrong-placeholder",
+             fmt::format("the word '{}' lacks {}", key, name), hint);
+  }
+
+  const config::MuseumConfig& config_;
+  Museum& museum_;
+  Report& report_;
+  LocatedTexts wanted_;
+};
+
+}  // namespace
+
+void add_languages(const config::MuseumConfig& config, Museum& museum, Report& report) {
+  LanguageAdder adder(config, museum, report);
+  for (const std::string& tag : config.languages) adder.add(tag);
+}
+
+}  // namespace docent::compile

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "platform/gles/gl_names.h"
+#include "runtime/model/scenery.h"
+#include "runtime/scene/draw_list.h"
+
+namespace docent::gles {
+
+/// The building of one floor in texture memory.
+struct Building {
+  std::size_t carried = 0;  ///< Bytes that are there already; until all are, it has no array.
+  Scenery scenery;          ///< Without vertices, indices and texels, which are uploaded.
+  float floor_height = 0;   ///< World y of the floor's surface.
+  GlBuffer vertices, indices;
+  GlVertexArray array;
+  GlTexture lightmap;
+  std::vector<scene::TextureId> image_of;  ///< By exhibit.
+};
+
+/// Carries a building there, from the first time on some more of it, at most a megabyte each time;
+/// false once nothing is left. One without vertices stays without an array.
+bool carry_on(Building& building, const Scenery& scenery,
+              std::span<const scene::TextureId> image_of);
+
+}  // namespace docent::gles

@@ -1,0 +1,40 @@
+#include "platform/gles/holdings.h"
+
+#include "platform/gles/holdings_parts.h"
+
+namespace docent::gles {
+
+Holdings::Holdings() : parts_(std::make_unique<Parts>()) {}
+Holdings::Holdings(Holdings&&) noexcept = default;
+Holdings& Holdings::operator=(Holdings&&) noexcept = default;
+Holdings::~Holdings() = default;
+
+void Holdings::add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,
+                        std::span<const std::uint8_t> coverage) noexcept {
+  parts_->textures.add_text(id, width, height, coverage);
+}
+
+void Holdings::add_image(scene::TextureId id, const Pixels& picture) noexcept {
+  parts_->textures.add_image(id, {&picture, 1});
+}
+
+void Holdings::add_scenery_image(scene::TextureId id, std::span<const Pixels> levels) noexcept {
+  parts_->textures.add_image(id, levels);
+}
+
+void Holdings::release(scene::TextureId id) noexcept {
+  parts_->textures.release(id);
+}
+
+bool Holdings::add_scenery(std::uint32_t floor, const Scenery& scenery,
+                           std::span<const scene::TextureId> image_of) {
+  std::vector<Building>& buildings = parts_->buildings;
+  if (buildings.size() <= floor) buildings.resize(floor + 1);
+  return carry_on(buildings[floor], scenery, image_of);
+}
+
+void Holdings::set_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
+  parts_->body = make_body(mesh, levels);
+}
+
+}  // namespace docent::gles

@@ -1,0 +1,79 @@
+#include "runtime/kiosk/presenter.h"
+
+#include <utility>
+
+#include "runtime/kiosk/start_code.h"
+
+namespace docent::kiosk {
+
+Presenter::Presenter(const config::KioskConfig& config, Edges& edges, gles::Renderer renderer,
+                     PosterFile poster, bool has_poster)
+    : edges_(edges),
+      renderer_(std::move(renderer)),
+      poster_(std::move(poster), has_poster),
+      hours_(config.screen_on, config.idle_reset),
+      wanders_(config.pixel_shift),
+      has_poster_(has_poster) {
+  if (edges_.headless == nullptr) heat_.emplace();
+}
+
+/// A screen shows every frame that differs from the one before, but keeps its poster until there is
+/// as much to see, for a moment. In memory only those are drawn that somebody will look at, and two
+/// a second for the statistics: a visit of minutes then takes seconds.
+bool Presenter::is_seen(const FrameFacts& frame) const noexcept {
+  constexpr std::uint64_t sampled_every = 30;
+  constexpr double longest_poster = 2;
+  if (edges_.headless != nullptr)
+    return frame.is_asked_for || frame.is_touched || frame.number % sampled_every == 0;
+  if (has_poster_ && !frame.is_first_picture && !frame.is_touched &&
+      poster_seconds_ < longest_poster)
+    return false;
+  return edges_.display->can_show() && heat_->lets_show(frame.number);
+}
+
+/// Would a screen that was drawn to before look different?
+bool Presenter::would_change(const scene::DrawList& list,
+                             const RenderTarget& target) const noexcept {
+  return edges_.headless != nullptr || edges_.display->wants_frame() || target != shown_on_ ||
+         shown_.differs(list, static_cast<float>(target.size.height));
+}
+
+bool Presenter::show(const scene::DrawList& list, const gles::Holdings& holdings,
+                     const FrameFacts& frame, Statistics& statistics) noexcept {
+  const RenderTarget target = target_of(edges_);
+  has_drawn_ = is_seen(frame) && would_change(list, target);
+  if (!has_drawn_) return false;
+  has_poster_ = false;
+  gpu_timer_.begin();
+  renderer_.draw(list, holdings, target);
+  gpu_timer_.end();
+  poster_.drawn(frame.is_first_picture, target);
+  edges_.display->present();
+  if (edges_.headless == nullptr) shown_.keep(list);
+  shown_on_ = target;
+  while (const auto gpu = gpu_timer_.take()) statistics.gpu.add(*gpu);
+  return true;
+}
+
+/// In a new view a software driver may compile once more, which brings its compiler's code back.
+void Presenter::give_back_code(const FrameFacts& frame) noexcept {
+  constexpr std::uint64_t frames_to_settle = 30;  // half a second
+  if (frame.is_new_view) settled_at_ = frame.number + frames_to_settle;
+  const bool was_vacant = std::exchange(was_vacant_, frame.is_vacant);
+  if (frame.number == 0 || frame.number == settled_at_ || (frame.is_vacant && !was_vacant))
+    give_back_code_of_start();
+}
+
+void Presenter::keep(const FrameFacts& frame) noexcept {
+  give_back_code(frame);
+  if (edges_.headless != nullptr) return;
+  poster_.step();
+  if (has_poster_) poster_seconds_ += frame.passed;
+  if (hours_.are_set())
+    edges_.display->light(hours_.is_lit(local_minute(), frame.passed, frame.is_touched));
+  if (!wanders_) return;
+  shift_.advance(frame.passed, frame.is_new_view);
+  edges_.shift = shift_.at();
+}
+
+}  // namespace docent::kiosk

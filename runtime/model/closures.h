@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/model/hours/opening_hours.h"
+#include "runtime/model/museum.h"
+#include "runtime/model/today.h"
+
+namespace docent {
+
+/// What of a museum is closed at a moment: for good, by hours and live, all in one. Indices,
+/// ascending. A closed room's doors and exhibits are closed with it.
+struct Closures {
+  /// By floor: indices into its plan's doors, without those that are walls of the plan already.
+  std::vector<std::vector<std::uint32_t>> doors;
+  std::vector<std::uint32_t> rooms, connections, exhibits;
+
+  bool operator==(const Closures&) const = default;
+};
+
+/// Until when something is closed, and why.
+struct ClosedUntil {
+  std::optional<LocalMinute> until;   ///< None: nobody knows.
+  const LocalText* reason = nullptr;  ///< Null where staff say none. Of the Today that was asked.
+};
+
+/// Says what is closed when. Immutable; any thread may ask. Borrows the museum.
+class ClosureRules {
+ public:
+  explicit ClosureRules(const Museum& museum);
+
+  /// `at`: in the museum's time; none: what hours close is open, and what is closed live is closed.
+  Closures at(std::optional<LocalMinute> at, const Today& today) const;
+
+  /// None where the exhibit can be seen.
+  std::optional<ClosedUntil> exhibit(std::uint32_t exhibit, LocalMinute at,
+                                     const Today& today) const;
+
+  /// The rooms on the two sides of a door; `none` where there is none.
+  struct Sides {
+    std::array<std::uint32_t, 2> room;
+  };
+
+ private:
+  struct Part {
+    Closable what{};
+    const std::string* id = nullptr;
+    bool closed = false;                ///< For good.
+    std::optional<OpeningHours> hours;  ///< None: always open.
+  };
+  template <typename T>
+  static Part part(Closable what, const std::string& id, const T& thing);
+  std::optional<ClosedUntil> state(const Part& part, std::optional<LocalMinute> at,
+                                   const Today& today) const;
+  std::vector<std::uint32_t> closed_of(std::span<const Part> parts, std::optional<LocalMinute> at,
+                                       const Today& today) const;
+
+  const Museum& museum_;
+  std::vector<DateRange> holidays_;
+  std::vector<std::vector<Part>> doors_;   ///< By floor.
+  std::vector<std::vector<Sides>> sides_;  ///< Of the doors.
+  std::vector<Part> rooms_, connections_, exhibits_;
+};
+
+/// The rooms on the two sides of a door of a floor: the first whose outline one comes to, going
+/// straight away from the door's middle, within a metre.
+ClosureRules::Sides rooms_beside(const Museum& museum, std::uint32_t floor, const Door& door);
+
+}  // namespace docent

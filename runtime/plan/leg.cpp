@@ -1,0 +1,105 @@
+#include "runtime/plan/leg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "runtime/plan/stretch.h"
+
+namespace docent::plan {
+namespace {
+
+path::RouteStatus route_status(path::BuildingStatus status) noexcept {
+  switch (status) {
+    case path::BuildingStatus::Ok:
+      return path::RouteStatus::Ok;
+    case path::BuildingStatus::StartBlocked:
+      return path::RouteStatus::StartBlocked;
+    case path::BuildingStatus::GoalBlocked:
+      return path::RouteStatus::GoalBlocked;
+    case path::BuildingStatus::NoRoute:
+    case path::BuildingStatus::Closed:
+    case path::BuildingStatus::NoStepFree:
+      break;
+  }
+  return path::RouteStatus::NoRoute;
+}
+
+/// With as much room as there is.
+path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
+                                    const WalkOrder& order, Vec2 from) {
+  constexpr std::array spare{Museum::walking_room, 0.0, -Museum::walking_room};
+  path::BuildingQuery query{.way = {.kind = order.kind,
+                                    .from = from,
+                                    .to = order.goal->position,
+                                    .smooth = true,
+                                    .tell_clearance = false},
+                            .from_floor = order.floor,
+                            .to_floor = order.goal_floor.value_or(order.floor)};
+  path::BuildingWay way;
+  for (const double more : spare) {
+    query.way.radius = std::max(0.0, museum.body_radius + more);
+    way = building.route(query);
+    if (way.status == path::BuildingStatus::Ok) break;
+  }
+  return way;
+}
+
+std::uint32_t stop_on(const Connection& connection, std::uint32_t floor) noexcept {
+  const auto stop = std::ranges::find(connection.stops, floor, &ConnectionStop::floor);
+  return static_cast<std::uint32_t>(stop - connection.stops.begin());
+}
+
+Ride ride_of(const Museum& museum, const path::Leg& leg) noexcept {
+  const Connection& connection = museum.connections[leg.connection];
+  return {.connection = leg.connection,
+          .from = stop_on(connection, leg.floor),
+          .to = stop_on(connection, leg.to_floor),
+          .wait = connection.wait_seconds,
+          .seconds = std::max(0.0, leg.seconds - connection.wait_seconds),
+          .metres = leg.length};
+}
+
+std::optional<interface::Closed> closed_on(const Museum& museum,
+                                           const path::BuildingWay& way) noexcept {
+  if (way.status != path::BuildingStatus::Closed) return {};
+  if (way.closed.empty()) return interface::Closed::Door;
+  switch (museum.connections[way.closed.front()].kind) {
+    case ConnectionKind::Stairs:
+      return interface::Closed::Stairs;
+    case ConnectionKind::Escalator:
+      return interface::Closed::Escalator;
+    case ConnectionKind::Lift:
+      return interface::Closed::Lift;
+    case ConnectionKind::Ramp:
+      return interface::Closed::Ramp;
+  }
+  return {};
+}
+
+}  // namespace
+
+Leg find_leg(const Museum& museum, const path::BuildingMap& building, const WalkOrder& order,
+             Vec2 from) {
+  const path::FloorMap& map = building.floor(order.floor);
+  Leg leg{.way = {}, .end = *order.goal};
+  const bool stays = order.goal_floor.value_or(order.floor) == order.floor;
+  if (stays) {
+    leg.way = find_way(museum, map, order.kind, from, order.goal->position);
+    if (leg.way.status == path::RouteStatus::Ok || museum.connections.empty()) return leg;
+  }
+  const path::BuildingWay whole = find_building_way(museum, building, order, from);
+  leg.way.status = route_status(whole.status);
+  leg.closed = closed_on(museum, whole);
+  if (whole.status != path::BuildingStatus::Ok || whole.legs.size() < 2) return leg;
+  const path::Leg &first = whole.legs[0], &second = whole.legs[1];
+  leg.then = ride_of(museum, second);
+  leg.end = museum.connections[second.connection].stops[leg.then->from].placement;
+  leg.metres_after = whole.length - first.length;
+  leg.seconds_after = whole.seconds - first.seconds;
+  leg.way = find_way(museum, map, order.kind, from, leg.end.position);
+  return leg;
+}
+
+}  // namespace docent::plan

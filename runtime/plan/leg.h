@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "runtime/path/building/building_map.h"
+#include "runtime/plan/plan.h"
+
+namespace docent::plan {
+
+/// The part of a way along the floor where a body is: to its goal, or to the stop of the connection
+/// by which it gets on.
+struct Leg {
+  path::Way way;
+  Placement end;
+  std::optional<Ride> then{};
+  std::optional<interface::Closed> closed{};   ///< Why there is no way.
+  double metres_after = 0, seconds_after = 0;  ///< From its end to the goal.
+};
+
+/// The first part of the way that takes least time over floors, or of the least way on one; the
+/// body has the room that find_way() gives it.
+Leg find_leg(const Museum& museum, const path::BuildingMap& building, const WalkOrder& order,
+             Vec2 from);
+
+}  // namespace docent::plan

@@ -1,0 +1,146 @@
+// Exhibits that come from a museum's catalogue.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/museum_folder.h"
+
+namespace docent::compile {
+namespace {
+
+using test::MuseumFolder;
+using test::ProgramRun;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The small museum with a catalogue of three objects, two of which have a place.
+void add_catalogue(const MuseumFolder& museum, const std::string& rows = {}) {
+  museum.write("objects.csv",
+               "\xEF\xBB\xBFNr;Title;Titel ar;Text;Picture;x;y\r\n"
+               "G 1912/4;\"Vase \"\"Lotus\"\"\";مزهرية;<p>Old.</p>;images\\disc.svg;3,5;5\r\n"
+               "G 1912/5;Jug;;;;4.5;5\r\n"
+               "G 1912/6;Lost;;;;;\r\n" +
+                   rows);
+  museum.replace(
+      "museum.toml", "[[room]]",
+      "[source]\nfile = \"objects.csv\"\nid = \"Nr\"\ntitle.en = \"Title\"\ntitle.ar = "
+      "\"Titel ar\"\ntext.en = \"Text\"\nimage = \"Picture\"\nposition = [\"x\", \"y\"]\n"
+      "[[room]]");
+}
+
+ProgramRun check(const MuseumFolder& museum) {
+  return test::run_program("docent-content", "check '" + museum.path().string() + "' --no-motion");
+}
+
+TEST(Collections, BecomeExhibitsByATableOfColumns) {
+  const MuseumFolder museum;
+  add_catalogue(museum);
+
+  ASSERT_EQ(museum.compile().exit_code, 0) << museum.compile().err;
+
+  EXPECT_THAT(
+      test::run_program("docent-content", "info '" + museum.database().string() + "' --json").out,
+      AllOf(HasSubstr("\"G-1912-4\""), HasSubstr("\"G-1912-5\""), HasSubstr("\"jade-disc\""),
+            Not(HasSubstr("G-1912-6"))));
+}
+
+TEST(Collections, TellWhatTheyLack) {
+  const MuseumFolder museum;
+  add_catalogue(museum, "G 1912/4;Twice;;;;1;1\r\n;None;;;;1;1\r\nG 7;;;;;2;5\r\n");
+
+  const ProgramRun run = check(museum);
+
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(
+      run.err,
+      AllOf(HasSubstr(
+                "objects.csv: warning[no-place]: 1 of 6 objects have no place in the museum and "
+                "are left out"),
+            HasSubstr(
+                "objects.csv:3:1: warning[missing-translation]: the title of exhibit 'G-1912-5' is "
+                "not translated into 'ar', and is shown in 'en'"),
+            HasSubstr("objects.csv:5:1: warning[duplicate-id]"),
+            HasSubstr("objects.csv:6:1: warning[object-without-id]"),
+            HasSubstr(
+                "objects.csv:7:1: warning[object-without-title]: object 'G-7' has no title and is "
+                "left out"),
+            HasSubstr("found 4 exhibits")));
+}
+
+TEST(Collections, WhatStaffWroteByHandWinsAndIsSaid) {
+  const MuseumFolder museum;
+  add_catalogue(museum);
+  museum.write("exhibits/mine.toml",
+               "[[exhibit]]\nid = \"G-1912-6\"\nposition = [2, 6]\nfacing = 270\n[[exhibit]]\nid = "
+               "\"G-1912-4\"\ntitle.en = \"The Lotus\"\n");
+
+  const ProgramRun run = check(museum);
+
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("mine.toml:7:12: warning[written-by-hand]: the title of exhibit "
+                              "'G-1912-4' in 'en' is written by hand, and wins"),
+                    HasSubstr("objects.csv:2 says: Vase \"Lotus\""), HasSubstr("found 5 exhibits")))
+      << "the third object has a place now";
+}
+
+TEST(Collections, AColumnThatIsNotThereIsTold) {
+  const MuseumFolder museum;
+  add_catalogue(museum);
+  museum.replace("museum.toml", "\"Title\"", "\"Titel\"");
+
+  const ProgramRun run = check(museum);
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("museum.toml:16:12: error[unknown-column]: there is no column "
+                              "'Titel'"),
+                    HasSubstr("hint: did you mean")));
+}
+
+TEST(Collections, AnEncodingThatWasGuessedIsSaid) {
+  const MuseumFolder museum;
+  add_catalogue(museum);
+  museum.write("objects.csv",
+               "Nr;Title;Titel ar;Text;Picture;x;y\r\n1;M\xe4"
+               "dchen;M;;;3;5\r\n");
+
+  EXPECT_THAT(
+      check(museum).err,
+      AllOf(HasSubstr("warning[guessed-encoding]: 'objects.csv' is not UTF-8 and was read as "
+                      "Windows-1252"),
+            HasSubstr("write encoding = \"windows-1252\"")));
+}
+
+TEST(Collections, ManifestsOfIiifNeedNoColumns) {
+  const MuseumFolder museum;
+  museum.write("iiif/a.json",
+               R"({"id": "https://m.example/iiif/vase-7/manifest.json", "type": "Manifest",
+                  "label": {"en": ["Vase"], "ar": ["مزهرية"]}, "items": []})");
+  museum.replace("museum.toml", "[[room]]", "[source]\nfile = \"iiif\"\n[[room]]");
+  museum.write("exhibits/mine.toml",
+               "[[exhibit]]\nid = \"vase-7\"\nposition = [2, 6]\nfacing = 270\n");
+
+  const ProgramRun run = check(museum);
+
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err,
+              AllOf(HasSubstr("a.json:1:1: warning[odd-manifest]"), HasSubstr("found 3 exhibits")));
+}
+
+TEST(Collections, TheSameCatalogueGivesTheSameBytes) {
+  const MuseumFolder museum;
+  add_catalogue(museum);
+
+  ASSERT_EQ(museum.compile().exit_code, 0);
+  const std::string first = test::text_of(museum.database());
+  ASSERT_EQ(museum.compile().exit_code, 0);
+
+  EXPECT_EQ(test::text_of(museum.database()), first);
+}
+
+}  // namespace
+}  // namespace docent::compile
