@@ -53,7 +53,7 @@ def is_stock(kiosk: Kiosk) -> None:
 
 def answers_for_itself(kiosk: Kiosk) -> None:
     """To systemd, to `docent status`, to the journal, and as to what it may do."""
-    kiosk.machine.wait_until("systemd is told that it is ready", lambda: kiosk.property("docent", "ActiveState") == "active", TO_DRAW)
+    kiosk.until_ready("answering")
     text = kiosk.property("docent", "StatusText")
     if "Museum of the Three Rivers" not in text:
         raise Failure(f"systemd is told '{text}', and not which museum is shown")
@@ -155,7 +155,7 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str, releases: Releases)
     kiosk.owns_console("killed")
     kiosk.leads_the_way("killed")
 
-    kiosk.machine.must("systemctl --no-block restart docent")
+    kiosk.machine.must("systemctl restart docent", TO_DRAW)
     kiosk.draws("restarted")
     kiosk.owns_console("restarted")
     screen_comes_and_goes(kiosk)

@@ -107,7 +107,7 @@ def shifted(kiosk: Kiosk) -> None:
     configure(kiosk, STILL + f"rotate = {90 * kiosk.quarters}\npixel_shift = true\n")
     kiosk.draws("not-yet-shifted")
     time.sleep(SOONEST_SHIFT * 1.2)
-    kiosk.touch()
+    kiosk.touch("shifted")
     wanted = kiosk.expect.choosing.shifted(1)
 
     def is_shifted() -> bool:
@@ -339,7 +339,7 @@ def memory(kiosk: Kiosk, commits: Commits) -> None:
     for _ in range(2):
         settle(kiosk, commits, 10)
         before = commits.now()
-        kiosk.touch()
+        kiosk.touch("memory")
         kiosk.machine.wait_until("a frame after a touch", lambda: commits.first("commit", before) is not None, TO_DRAW)
     settle(kiosk, commits, 10)
     status = kiosk.machine.must("grep -E '^(VmRSS|RssAnon)' /proc/$(systemctl show -P MainPID docent)/status")

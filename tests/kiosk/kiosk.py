@@ -49,25 +49,28 @@ class Kiosk:
     def has_glass(self) -> bool:
         return "/dev/hidraw0" in self.machine.must("ls -l /proc/$(systemctl show -P MainPID docent)/fd")
 
-    def touch(self) -> None:
-        """Once it is ready: the screen's poster feels nothing."""
-        self.machine.wait_until("docent is active", lambda: self.property("docent", "ActiveState") == "active", TO_DRAW)
+    def until_ready(self, when: str) -> float:
+        """The poster of the last run is on the screen before: it feels nothing, and is no picture of the program's."""
+        return self.machine.wait_until(f"{when}: docent is ready", lambda: self.property("docent", "ActiveState") == "active", TO_DRAW)
+
+    def touch(self, when: str) -> None:
+        self.until_ready(when)
         x, y = self.expect.touch
         for _ in range(self.quarters):  # as the glass has it
             x, y = y, 1 - x
         self.machine.must(f"echo {x:.4f} {y:.4f} >{GLASS}")
 
     def draws(self, when: str) -> None:
-        took = self.machine.wait_until(f"{when}: the welcome screen", self.shows_welcome, TO_DRAW)
+        took = self.until_ready(when) + self.machine.wait_until(f"{when}: the welcome screen", self.shows_welcome, TO_DRAW)
         self.machine.keep_picture(f"{when}-welcome", self.screen)
         say(f"{when}: the welcome screen is there ({took:.0f} s)")
 
     def leads_the_way(self, when: str) -> None:
         """Two touches of the same exhibit: the first begins, the second chooses."""
-        self.touch()
+        self.touch(when)
         self.machine.wait_until(f"{when}: a touch begins, and the choice is shown", self.shows_choosing, TO_DRAW)
         self.machine.keep_picture(f"{when}-choosing", self.screen)
-        self.touch()
+        self.touch(when)
         self.machine.wait_until(f"{when}: a touch of an exhibit, and its way is shown", self.shows_way, TO_DRAW)
         self.machine.keep_picture(f"{when}-way", self.screen)
         say(f"{when}: two touches, and the guide shows the way")
@@ -94,7 +97,7 @@ class Kiosk:
         return (now.width, now.height) == size and now.colours() >= MANY_COLOURS
 
     def owns_console(self, when: str) -> None:
-        self.machine.wait_until(f"{when}: docent is active", lambda: self.property("docent", "ActiveState") == "active", TO_DRAW)
+        self.until_ready(when)
         if (state := self.property("getty@tty1", "ActiveState")) != "inactive":
             raise Failure(f"{when}: getty@tty1 is {state} and not inactive")
         self.console_is_quiet(when)

@@ -19,7 +19,7 @@ def shows(kiosk: Kiosk, releases: Releases, number: int) -> bool:
 
 
 def draws(kiosk: Kiosk, releases: Releases, number: int, when: str) -> None:
-    took = kiosk.machine.wait_until(f"{when}: release {number}", lambda: shows(kiosk, releases, number), TO_DRAW)
+    took = kiosk.until_ready(when) + kiosk.machine.wait_until(f"{when}: release {number}", lambda: shows(kiosk, releases, number), TO_DRAW)
     kiosk.machine.keep_picture(when)
     say(f"{when}: release {number} is on the screen ({took:.0f} s)")
 
@@ -117,7 +117,7 @@ def goes_back(kiosk: Kiosk, releases: Releases) -> None:
 
 def hangs(kiosk: Kiosk, releases: Releases) -> None:
     """Stopped, it draws no frame and feeds no watchdog. That is armed once the service is ready, which its first picture is before."""
-    kiosk.machine.wait_until("it is ready", lambda: kiosk.property("docent", "ActiveState") == "active", TO_DRAW)
+    kiosk.until_ready("before-a-hang")
     before = kiosk.property("docent", "MainPID")
     patience = kiosk.property("docent", "WatchdogUSec")
     kiosk.machine.must(f"kill -STOP {before}")
