@@ -44,11 +44,11 @@ struct CandidateBend {
   std::uint32_t nearer;  ///< The bend before, as seen from the end; none for the first.
 };
 
-/// What is added to costs, so that rolls may be taken off: no arc is longer.
+/// What is added to the cost of either end, so that rolls may be taken off: no arc is longer.
 constexpr std::int64_t bias = 2 * std::int64_t{HubLabels::most_cost};
-/// So many bits hold the sum of the bias, of a label's two costs and of the two of candidates (five
-/// of the largest costs each, with a bend beyond the shortest way), and one more.
-constexpr unsigned cost_bits = 37;
+/// So many bits hold the sum of the two biases, of a label's two costs and of the two of candidates
+/// (five of the largest costs each, with a bend beyond the shortest way), and one more.
+constexpr unsigned cost_bits = 38;
 constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 constexpr std::int64_t unreached = std::int64_t{1} << (cost_bits - 1);
 
@@ -75,7 +75,7 @@ struct Workspace {
 
   void next_round(std::size_t hubs) {
     if (hub.size() < hubs) hub.resize(hubs, never);
-    if (round == 0) {
+    if (round <= 1) {  // In round 0 costs added to `never` would not fit.
       std::ranges::fill(hub, never);
       round = never >> cost_bits;
     }
@@ -261,10 +261,11 @@ class Query {
     price_to(candidate);
     // What an earlier round left is so much larger that it loses without being asked for.
     const std::uint64_t so_far =
-        static_cast<std::uint64_t>(candidate.cost - bias) - (work_.round << cost_bits);
+        static_cast<std::uint64_t>(bias + candidate.cost) - (work_.round << cost_bits);
     const std::uint64_t* const hub = work_.hub.data();
     const std::span<const HubCost> label = map_.arriving(candidate.tangent.side);
-    auto least = static_cast<std::uint64_t>(best.cost);
+    // Rolls taken off at both ends may be more than the way: with its biases no cost is negative.
+    auto least = static_cast<std::uint64_t>(2 * bias + best.cost);
     const HubCost* where = nullptr;
     for (const HubCost& entry : label) {
       const std::uint64_t cost = hub[entry.hub] + so_far + entry.cost;
@@ -274,7 +275,7 @@ class Query {
       }
     }
     if (where)
-      best = {static_cast<std::int64_t>(least), none, index, none,
+      best = {static_cast<std::int64_t>(least) - 2 * bias, none, index, none,
               labels_.arriving.first[candidate.tangent.side] +
                   static_cast<std::uint32_t>(where - label.data())};
   }

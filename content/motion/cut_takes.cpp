@@ -1,0 +1,94 @@
+#include "content/motion/cut_takes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "content/motion/classify.h"
+#include "content/motion/extract_root_motion.h"
+#include "content/motion/joint_positions.h"
+
+namespace docent::motion::offline {
+namespace {
+
+// Seconds. Two strides are the least that can be joined to others.
+constexpr double shortest_walking = 2, standing_kept = 0.5, shared = 1.5;
+
+/// Frames from `first` to before `last`.
+struct Stretch {
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<Stretch> stretches_of_walking(const Skeleton& skeleton, const MotionClip& take) {
+  const auto body = extract_root_motion(skeleton, take, joint_positions(skeleton, take));
+  const std::vector<double> speed = body_speed(body, take.frame_rate);
+  const auto stands = [&, least = standing_speed * size_of(skeleton)](std::size_t f) {
+    return speed[f] < least;
+  };
+  std::vector<Stretch> stretches;
+  for (std::size_t f = 0; f < speed.size();) {
+    const std::size_t first = f;
+    while (f < speed.size() && stands(f) == stands(first)) ++f;
+    if (!stands(first) && f - first >= frames_in(shortest_walking, take.frame_rate))
+      stretches.push_back({first, f});
+  }
+  return stretches;
+}
+
+MotionClip part_of(const MotionClip& take, Stretch part, std::string name) {
+  MotionClip clip = take;
+  clip.name = std::move(name);
+  const auto at = [](std::size_t value) { return static_cast<std::ptrdiff_t>(value); };
+  clip.root.assign(take.root.begin() + at(part.first), take.root.begin() + at(part.last));
+  clip.rotation.assign(take.rotation.begin() + at(part.first * take.joint_count),
+                       take.rotation.begin() + at(part.last * take.joint_count));
+  clip.plants.clear();
+  return clip;
+}
+
+/// The parts of one stretch between where standing begins before it and ends after it.
+struct Parts {
+  Stretch start, walk, stop;
+};
+
+Parts parts_of(Stretch walking, Stretch with_standing, double frame_rate) {
+  const std::size_t some = frames_in(shared, frame_rate);
+  const std::size_t frames = walking.last - walking.first;
+  if (frames < 5 * some) {  // too short for a walk between the two
+    const std::size_t middle = walking.first + frames / 2, half = std::min(some, frames) / 2;
+    return {{with_standing.first, middle + half}, {}, {middle - half, with_standing.last}};
+  }
+  return {{with_standing.first, walking.first + 2 * some},
+          {walking.first + some, walking.last - some},
+          {walking.last - 2 * some, with_standing.last}};
+}
+
+}  // namespace
+
+std::vector<MotionClip> cut_take(const Skeleton& skeleton, const MotionClip& take) {
+  const std::vector<Stretch> walking = stretches_of_walking(skeleton, take);
+  const std::size_t frames = take.root.size();
+  const std::size_t kept = frames_in(standing_kept, take.frame_rate);
+  const bool stands_at_both_ends = !walking.empty() && walking.front().first >= kept / 2 &&
+                                   walking.back().last + kept / 2 <= frames;
+  if (!stands_at_both_ends && walking.size() < 2) return {take};
+
+  std::vector<MotionClip> clips;
+  for (std::size_t i = 0; i < walking.size(); ++i) {
+    const std::size_t before = i > 0 ? walking[i - 1].last : 0;
+    const std::size_t after = i + 1 < walking.size() ? walking[i + 1].first : frames;
+    const Stretch stretch = walking[i];
+    const Stretch whole{stretch.first - std::min(kept, stretch.first - before),
+                        stretch.last + std::min(kept, after - stretch.last)};
+    const Parts parts = parts_of(stretch, whole, take.frame_rate);
+    const std::string number = walking.size() > 1 ? fmt::format(" {}", i + 1) : "";
+    for (const auto& [name, part] : {std::pair{"start", parts.start},
+                                     std::pair{"walk", parts.walk}, std::pair{"stop", parts.stop}})
+      if (part.last > part.first)
+        clips.push_back(part_of(take, part, fmt::format("{}, {}{}", take.name, name, number)));
+  }
+  return clips;
+}
+
+}  // namespace docent::motion::offline
