@@ -125,7 +125,7 @@ void blame_a_line(const MotionText& text, std::size_t table, std::size_t width) 
   const std::string_view rest = text.text_from(table);
   std::size_t begin = 0;
   while (begin < rest.size()) {
-    const std::size_t end = std::min(rest.find('\n', begin), rest.size());
+    const std::size_t end = std::min(rest.find_first_of("\r\n", begin), rest.size());
     MotionText line(rest.substr(begin, end - begin), text.file());
     std::size_t numbers = 0;
     while (!line.next_word().empty()) ++numbers;
@@ -141,11 +141,11 @@ void blame_a_line(const MotionText& text, std::size_t table, std::size_t width) 
 Motion read_frames(MotionText& text, const Hierarchy& hierarchy) {
   Motion motion;
   text.expect("MOTION");
-  text.expect("Frames:");
+  text.expect_label("Frames:");
   const std::size_t declared_at = text.last_place();
   const std::size_t declared = text.next_count("the number of frames", most_frames);
   text.expect("Frame");
-  text.expect("Time:");
+  text.expect_label("Time:");
   motion.seconds_per_frame = text.next_number("the frame time");
   if (motion.seconds_per_frame < 1e-4 || motion.seconds_per_frame > 1)
     throw text.error("bad-frame-time", fmt::format("a frame of {} s is not between 0.1 ms and 1 s",

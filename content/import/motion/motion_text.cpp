@@ -15,6 +15,8 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
 }
 
+constexpr std::string_view line_ends = "\r\n";
+
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -46,7 +48,7 @@ void MotionText::skip_blanks() {
     if (is_blank(text_[at_])) {
       ++at_;
     } else if (text_[at_] == '#' || text_.substr(at_, 2) == "//") {
-      at_ = std::min(text_.find('\n', at_), text_.size());
+      at_ = std::min(text_.find_first_of(line_ends, at_), text_.size());
     } else {
       return;
     }
@@ -72,7 +74,7 @@ std::string_view MotionText::peek_word() {
 }
 
 std::string_view MotionText::rest_of_line() {
-  std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  std::size_t end = std::min(text_.find_first_of(line_ends, at_), text_.size());
   std::size_t begin = at_;
   at_ = end;
   while (begin < end && is_blank(text_[begin])) ++begin;
@@ -111,6 +113,12 @@ void MotionText::expect(std::string_view word) {
                 fmt::format("expected '{}' here, but found {}", word, shown(found)));
 }
 
+void MotionText::expect_label(std::string_view label) {
+  if (!same_word(peek_word().substr(0, label.size()), label)) return expect(label);
+  last_ = at_;
+  at_ += label.size();
+}
+
 bool MotionText::at_end() {
   skip_blanks();
   return at_ == text_.size();
@@ -119,7 +127,8 @@ bool MotionText::at_end() {
 bool MotionText::at_line_end() {
   const std::size_t before = at_;
   skip_blanks();
-  return at_ == text_.size() || text_.substr(before, at_ - before).contains('\n');
+  return at_ == text_.size() ||
+         text_.substr(before, at_ - before).find_first_of(line_ends) != text_.npos;
 }
 
 std::size_t MotionText::place() {
@@ -130,8 +139,12 @@ std::size_t MotionText::place() {
 content::ContentError MotionText::error_at(std::size_t place, std::string code,
                                            const std::string& message, std::string hint) const {
   const std::string_view before = text_.substr(0, std::min(place, text_.size()));
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
+  std::size_t line = 1, line_start = 0;
+  for (std::size_t end = 0; (end = before.find_first_of(line_ends, end)) != before.npos;) {
+    end += before.substr(end).starts_with("\r\n") ? 2 : 1;
+    line_start = end;
+    ++line;
+  }
   return {file_,
           static_cast<std::uint32_t>(line),
           static_cast<std::uint32_t>(before.size() - line_start + 1),

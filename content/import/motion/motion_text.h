@@ -9,9 +9,10 @@ namespace docent::import {
 
 /// Reads the words and numbers of a motion file (BVH, ASF, AMC) in order.
 ///
-/// Words are parted by blanks of any kind; a carriage return is a blank. What follows a `#` or `//`
-/// that begins a word is a comment, up to the end of its line. Lines and columns are counted only
-/// when something is wrong, so reading costs no more than finding the ends of words.
+/// Words are parted by blanks of any kind; lines end with a line feed, a carriage return or both.
+/// What follows a `#` or `//` that begins a word is a comment, up to the end of its line. Lines and
+/// columns are counted only when something is wrong, so reading costs no more than finding the ends
+/// of words.
 class MotionText {
  public:
   MotionText(std::string_view text, std::string file)
@@ -31,6 +32,8 @@ class MotionText {
   bool accept(std::string_view word);
   /// Takes `word`; throws ContentError where another word stands.
   void expect(std::string_view word);
+  /// Takes `label`, with or without a blank before what it labels: "Frames: 60", "Frames:60".
+  void expect_label(std::string_view label);
   bool at_end();
   /// True where the next word stands on a later line than the last one taken.
   bool at_line_end();

@@ -72,6 +72,7 @@ TEST(Bvh, ReadsTheSameBodyInEveryUnitAndStyle) {
            BvhStyle{.metres_per_unit = 0.01},
            BvhStyle{.metres_per_unit = 0.001},
            BvhStyle{.metres_per_unit = 0.0254, .line_end = "\r\n"},
+           BvhStyle{.line_end = "\r", .comment = "# recorded on a Tuesday"},
            BvhStyle{.metres_per_unit = cmu, .after_channels = " \t", .frame_time = ".0083333"},
            BvhStyle{.comment = "# recorded on a Tuesday"},
            BvhStyle{.comment = "// recorded on a Tuesday"},
@@ -86,6 +87,33 @@ TEST(Bvh, ReadsTheSameBodyInEveryUnitAndStyle) {
     EXPECT_EQ(motion.skeleton.joint[0].name, "Hips");
     EXPECT_THAT(motion.notes, IsEmpty());
   }
+}
+
+TEST(Bvh, ReadsNumbersThatFollowTheirLabelsWithoutABlank) {
+  std::string text = bvh_text(sample_body(), {standing_frame(sample_body())});
+  for (const std::string_view label : {"Frames: ", "Frame Time: "})
+    text.erase(text.find(label) + label.size() - 1, 1);
+
+  const auto motion = import::parse_bvh(text, "a.bvh", 1.0);
+
+  EXPECT_EQ(frame_count(motion.clip), 1U);
+  EXPECT_EQ(motion.clip.frame_rate, 120);
+}
+
+TEST(Bvh, CountsLinesThatEndInAnyWayToBlameOne) {
+  const auto line_in = [](const char* line_end) {
+    std::string text = bvh_text(sample_body(), {standing_frame(sample_body())},
+                                {.line_end = line_end, .comment = "# recorded on a Tuesday"});
+    text.replace(text.find("Time:"), 5, "Rhyme");
+    try {
+      import::parse_bvh(text, "a.bvh", 1.0);
+    } catch (const content::ContentError& error) {
+      return std::pair(error.line, error.column);
+    }
+    return std::pair(0U, 0U);
+  };
+  EXPECT_EQ(line_in("\r"), line_in("\n"));
+  EXPECT_EQ(line_in("\r\n"), line_in("\n"));
 }
 
 TEST(Bvh, KeepsRatesThatAreNoWholeNumbers) {
