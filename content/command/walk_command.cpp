@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -28,6 +29,8 @@ namespace docent::command {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
+constexpr double longest_path = 10'000;  // metres: two hours of walking
+constexpr double most_missing = 1.5;     // metres that a walk without a warp may end too early
 
 enum class Search : std::uint8_t { Docent, Paper };
 
@@ -59,8 +62,15 @@ void check_options(const WalkOptions& options) {
 std::vector<Vec2> read_path(const std::string& file) {
   std::vector<Vec2> path;
   for (const auto& row : read_numbers(file, {{"x"}, {"y"}}).rows) path.emplace_back(row[0], row[1]);
-  if (!(polyline_length(path) > 0))
+  const double length = polyline_length(path);
+  if (!(length > 0))
     throw content::ContentError(file, 0, 0, "no-path", "a path needs two different points");
+  if (length > longest_path)
+    throw content::ContentError(
+        file, 0, 0, "long-path",
+        fmt::format("the path is {:.4g} m long, and walks are made of at most {:.0f} m", length,
+                    longest_path),
+        "coordinates are metres in the floor frame; walk a longer path in pieces");
   return path;
 }
 
@@ -105,21 +115,38 @@ motion::Walk walk_by_docent(const motion::WalkGraph& graph, const std::vector<Ve
   return std::move(*walk);
 }
 
+void tell(const Diagnostic& diagnostic, const WalkOptions& options) {
+  config::tell({&diagnostic, 1},
+               options.json ? config::DiagnosticForm::Json : config::DiagnosticForm::Text);
+}
+
 /// Says on standard error where a search was stopped, and goes on with what it has.
 void report_early_end(const motion::offline::PaperWalk& found, double path_length,
                       const WalkOptions& options) {
-  const Diagnostic warning{
-      .file = options.path,
-      .severity = Severity::Warning,
-      .code = "search-stopped",
-      .message = fmt::format(
-          "the paper's search had kept {:.2f} of {:.2f} m when it stopped after {:.1f} s: the walk "
-          "ends there",
-          found.length, path_length, found.walk.search_seconds),
-      .hint =
-          "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"};
-  config::tell({&warning, 1},
-               options.json ? config::DiagnosticForm::Json : config::DiagnosticForm::Text);
+  tell({.file = options.path,
+        .severity = Severity::Warning,
+        .code = "search-stopped",
+        .message = fmt::format("the paper's search had kept {:.2f} of {:.2f} m when it stopped "
+                               "after {:.1f} s: the walk "
+                               "ends there",
+                               found.length, path_length, found.walk.search_seconds),
+        .hint =
+            "look ahead less (--lookahead), keep more (--use-rate) or wait longer (--time-limit)"},
+       options);
+}
+
+/// A raw walk keeps to the path by its clips alone. Does it end long before the path does? Says so.
+bool stops_short(const Outcome& outcome, const WalkOptions& options) {
+  const double missing = outcome.path_length - outcome.deviation.reached;
+  if (!options.raw || missing <= std::min(most_missing, outcome.path_length / 2)) return false;
+  tell(
+      {.file = options.path,
+       .code = "stops-short",
+       .message = fmt::format("the clips alone keep to {:.2f} of the path's {:.2f} m",
+                              outcome.deviation.reached, outcome.path_length),
+       .hint = "leave --raw out, so that the walk is warped onto the path; or add clips that turn"},
+      options);
+  return true;
 }
 
 motion::Walk walk_by_paper(const motion::WalkGraph& graph, const std::vector<Vec2>& path,
@@ -176,7 +203,7 @@ std::string to_sentence(const Outcome& outcome, std::uint32_t frames) {
       outcome.deviation.mean * 100, outcome.deviation.largest * 100);
 }
 
-void run_walk(const WalkOptions& options) {
+int run_walk(const WalkOptions& options) {
   const Stopwatch stopwatch;
   check_options(options);
   const std::vector<Vec2> path = read_path(options.path);
@@ -190,6 +217,7 @@ void run_walk(const WalkOptions& options) {
   const std::uint32_t frames = motion::frame_count(walk);
   fmt::print("{}\n", options.json ? to_json(outcome, frames) : to_sentence(outcome, frames));
   if (!options.json) stopwatch.say_wrote(options.output);
+  return stops_short(outcome, options) ? 1 : 0;
 }
 
 }  // namespace
@@ -227,10 +255,7 @@ terminal::Command walk_command() {
               {"--raw", terminal::flag(options->raw), "Leave the motion graph's own track"},
               {"--json", terminal::flag(options->json), "Print the figures as JSON"},
           },
-      .run = [options] {
-        run_walk(*options);
-        return 0;
-      }};
+      .run = [options] { return run_walk(*options); }};
 }
 
 }  // namespace docent::command

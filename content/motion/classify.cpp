@@ -12,7 +12,7 @@ namespace docent::motion::offline {
 namespace {
 
 // Speeds of adults, m/s. Walking ends, and running begins, at about 2 m/s (Bertram 2005).
-constexpr double standing = 0.25, slowest_walk = 0.35, fastest_walk = 2.2;
+constexpr double slowest_walk = 0.35, fastest_walk = 2.2;
 constexpr double least_turn = 20 * std::numbers::pi / 180;
 // A walk always has a foot on the ground, but plants begin with the toe and not the heel: brisk
 // walks come to 0.16, jogs to 0.25 and more.
@@ -59,7 +59,7 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,
   std::size_t airborne = 0, astray = 0;
   for (std::size_t f = 0; f < frames; ++f) {
     hips.push_back(track.at(f, 0).y);
-    if (speed[f] < standing * size) continue;
+    if (speed[f] < standing_speed * size) continue;
     moving.push_back(speed[f]);
     moving_hips.push_back(hips.back());
     airborne += !clip.plants[f].left && !clip.plants[f].right;
@@ -77,8 +77,8 @@ ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,
 
 ClipRole classify(const ClipMeasures& m, double size) {
   const bool walks = std::string_view(motion_class_of(m, size)) != "other";
-  const bool stands_first = m.first_speed < standing * size;
-  const bool stands_last = m.last_speed < standing * size;
+  const bool stands_first = m.first_speed < standing_speed * size;
+  const bool stands_last = m.last_speed < standing_speed * size;
   if (!walks || (stands_first && stands_last)) return ClipRole::Other;
   if (stands_first) return ClipRole::Start;
   if (stands_last) return ClipRole::Stop;

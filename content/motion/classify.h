@@ -4,6 +4,9 @@
 
 namespace docent::motion::offline {
 
+/// Metres a second below which an adult's body stands.
+inline constexpr double standing_speed = 0.25;
+
 /// What a clip does, measured on its body (sway taken out).
 struct ClipMeasures {
   double first_speed = 0, last_speed = 0;  ///< m/s over the first and last quarter of a second.

@@ -8,6 +8,7 @@
 
 #include "content/content_error.h"
 #include "content/import/motion/motion_folder.h"
+#include "content/motion/cut_takes.h"
 #include "content/motion/resample.h"
 #include "content/motion/rest_pose.h"
 
@@ -39,6 +40,30 @@ const Skeleton& commonest_skeleton(const std::vector<import::FolderMotion>& moti
       ++known->count;
   }
   return *std::ranges::max_element(kinds, {}, &Kind::count)->skeleton;
+}
+
+/// Cuts takes whose roles nobody stated, and says so.
+std::vector<SourceClip> cut_takes(const Skeleton& skeleton, std::vector<SourceClip> sources,
+                                  std::vector<Diagnostic>& problems) {
+  std::vector<SourceClip> all;
+  for (SourceClip& source : sources) {
+    std::vector<MotionClip> parts;
+    if (!source.role_stated) parts = cut_take(skeleton, source.clip);
+    if (parts.size() < 2) {
+      all.push_back(std::move(source));
+      continue;
+    }
+    problems.push_back(
+        {.file = source.file,
+         .severity = Severity::Warning,
+         .code = "cut-take",
+         .message = fmt::format("this take stands, walks and stands again, and was cut into {} "
+                                "clips",
+                                parts.size()),
+         .hint = "nothing needs to be done; 'role' in clips.toml keeps it whole"});
+    for (MotionClip& part : parts) all.push_back({.clip = std::move(part), .file = source.file});
+  }
+  return all;
 }
 
 }  // namespace
@@ -79,8 +104,8 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
     for (SourceClip& source : sources) clips.push_back(&source.clip);
     rest_upright(skeleton, clips);
   }
-  return make_motion_graph(skeleton, std::move(sources), folders.front().string(), options,
-                           problems);
+  return make_motion_graph(skeleton, cut_takes(skeleton, std::move(sources), problems),
+                           folders.front().string(), options, problems);
 }
 
 MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,

@@ -351,9 +351,12 @@ class BeamSearch {
     const double misfit = goal_ - walker.follower.progress;
     const double gap = walker.follower.end_gap(track_, graph_.clip[frame_of(walker).clip]);
     walker.cost += end_cost(misfit, gap);
-    if (best_ && walker.cost >= best_->cost) return;
+    // Far from the end any way that comes there is better, however poorly it keeps to the track.
+    const bool is_there = std::abs(misfit) <= largest_overshoot;
+    if (best_ && (ends_there_ != is_there ? ends_there_ : walker.cost >= best_->cost)) return;
     best_ = std::move(walker);
     best_frame_ = frame;
+    ends_there_ = is_there;
   }
 
   MotionPlan plan() const {
@@ -406,6 +409,7 @@ class BeamSearch {
   };
   std::vector<Expanded> expanded_;
   std::optional<State<Follower>> best_;
+  bool ends_there_ = false;  ///< The best one: about where the track ends.
   std::uint32_t best_frame_ = 0;
   std::uint32_t considered_ = 0;
 };

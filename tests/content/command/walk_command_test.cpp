@@ -54,6 +54,33 @@ TEST_F(WalkCommand, SaysWhereThePapersSearchWasStopped) {
   EXPECT_THAT(run.err, HasSubstr("of 6.15 m"));
 }
 
+TEST_F(WalkCommand, GoesToTheEndOfAPathThatTurnsBack) {
+  std::ofstream(path()) << "x,y\n0,0\n6,0\n0,0\n";
+  const ProgramRun run = walk("--json");
+
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NEAR(std::stod(run.out.substr(run.out.find("\"reached\": ") + 11)), 12, 0.05);
+}
+
+TEST_F(WalkCommand, SaysWhereTheClipsAloneStopShort) {
+  std::ofstream(path()) << "x,y\n0,0\n3,0\n3,0.3\n0,0.3\n0,0.6\n3,0.6\n3,0.9\n0,0.9\n";
+  const ProgramRun run = walk("--raw");
+
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("error[stops-short]"));
+  EXPECT_THAT(run.err, HasSubstr("of the path's 12.90 m"));
+  EXPECT_TRUE(std::filesystem::exists(output()));
+}
+
+TEST_F(WalkCommand, TellsThatAPathIsLongerThanAnybodyWalks) {
+  std::ofstream(path()) << "x,y\n0,0\n1e9,0\n";
+  const ProgramRun run = walk("--json");
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("long-path"));
+  EXPECT_FALSE(std::filesystem::exists(output()));
+}
+
 TEST_F(WalkCommand, RefusesOptionsOfTheOtherSearch) {
   for (const char* options :
        {"--search paper --exact", "--lookahead 1", "--use-rate 0.5", "--time-limit 5"}) {
