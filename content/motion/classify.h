@@ -12,10 +12,10 @@ struct ClipMeasures {
   double first_speed = 0, last_speed = 0;  ///< m/s over the first and last quarter of a second.
   double typical_speed = 0;                ///< m/s, the median while the body moves.
   double turned = 0;                       ///< Radians from first to last, counter-clockwise.
-  double airborne = 0;                     ///< Share of the moving frames without a planted foot.
-  double astray = 0;                       ///< Share of them in which it goes aside or back.
-  double lowest_hips = 0;                  ///< Hips' least height over the leg's length.
-  double typical_hips = 0;                 ///< The same, the median while the body moves.
+  double airborne = 0;      ///< Share of the moving frames with neither toe nor heel down.
+  double astray = 0;        ///< Share of them in which it goes aside or back.
+  double lowest_hips = 0;   ///< Hips' least height over the leg's length.
+  double typical_hips = 0;  ///< The same, the median while the body moves.
 };
 
 ClipMeasures measure_clip(const Skeleton& skeleton, const MotionClip& clip,

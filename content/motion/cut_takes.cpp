@@ -11,6 +11,8 @@
 namespace docent::motion::offline {
 namespace {
 
+constexpr double slowest_walking = 0.5;  // m/s of an adult; who is slower shuffles about
+
 // Seconds. Two strides are the least that can be joined to others.
 constexpr double shortest_walking = 2, shortest_standing = 0.6, standing_kept = 0.5, shared = 1.5;
 
@@ -32,6 +34,14 @@ std::vector<bool> moving_frames(const Skeleton& skeleton, const MotionClip& take
   return moves;
 }
 
+/// Metres that the hips go.
+double way_in(const MotionClip& take, Stretch stretch) {
+  double way = 0;
+  for (std::size_t f = stretch.first; f + 1 < stretch.last; ++f)
+    way += glm::distance(to_floor(take.root[f]), to_floor(take.root[f + 1]));
+  return way;
+}
+
 std::vector<Stretch> stretches_of_walking(const Skeleton& skeleton, const MotionClip& take) {
   const std::vector<bool> moves = moving_frames(skeleton, take);
   std::vector<Stretch> stretches;
@@ -45,8 +55,11 @@ std::vector<Stretch> stretches_of_walking(const Skeleton& skeleton, const Motion
     else
       stretches.push_back({first, f});
   }
-  std::erase_if(stretches, [least = frames_in(shortest_walking, take.frame_rate)](Stretch s) {
-    return s.last - s.first < least;
+  const std::size_t least = frames_in(shortest_walking, take.frame_rate);
+  const double slowest = slowest_walking * size_of(skeleton);
+  std::erase_if(stretches, [&](Stretch s) {
+    return s.last - s.first < least ||
+           way_in(take, s) * take.frame_rate < slowest * static_cast<double>(s.last - s.first);
   });
   return stretches;
 }
