@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "content/content_error.h"
+#include "content/floor/footprint.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
 #include "content/floor/open_doors.h"
@@ -64,6 +65,22 @@ FloorPlan mend(const import::ImportedPlan& drawn, Report& report) {
   }
 }
 
+/// Finds out what the exhibits stand on, and makes obstacles of what takes floor.
+FloorPlan furnish(std::vector<Standing> things, CompiledFloor& compiled) {
+  std::vector<floor::Footprint> cases, free;
+  for (const Standing& thing : things)
+    if (thing.kind == Standing::Kind::Case && takes_floor(thing)) cases.push_back(thing.footprint);
+  compiled.with_cases = floor::with_obstacles(compiled.walls, cases);
+  const path::WallGrid grid(compiled.walls, 0);
+  for (Standing& thing : things) {
+    if (thing.kind != Standing::Kind::Exhibit) continue;
+    thing.place = what_it_stands_on(grid, compiled.drawn.polygons, cases, thing.footprint.centre);
+    if (takes_floor(thing)) free.push_back(thing.footprint);
+  }
+  compiled.standing = std::move(things);
+  return floor::with_obstacles(compiled.with_cases, free);
+}
+
 /// On floors of fewer walls a search takes a fraction of a millisecond.
 constexpr std::size_t worth_telling = 2000;
 
@@ -99,7 +116,7 @@ void plan_floor_stages(Progress& progress) {
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             import::Coordinates coordinates, std::span<const double> radii,
                             Report& report, Progress& progress, unsigned jobs,
-                            std::vector<Door> doors, std::size_t most_entries) {
+                            FloorContents contents, std::size_t most_entries) {
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
@@ -107,12 +124,14 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     refuse_plan_of_rooms(files);
     compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
-    floor::open_doors(compiled.drawn, doors);
+    floor::open_doors(compiled.drawn, contents.doors);
     compiled.gaps = plan_gaps(compiled.drawn);
     report.add(dangling_doorways(compiled.drawn));
-    floor.plan = floor::close_doors(mend(compiled.drawn, report), doors, compiled.door_faults);
-    floor.plan.doors = std::move(doors);
-    floor.plan.name = name;
+    compiled.walls =
+        floor::close_doors(mend(compiled.drawn, report), contents.doors, compiled.door_faults);
+    compiled.walls.doors = std::move(contents.doors);
+    compiled.walls.name = name;
+    floor.plan = furnish(std::move(contents.standing), compiled);
   }
   {
     const auto stage = progress.start("voronoi");
