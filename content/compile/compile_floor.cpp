@@ -81,6 +81,20 @@ FloorPlan furnish(std::vector<Standing> things, CompiledFloor& compiled) {
   return floor::with_obstacles(compiled.with_cases, free);
 }
 
+/// The labels of the first radius, which is 0 and the quickest, tell whether those of the others
+/// are worth trying.
+void make_labels(Floor& floor, unsigned jobs, std::size_t most_entries) {
+  if (floor.tangent_graphs.empty()) return;
+  path::MadeLabels first =
+      path::try_hub_labels(floor.plan, floor.tangent_graphs.front(), {}, most_entries);
+  floor.hub_labels.front() = std::move(first.labels);
+  if (first.far_too_many) return;
+  content::for_each_index(floor.hub_labels.size() - 1, jobs, [&](std::size_t i) {
+    floor.hub_labels[i + 1] =
+        path::make_hub_labels(floor.plan, floor.tangent_graphs[i + 1], {}, most_entries);
+  });
+}
+
 /// On floors of fewer walls a search takes a fraction of a millisecond.
 constexpr std::size_t worth_telling = 2000;
 
@@ -144,9 +158,8 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
   floor.hub_labels.resize(radii.size());
   content::for_each_index(radii.size(), jobs, [&](std::size_t i) {
     floor.tangent_graphs[i] = path::make_tangent_graph(floor.plan, floor.sight, radii[i]);
-    floor.hub_labels[i] =
-        path::make_hub_labels(floor.plan, floor.tangent_graphs[i], {}, most_entries);
   });
+  make_labels(floor, jobs, most_entries);
   report_searched(floor, files.front(), report);
   return compiled;
 }
