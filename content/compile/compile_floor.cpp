@@ -32,6 +32,20 @@ void report_left_out(const import::ImportedPlan& plan, Report& report) {
   }
 }
 
+/// The point is read as the standard has it; but whoever wrote a decimal comma meant another.
+void report_doubtful_heights(const import::ImportedPlan& plan, Report& report) {
+  for (const import::SourcePlace& place : plan.doubtful_heights)
+    report.add(
+        {.file = plan.files[place.file],
+         .line = place.line,
+         .column = place.column,
+         .severity = Severity::Warning,
+         .code = "doubtful-height",
+         .message = "a point of 3 numbers among points of 2: the third is taken for a height",
+         .hint = "if it is none: decimals are written with a full stop, [0.5, 4.0] and not "
+                 "[0,5, 4.0]"});
+}
+
 /// A plan of rooms is no plan of a floor: where rooms touch there are walls, which a union of their
 /// insides would lose without a word. Import gives them a thickness, and doors.
 void refuse_plan_of_rooms(std::span<const std::string> files) {
@@ -138,6 +152,7 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     refuse_plan_of_rooms(files);
     compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
+    report_doubtful_heights(compiled.drawn, report);
     floor::open_doors(compiled.drawn, contents.doors);
     compiled.gaps = plan_gaps(compiled.drawn);
     report.add(dangling_doorways(compiled.drawn));

@@ -686,6 +686,11 @@ const std::vector<Mistake>& mistakes() {
        changes(plan, "]]]]}}", "]]"),
        1,
        {"error[unreadable-json]: the file ends too early: 4 brackets are still open"}},
+      {"ADecimalCommaInOneNumberOfAPlan",
+       changes(plan, "[10, 0]", "[10,2, 0.5]"),
+       0,
+       {"ground.geojson:3:12: warning[doubtful-height]: a point of 3 numbers among points of 2",
+        "hint: if it is none: decimals are written with a full stop"}},
       {"DecimalCommasInAPlan",
        changes(plan, "[10, 8]", "[10,0, 8,0]"),
        1,
@@ -790,6 +795,10 @@ TEST(StaffMistakes, ACompileSaysWhatItFoundAndWhatWasThereBefore) {
                "[[exhibit]]\nid = \"new\"\nposition = [3, 3]\nfacing = 90\nimage = "
                "\"images/disc.svg\"\ntitle.en = \"N\"\ntitle.ar = \"N\"\n");
   EXPECT_THAT(compile().err, testing::HasSubstr("found 3 exhibits (2 before), 1 room, 0 doors"));
+  museum.replace("museum.toml", "[[room]]",
+                 "[[place]]\nid = \"seat\"\nkind = \"seat\"\nposition = [3, 6]\n[[room]]");
+  EXPECT_THAT(compile().err, testing::HasSubstr("1 floor, 1 place (0 before), 0 connections"));
+  EXPECT_THAT(compile().err, testing::HasSubstr("1 floor, 1 place, 0 connections"));
 }
 
 TEST(StaffMistakes, APictureOfAGifIsItsFirstFrame) {
