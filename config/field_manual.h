@@ -38,6 +38,8 @@ std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return "[x, y] or [[x, y], ...]";
   else if constexpr (std::is_same_v<Value, Range>)
     return "[least, most]";
+  else if constexpr (std::is_same_v<Value, Size>)
+    return "number or [across, deep]";
   else if constexpr (std::is_same_v<Value, LocatedList>)
     return "list of texts";
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)

@@ -157,6 +157,19 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Range& 
   return true;
 }
 
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Size& value) {
+  if (is_number(node)) {
+    if (!in_range(node, rules)) return false;
+    value = {.across = node.number, .deep = node.number};
+    return true;
+  }
+  if (!is_pair_of_numbers(node))
+    return wrong_type(node, rules.key, "a number of metres, or two: [across its front, deep]");
+  if (!in_range(node.items[0], rules) || !in_range(node.items[1], rules)) return false;
+  value = {.across = node.items[0].number, .deep = node.items[1].number};
+  return true;
+}
+
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedList& value) {
   const auto is_text = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Text; };
   if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_text))

@@ -21,7 +21,7 @@ namespace docent::config {
 enum class Presence : std::uint8_t {
   Optional,
   Required,
-  UnlessSource,  ///< Required of an exhibit that no [source] completes.
+  UnlessSource,  ///< Required of an exhibit that no [source] and no case completes.
 };
 
 /// What a text has to look like.
@@ -48,8 +48,9 @@ struct Field {
   std::string_view key;
   std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
-               Located<LocatedPoints> T::*, Located<Range> T::*, Located<LocatedList> T::*,
-               Located<std::vector<StopSection>> T::*, Located<LocatedTexts> T::*>
+               Located<LocatedPoints> T::*, Located<Range> T::*, Located<Size> T::*,
+               Located<LocatedList> T::*, Located<std::vector<StopSection>> T::*,
+               Located<LocatedTexts> T::*>
       member;
   Presence presence = Presence::Optional;
   std::string_view manual;  ///< For staff and their editors.
@@ -96,6 +97,7 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<Vec2>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedPoints& value);
   bool read_value(const TomlNode& node, const Rules& rules, Range& value);
+  bool read_value(const TomlNode& node, const Rules& rules, Size& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedList& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<StopSection>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
@@ -165,6 +167,8 @@ std::string example_of(const Field<T>& field) {
       return "= [[0, 0], [10, 0], [10, 8]]";
     else if constexpr (std::is_same_v<Value, Range>)
       return "= [6, 20]";
+    else if constexpr (std::is_same_v<Value, Size>)
+      return "= [1.2, 0.6]";
     else if constexpr (std::is_same_v<Value, LocatedList>)
       return "= [\"...\", \"...\"]";
     else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)

@@ -47,6 +47,11 @@ struct Range {
   double least = 0, most = 0;
 };
 
+/// How wide a thing is across its front, and how deep. Metres.
+struct Size {
+  double across = 0, deep = 0;
+};
+
 /// What was read, where there is something, and everything that is wrong with it, in the order of
 /// the files. Without an error among the diagnostics the value is complete.
 template <typename T>

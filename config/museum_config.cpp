@@ -13,6 +13,7 @@
 
 #include "config/language_tag.h"
 #include "config/letters.h"
+#include "config/museum_cases.h"
 #include "config/museum_fields.h"
 #include "config/museum_hours.h"
 #include "config/museum_path.h"
@@ -102,6 +103,8 @@ class MuseumLoader {
     find_languages();
     check_languages();
     read_words(words);
+    for (CaseSection& stand : config_.cases) check_floor(stand.floor, stand.position);
+    stand_in_cases(config_, diagnostics_);
     if (config_.sources.empty())
       for (const ExhibitSection& exhibit : config_.exhibits)
         for (Diagnostic& missing : missing_fields(config_, exhibit))
@@ -289,6 +292,7 @@ class MuseumLoader {
     check_unique("floor", "name", config_.floors, &FloorSection::name);
     check_unique("room", "id", config_.rooms, &RoomSection::id);
     check_unique("exhibit", "id", config_.exhibits, &ExhibitSection::id);
+    check_unique("case", "id", config_.cases, &CaseSection::id);
     check_unique("connection", "id", config_.connections, &ConnectionSection::id);
     check_unique("place", "id", config_.places, &PlaceSection::id);
     check_floors();

@@ -93,11 +93,22 @@ struct PlaceSection {
   Located<Vec2> position;
   Located<LocatedTexts> title;
 };
-struct ExhibitSection {
+/// A case, a plinth or a table: what takes a part of the floor, and exhibits stand in or on.
+struct CaseSection {
   Place place;
   Located<std::string> id, floor;
+  Located<Vec2> position;  ///< Its middle.
+  Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
+  Located<Size> size;
+};
+struct ExhibitSection {
+  Place place;
+  /// `in` names the case that it stands in; the loader has then made its other fields those of the
+  /// floor (museum_cases.h).
+  Located<std::string> id, floor, in;
   Located<Vec2> position;
   Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
+  Located<Size> size;      ///< Of the floor that it takes where it stands free.
   Located<Vec2> view;
   Located<std::string> image;
   Located<LocatedTexts> title, text;
@@ -149,6 +160,7 @@ struct MuseumConfig {
   std::vector<ConnectionSection> connections;
   std::vector<PlaceSection> places;
   std::vector<SourceSection> sources;
+  std::vector<CaseSection> cases;
   std::vector<ExhibitSection> exhibits;  ///< In the order of the files' names.
   std::vector<TourSection> tours;
   std::vector<std::string> languages;  ///< As given, else those of the texts. Never empty.

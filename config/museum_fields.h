@@ -257,6 +257,30 @@ inline constexpr std::array door_fields{
     Field<DoorSection>{"hours", &DoorSection::hours, Presence::Optional, hours_manual},
 };
 
+/// Of what takes a part of the floor, metres.
+inline constexpr FieldLimits size_limits{0, 30};
+
+inline constexpr std::array case_fields{
+    Field<CaseSection>{"id",
+                       &CaseSection::id,
+                       Presence::Required,
+                       "A short name that stays: letters, digits and hyphens",
+                       {},
+                       Form::Identifier},
+    Field<CaseSection>{"floor", &CaseSection::floor, Presence::Optional,
+                       "The floor it stands on; the first where it is not said"},
+    Field<CaseSection>{"position", &CaseSection::position, Presence::Required,
+                       "Its middle: [east, north] in metres"},
+    Field<CaseSection>{"facing",
+                       &CaseSection::facing,
+                       Presence::Optional,
+                       "Where its front looks, degrees counter-clockwise from east; 270 where it "
+                       "is not said",
+                       {-360, 360}},
+    Field<CaseSection>{"size", &CaseSection::size, Presence::Required,
+                       "Metres: the side of a square, or [across its front, deep]", size_limits},
+};
+
 inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"id",
                           &ExhibitSection::id,
@@ -267,12 +291,24 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"floor", &ExhibitSection::floor, Presence::Optional,
                           "The floor it is on; the first where it is not said"},
     Field<ExhibitSection>{"position", &ExhibitSection::position, Presence::UnlessSource,
-                          "[east, north] in metres: on the floor, on a wall or inside a case"},
+                          "[east, north] in metres: on the floor, on a wall or inside a case; "
+                          "with 'in', metres from the case's middle: [right, to its front]"},
+    Field<ExhibitSection>{"in",
+                          &ExhibitSection::in,
+                          Presence::Optional,
+                          "The id of the [[case]] that it stands in: it moves and turns with it",
+                          {},
+                          Form::Identifier},
     Field<ExhibitSection>{"facing",
                           &ExhibitSection::facing,
                           Presence::UnlessSource,
                           "Where the object looks, degrees counter-clockwise from east",
                           {-360, 360}},
+    Field<ExhibitSection>{"size", &ExhibitSection::size, Presence::Optional,
+                          "Of the floor that it takes where it stands free, and nobody walks: "
+                          "metres, the side of a square or [across its front, deep]; 0.6 where it "
+                          "is not said, 0 for what one may walk over",
+                          size_limits},
     Field<ExhibitSection>{"view", &ExhibitSection::view, Presence::Optional,
                           "Where a visitor stands to look at it: [east, north] in metres; found "
                           "in front of it where it is not said"},
@@ -404,6 +440,8 @@ void museum_sections(auto& visit, auto& config) {
   visit.many("place", "Toilets, an exit, a seat: what visitors ask for besides exhibits",
              place_fields, config.places);
   visit.many("door", "A doorway that staff can close", door_fields, config.doors);
+  visit.many("case", "A case, plinth or table that the plan does not show", case_fields,
+             config.cases);
   visit.many("tour", "A round of exhibits, one after another", tour_fields, config.tours);
 }
 

@@ -61,6 +61,8 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"anyOf", {point(), {{"type", "array"}, {"items", point()}, {"minItems", 1}}}}};
   else if constexpr (std::is_same_v<Value, Range>)
     return pair(number("number", field.limits));
+  else if constexpr (std::is_same_v<Value, Size>)
+    return {{"anyOf", {number("number", field.limits), pair(number("number", field.limits))}}};
   else if constexpr (std::is_same_v<Value, LocatedList>)
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)

@@ -112,11 +112,12 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
     CompiledFloor compiled = compile_floor(name, options.sources, options.coordinates,
                                            radius_classes(museum.body_radius, options.radii),
                                            report, progress, options.jobs);
+    const std::vector<DrawnFloor> drawn{drawn_floor(compiled)};
     museum.floors.push_back(std::move(compiled.floor));
     museum.kiosk = most_open_place(museum.floors.front());
     if (!is_drawn) return museum.scenery.resize(1);  // the plan alone: nothing to draw
     const auto stage = progress.start("scenery");
-    compile_scenery(nullptr, museum);
+    compile_scenery(nullptr, drawn, museum);
   });
   if (avatar) avatar->finish(museum, report);
 }
@@ -160,9 +161,10 @@ std::vector<CompiledFloor> compile_floors(const config::MuseumConfig& config,
     const std::string file = (config.folder / section.plan.value).string();
     if (!section.plan.given || !file::is_there(file)) continue;  // already reported
     attempt(report, file, [&] {
-      floors[i] =
-          compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii, report,
-                        progress, options.jobs, doors_of(config, i), label_entries(floors.size()));
+      floors[i] = compile_floor(section.name.value, std::span(&file, 1), options.coordinates, radii,
+                                report, progress, options.jobs,
+                                {.doors = doors_of(config, i), .standing = standing_on(config, i)},
+                                label_entries(floors.size()));
     });
     name_floor(section, i, floors[i].floor);
   }
@@ -198,9 +200,13 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   museum.body_radius = config.avatar.radius.value;
   museum.time_zone = zone_rules(config, report);
   museum.holidays = joined(config.museum.holidays.value);
+  std::vector<DrawnFloor> drawn;
   {
     const std::vector<CompiledFloor> floors = compile_floors(config, options, report, progress);
-    for (const CompiledFloor& compiled : floors) museum.floors.push_back(compiled.floor);
+    for (const CompiledFloor& compiled : floors) {
+      museum.floors.push_back(compiled.floor);
+      drawn.push_back(drawn_floor(compiled));
+    }
     const auto stage = progress.start("exhibits");
     compile_exhibits(config, floors, museum, report);
   }
@@ -211,7 +217,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   }
   if (!options.only_check && !report.has_errors()) {
     const auto stage = progress.start("scenery");
-    compile_scenery(&config, museum);
+    compile_scenery(&config, drawn, museum);
   }
   if (avatar) avatar->finish(museum, report);
 }

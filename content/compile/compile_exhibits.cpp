@@ -11,10 +11,13 @@
 #include <optional>
 #include <tuple>
 
+#include "config/museum_cases.h"
+#include "content/compile/check_footprints.h"
 #include "content/compile/check_scale.h"
 #include "content/compile/compile_ambient.h"
 #include "content/compile/compile_connections.h"
 #include "content/compile/compile_places.h"
+#include "content/compile/compile_rooms.h"
 #include "content/compile/compile_tours.h"
 #include "content/compile/narrow_doors.h"
 #include "content/compile/place_exhibits.h"
@@ -47,14 +50,19 @@ class ExhibitCompiler {
   ExhibitCompiler(const config::MuseumConfig& config, std::span<const CompiledFloor> floors,
                   Museum& museum, Report& report)
       : config_(config), floors_(floors), museum_(museum), report_(report) {
-    for (const CompiledFloor& compiled : floors)
+    thing_of_.resize(config.exhibits.size());
+    for (const CompiledFloor& compiled : floors) {
       maps_.push_back(compiled.floor.plan.vertex.empty() ? nullptr
                                                          : path::make_floor_map(compiled.floor));
+      for (const Standing& thing : compiled.standing)
+        if (thing.kind == Standing::Kind::Exhibit) thing_of_[thing.index] = &thing;
+    }
   }
 
   void run() {
-    add_rooms();
+    compile_rooms(config_, maps_, museum_, report_);
     check_door_places();
+    find_closed_passages();
     compile_connections(config_, maps_, museum_, report_);
     place_kiosk();
     name_kiosks();
@@ -63,6 +71,7 @@ class ExhibitCompiler {
     check_spots();
     check_other_floors();
     report_gaps();
+    report_standing();
     check_scales();
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
     museum_.ambient =
@@ -93,49 +102,6 @@ class ExhibitCompiler {
     return std::ranges::any_of(floors_[floor].floor.plan.doors, &Door::closed);
   }
 
-  void add_rooms() {
-    for (const config::RoomSection& section : config_.rooms) {
-      Room room{
-          .id = section.id.value,
-          .floor = static_cast<std::uint32_t>(config::floor_index(config_, section.floor.value)),
-          .title = plain_texts(section.title.value),
-          .label = section.label.value,
-          .outline = section.outline.value,
-          .closed = section.closed.value,
-          .hours = section.hours.value};
-      if (section.outline.given) check_outline(section, room);
-      if (signed_area(room.outline) < 0) std::ranges::reverse(room.outline);
-      check_room_place(section, room);
-      museum_.rooms.push_back(std::move(room));
-    }
-  }
-
-  void check_outline(const config::RoomSection& section, const Room& room) {
-    if (const auto crossing = crossing_of(room.outline))
-      return error(section.outline.place, "bad-value",
-                   fmt::format("the outline of room '{}' crosses itself at {}", room.id,
-                               point_text(*crossing)),
-                   {}, "write its corners in the order in which one walks round the room");
-    if (room.outline.size() < 3 || signed_area(room.outline) == 0)
-      error(section.outline.place, "bad-value",
-            fmt::format("the outline of room '{}' holds no area", room.id), {},
-            "write three corners or more: [[east, north], ...]");
-  }
-
-  /// Where two sides of an outline cross that have no corner in common.
-  static std::optional<Vec2> crossing_of(const std::vector<Vec2>& outline) {
-    const std::size_t n = outline.size();
-    for (std::size_t i = 0; i + 2 < n; ++i)
-      for (std::size_t j = i + 2; j < n; ++j) {
-        const Vec2 a = outline[i], b = outline[i + 1], c = outline[j], d = outline[(j + 1) % n];
-        const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
-        const double c_side = side(a, b, c), d_side = side(a, b, d);
-        if (c_side * d_side < 0 && side(c, d, a) * side(c, d, b) < 0)
-          return c + c_side / (c_side - d_side) * (d - c);
-      }
-    return {};
-  }
-
   /// A room for exhibits of a floor on which staff named none: the floor itself.
   std::uint32_t add_room_of_floor(std::uint32_t floor) {
     Room room;
@@ -153,72 +119,6 @@ class ExhibitCompiler {
         config_, place, std::move(code), std::move(message), std::move(label), std::move(hint));
     diagnostic.severity = Severity::Warning;
     report_.add(std::move(diagnostic));
-  }
-
-  /// Does a room lie where the plan has floor?
-  void check_room_place(const config::RoomSection& section, const Room& room) {
-    if (room.floor >= maps_.size() || !maps_[room.floor]) return;
-    const path::FloorMap& map = *maps_[room.floor];
-    const std::string& floor = config_.floors[room.floor].name.value;
-    const double share = share_on_floor(map, room.outline);
-    if (share == 0)
-      return error(section.outline.place, "room-outside-floor",
-                   fmt::format("the outline of room '{}' lies elsewhere: no part of it is on floor "
-                               "'{}'",
-                               room.id, floor),
-                   {}, "write its corners as they are on the plan: [[east, north], ...] in metres");
-    if (share < 0.25)
-      warning(section.outline.place, "room-outside-floor",
-              fmt::format("only {:.0f} % of the outline of room '{}' is on floor '{}'", 100 * share,
-                          room.id, floor),
-              {}, "is it the right room, and in metres?");
-    if (section.label.given && !map.is_inside(room.label))
-      warning(section.label.place, "label-outside-floor",
-              fmt::format("the name of room '{}' would stand outside floor '{}'", room.id, floor),
-              fmt::format("{:.2f} m outside", map.clearance_at(room.label)), label_hint(map, room));
-    else if (section.label.given && room.outline.size() > 2 && !contains(room.outline, room.label))
-      warning(section.label.place, "label-outside-room",
-              fmt::format("the name of room '{}' would stand outside its outline", room.id), {},
-              label_hint(map, room));
-  }
-
-  /// A place for a room's name: the most open one of its outline, by a grid of points.
-  static std::string label_hint(const path::FloorMap& map, const Room& room) {
-    std::optional<Vec2> best;
-    double clearance = 0;
-    const auto consider = [&](Vec2 p) {
-      if (!map.is_inside(p) || map.clearance_at(p) <= clearance) return;
-      clearance = map.clearance_at(p);
-      best = p;
-    };
-    for_grid(room.outline, consider);
-    if (!best) best = nearest_free_point(map, room.label, 0);
-    return best ? fmt::format("write label = {}", point_text(*best))
-                : "write where the name should stand on the plan: [east, north]";
-  }
-
-  /// Calls `visit` for the points of a grid that lie in an outline.
-  template <typename Visit>
-  static void for_grid(const std::vector<Vec2>& outline, const Visit& visit) {
-    if (outline.size() < 3) return;
-    Vec2 low = outline.front(), high = outline.front();
-    for (const Vec2 p : outline) low = glm::min(low, p), high = glm::max(high, p);
-    constexpr int points = 24;
-    for (int i = 0; i < points * points; ++i) {
-      const Vec2 share{(i % points + 0.5) / points, (i / points + 0.5) / points};  // NOLINT
-      const Vec2 p = low + share * (high - low);
-      if (contains(outline, p)) visit(p);
-    }
-  }
-
-  /// How much of an outline is floor, by a grid of points; 1 where there is no outline.
-  static double share_on_floor(const path::FloorMap& map, const std::vector<Vec2>& outline) {
-    int inside = 0, walkable = 0;
-    for_grid(outline, [&](Vec2 p) {
-      ++inside;
-      walkable += map.is_inside(p) ? 1 : 0;
-    });
-    return inside == 0 ? 1 : static_cast<double>(walkable) / inside;
   }
 
   /// Two things cannot stand on one spot, and visitors could touch only one of them.
@@ -240,6 +140,85 @@ class ExhibitCompiler {
                       config_.files[static_cast<std::size_t>(other.position.place.file)],
                       other.position.place.range.line));
     }
+  }
+
+  void find_closed_passages() {
+    passages_.resize(floors_.size());
+    for (std::size_t floor = 0; floor < floors_.size(); ++floor)
+      if (maps_[floor])
+        passages_[floor] = closed_passages(floors_[floor].walls, *maps_[floor],
+                                           floors_[floor].standing, museum_.body_radius);
+  }
+
+  /// Does something stand in the only way to a part of a floor?
+  [[nodiscard]] bool is_cut_in_two(std::size_t floor) const {
+    return std::ranges::any_of(passages_[floor],
+                               [](const ClosedPassage& passage) { return !passage.way_round; });
+  }
+
+  /// What takes a part of the floor, where it should not.
+  void report_standing() {
+    for (std::size_t floor = 0; floor < floors_.size(); ++floor) {
+      if (!maps_[floor]) continue;
+      for (const Standing& thing : floors_[floor].standing)
+        if (thing.kind == Standing::Kind::Case &&
+            !is_walkable(floors_[floor].walls, thing.footprint.centre))
+          error(config_.cases[thing.index].position.place, "case-outside-floor",
+                fmt::format("{} stands outside the floor of '{}'", thing.name,
+                            config_.floors[floor].name.value),
+                {},
+                "write the middle of the case: [east, north] in metres; a case that the plan "
+                "shows already needs no [[case]]");
+      for (const Overlap& overlap : overlaps_of(floors_[floor].standing)) report_overlap(overlap);
+      for (const ClosedPassage& passage : passages_[floor]) report_closed(floor, passage);
+    }
+  }
+
+  void report_overlap(const Overlap& overlap) {
+    if (glm::distance(overlap.first->footprint.centre, overlap.second->footprint.centre) < 0.03)
+      return;  // told as being on one spot
+    const config::Place& first = place_of_position(config_, *overlap.first);
+    warning(place_of_position(config_, *overlap.second), "things-overlap",
+            fmt::format("{} and {} take the same {:.2f} m of the floor", overlap.first->name,
+                        overlap.second->name, overlap.depth),
+            fmt::format("it takes {}, the other one {}", size_text(overlap.second->footprint),
+                        size_text(overlap.first->footprint)),
+            fmt::format("the first is at {}:{}; move one of them, or write how large they are: "
+                        "size = {:g} is taken where none is said",
+                        config_.files[static_cast<std::size_t>(first.file)], first.range.line,
+                        config::ordinary_size));
+  }
+
+  void report_closed(std::size_t floor, const ClosedPassage& passage) {
+    const Standing& thing = *passage.by.front();
+    std::string others;
+    for (const Standing* other : std::span(passage.by).subspan(1))
+      others += fmt::format("{}{}", others.empty() ? ", with " : " and ", other->name);
+    const std::string& language = config_.languages.front();
+    const std::string name =
+        passage_name(passage, floors_[floor].walls.doors, rooms_of(floor), language);
+    const auto& beyond = beyond_things_[floor];
+    const bool keeps_from = !passage.way_round && !beyond.empty();
+    Diagnostic diagnostic = config::diagnostic_at(
+        config_, place_of_position(config_, thing), "thing-in-the-way",
+        fmt::format("{}{} closes {}: {}", thing.name, others, name,
+                    passage.way_round ? fmt::format("the way round is {:.0f} m", *passage.way_round)
+                                      : "nobody can get past"),
+        fmt::format("it takes {} of the floor, and the guide needs {:.2f} m beside it",
+                    size_text(thing.footprint), 2 * museum_.body_radius),
+        fmt::format("move it, or write a smaller size{}",
+                    keeps_from ? fmt::format("; no visitor can get to {}", some_of(beyond)) : ""));
+    if (!keeps_from) diagnostic.severity = Severity::Warning;
+    report_.add(std::move(diagnostic));
+  }
+
+  /// Those of a floor that staff named.
+  std::vector<Room> rooms_of(std::size_t floor) const {
+    std::vector<Room> rooms;
+    std::ranges::copy_if(std::span(museum_.rooms).first(config_.rooms.size()),
+                         std::back_inserter(rooms),
+                         [&](const Room& room) { return room.floor == floor; });
+    return rooms;
   }
 
   /// Where things stand outside of a plan, the plan itself may be what is wrong.
@@ -317,15 +296,17 @@ class ExhibitCompiler {
       const std::vector<const config::DoorSection*> sections = door_sections(config_, floor);
       for (const floor::DoorFault& fault : floors_[floor].door_faults)
         report_fault(*sections[fault.door], fault);
+      const path::WallGrid walls(floors_[floor].walls, 0);
       for (const config::DoorSection* section : sections)
-        if (!section->closed.value) check_open_door(*maps_[floor], *section);
+        if (!section->closed.value) check_open_door(walls, *section);
     }
   }
 
-  void check_open_door(const path::FloorMap& map, const config::DoorSection& section) {
-    if (!path::is_inside(map, (section.a.value + section.b.value) * 0.5))
+  void check_open_door(const path::WallGrid& walls, const config::DoorSection& section) {
+    if (!walls.is_inside((section.a.value + section.b.value) * 0.5))
       return report_fault(section, {});
-    const double at_a = map.clearance_at(section.a.value), at_b = map.clearance_at(section.b.value);
+    const double at_a = walls.nearest_wall(section.a.value).distance,
+                 at_b = walls.nearest_wall(section.b.value).distance;
     if (std::max(at_a, at_b) <= largest_door_gap) return;
     warning(at_a > at_b ? section.a.place : section.b.place, "door-in-the-open",
             fmt::format("door '{}' stands in the open floor: one could go round it",
@@ -353,11 +334,9 @@ class ExhibitCompiler {
     museum_.kiosk_floor = static_cast<std::uint32_t>(kiosk_floor_);
     museum_.kiosk = {kiosk.position.value, to_radians(kiosk.facing.value)};
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
-    const path::FloorMap& map = *maps_[kiosk_floor_];
     if (!kiosk.position.given) {
       museum_.kiosk = most_open_place(floors_[kiosk_floor_].floor);
-    } else if (const auto problem =
-                   why_nobody_stands(map, museum_.kiosk.position, museum_.body_radius)) {
+    } else if (const auto problem = why_not_there(kiosk_floor_, museum_.kiosk.position)) {
       error(kiosk.position.place, "kiosk-outside-floor",
             "nobody can stand where the kiosk is said to be", problem->label, problem->hint);
       return;
@@ -383,11 +362,26 @@ class ExhibitCompiler {
 
   void check_standing(const config::KioskSection& section, const KioskPlace& kiosk) {
     if (!section.position.given || kiosk.floor >= maps_.size() || !maps_[kiosk.floor]) return;
-    if (const auto problem =
-            why_nobody_stands(*maps_[kiosk.floor], kiosk.placement.position, museum_.body_radius))
+    if (const auto problem = why_not_there(kiosk.floor, kiosk.placement.position))
       error(section.position.place, "kiosk-outside-floor",
             fmt::format("nobody can stand where the kiosk '{}' is said to be", kiosk.id),
             problem->label, problem->hint);
+  }
+
+  /// Why nobody can stand at a point: a thing that stands there is called by its name.
+  std::optional<PlaceProblem> why_not_there(std::size_t floor, Vec2 point) const {
+    auto problem = why_nobody_stands(*maps_[floor], point, museum_.body_radius);
+    if (problem) name_thing(floor, point, *problem);
+    return problem;
+  }
+
+  void name_thing(std::size_t floor, Vec2 point, PlaceProblem& problem) const {
+    const Standing* thing = in_the_way(floors_[floor].standing, point, museum_.body_radius);
+    if (thing == nullptr) return;
+    const double away = floor::distance_to(thing->footprint, point);
+    problem.label = fmt::format("{} {}, which takes {} of the floor",
+                                away > 0 ? fmt::format("{:.2f} m from", away) : "on the place of",
+                                thing->name, size_text(thing->footprint));
   }
 
   void add_exhibit(const config::ExhibitSection& section) {
@@ -411,14 +405,18 @@ class ExhibitCompiler {
   void place(const config::ExhibitSection& section, Exhibit& exhibit) {
     const PlacingFloor floor{.map = *maps_[exhibit.floor],
                              .name = config_.floors[exhibit.floor].name.value,
-                             .drawn = floors_[exhibit.floor].drawn.polygons,
                              .entrance = exhibit.floor == kiosk_floor_ ? entrance_ : std::nullopt,
                              .body_radius = museum_.body_radius};
+    const Standing& thing = *thing_of_[museum_.exhibits.size()];
     const WantedPlace wanted{
         .position = exhibit.placement.position,
         .heading = exhibit.placement.heading,
+        .place = thing.place,
+        .takes = takes_floor(thing) ? std::optional(thing.footprint) : std::nullopt,
         .view = section.view.given ? std::optional(section.view.value) : std::nullopt};
-    const PlacedExhibit placed = place_exhibit(floor, wanted);
+    PlacedExhibit placed = place_exhibit(floor, wanted);
+    if (placed.problem && placed.problem->kind == PlaceProblem::Kind::ViewBlocked)
+      name_thing(exhibit.floor, *wanted.view, *placed.problem);
     exhibit.place = placed.place;
     exhibit.viewing_point = placed.view;
     if (placed.problem) report_problem(section, *placed.problem);
@@ -447,6 +445,7 @@ class ExhibitCompiler {
       case PlaceProblem::Kind::Unreachable:
         if (has_closed_door(kiosk_floor_)) return warn_closed_off(id, view_place);
         if (!floors_[kiosk_floor_].gaps.empty()) return beyond_gaps_[kiosk_floor_].push_back(id);
+        if (is_cut_in_two(kiosk_floor_)) return beyond_things_[kiosk_floor_].push_back(id);
         return error(view_place, "exhibit-unreachable",
                      fmt::format("no visitor can reach exhibit '{}' from the kiosk", id),
                      problem.label, problem.hint);
@@ -476,6 +475,8 @@ class ExhibitCompiler {
         warn_closed_off(exhibit.id, place);
       else if (!floors_[exhibit.floor].gaps.empty())
         beyond_gaps_[exhibit.floor].push_back(exhibit.id);
+      else if (is_cut_in_two(exhibit.floor))
+        beyond_things_[exhibit.floor].push_back(exhibit.id);
       else
         report_.add(no_way_to(exhibit, place));
     }
@@ -499,10 +500,8 @@ class ExhibitCompiler {
 
   /// Names the doors that the guide does not fit through, if that keeps it from anything.
   void check_doors() {
-    std::vector<Room> rooms;  // those that staff named
-    std::ranges::copy_if(std::span(museum_.rooms).first(config_.rooms.size()),
-                         std::back_inserter(rooms),
-                         [&](const Room& room) { return room.floor == kiosk_floor_; });
+    if (is_cut_in_two(kiosk_floor_)) return;  // by what can be moved, which is told
+    const std::vector<Room> rooms = rooms_of(kiosk_floor_);
     const ComingBody body{.map = *maps_[kiosk_floor_],
                           .rooms = rooms,
                           .doors = museum_.floors[kiosk_floor_].plan.doors,
@@ -557,7 +556,10 @@ class ExhibitCompiler {
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< Null for floors without a plan.
   std::size_t kiosk_floor_ = 0;
   std::optional<Vec2> entrance_;
-  std::map<std::size_t, std::vector<std::string>> beyond_gaps_;  ///< Exhibits, by floor.
+  std::vector<const Standing*> thing_of_;  ///< By exhibit; null for those without a position.
+  std::vector<std::vector<ClosedPassage>> passages_;  ///< By floor.
+  /// Exhibits, by floor.
+  std::map<std::size_t, std::vector<std::string>> beyond_gaps_, beyond_things_;
   std::vector<Vec2> unreached_;  ///< Viewing points to which there is no way on the kiosk's floor.
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "content/content_error.h"
+#include "content/floor/footprint.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/mend.h"
 #include "content/floor/open_doors.h"
@@ -29,6 +30,20 @@ void report_left_out(const import::ImportedPlan& plan, Report& report) {
     diagnostic.message = fmt::format("a {} is no area and was left out", left_out.what);
     report.add(std::move(diagnostic));
   }
+}
+
+/// The point is read as the standard has it; but whoever wrote a decimal comma meant another.
+void report_doubtful_heights(const import::ImportedPlan& plan, Report& report) {
+  for (const import::SourcePlace& place : plan.doubtful_heights)
+    report.add(
+        {.file = plan.files[place.file],
+         .line = place.line,
+         .column = place.column,
+         .severity = Severity::Warning,
+         .code = "doubtful-height",
+         .message = "a point of 3 numbers among points of 2: the third is taken for a height",
+         .hint = "if it is none: decimals are written with a full stop, [0.5, 4.0] and not "
+                 "[0,5, 4.0]"});
 }
 
 /// A plan of rooms is no plan of a floor: where rooms touch there are walls, which a union of their
@@ -62,6 +77,36 @@ FloorPlan mend(const import::ImportedPlan& drawn, Report& report) {
     report.add(mendings);
     throw;
   }
+}
+
+/// Finds out what the exhibits stand on, and makes obstacles of what takes floor.
+FloorPlan furnish(std::vector<Standing> things, CompiledFloor& compiled) {
+  std::vector<floor::Footprint> cases, free;
+  for (const Standing& thing : things)
+    if (thing.kind == Standing::Kind::Case && takes_floor(thing)) cases.push_back(thing.footprint);
+  compiled.with_cases = floor::with_obstacles(compiled.walls, cases);
+  const path::WallGrid grid(compiled.walls, 0);
+  for (Standing& thing : things) {
+    if (thing.kind != Standing::Kind::Exhibit) continue;
+    thing.place = what_it_stands_on(grid, compiled.drawn.polygons, cases, thing.footprint.centre);
+    if (takes_floor(thing)) free.push_back(thing.footprint);
+  }
+  compiled.standing = std::move(things);
+  return floor::with_obstacles(compiled.with_cases, free);
+}
+
+/// The labels of the first radius, which is 0 and the quickest, tell whether those of the others
+/// are worth trying.
+void make_labels(Floor& floor, unsigned jobs, std::size_t most_entries) {
+  if (floor.tangent_graphs.empty()) return;
+  path::MadeLabels first =
+      path::try_hub_labels(floor.plan, floor.tangent_graphs.front(), {}, most_entries);
+  floor.hub_labels.front() = std::move(first.labels);
+  if (first.far_too_many) return;
+  content::for_each_index(floor.hub_labels.size() - 1, jobs, [&](std::size_t i) {
+    floor.hub_labels[i + 1] =
+        path::make_hub_labels(floor.plan, floor.tangent_graphs[i + 1], {}, most_entries);
+  });
 }
 
 /// On floors of fewer walls a search takes a fraction of a millisecond.
@@ -99,7 +144,7 @@ void plan_floor_stages(Progress& progress) {
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             import::Coordinates coordinates, std::span<const double> radii,
                             Report& report, Progress& progress, unsigned jobs,
-                            std::vector<Door> doors, std::size_t most_entries) {
+                            FloorContents contents, std::size_t most_entries) {
   CompiledFloor compiled;
   Floor& floor = compiled.floor;
   {
@@ -107,12 +152,15 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     refuse_plan_of_rooms(files);
     compiled.drawn = import::read_floor_plan(files, coordinates);
     report_left_out(compiled.drawn, report);
-    floor::open_doors(compiled.drawn, doors);
+    report_doubtful_heights(compiled.drawn, report);
+    floor::open_doors(compiled.drawn, contents.doors);
     compiled.gaps = plan_gaps(compiled.drawn);
     report.add(dangling_doorways(compiled.drawn));
-    floor.plan = floor::close_doors(mend(compiled.drawn, report), doors, compiled.door_faults);
-    floor.plan.doors = std::move(doors);
-    floor.plan.name = name;
+    compiled.walls =
+        floor::close_doors(mend(compiled.drawn, report), contents.doors, compiled.door_faults);
+    compiled.walls.doors = std::move(contents.doors);
+    compiled.walls.name = name;
+    floor.plan = furnish(std::move(contents.standing), compiled);
   }
   {
     const auto stage = progress.start("voronoi");
@@ -125,9 +173,8 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
   floor.hub_labels.resize(radii.size());
   content::for_each_index(radii.size(), jobs, [&](std::size_t i) {
     floor.tangent_graphs[i] = path::make_tangent_graph(floor.plan, floor.sight, radii[i]);
-    floor.hub_labels[i] =
-        path::make_hub_labels(floor.plan, floor.tangent_graphs[i], {}, most_entries);
   });
+  make_labels(floor, jobs, most_entries);
   report_searched(floor, files.front(), report);
   return compiled;
 }

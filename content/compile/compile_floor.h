@@ -8,6 +8,7 @@
 #include "content/compile/check_plan.h"
 #include "content/compile/progress.h"
 #include "content/compile/report.h"
+#include "content/compile/standing.h"
 #include "content/floor/close_doors.h"
 #include "content/import/floor/geojson.h"
 #include "runtime/model/geometry/floor.h"
@@ -17,7 +18,10 @@ namespace docent::compile {
 /// A floor compiled, with the plan as it was drawn.
 struct CompiledFloor {
   import::ImportedPlan drawn;
-  Floor floor;  ///< Its closed doors are walls.
+  Floor floor;           ///< Its closed doors are walls, and what stands on it obstacles.
+  FloorPlan walls;       ///< The plan without what staff put on it.
+  FloorPlan with_cases;  ///< With their cases, and without exhibits that stand free.
+  std::vector<Standing> standing;
   std::vector<floor::DoorFault> door_faults;
   std::vector<PlanGap> gaps;  ///< Told with the exhibits that lie beyond them.
 };
@@ -33,14 +37,20 @@ constexpr std::size_t label_entries(std::size_t floors) noexcept {
   return floors < 3 ? alone : 2 * alone / floors;
 }
 
-/// Makes a floor of its plan files and doors: walls, Voronoi diagram, medial axis, what corners
-/// see, and per radius a tangent graph with its labels, on up to `jobs` threads. Mendings go into
-/// the report. Throws ContentError where the plan cannot be used. `most_entries`: of the labels of
-/// one radius; where they would be more, ways are searched.
+/// What staff put on a floor besides its plan.
+struct FloorContents {
+  std::vector<Door> doors;
+  std::vector<Standing> standing;
+};
+
+/// Makes a floor of its plan files and what staff put on it: walls, Voronoi diagram, medial axis,
+/// what corners see, and per radius a tangent graph with its labels, on up to `jobs` threads.
+/// Mendings go into the report. Throws ContentError where the plan cannot be used. `most_entries`:
+/// of the labels of one radius; where they would be more, ways are searched.
 CompiledFloor compile_floor(const std::string& name, std::span<const std::string> files,
                             import::Coordinates coordinates, std::span<const double> radii,
                             Report& report, Progress& progress, unsigned jobs = 1,
-                            std::vector<Door> doors = {},
+                            FloorContents contents = {},
                             std::size_t most_entries = label_entries(1));
 
 }  // namespace docent::compile

@@ -57,19 +57,37 @@ std::vector<scenery::Passage> passages_of(const Museum& museum, std::size_t floo
   return passages;
 }
 
+/// What exhibits take of the floor: across and deep, one per exhibit.
+std::vector<Vec2> taken(std::span<const DrawnFloor> drawn, std::size_t exhibits) {
+  std::vector<Vec2> sizes(exhibits);
+  for (const DrawnFloor& floor : drawn)
+    for (const Standing& thing : floor.standing)
+      if (thing.kind == Standing::Kind::Exhibit && takes_floor(thing))
+        sizes[thing.index] = thing.footprint.size;
+  return sizes;
+}
+
 }  // namespace
 
-void compile_scenery(const config::MuseumConfig* config, Museum& museum) {
+DrawnFloor drawn_floor(const CompiledFloor& compiled) {
+  DrawnFloor drawn{compiled.with_cases, compiled.standing};
+  drawn.plan.height = compiled.floor.plan.height;
+  return drawn;
+}
+
+void compile_scenery(const config::MuseumConfig* config, std::span<const DrawnFloor> drawn,
+                     Museum& museum) {
   const std::vector<float> aspects = image_aspects(museum);
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
     scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
     options.passages = passages_of(museum, i);
+    options.taken = taken(drawn, museum.exhibits.size());
     // The overview is turned as the visitor stands at the kiosk.
     for (const KioskPlace& kiosk : museum.kiosks | std::views::reverse)
       if (kiosk.floor == i) options.up = kiosk.placement.heading;
     if (museum.kiosk_floor == i) options.up = museum.kiosk.heading;
-    museum.scenery.push_back(scenery::make_scenery(museum.floors[i].plan, museum.exhibits, aspects,
+    museum.scenery.push_back(scenery::make_scenery(drawn[i].plan, museum.exhibits, aspects,
                                                    paving_of(config, museum, i), options));
   }
 }

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <queue>
 #include <ranges>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "content/compile/place_exhibits.h"
+#include "content/compile/sets.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/model/none.h"
 #include "runtime/path/floor_map.h"
@@ -23,23 +23,6 @@
 namespace docent::compile {
 
 namespace {
-
-/// Sets of numbers that grow together.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0U); }
-
-  std::uint32_t of(std::uint32_t i) {
-    while (of_[i] != i) i = of_[i] = of_[of_[i]];
-    return i;
-  }
-  /// The second set becomes part of the first, which keeps its number.
-  void join(std::uint32_t set, std::uint32_t other) { of_[other] = set; }
-  void leave(std::uint32_t i) { of_[i] = i; }
-
- private:
-  std::vector<std::uint32_t> of_;
-};
 
 /// Where a narrow place is narrowest on the widest way through it, and the parts that it joins.
 struct Neck {

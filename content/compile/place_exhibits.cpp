@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "runtime/model/geometry/polygon.h"
 #include "runtime/model/geometry/segment.h"
 #include "runtime/path/floor_map.h"
 
@@ -14,38 +13,27 @@ namespace docent::compile {
 
 namespace {
 
-constexpr double on_wall_within = 0.05;  // metres
 constexpr double nearest_view = 0.8, best_view = 1.4, farthest_view = 2.0;
 constexpr double margin = 0.05;              // kept beyond the body's radius
 constexpr double deepest_case = 5.0;         // metres from an object to the front of its case
 constexpr double deepest_wall_mount = 0.15;  // a position may lie a little inside its wall
+constexpr double past_edge = 0.03;           // what is free of a footprint is free beside it
 constexpr double step = 0.05;
 
 Vec2 direction_of(double heading) {
   return {std::cos(heading), std::sin(heading)};
 }
 
-bool is_in_case(const PlacingFloor& floor, Vec2 p) {
-  return std::ranges::any_of(floor.drawn, [&](const import::ImportedPolygon& polygon) {
-    return std::ranges::any_of(
-        polygon.holes, [&](const import::ImportedRing& hole) { return contains(hole.vertex, p); });
-  });
-}
-
-std::optional<ExhibitPlace> what_it_stands_on(const PlacingFloor& floor, Vec2 p) {
-  if (path::clearance_at(floor.map, p) <= on_wall_within) return ExhibitPlace::OnWall;
-  if (path::is_inside(floor.map, p)) return ExhibitPlace::OnFloor;
-  if (is_in_case(floor, p)) return ExhibitPlace::InCase;
-  return {};
-}
-
-/// How far the free floor is from the object in a direction: 0 on the floor, to the front of its
-/// case or just off its wall. Empty where it looks into a wall.
-std::optional<double> distance_to_floor(const PlacingFloor& floor, Vec2 object, Vec2 direction,
-                                        ExhibitPlace place) {
-  const double limit = place == ExhibitPlace::InCase ? deepest_case : deepest_wall_mount;
-  for (double t = 0; t <= limit; t += 0.01)
-    if (const Vec2 p = object + t * direction;
+/// How far the free floor is from the object in a direction: to the edge of the floor that it
+/// takes, to the front of its case, or just off its wall. Empty where it looks into a wall.
+std::optional<double> distance_to_floor(const PlacingFloor& floor, const WantedPlace& wanted,
+                                        Vec2 direction) {
+  const double begin = wanted.takes ? floor::distance_to_edge(*wanted.takes, direction) : 0;
+  const double limit = begin + (wanted.place == ExhibitPlace::InCase ? deepest_case
+                                : wanted.takes                       ? past_edge
+                                                                     : deepest_wall_mount);
+  for (double t = begin; t <= limit; t += 0.01)
+    if (const Vec2 p = wanted.position + t * direction;
         path::is_inside(floor.map, p) && path::clearance_at(floor.map, p) > 1e-3)
       return t;
   return {};
@@ -58,14 +46,13 @@ struct Candidate {
 };
 
 /// All points from which the object can be seen with room to stand, the best first.
-std::vector<Candidate> viewing_candidates(const PlacingFloor& floor, const WantedPlace& wanted,
-                                          ExhibitPlace place) {
+std::vector<Candidate> viewing_candidates(const PlacingFloor& floor, const WantedPlace& wanted) {
   std::vector<Candidate> candidates;
   constexpr int most_turns = 12;  // of 5 degrees to either side
   for (int turn = -most_turns; turn <= most_turns; ++turn) {
     const double angle = turn * std::numbers::pi / 36;
     const Vec2 direction = direction_of(wanted.heading + angle);
-    const auto front = distance_to_floor(floor, wanted.position, direction, place);
+    const auto front = distance_to_floor(floor, wanted, direction);
     if (!front) continue;
     const Vec2 seen = wanted.position + (*front + 0.005) * direction;
     const double first = std::max(nearest_view, *front + floor.body_radius + margin);
@@ -119,7 +106,7 @@ void take_given_view(const PlacingFloor& floor, const WantedPlace& wanted, Place
 }
 
 void find_view(const PlacingFloor& floor, const WantedPlace& wanted, PlacedExhibit& placed) {
-  const std::vector<Candidate> candidates = viewing_candidates(floor, wanted, placed.place);
+  const std::vector<Candidate> candidates = viewing_candidates(floor, wanted);
   const auto reached = std::ranges::find_if(
       candidates, [&](const Candidate& c) { return is_reachable(floor, c.position); });
   const auto chosen = reached != candidates.end() ? reached : candidates.begin();
@@ -212,12 +199,11 @@ std::optional<Vec2> nearest_free_point(const path::FloorMap& map, Vec2 point, do
 
 PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted) {
   PlacedExhibit placed;
-  const auto place = what_it_stands_on(floor, wanted.position);
-  if (!place) {
+  if (!wanted.place) {
     placed.problem = outside(floor, wanted.position);
     return placed;
   }
-  placed.place = *place;
+  placed.place = *wanted.place;
   if (wanted.view)
     take_given_view(floor, wanted, placed);
   else

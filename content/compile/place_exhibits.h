@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "content/import/floor/imported_plan.h"
+#include "content/floor/footprint.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/path/route.h"
 
@@ -16,8 +16,6 @@ namespace docent::compile {
 struct PlacingFloor {
   const path::FloorMap& map;
   std::string name;
-  /// Cases and plinths as they were drawn, for those that mending joined to a wall.
-  std::span<const import::ImportedPolygon> drawn;
   /// Where visitors come from; empty where the kiosk stands on another floor.
   std::optional<Vec2> entrance;
   double body_radius = 0.25;
@@ -26,8 +24,10 @@ struct PlacingFloor {
 /// What somebody wants to stand somewhere.
 struct WantedPlace {
   Vec2 position{};
-  double heading = 0;        ///< Radians, counter-clockwise from east: where the object looks.
-  std::optional<Vec2> view;  ///< Where a visitor should stand, if staff said so.
+  double heading = 0;  ///< Radians, counter-clockwise from east: where the object looks.
+  std::optional<ExhibitPlace> place;      ///< What it stands on (standing.h).
+  std::optional<floor::Footprint> takes;  ///< Of the floor, where it stands free.
+  std::optional<Vec2> view;               ///< Where a visitor should stand, if staff said so.
 };
 
 /// Why a place cannot be used, in words for a diagnostic.
@@ -44,9 +44,9 @@ struct PlacedExhibit {
   std::optional<PlaceProblem> problem;
 };
 
-/// Finds out what an exhibit stands on and where a visitor stands to look at it: in front of it,
-/// 0.8 to 2 m away, clear of walls by the body radius and 5 cm, with nothing between, and where the
-/// way from the entrance is wide enough for the body.
+/// Finds out where a visitor stands to look at an exhibit: in front of it, 0.8 to 2 m away, clear
+/// of walls and of what stands on the floor by the body radius and 5 cm, with nothing between, and
+/// where the way from the entrance is wide enough for the body.
 PlacedExhibit place_exhibit(const PlacingFloor& floor, const WantedPlace& wanted);
 
 /// Why nobody whose body has this radius can stand at a point, as `ViewBlocked`; empty where one

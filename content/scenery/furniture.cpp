@@ -242,6 +242,13 @@ Board board_on_wall(const ExhibitStand& stand) {
           .border = 0.045};
 }
 
+/// What shows of a base beside what stands on it, metres.
+constexpr double base_rim = 0.03;
+
+bool has_base(const ExhibitStand& stand) {
+  return stand.taken.x > 4 * base_rim && stand.taken.y > 4 * base_rim;
+}
+
 Board standing_board(const ExhibitStand& stand) {
   const bool in_glass = stand.on == HoleKind::Case;
   Vec2 room{1.0, 1.05};
@@ -252,6 +259,9 @@ Board standing_board(const ExhibitStand& stand) {
     room.x = std::min(extent(*stand.hole, left_of(forward)) - 0.14, 1.4);
     room.y = in_glass ? 0.76 : 1.05;
     if (is_low_pedestal(*stand.hole)) room = {1.7, 1.8};
+  } else if (has_base(stand)) {
+    room.x = std::min(stand.taken.x, 2.5) - 2 * base_rim;
+    room.y = std::clamp(1.75 * room.x, 1.05, 1.8);
   }
   const Vec2 size = fitted(stand.aspect, room);
   Board board{.foot = stand.placement.position,
@@ -318,8 +328,9 @@ void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Block
   const Vec2 forward{std::cos(board.heading), std::sin(board.heading)};
   const double depth = board.height * std::sin(board.lean) + board.thickness;
   if (!stand.hole && !stand.on_wall) {
-    const Outline base = rectangle(stand.placement.position, board.heading,
-                                   {board.width / 2 + 0.04, depth / 2 + 0.06});
+    const Vec2 half =
+        has_base(stand) ? 0.5 * stand.taken : Vec2{board.width / 2 + 0.04, depth / 2 + 0.06};
+    const Outline base = rectangle(stand.placement.position, board.heading, half);
     mesh.use(Surface::CaseBody);
     constexpr std::array rows{0.0, 0.03};
     mesh.sides(base, rows);

@@ -43,6 +43,7 @@ struct ExhibitStand {
   HoleKind on = HoleKind::Wall;
   const Outline* hole = nullptr;  ///< What it stands on; null on a wall or the floor.
   bool on_wall = false;
+  Vec2 taken{};  ///< Of the floor, across its front and deep: it stands on a base that large.
 };
 void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Blocker>& blockers);
 

@@ -204,6 +204,7 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
                        .placement = exhibits[e].placement,
                        .aspect = image_aspect[e],
                        .on_wall = exhibits[e].place == ExhibitPlace::OnWall};
+    if (!options.taken.empty()) stand.taken = options.taken[e];
     if (!stand.on_wall)
       stand.hole = hole_under(outlines, kinds, exhibits[e].placement.position, stand.on);
     build_stand(stand, mesh, blockers);

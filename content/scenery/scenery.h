@@ -28,6 +28,9 @@ struct SceneryOptions {
   double up = std::numbers::pi / 2;
   /// How one gets to other floors: drawn where the plan leaves room for it (flight.h, lift_car.h).
   std::vector<Passage> passages{};
+  /// What the exhibits that stand free take of the floor, one per exhibit or none at all: metres
+  /// across their front and deep; 0 for those that take none.
+  std::vector<Vec2> taken{};
   double texel = 0.05;  ///< Metres a lightmap texel; larger where the floor would need too many.
 };
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
+#include "content/import/drawing/drawn_box.h"
 #include "content/import/drawing/segment_grid.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/model/geometry/segment.h"
@@ -134,17 +134,6 @@ std::vector<Vec2> ring_of(const Arrangement& arrangement, std::span<const std::u
   return ring;
 }
 
-struct Box {
-  Vec2 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-  void add(Vec2 p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  bool holds(Vec2 p) const {
-    return p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y;
-  }
-};
-
 /// Which connected part of the drawing each vertex belongs to.
 std::vector<std::uint32_t> parts_of(const Arrangement& arrangement) {
   std::vector<std::uint32_t> part(arrangement.vertex.size());
@@ -163,10 +152,10 @@ void place_holes(const Arrangement& arrangement, Faces& faces,
                  std::vector<std::vector<std::uint32_t>>& holes) {
   const std::vector<std::uint32_t> part = parts_of(arrangement);
   std::vector<std::vector<Vec2>> rings;
-  std::vector<Box> boxes;
+  std::vector<DrawnBox> boxes;
   for (const Face& face : faces.face) {
     rings.push_back(ring_of(arrangement, face.outer));
-    Box box;
+    DrawnBox box;
     for (const Vec2 p : rings.back()) box.add(p);
     boxes.push_back(box);
   }

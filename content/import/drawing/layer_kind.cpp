@@ -89,7 +89,7 @@ const std::vector<std::pair<std::string_view, LayerKind>>& parts() {
 }
 
 /// `xref-House$0$A-Wall_ext` -> a, wall, ext.
-std::vector<std::string> words_of(std::string_view name) {
+std::vector<std::string> words_in_name(std::string_view name) {
   const std::size_t bound = name.find_last_of("$|");
   if (bound != std::string_view::npos) name.remove_prefix(bound + 1);
   std::vector<std::string> out(1);
@@ -123,7 +123,7 @@ bool matches(std::string_view name, std::string_view pattern) {
 LayerKind kind_of_layer(std::string_view name) {
   for (const auto& [part, kind] : parts())
     if (name.find(part) != std::string_view::npos) return kind;
-  const std::vector<std::string> own = words_of(name);
+  const std::vector<std::string> own = words_in_name(name);
   for (const Words& group : words())
     for (const std::string& word : own)
       for (const std::string_view beginning : group.beginnings)

@@ -143,11 +143,11 @@ class GeoJsonReader {
     return seen.size();
   }
 
-  [[nodiscard]] ImportedRing read_ring(const JsonValue& positions) const {
+  [[nodiscard]] ImportedRing read_ring(const JsonValue& positions) {
     if (positions.kind != Kind::Array)
       fail(positions, "a ring must be a list of points", std::string(ring_form));
     if (positions.items.empty()) fail(positions, "this ring has no points", "remove it");
-    refuse_decimal_commas(positions);
+    note_doubtful_height(positions);
     ImportedRing ring;
     ring.vertex.reserve(positions.items.size());
     ring.place.reserve(positions.items.size());
@@ -192,8 +192,9 @@ class GeoJsonReader {
     return value.number;
   }
 
-  /// [13,6, 4.8] among points of two numbers has a third one by mistake, and is no height.
-  void refuse_decimal_commas(const JsonValue& positions) const {
+  /// Of some points of a ring there may be a height (RFC 7946, 3.1.1); but [13,6, 4.8] is one point
+  /// with a decimal comma.
+  void note_doubtful_height(const JsonValue& positions) {
     const auto has = [](std::size_t size) {
       return [size](const JsonValue& p) { return p.kind == Kind::Array && p.items.size() == size; };
     };
@@ -201,10 +202,11 @@ class GeoJsonReader {
     const auto is_whole = [](const JsonValue& v) {
       return v.kind == Kind::Number && v.number == std::trunc(v.number);
     };
-    for (const JsonValue& p : positions.items)
-      if (has(3)(p) && is_whole(p.items[1]) && (is_whole(p.items[0]) || is_whole(p.items[2])))
-        fail(p, "a point of 3 numbers among points of 2",
-             "decimals are written with a full stop: [0.5, 4.0], not [0,5, 4.0]");
+    const auto is_doubtful = [&](const JsonValue& p) {
+      return has(3)(p) && is_whole(p.items[1]) && (is_whole(p.items[0]) || is_whole(p.items[2]));
+    };
+    const auto first = std::ranges::find_if(positions.items, is_doubtful);
+    if (first != positions.items.end()) plan_.doubtful_heights.push_back(place(*first));
   }
 
   static constexpr std::string_view ring_form =

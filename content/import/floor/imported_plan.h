@@ -41,6 +41,8 @@ struct ImportedPlan {
   std::vector<std::string> files;  ///< As the author named them.
   std::vector<ImportedPolygon> polygons;
   std::vector<LeftOut> left_out;
+  /// Points whose third number is a height, unless a decimal comma made it: at most one a ring.
+  std::vector<SourcePlace> doubtful_heights{};
 };
 
 }  // namespace docent::import

@@ -19,6 +19,17 @@ constexpr std::size_t least_trees = 32, nodes_a_node = 64, most_trees = 4096;
 /// A sample is used until the next hub has so much less than the first one.
 constexpr std::int64_t stale = 64;
 
+/// Once a sixteenth of the hubs are made, a core of so many nodes, from each of which so many arcs
+/// lead, has less than half of its entries: 24 to 38 % in cores of 590 to 2,700 nodes. Graphs as
+/// thin as roads may have more.
+constexpr std::size_t telling_share = 16, telling_factor = 2, telling_core = 500, telling_arcs = 24;
+
+bool is_telling(const CoreGraph& graph) {
+  std::size_t arcs = 0;
+  for (const auto& out : graph.out) arcs += out.size();
+  return graph.out.size() >= telling_core && arcs >= telling_arcs * graph.out.size();
+}
+
 /// The same numbers for the same seed on every machine (Vigna 2015, splitmix64).
 class Random {
  public:
@@ -174,6 +185,7 @@ class Labelling {
  public:
   Labelling(const CoreGraph& graph, std::size_t most_entries)
       : graph_(graph),
+        is_telling_(is_telling(graph)),
         most_entries_(most_entries),
         search_(graph.out.size()),
         sample_(graph.out.size()),
@@ -185,14 +197,15 @@ class Labelling {
     for (std::uint32_t i = 0; i < nodes; ++i) left_[i] = i;
   }
 
-  std::optional<CoreLabels> run(const std::stop_token& stop) {
+  std::expected<CoreLabels, std::size_t> run(const std::stop_token& stop) {
     while (labels_.node_of_hub.size() < graph_.out.size()) {
       draw_sample();
       if (sample_.size() > 0)
         use_sample();
       else
         make_hub(left_.front());  // Cycles of no length: labels know all that is left.
-      if (entries_ > most_entries_ || stop.stop_requested()) return {};
+      if (stop.stop_requested()) return std::unexpected(0);
+      if (expected_ > most_entries_) return std::unexpected(expected_);
     }
     return std::move(labels_);
   }
@@ -224,7 +237,7 @@ class Labelling {
       if (!is_hub(node)) queue.emplace(sample_.passing(node), node);
     });
     const std::int64_t first = queue.empty() ? 0 : queue.top().first;
-    while (!queue.empty() && entries_ <= most_entries_) {
+    while (!queue.empty() && expected_ <= most_entries_) {
       const auto [passing, node] = queue.top();
       queue.pop();
       if (is_hub(node)) continue;
@@ -254,10 +267,14 @@ class Labelling {
     const std::vector<CoreEntry> leaving = labels_.leaving[node];
     search_.run(node, graph_.in, labels_.arriving[node], labels_.leaving, into(labels_.leaving));
     search_.run(node, graph_.out, leaving, labels_.arriving, into(labels_.arriving));
+    const bool tells = is_telling_ && hub + 1 == graph_.out.size() / telling_share;
+    expected_ = std::max(expected_, entries_ * (tells ? telling_factor : 1));
   }
 
   const CoreGraph& graph_;
+  bool is_telling_;
   std::size_t most_entries_, entries_ = 0;
+  std::size_t expected_ = 0;  ///< There will be at least so many.
   PrunedSearch search_;
   Sample sample_;
   Random random_;
@@ -272,8 +289,9 @@ const CoreEntry* CoreLabels::find(const std::vector<CoreEntry>& label, std::uint
   return found == label.end() || found->hub != hub ? nullptr : &*found;
 }
 
-std::optional<CoreLabels> make_core_labels(const CoreGraph& graph, std::size_t most_entries,
-                                           const std::stop_token& stop) {
+std::expected<CoreLabels, std::size_t> make_core_labels(const CoreGraph& graph,
+                                                        std::size_t most_entries,
+                                                        const std::stop_token& stop) {
   return Labelling(graph, most_entries).run(stop);
 }
 

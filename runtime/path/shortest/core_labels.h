@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <expected>
 #include <stop_token>
 #include <vector>
 
@@ -40,8 +40,10 @@ struct CoreLabels {
   static const Entry* find(const std::vector<Entry>& label, std::uint32_t hub) noexcept;
 };
 
-/// None where labels would have more than `most_entries` entries, nor where a stop is requested.
-std::optional<CoreLabels> make_core_labels(const CoreGraph& graph, std::size_t most_entries,
-                                           const std::stop_token& stop);
+/// Where labels would have more than `most_entries` entries: how many there would be at least,
+/// found out early. 0 where a stop is requested.
+std::expected<CoreLabels, std::size_t> make_core_labels(const CoreGraph& graph,
+                                                        std::size_t most_entries,
+                                                        const std::stop_token& stop);
 
 }  // namespace docent::path

@@ -16,4 +16,14 @@ namespace docent::path {
 HubLabels make_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
                           const std::stop_token& stop = {}, std::size_t most_entries = 11'000'000);
 
+/// What came of making them.
+struct MadeLabels {
+  HubLabels labels;
+  /// They would be so many more than allowed that those of other radii on this floor would be too
+  /// many as well: the same corners see each other.
+  bool far_too_many = false;
+};
+MadeLabels try_hub_labels(const FloorPlan& plan, const TangentGraph& graph,
+                          const std::stop_token& stop, std::size_t most_entries);
+
 }  // namespace docent::path

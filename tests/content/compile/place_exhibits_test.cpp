@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "content/compile/compile_floor.h"
+#include "runtime/path/floor_map.h"
 #include "tests/support/temporary_folder.h"
 
 namespace docent::compile {
@@ -33,11 +34,7 @@ CompiledFloor room() {
 struct Room {
   CompiledFloor floor = room();
   std::shared_ptr<const path::FloorMap> map = path::make_floor_map(floor.floor);
-  PlacingFloor placing{.map = *map,
-                       .name = "room",
-                       .drawn = floor.drawn.polygons,
-                       .entrance = Vec2{1, 4},
-                       .body_radius = 0.25};
+  PlacingFloor placing{.map = *map, .name = "room", .entrance = Vec2{1, 4}, .body_radius = 0.25};
 };
 
 const Room& the_room() {
@@ -45,10 +42,16 @@ const Room& the_room() {
   return room;
 }
 
+std::optional<ExhibitPlace> under(Vec2 position) {
+  return what_it_stands_on(the_room().map->walls(), the_room().floor.drawn.polygons, {}, position);
+}
+
 PlacedExhibit placed(Vec2 position, double degrees) {
-  return place_exhibit(
-      the_room().placing,
-      {.position = position, .heading = degrees * std::numbers::pi / 180, .view = std::nullopt});
+  return place_exhibit(the_room().placing, {.position = position,
+                                            .heading = degrees * std::numbers::pi / 180,
+                                            .place = under(position),
+                                            .takes = {},
+                                            .view = {}});
 }
 
 TEST(PlaceExhibit, TellsFloorWallAndCaseApart) {

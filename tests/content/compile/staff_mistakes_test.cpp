@@ -303,6 +303,50 @@ const std::vector<Mistake>& mistakes() {
        {"hall.toml:13:12: warning[same-spot]: the exhibits 'jade-disc' and 'portrait' stand on one "
         "spot",
         "hint: the first is at"}},
+      {"AnExhibitInADoorway",
+       [](const MuseumFolder& m) {
+         m.replace("ground.geojson", "[[[12, 0]",
+                   "[[[10, 1], [12, 1], [12, 2], [10, 2], [10, 1]]], [[[12, 0]");
+         m.replace(exhibits, "[10.0, 4.0]", "[14.0, 4.0]");
+         m.replace(exhibits, "facing = 180", "facing = 270");
+         m.write("exhibits/b.toml",
+                 "[[exhibit]]\nid = \"stele\"\nposition = [11, 1.5]\nfacing = 180\nimage = "
+                 "\"images/disc.svg\"\ntitle.en = \"S\"\ntitle.ar = \"S\"\n");
+       },
+       1,
+       {"b.toml:3:12: error[thing-in-the-way]: exhibit 'stele' closes the passage at [11.",
+        "nobody can get past", "it takes 0.60 by 0.60 m of the floor, and the guide needs 0.50 m",
+        "hint: move it, or write a smaller size; no visitor can get to 'portrait'"}},
+      {"TwoExhibitsThatStandInEachOther",
+       [](const MuseumFolder& m) {
+         m.replace(exhibits, "[10.0, 4.0]", "[4.0, 4.0]");
+         m.write("exhibits/new.toml",
+                 "[[exhibit]]\nid = \"stele\"\nposition = [4.1, 4.5]\nfacing = 0\nimage = "
+                 "\"images/disc.svg\"\ntitle.en = \"S\"\ntitle.ar = \"S\"\n");
+       },
+       0,
+       {"new.toml:3:12: warning[things-overlap]: exhibit 'portrait' and exhibit 'stele' take the "
+        "same "
+        "0.10 m",
+        "size = 0.6 is taken where none is said"}},
+      {"AViewingPointInWhatIsLookedAt",
+       [](const MuseumFolder& m) {
+         m.replace(exhibits, "[10.0, 4.0]", "[4.0, 4.0]");
+         m.replace(exhibits, "facing = 180", "facing = 180\nsize = 2\nview = [2.9, 4.0]");
+       },
+       1,
+       {"hall.toml:16:8: error[exhibit-unreachable]: nobody can stand at the viewing point of "
+        "exhibit 'portrait'",
+        "0.10 m from exhibit 'portrait', which takes 2.00 by 2.00 m", "hint: the nearest point"}},
+      {"AKioskInAnExhibit",
+       [](const MuseumFolder& m) { m.replace(exhibits, "[10.0, 4.0]", "[2.1, 2.0]"); },
+       1,
+       {"error[kiosk-outside-floor]", "on the place of exhibit 'portrait', which takes 0.60"}},
+      {"ACaseOutsideTheFloor",
+       changes("museum.toml", "[[room]]",
+               "[[case]]\nid = \"c\"\nposition = [11, 6]\nsize = 1\n[[room]]"),
+       1,
+       {"error[case-outside-floor]: case 'c' stands outside the floor of 'ground'"}},
       {"AnUnknownFloor",
        changes(exhibits, "facing = 270", "facing = 270\nfloor = \"first\""),
        1,
@@ -642,6 +686,11 @@ const std::vector<Mistake>& mistakes() {
        changes(plan, "]]]]}}", "]]"),
        1,
        {"error[unreadable-json]: the file ends too early: 4 brackets are still open"}},
+      {"ADecimalCommaInOneNumberOfAPlan",
+       changes(plan, "[10, 0]", "[10,2, 0.5]"),
+       0,
+       {"ground.geojson:3:12: warning[doubtful-height]: a point of 3 numbers among points of 2",
+        "hint: if it is none: decimals are written with a full stop"}},
       {"DecimalCommasInAPlan",
        changes(plan, "[10, 8]", "[10,0, 8,0]"),
        1,
@@ -746,6 +795,10 @@ TEST(StaffMistakes, ACompileSaysWhatItFoundAndWhatWasThereBefore) {
                "[[exhibit]]\nid = \"new\"\nposition = [3, 3]\nfacing = 90\nimage = "
                "\"images/disc.svg\"\ntitle.en = \"N\"\ntitle.ar = \"N\"\n");
   EXPECT_THAT(compile().err, testing::HasSubstr("found 3 exhibits (2 before), 1 room, 0 doors"));
+  museum.replace("museum.toml", "[[room]]",
+                 "[[place]]\nid = \"seat\"\nkind = \"seat\"\nposition = [3, 6]\n[[room]]");
+  EXPECT_THAT(compile().err, testing::HasSubstr("1 floor, 1 place (0 before), 0 connections"));
+  EXPECT_THAT(compile().err, testing::HasSubstr("1 floor, 1 place, 0 connections"));
 }
 
 TEST(StaffMistakes, APictureOfAGifIsItsFirstFrame) {

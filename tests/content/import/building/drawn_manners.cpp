@@ -23,6 +23,10 @@ DrawingManner with_layers(std::string name, std::string wall, std::string door, 
 
 }  // namespace
 
+void PrintTo(const DrawnManner& drawn, std::ostream* out) {
+  *out << drawn.manner.name << ", walls of " << drawn.wall << " m";
+}
+
 std::vector<DrawnManner> drawn_manners() {
   const DrawingManner tidy;
   std::vector<DrawnManner> all;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <ostream>
 #include <vector>
 
 #include "tests/content/import/building/drawn_plan.h"
@@ -11,6 +12,9 @@ struct DrawnManner {
   DrawingManner manner;
   double wall = 0.2;  ///< Metres.
 };
+
+/// The name is what a test's sentence says of it.
+void PrintTo(const DrawnManner& drawn, std::ostream* out);
 
 /// The manners in which plans come: units, layers of many languages, kinds of doors, mess.
 std::vector<DrawnManner> drawn_manners();

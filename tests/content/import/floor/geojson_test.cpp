@@ -41,7 +41,7 @@ std::string complaint_about(std::string_view text,
 TEST(FloorPlanGeoJson, ReadsAPolygonWithItsHolesBitForBit) {
   const import::ImportedPlan plan = parse(R"({"type": "Polygon", "coordinates": [
     [[0.1, -0.2], [20.3, 1e-7], [20, 12.000000000000002], [0.1, -0.2]],
-    [[5, 4, 17.5], [5, 6, 17.5], [8, 6, 17.5]]]})");
+    [[5, 4, 17.5], [5, 6], [8, 6]]]})");
   ASSERT_EQ(plan.polygons.size(), 1U);
   EXPECT_EQ(plan.polygons[0].outer.vertex,
             (std::vector<Vec2>{{0.1, -0.2}, {20.3, 1e-7}, {20, 12.000000000000002}}));
@@ -49,10 +49,16 @@ TEST(FloorPlanGeoJson, ReadsAPolygonWithItsHolesBitForBit) {
   EXPECT_EQ(plan.polygons[0].holes[0].vertex, (std::vector<Vec2>{{5, 4}, {5, 6}, {8, 6}}));
 }
 
-TEST(FloorPlanGeoJson, ADecimalCommaIsNoHeight) {
-  EXPECT_THAT(
-      complaint_about(R"({"type": "Polygon", "coordinates": [[[0, 0], [13,6, 4.8], [3, 9]]]})"),
-      testing::HasSubstr("a point of 3 numbers among points of 2"));
+TEST(FloorPlanGeoJson, NotesWhereAHeightMayBeADecimalComma) {
+  const auto doubts = [](const std::string& ring) {
+    return parse(R"({"type": "Polygon", "coordinates": [)" + ring + "]}").doubtful_heights;
+  };
+
+  const auto of_a_comma = doubts("[[0, 0], [13,6, 4.8], [14,2, 5.5], [3, 9]]");
+  ASSERT_EQ(of_a_comma.size(), 1U) << "once a ring";
+  EXPECT_EQ(of_a_comma[0].column, 46U);
+  EXPECT_EQ(doubts("[[0, 0, 4.5], [13, 0, 4.5], [3, 9, 4.5]]").size(), 0U) << "all have one";
+  EXPECT_EQ(doubts("[[0.5, 0.25, 4.5], [13, 0], [3, 9]]").size(), 0U) << "no comma makes these";
 }
 
 TEST(FloorPlanGeoJson, RemembersWhereEachVertexStands) {

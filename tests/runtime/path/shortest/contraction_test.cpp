@@ -5,7 +5,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <vector>
+
+#include "runtime/model/geometry/vec2.h"
 
 namespace docent::test {
 namespace {
@@ -125,8 +128,47 @@ TEST(CoreLabels, AreGivenUpWhenTheyWouldBeTooManyAndWhenAskedToStop) {
   source.request_stop();
 
   EXPECT_FALSE(path::make_core_labels(graph, 2, std::stop_token{}).has_value());
+  EXPECT_GT(path::make_core_labels(graph, 2, std::stop_token{}).error(), 2U);
   EXPECT_FALSE(path::make_core_labels(graph, 100, source.get_token()).has_value());
   EXPECT_TRUE(path::make_core_labels(graph, 100, std::stop_token{}).has_value());
+}
+
+/// Points at random in a square, each joined with those that are near.
+path::CoreGraph crowded_graph(std::uint32_t nodes, double reach) {
+  std::mt19937 random(5);
+  std::vector<Vec2> point;
+  for (std::uint32_t i = 0; i < nodes; ++i)
+    point.emplace_back(static_cast<double>(random() % 10'000) / 10'000,
+                       static_cast<double>(random() % 10'000) / 10'000);
+  path::CoreGraph graph{.out = std::vector<std::vector<path::CoreGraph::Arc>>(nodes),
+                        .in = std::vector<std::vector<path::CoreGraph::Arc>>(nodes)};
+  std::uint32_t link = 0;
+  for (std::uint32_t i = 0; i < nodes; ++i)
+    for (std::uint32_t k = 0; k < nodes; ++k) {
+      const double length = glm::distance(point[i], point[k]);
+      if (i == k || length > reach) continue;
+      graph.out[i].push_back({k, link, length});
+      graph.in[k].push_back({i, link, length});
+      ++link;
+    }
+  return graph;
+}
+
+TEST(CoreLabels, AreGivenUpEarlyAndNeverWhereThereIsRoomForThem) {
+  for (const double reach : {0.07, 0.15, 0.4}) {
+    const path::CoreGraph graph = crowded_graph(800, reach);
+    const auto labels = path::make_core_labels(graph, 10'000'000, std::stop_token{});
+    ASSERT_TRUE(labels.has_value());
+    std::size_t entries = 0;
+    for (const auto* side : {&labels->leaving, &labels->arriving})
+      for (const auto& label : *side) entries += label.size();
+
+    EXPECT_TRUE(path::make_core_labels(graph, entries, std::stop_token{}).has_value()) << reach;
+    const auto too_many = path::make_core_labels(graph, entries / 3, std::stop_token{});
+    ASSERT_FALSE(too_many.has_value()) << reach;
+    EXPECT_GT(too_many.error(), entries / 3);
+    EXPECT_LE(too_many.error(), entries) << "it is told that there would be at least so many";
+  }
 }
 
 }  // namespace

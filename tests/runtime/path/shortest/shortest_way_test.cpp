@@ -108,6 +108,8 @@ TEST(ShortestWay, IsSearchedWhereLabelsWouldBeTooMany) {
   floor.hub_labels[0] = path::make_hub_labels(floor.plan, floor.tangent_graphs[0], {}, 3);
 
   EXPECT_FALSE(floor.hub_labels[0].has_labels());
+  EXPECT_FALSE(path::try_hub_labels(floor.plan, floor.tangent_graphs[0], {}, 3).far_too_many)
+      << "without a core, nothing is known of other radii";
   EXPECT_NEAR(shortest(*path::make_floor_map(floor), {3, 4}, {9, 4}, 0).length, labelled, exact);
 }
 
