@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "content/compile/place_exhibits.h"
 #include "content/compile/sets.h"
 #include "content/floor/medial_axis.h"
 #include "content/floor/voronoi.h"
@@ -198,6 +197,19 @@ const Standing* in_the_way(std::span<const Standing> things, Vec2 point, double 
     nearest = &thing;
   }
   return nearest;
+}
+
+std::optional<PlaceProblem> why_not_there(const path::FloorMap& map,
+                                          std::span<const Standing> things, Vec2 point,
+                                          double radius) {
+  std::optional<PlaceProblem> problem = why_nobody_stands(map, point, radius);
+  const Standing* thing = problem ? in_the_way(things, point, radius) : nullptr;
+  if (thing == nullptr) return problem;
+  const double away = floor::distance_to(thing->footprint, point);
+  problem->label = fmt::format("{} {}, which takes {} of the floor",
+                               away > 0 ? fmt::format("{:.2f} m from", away) : "on the place of",
+                               thing->name, size_text(thing->footprint));
+  return problem;
 }
 
 }  // namespace docent::compile

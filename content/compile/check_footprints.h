@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "content/compile/place_exhibits.h"
 #include "content/compile/standing.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/path/floor_map.h"
@@ -33,5 +34,11 @@ std::string passage_name(const ClosedPassage& passage, std::span<const Door> doo
 /// The thing that takes the floor at a point, or leaves no room there for a body of this radius;
 /// null where none does.
 const Standing* in_the_way(std::span<const Standing> things, Vec2 point, double radius);
+
+/// Why nobody of this radius can stand at a point, as why_nobody_stands (place_exhibits.h) says it;
+/// what stands there is called by its name.
+std::optional<PlaceProblem> why_not_there(const path::FloorMap& map,
+                                          std::span<const Standing> things, Vec2 point,
+                                          double radius);
 
 }  // namespace docent::compile

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "content/compile/check_footprints.h"
 #include "content/compile/place_exhibits.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/path/floor_map.h"
@@ -60,7 +61,8 @@ void check_count(const config::MuseumConfig& config, const path::FloorMap& map, 
 
 void check_entrance(const config::MuseumConfig& config, const AmbientFloor& floor,
                     const config::Located<Vec2>& entrance, Report& report) {
-  if (const auto problem = why_nobody_stands(floor.map, entrance.value, floor.body_radius))
+  if (const auto problem =
+          why_not_there(floor.map, floor.standing, entrance.value, floor.body_radius))
     report.add(
         config::diagnostic_at(config, entrance.place, "entrance-outside-floor",
                               "strolling visitors cannot come from here: nobody can stand here",

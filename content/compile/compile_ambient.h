@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "config/museum_config.h"
 #include "content/compile/report.h"
+#include "content/compile/standing.h"
 #include "runtime/model/museum.h"
 #include "runtime/path/route.h"
 
@@ -12,6 +14,7 @@ namespace docent::compile {
 /// The kiosk's floor, where strollers would be.
 struct AmbientFloor {
   const path::FloorMap& map;
+  std::span<const Standing> standing;
   std::optional<Vec2> kiosk;  ///< Empty where nobody can stand there.
   double body_radius = 0.25;
 };

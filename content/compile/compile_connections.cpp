@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "content/compile/place_exhibits.h"
+#include "content/compile/check_footprints.h"
 
 namespace docent::compile {
 namespace {
@@ -27,9 +27,9 @@ void take_choice(const Names& names, const config::Located<std::string>& written
 class ConnectionCompiler {
  public:
   ConnectionCompiler(const config::MuseumConfig& config,
-                     std::span<const std::shared_ptr<const path::FloorMap>> maps, Museum& museum,
-                     Report& report)
-      : config_(config), maps_(maps), museum_(museum), report_(report) {}
+                     std::span<const std::shared_ptr<const path::FloorMap>> maps,
+                     std::span<const CompiledFloor> floors, Museum& museum, Report& report)
+      : config_(config), maps_(maps), floors_(floors), museum_(museum), report_(report) {}
 
   void add(const config::ConnectionSection& section) {
     Connection connection;
@@ -52,8 +52,8 @@ class ConnectionCompiler {
                 Connection& connection) {
     const std::size_t floor = config::floor_index(config_, stop.floor.value);
     if (!stop.position.given || floor >= maps_.size() || !maps_[floor]) return;
-    if (const auto problem =
-            why_nobody_stands(*maps_[floor], stop.position.value, museum_.body_radius))
+    if (const auto problem = why_not_there(*maps_[floor], floors_[floor].standing,
+                                           stop.position.value, museum_.body_radius))
       return report_.add(config::diagnostic_at(
           config_, stop.position.place, "connection-outside-floor",
           fmt::format("nobody can stand where connection '{}' is entered on floor '{}'",
@@ -100,6 +100,7 @@ class ConnectionCompiler {
 
   const config::MuseumConfig& config_;
   std::span<const std::shared_ptr<const path::FloorMap>> maps_;
+  std::span<const CompiledFloor> floors_;
   Museum& museum_;
   Report& report_;
 };
@@ -108,8 +109,8 @@ class ConnectionCompiler {
 
 void compile_connections(const config::MuseumConfig& config,
                          std::span<const std::shared_ptr<const path::FloorMap>> maps,
-                         Museum& museum, Report& report) {
-  ConnectionCompiler compiler(config, maps, museum, report);
+                         std::span<const CompiledFloor> floors, Museum& museum, Report& report) {
+  ConnectionCompiler compiler(config, maps, floors, museum, report);
   for (const config::ConnectionSection& section : config.connections) compiler.add(section);
 }
 

@@ -63,7 +63,7 @@ class ExhibitCompiler {
     compile_rooms(config_, maps_, museum_, report_);
     check_door_places();
     find_closed_passages();
-    compile_connections(config_, maps_, museum_, report_);
+    compile_connections(config_, maps_, floors_, museum_, report_);
     place_kiosk();
     name_kiosks();
     for (const config::ExhibitSection& section : config_.exhibits) add_exhibit(section);
@@ -74,8 +74,10 @@ class ExhibitCompiler {
     report_standing();
     check_scales();
     if (kiosk_floor_ >= maps_.size() || !maps_[kiosk_floor_]) return;
-    museum_.ambient =
-        compile_ambient(config_, {*maps_[kiosk_floor_], entrance_, museum_.body_radius}, report_);
+    museum_.ambient = compile_ambient(
+        config_,
+        {*maps_[kiosk_floor_], floors_[kiosk_floor_].standing, entrance_, museum_.body_radius},
+        report_);
     if (entrance_) {
       check_doors();
       compile_tours(config_, maps_, museum_, report_);
@@ -368,20 +370,9 @@ class ExhibitCompiler {
             problem->label, problem->hint);
   }
 
-  /// Why nobody can stand at a point: a thing that stands there is called by its name.
   std::optional<PlaceProblem> why_not_there(std::size_t floor, Vec2 point) const {
-    auto problem = why_nobody_stands(*maps_[floor], point, museum_.body_radius);
-    if (problem) name_thing(floor, point, *problem);
-    return problem;
-  }
-
-  void name_thing(std::size_t floor, Vec2 point, PlaceProblem& problem) const {
-    const Standing* thing = in_the_way(floors_[floor].standing, point, museum_.body_radius);
-    if (thing == nullptr) return;
-    const double away = floor::distance_to(thing->footprint, point);
-    problem.label = fmt::format("{} {}, which takes {} of the floor",
-                                away > 0 ? fmt::format("{:.2f} m from", away) : "on the place of",
-                                thing->name, size_text(thing->footprint));
+    return compile::why_not_there(*maps_[floor], floors_[floor].standing, point,
+                                  museum_.body_radius);
   }
 
   void add_exhibit(const config::ExhibitSection& section) {
@@ -416,7 +407,7 @@ class ExhibitCompiler {
         .view = section.view.given ? std::optional(section.view.value) : std::nullopt};
     PlacedExhibit placed = place_exhibit(floor, wanted);
     if (placed.problem && placed.problem->kind == PlaceProblem::Kind::ViewBlocked)
-      name_thing(exhibit.floor, *wanted.view, *placed.problem);
+      placed.problem = why_not_there(exhibit.floor, *wanted.view);
     exhibit.place = placed.place;
     exhibit.viewing_point = placed.view;
     if (placed.problem) report_problem(section, *placed.problem);

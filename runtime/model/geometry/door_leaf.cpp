@@ -1,6 +1,7 @@
 #include "runtime/model/geometry/door_leaf.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "runtime/model/none.h"
 
@@ -39,6 +40,23 @@ bool is_walkable(const FloorPlan& plan, Vec2 point) noexcept {
       inside = !inside;
   }
   return inside;
+}
+
+bool crosses_floor(const FloorPlan& plan, const Door& door) {
+  if (door.a == door.b) return false;
+  const Vec2 along = door.b - door.a;
+  std::vector<double> walls{0, 1};  // where they cross it, as shares of the door
+  for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall) {
+    const Vec2 a = wall_start(plan, wall) - door.a, run = wall_end(plan, wall) - a - door.a;
+    const double across = cross(along, run);
+    if (across == 0) continue;
+    const double share = cross(a, run) / across, of_wall = cross(a, along) / across;
+    if (share > 0 && share < 1 && of_wall >= 0 && of_wall <= 1) walls.push_back(share);
+  }
+  std::ranges::sort(walls);
+  for (std::size_t i = 0; i + 1 < walls.size(); ++i)
+    if (is_walkable(plan, door.a + (walls[i] + walls[i + 1]) / 2 * along)) return true;
+  return false;
 }
 
 DoorLeaf door_leaf(const FloorPlan& plan, const Door& door) noexcept {

@@ -22,7 +22,11 @@ inline constexpr double largest_door_gap = 0.3;
 /// Is the point in the walkable interior? In time linear in the plan.
 bool is_walkable(const FloorPlan& plan, Vec2 point) noexcept;
 
-/// The leaf of a door whose ends differ and whose middle is walkable.
+/// Is any part of the door in the walkable interior? What stands in a wide doorway may leave a part
+/// on either side of it, and not its middle.
+bool crosses_floor(const FloorPlan& plan, const Door& door);
+
+/// The leaf of a door that crosses the floor.
 DoorLeaf door_leaf(const FloorPlan& plan, const Door& door) noexcept;
 
 }  // namespace docent

@@ -60,7 +60,7 @@ void ClosedDoors::measure_landmarks(const FloorPlan& plan, const SightMap& sight
 
 void ClosedDoors::add(const FloorPlan& plan, std::uint32_t index) {
   const Door& door = plan.doors[index];
-  if (door.a == door.b || !is_walkable(plan, 0.5 * (door.a + door.b))) return;
+  if (!crosses_floor(plan, door)) return;
   const DoorLeaf leaf = door_leaf(plan, door);
   const Vec2 into_wall = hold * glm::normalize(door.b - door.a);
   leaf_.push_back({leaf.a.at, leaf.b.at, leaf.a.at - into_wall, leaf.b.at + into_wall, index});

@@ -342,6 +342,25 @@ const std::vector<Mistake>& mistakes() {
        [](const MuseumFolder& m) { m.replace(exhibits, "[10.0, 4.0]", "[2.1, 2.0]"); },
        1,
        {"error[kiosk-outside-floor]", "on the place of exhibit 'portrait', which takes 0.60"}},
+      {"AnEntranceOfStrollersBesideAnExhibit",
+       [](const MuseumFolder& m) {
+         m.replace(exhibits, "[10.0, 4.0]", "[4.0, 4.0]");
+         m.replace("museum.toml", "count = 3", "count = 3\nfrom = [4.4, 4.0]");
+       },
+       1,
+       {"error[entrance-outside-floor]", "0.10 m from exhibit 'portrait', which takes 0.60 by"}},
+      {"AStopInAnExhibit",
+       [](const MuseumFolder& m) {
+         m.replace(exhibits, "[10.0, 4.0]", "[4.0, 4.0]");
+         m.replace("museum.toml", "[kiosk]",
+                   "title.en = \"G\"\n[[floor]]\nname = \"upper\"\ntitle.en = \"U\"\nplan = "
+                   "\"up.geojson\"\n[[connection]]\nid = \"lift\"\nkind = \"lift\"\nstops = "
+                   "[{floor = \"ground\", position = [4.0, 4.1]}, {floor = \"upper\", position = "
+                   "[4.0, 4.1]}]\n[kiosk]");
+         m.write("up.geojson", test::text_of(m.path() / "ground.geojson"));
+       },
+       1,
+       {"error[connection-outside-floor]", "on the place of exhibit 'portrait'"}},
       {"ACaseOutsideTheFloor",
        changes("museum.toml", "[[room]]",
                "[[case]]\nid = \"c\"\nposition = [11, 6]\nsize = 1\n[[room]]"),

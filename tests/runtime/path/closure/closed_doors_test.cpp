@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "content/floor/close_doors.h"
+#include "content/floor/footprint.h"
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/path/floors.h"
 
@@ -183,6 +184,29 @@ RC_GTEST_PROP(AWayRoundClosedDoors, GoesThroughNone, ()) {
       if (live.status == RouteStatus::Ok) RC_ASSERT(!closure.doors().crosses(live.points));
       (kind == RouteKind::Skeleton ? skeleton : offset).add(live, closure.compiled(query));
     }
+}
+
+TEST(ClosedDoors, CloseAWideDoorwayInWhichSomethingStands) {
+  import::ImportedPlan plan = drawn(rectangle({0, 0}, {4, 4}));
+  plan.polygons.push_back(drawn(rectangle({4.2, 0}, {8.2, 4})).polygons.front());
+  plan.polygons.push_back(drawn(rectangle({4, 0.5}, {4.2, 3.5})).polygons.front());
+  Floor floor = floor_of(floor::with_obstacles(
+      mended(plan),
+      std::vector<floor::Footprint>{{.centre = {4.1, 2}, .heading = 0, .size = {0.6, 0.6}}}));
+  floor.plan.doors = {{.name = "wide", .a = {4.1, 0.5}, .b = {4.1, 3.5}}};
+  const auto map = path::make_floor_map(floor);
+  const std::vector<std::uint32_t> doors{0};
+  const auto status = [&](double radius) {
+    return path::route(*map, {.from = {2, 2}, .to = {6, 2}, .radius = radius}).status;
+  };
+  ASSERT_EQ(status(0), RouteStatus::Ok);
+  ASSERT_EQ(status(0.25), RouteStatus::Ok) << "on either side of it";
+
+  map->close(std::make_shared<ClosedDoors>(floor.plan, floor.sight, map->walls().slack(),
+                                           map->medial_axis().roads(), doors));
+
+  EXPECT_NE(status(0), RouteStatus::Ok);
+  EXPECT_NE(status(0.25), RouteStatus::Ok);
 }
 
 }  // namespace
