@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <string>
 #include <system_error>
 
 namespace docent::kiosk {
@@ -21,6 +23,14 @@ double memory_mb() {
   std::uint64_t total = 0, resident = 0;
   statm >> total >> resident;
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// What is resident and of no file: the program's own, and its graphics driver's.
+double anonymous_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("RssAnon:")) return std::strtod(line.c_str() + 8, nullptr) * 1024 / 1e6;
+  return 0;
 }
 
 std::string percentiles(const Durations& durations) {
@@ -68,10 +78,11 @@ std::string to_json(const Statistics& s) {
   return fmt::format(
       "{{\n  \"frames\": {},\n  \"frame_cpu_ms\": {},\n  \"gl_ms\": {},\n"
       "  \"input_to_frame_ms\": {},\n  \"gpu_ms\": {},\n  \"allocations_in_frames\": {},\n"
-      "  \"rss_mb\": {:.1f},\n  \"start_to_first_frame_ms\": {:.1f},\n  \"touches\": {},\n"
+      "  \"rss_mb\": {:.1f},\n  \"anonymous_mb\": {:.1f},\n  \"start_to_first_frame_ms\": "
+      "{:.1f},\n  \"touches\": {},\n"
       "  \"routes\": {},\n  \"collisions\": {},\n  \"dropped_frames\": {}\n}}\n",
       s.frames, percentiles(s.frame_cpu), percentiles(s.gl), percentiles(s.input_to_frame),
-      percentiles(s.gpu), s.allocations_in_frames, memory_mb(),
+      percentiles(s.gpu), s.allocations_in_frames, memory_mb(), anonymous_mb(),
       static_cast<double>(s.start_to_first_frame.count()) / 1e6, s.touches, s.routes, s.collisions,
       s.dropped_frames);
 }

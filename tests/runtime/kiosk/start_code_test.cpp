@@ -71,5 +71,27 @@ TEST(TheWholeProgram, IsAtMost120MegabytesOnAScreenOf1080Lines) {
   EXPECT_LE(test::number_in(test::text_of(visit.file("stats.json")), "rss_mb"), 120);
 }
 
+/// In the middle of a visit of three ways and three languages, beside a program that draws nothing.
+TEST(TheWholeProgram, KeepsAtMost60MegabytesForItself) {
+#ifndef NDEBUG
+  GTEST_SKIP() << "what is released is";
+#endif
+  const test::VisitRun visit(
+      "1 tap @exhibit:tripod-ding\n3 tap @exhibit:tripod-ding\n6 tap @language:zh\n8 tap "
+      "@route:skeleton\n"
+      "12 tap @language:ar\n14 tap @route:offset\n18 tap @language:en\n20 quit\n");
+  const test::ProgramRun run =
+      visit.play("--stats '" + visit.file("stats.json").string() + "'", "1920x1080");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const test::ProgramRun empty = test::run_program("empty_egl", "");
+  ASSERT_EQ(empty.exit_code, 0) << empty.err;
+
+  const std::string stats = test::text_of(visit.file("stats.json"));
+  const double own = test::number_in(stats, "anonymous_mb") - std::stod(empty.out);
+  RecordProperty("own_megabytes", std::to_string(own));
+  EXPECT_LE(own, 60);
+  EXPECT_GE(test::number_in(stats, "routes"), 3);
+}
+
 }  // namespace
 }  // namespace docent::kiosk

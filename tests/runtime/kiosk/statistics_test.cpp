@@ -27,8 +27,8 @@ TEST(Statistics, HaveEveryKeyOfTheContract) {
   const std::string json = to_json({});
   for (const char* key :
        {"frames", "frame_cpu_ms", "gl_ms", "input_to_frame_ms", "gpu_ms", "p50", "p99", "max",
-        "allocations_in_frames", "rss_mb", "start_to_first_frame_ms", "touches", "routes",
-        "collisions", "dropped_frames"})
+        "allocations_in_frames", "rss_mb", "anonymous_mb", "start_to_first_frame_ms", "touches",
+        "routes", "collisions", "dropped_frames"})
     EXPECT_THAT(json, testing::HasSubstr('"' + std::string(key) + "\":"));
 }
 
