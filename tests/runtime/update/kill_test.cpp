@@ -72,9 +72,9 @@ class Killed : public testing::Test {
     maker_.publish(made);
   }
   void expect_whole() const { ASSERT_THAT(shown_in(database_), AnyOf("old", "new")); }
-  /// Runs `program` and kills it at a random moment, until it has died of that so many times; `go_on`
-  /// is told whether it ended first. How long it takes is measured each time that it ends: the first
-  /// run may have been the slowest by far.
+  /// Runs `program` and kills it at a random moment, until it has died of that so many times;
+  /// `go_on` is told whether it ended first. How long it takes is measured each time that it ends:
+  /// the first run may have been the slowest by far.
   void kill_often(const char* name, const std::vector<std::string>& arguments, int times,
                   std::chrono::microseconds whole, const std::function<void(bool ended)>& go_on) {
     int killed = 0;
