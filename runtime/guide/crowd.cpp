@@ -65,7 +65,24 @@ void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal,
   Agent& one = members_[who];
   one.goal = goal;
   one.goal_floor = floor;
+  one.seeks.reset();
+  one.place = none;
   one.kind = kind;
+  set_out(who);
+}
+
+void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind) noexcept {
+  Agent& one = members_[who];
+  one.goal = one.avatar.body;  // until it is known
+  one.goal_floor = one.avatar.floor;
+  one.seeks = place;
+  one.place = none;
+  one.kind = kind;
+  set_out(who);
+}
+
+void Crowd::set_out(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
   one.has_arrived = one.is_on_its_way = one.has_ridden = false;
   one.route_summary.reset();
   one.ask_at = clock_;
@@ -80,7 +97,10 @@ void Crowd::replan() noexcept {
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];
     if (!one.goal || one.has_arrived) continue;
-    send(who, one.goal_floor, *one.goal, one.kind);
+    if (one.seeks)
+      seek(who, *one.seeks, one.kind);
+    else
+      send(who, one.goal_floor, *one.goal, one.kind);
     one.replans = true;
   }
 }
@@ -159,6 +179,11 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     return;
   }
   if (plan->order.ride) return take_ride(one, std::move(plan));
+  if (plan->place != none) {
+    one.place = plan->place;
+    one.goal = plan->order.goal;
+    one.goal_floor = plan->order.goal_floor.value_or(plan->order.floor);
+  }
   if (plan->order.goal && (!plan->order.continues || plan->is_new_way)) {
     one.is_answered = true;
     // What was told of the whole way stays true on its later floors.
@@ -276,6 +301,7 @@ void Crowd::go_on(std::uint32_t who) noexcept {
   plan::WalkOrder order;
   order.goal = one.goal;
   order.goal_floor = one.goal_floor;
+  if (one.place == none) order.seeks = one.seeks;
   order.kind = one.kind;
   if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/path/building/nearest_place.h"
 #include "runtime/plan/stretch.h"
 
 namespace docent::plan {
@@ -26,19 +27,24 @@ path::RouteStatus route_status(path::BuildingStatus status) noexcept {
   return path::RouteStatus::NoRoute;
 }
 
+constexpr std::array room_to_spare{Museum::walking_room, 0.0, -Museum::walking_room};
+
+path::BuildingQuery query_of(const WalkOrder& order, Vec2 from) {
+  return {.way = {.kind = order.kind,
+                  .from = from,
+                  .to = order.goal->position,
+                  .smooth = true,
+                  .tell_clearance = false},
+          .from_floor = order.floor,
+          .to_floor = order.goal_floor.value_or(order.floor)};
+}
+
 /// With as much room as there is.
 path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
                                     const WalkOrder& order, Vec2 from) {
-  constexpr std::array spare{Museum::walking_room, 0.0, -Museum::walking_room};
-  path::BuildingQuery query{.way = {.kind = order.kind,
-                                    .from = from,
-                                    .to = order.goal->position,
-                                    .smooth = true,
-                                    .tell_clearance = false},
-                            .from_floor = order.floor,
-                            .to_floor = order.goal_floor.value_or(order.floor)};
+  path::BuildingQuery query = query_of(order, from);
   path::BuildingWay way;
-  for (const double more : spare) {
+  for (const double more : room_to_spare) {
     query.way.radius = std::max(0.0, museum.body_radius + more);
     way = building.route(query);
     if (way.status == path::BuildingStatus::Ok) break;
@@ -100,6 +106,18 @@ Leg find_leg(const Museum& museum, const path::BuildingMap& building, const Walk
   leg.seconds_after = whole.seconds - first.seconds;
   leg.way = find_way(museum, map, order.kind, from, leg.end.position);
   return leg;
+}
+
+FoundPlace find_place(const Museum& museum, const path::BuildingMap& building,
+                      const WalkOrder& order, Vec2 from) {
+  path::BuildingQuery query = query_of(order, from);
+  path::NearestPlace nearest;
+  for (const double more : room_to_spare) {
+    query.way.radius = std::max(0.0, museum.body_radius + more);
+    nearest = path::nearest_place(building, query, museum.places, *order.seeks);
+    if (nearest.way.status == path::BuildingStatus::Ok) break;
+  }
+  return {nearest.place, route_status(nearest.way.status), closed_on(museum, nearest.way)};
 }
 
 }  // namespace docent::plan

@@ -22,4 +22,14 @@ struct Leg {
 Leg find_leg(const Museum& museum, const path::BuildingMap& building, const WalkOrder& order,
              Vec2 from);
 
+/// The nearest place of the kind that an order seeks, by the time that it takes to get there over
+/// floors, with what is closed just now.
+struct FoundPlace {
+  std::uint32_t place = none;  ///< Index into Museum::places; none where there is none at all.
+  path::RouteStatus status = path::RouteStatus::NoRoute;
+  std::optional<interface::Closed> closed{};
+};
+FoundPlace find_place(const Museum& museum, const path::BuildingMap& building,
+                      const WalkOrder& order, Vec2 from);
+
 }  // namespace docent::plan
