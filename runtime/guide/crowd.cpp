@@ -60,24 +60,27 @@ void Crowd::hold_still() noexcept {
   for (Agent& one : members_) one.avatar.breathes = false;
 }
 
-void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal,
-                 RouteKind kind) noexcept {
+void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
+                 const path::Permissions& permissions) noexcept {
   Agent& one = members_[who];
   one.goal = goal;
   one.goal_floor = floor;
   one.seeks.reset();
   one.place = none;
   one.kind = kind;
+  one.permissions = permissions;
   set_out(who);
 }
 
-void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind) noexcept {
+void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind,
+                 const path::Permissions& permissions) noexcept {
   Agent& one = members_[who];
   one.goal = one.avatar.body;  // until it is known
   one.goal_floor = one.avatar.floor;
   one.seeks = place;
   one.place = none;
   one.kind = kind;
+  one.permissions = permissions;
   set_out(who);
 }
 
@@ -98,9 +101,9 @@ void Crowd::replan() noexcept {
     Agent& one = members_[who];
     if (!one.goal || one.has_arrived) continue;
     if (one.seeks)
-      seek(who, *one.seeks, one.kind);
+      seek(who, *one.seeks, one.kind, one.permissions);
     else
-      send(who, one.goal_floor, *one.goal, one.kind);
+      send(who, one.goal_floor, *one.goal, one.kind, one.permissions);
     one.replans = true;
   }
 }
@@ -188,8 +191,8 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     one.is_answered = true;
     // What was told of the whole way stays true on its later floors.
     if (!one.has_ridden || plan->status != path::RouteStatus::Ok)
-      one.route_summary =
-          interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal, plan->closed};
+      one.route_summary = interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal,
+                                                  plan->hindrance};
   }
   const bool replans = std::exchange(one.replans, false);
   if (plan->status != path::RouteStatus::Ok) {
@@ -303,6 +306,7 @@ void Crowd::go_on(std::uint32_t who) noexcept {
   order.goal_floor = one.goal_floor;
   if (one.place == none) order.seeks = one.seeks;
   order.kind = one.kind;
+  order.permissions = one.permissions;
   if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {
     if (avatar.plan->then) return ask_for_ride(who);

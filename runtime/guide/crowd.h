@@ -21,6 +21,7 @@ struct Agent {
   std::optional<PlaceKind> seeks{};  ///< It was sent to the nearest place of that kind, ...
   std::uint32_t place = none;        ///< ... which is this one, once that is known.
   RouteKind kind = RouteKind::Shortest;
+  path::Permissions permissions{};
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   double pace = 1;  ///< Share of the ordinary speed.
   bool has_arrived = true;
@@ -68,9 +69,11 @@ class Crowd {
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
   /// Who is on a connection between two floors comes out first.
-  void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind) noexcept;
+  void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
+            const path::Permissions& permissions = {}) noexcept;
   /// To the nearest place of that kind.
-  void seek(std::uint32_t who, PlaceKind place, RouteKind kind) noexcept;
+  void seek(std::uint32_t who, PlaceKind place, RouteKind kind,
+            const path::Permissions& permissions = {}) noexcept;
   /// What is closed has changed: whoever is under way asks for a new way, and stops where there is
   /// none.
   void replan() noexcept;

@@ -130,7 +130,6 @@ void Session::press_key(input::Key key) noexcept {
 }
 
 void Session::act(interface::Action action) noexcept {
-  const interface::InterfaceState before = state_;
   show(interface::after(state_, action));
   switch (action.kind) {
     case interface::Action::Kind::Pick:
@@ -145,7 +144,9 @@ void Session::act(interface::Action action) noexcept {
       set_out();
       break;
     case interface::Action::Kind::TakeRoute:
-      if (leads_to_goal() && !before.arrived) set_out();
+    case interface::Action::Kind::AvoidSteps:
+    case interface::Action::Kind::AvoidEscalators:
+      set_out();  // by another way, or at last by any
       break;
     case interface::Action::Kind::Stop:
       order({.kind = Errand::Kind::Stop});
@@ -163,16 +164,19 @@ void Session::set_out() noexcept {
   Errand errand{.kind = Errand::Kind::ToGoal,
                 .exhibit = state_.exhibit,
                 .seeks = state_.seeks,
-                .route = state_.kind};
+                .route = state_.kind,
+                .permissions = state_.ways};
   if (!errand.seeks) errand.place = state_.place;
   if (!guide_ || state_.arrived || !interface::has_goal(state_) || errand_ == errand) return;
   order(errand);
 }
 
 void Session::lead(const Errand& errand) noexcept {
-  if (errand.seeks) return context_.crowd.seek(*guide_, *errand.seeks, errand.route);
+  if (errand.seeks)
+    return context_.crowd.seek(*guide_, *errand.seeks, errand.route, errand.permissions);
   const auto goal = interface::goal_of(context_.museum, state_);
-  if (goal) context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route);
+  if (goal)
+    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions);
 }
 
 void Session::order(const Errand& errand) noexcept {
@@ -231,7 +235,10 @@ void Session::take_way() noexcept {
   if (!route_summary_) ++routes_;
   if (errand_.seeks && agent().place != none) state_.place = agent().place;
   route_summary_ = agent().route_summary;
-  if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) errand_ = {};
+  if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) {
+    errand_ = {};
+    context_.crowd.stop(*guide_);  // it goes on no farther to where it was going before
+  }
   request_view();
 }
 

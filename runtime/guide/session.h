@@ -23,6 +23,7 @@ struct Errand {
   std::optional<PlaceKind> seeks{};  ///< The nearest place of that kind; or just this place.
   std::optional<std::uint32_t> place{};
   RouteKind route = RouteKind::Shortest;
+  path::Permissions permissions{};
 
   bool operator==(const Errand&) const = default;
 };

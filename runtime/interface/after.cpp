@@ -45,7 +45,7 @@ void go_to_place(InterfaceState& state, std::uint32_t place) noexcept {
 }
 
 void show_list(InterfaceState& state, bool of_places) noexcept {
-  state.screen = Screen::Choosing;
+  state.screen = state.seat && !state.look ? Screen::Picking : Screen::Choosing;
   state.lists_places = of_places;
   state.page = 0;
 }
@@ -66,7 +66,6 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
   switch (action.kind) {
     case Action::Kind::Begin:
       show_list(state, false);
-      if (state.seat && !state.look) state.screen = Screen::Picking;
       break;
     case Action::Kind::Pick:
       if ((state.taken >> action.argument & 1U) != 0) break;
@@ -102,6 +101,12 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::TakeRoute:
       state.kind = static_cast<RouteKind>(action.argument);
       break;
+    case Action::Kind::AvoidSteps:
+      state.ways.step_free = action.argument != 0;
+      break;
+    case Action::Kind::AvoidEscalators:
+      state.ways.no_escalators = action.argument != 0;
+      break;
     case Action::Kind::Return:
       if (!has_goal(state)) {
         state.screen = Screen::Welcome;
@@ -117,6 +122,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       if (state.seat) return vacated(state);
       forget_goal(state);
       state.floor.reset();
+      state.ways = {};
       show_list(state, false);
       state.screen = Screen::Welcome;
       break;

@@ -113,26 +113,40 @@ void draw_band(Sheet& sheet, const PixelBox& card) {
               scene::trail_colour(*look), 0, -1);
 }
 
-/// The helps of every screen as pictograms in the card's upper corner; returns how wide they are,
-/// with the gap before them.
-float draw_corner(Sheet& sheet, const PixelBox& content) {
+/// The helps of every screen as pictograms in the card's upper corner, and below them what is asked
+/// of ways. Returns how wide and high they are, with the gap before and below.
+struct Corner {
+  float width = 0, height = 0;
+};
+Corner draw_corner(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  constexpr std::array helps{std::pair{"toilets", pictogram_of(PlaceKind::Toilets)},
-                             std::pair{"places", Pictogram::Places},
-                             std::pair{"exhibits", Pictogram::Exhibits}};
+  constexpr std::array<std::array<std::pair<std::string_view, Pictogram>, 3>, 2> rows{
+      {{{{"toilets", pictogram_of(PlaceKind::Toilets)},
+         {"places", Pictogram::Places},
+         {"exhibits", Pictogram::Exhibits}}},
+       {{{"step-free", Pictogram::StepFree},
+         {"no-escalators", Pictogram::NoEscalators},
+         {"", Pictogram::Count}}}}};
   const float gap = std::round(m.unit);
-  float x = content.right();
-  for (const auto& [name, pictogram] : helps) {
-    const std::int32_t control = sheet.control(name);
-    if (control < 0) continue;
-    x -= m.touch;
-    const PixelBox box{x, content.y, m.touch, m.touch};
-    sheet.place(control, box);
-    sheet.fill(box, sheet.theme().plaster, m.corner, control);
-    sheet.pictogram(pictogram, box.inset(std::round(0.16F * m.touch)), sheet.theme().ink, control);
-    x -= gap;
+  Corner corner;
+  for (const auto& row : rows) {
+    float x = content.right();
+    for (const auto& [name, pictogram] : row) {
+      const std::int32_t control = name.empty() ? -1 : sheet.control(name);
+      if (control < 0) continue;
+      x -= m.touch;
+      const PixelBox box{x, content.y + corner.height, m.touch, m.touch};
+      const bool is_on = sheet.view().controls[static_cast<std::size_t>(control)].selected;
+      sheet.place(control, box);
+      sheet.fill(box, is_on ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
+      sheet.pictogram(pictogram, box.inset(std::round(0.16F * m.touch)),
+                      is_on ? sheet.theme().paper : sheet.theme().ink, control);
+      x -= gap;
+    }
+    corner.width = std::max(corner.width, content.right() - x);
+    if (x < content.right()) corner.height += m.touch + gap;
   }
-  return content.right() - x;
+  return corner;
 }
 
 /// Buttons side by side on the lowest row, those that this state has; returns its top.
@@ -239,10 +253,10 @@ void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
     bottom -= gap + m.touch;
     draw_languages(sheet, {content.x, bottom, content.width, m.touch});
   }
-  const float corner = draw_corner(sheet, content);
+  const Corner corner = draw_corner(sheet, content);
   const float asked = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
-                                 content.width - corner, sheet.theme().ink, 2);
-  const float top = std::max(asked, content.y + (corner > 0 ? m.touch : 0)) + gap;
+                                 content.width - corner.width, sheet.theme().ink, 2);
+  const float top = std::max(asked + gap, content.y + corner.height);
   constexpr std::uint32_t columns = 4, rows = scene::guide_look_count / columns;
   const float width = std::floor((content.width - (columns - 1) * gap / 2) / columns);
   const float height = std::floor((bottom - gap - top - (rows - 1) * gap) / rows);
@@ -273,7 +287,7 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
   const bool of_places = sheet.request().state.lists_places;
-  const float width = content.width - draw_corner(sheet, content);
+  const float width = content.width - draw_corner(sheet, content).width;
   sheet.piece(sheet.fitted(style, sheet.word(of_places ? "places_title" : "choose_title"), width),
               content.x, content.y, width, Align::Start, sheet.theme().ink);
   float y = content.y + height_of_heading(m);
@@ -297,10 +311,11 @@ void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const float height = in_a_row ? m.touch : column, routes = bottom - height;
   draw_routes(sheet, {content.x, routes, content.width, height},
               in_a_row ? Along::Row : Along::NarrowColumn);
-  const float corner = draw_corner(sheet, content);
-  const PixelBox words{content.x, content.y, content.width - corner, routes - gap - content.y};
+  const Corner corner = draw_corner(sheet, content);
+  const PixelBox words{content.x, content.y, content.width - corner.width,
+                       routes - gap - content.y};
   const float said = draw_invitation(sheet, draw_tour_progress(sheet, words), Letters::Lead);
-  const float y = std::max(said, content.y + (corner > 0 ? m.touch + gap : 0));
+  const float y = std::max(said, content.y + corner.height);
   const float room = routes - m.gap - y;
   if (room > 8 * m.unit) draw_goal(sheet, {content.x, y, content.width, room});
 }
@@ -314,13 +329,13 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
     draw_row(sheet, next, {content.x, bottom - row, content.width, row});
     bottom -= row + m.unit;
   }
-  const float corner = draw_corner(sheet, content);
-  const PixelBox rest =
-      draw_tour_progress(sheet, {content.x, content.y, content.width - corner, bottom - content.y});
+  const Corner corner = draw_corner(sheet, content);
+  const PixelBox rest = draw_tour_progress(
+      sheet, {content.x, content.y, content.width - corner.width, bottom - content.y});
   float y = sheet.text(Letters::Heading, goal_title(sheet), content.x, rest.y, rest.width,
                        sheet.theme().ink, 2) +
             m.unit;
-  y = std::max(y, content.y + (corner > 0 ? m.touch + m.unit : 0));
+  y = std::max(y, content.y + corner.height);
   const float picture = std::min(0.4F * (bottom - y), 0.75F * content.width);
   y += draw_goal(sheet, {content.x, y, content.width, picture}) + m.unit;
   TextStyle style = sheet.style(Letters::Body);

@@ -11,6 +11,7 @@
 #include "runtime/model/museum.h"
 #include "runtime/model/place_kind.h"
 #include "runtime/model/route_kind.h"
+#include "runtime/path/building/building_way.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::interface {
@@ -48,7 +49,8 @@ struct InterfaceState {
   /// ... which is this one, once that has been found out; or they chose this one on the model.
   std::optional<std::uint32_t> place{};
   RouteKind kind = RouteKind::Shortest;
-  bool arrived = false;  ///< The guide stands there.
+  path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
+  bool arrived = false;      ///< The guide stands there.
   Glass glass = Glass::Whole;
   std::uint8_t seats = 0;  ///< How many a shared glass has.
   /// The seat whose card this is, counted from the left, from 1; none: no card, but the model.
@@ -63,21 +65,23 @@ struct InterfaceState {
 /// What pressing a control asks for.
 struct Action {
   enum class Kind : std::uint8_t {
-    Begin,         ///< From the welcome to the list of exhibits; at a seat, to the guides.
-    Pick,          ///< The guide with look `argument`.
-    Choose,        ///< Go to exhibit `argument`.
-    FollowTour,    ///< Go to exhibit `argument`, which is `stop`.
-    Seek,          ///< Go to the nearest place of the kind `argument`.
-    GoToPlace,     ///< Go to place `argument`.
-    TurnPage,      ///< Show page `argument` of the list.
-    ShowFloor,     ///< Show floor `argument` from above.
-    Speak,         ///< Language `argument`.
-    TakeRoute,     ///< RouteKind `argument`.
-    ShowExhibits,  ///< The list again; the walk goes on.
-    ShowPlaces,    ///< The list of places; the walk goes on.
-    Return,        ///< From the list back to the walk, the exhibit or the welcome.
-    Stop,          ///< The guide stops where it is.
-    Home,          ///< Back to the welcome; the guide walks home.
+    Begin,            ///< From the welcome to the list of exhibits; at a seat, to the guides.
+    Pick,             ///< The guide with look `argument`.
+    Choose,           ///< Go to exhibit `argument`.
+    FollowTour,       ///< Go to exhibit `argument`, which is `stop`.
+    Seek,             ///< Go to the nearest place of the kind `argument`.
+    GoToPlace,        ///< Go to place `argument`.
+    TurnPage,         ///< Show page `argument` of the list.
+    ShowFloor,        ///< Show floor `argument` from above.
+    Speak,            ///< Language `argument`.
+    TakeRoute,        ///< RouteKind `argument`.
+    AvoidSteps,       ///< Ways without steps only, where `argument` is 1; 0: any.
+    AvoidEscalators,  ///< The same of escalators.
+    ShowExhibits,     ///< The list again; the walk goes on.
+    ShowPlaces,       ///< The list of places; the walk goes on.
+    Return,           ///< From the list back to the walk, the exhibit or the welcome.
+    Stop,             ///< The guide stops where it is.
+    Home,             ///< Back to the welcome; the guide walks home.
   };
   Kind kind = Kind::Begin;
   std::uint32_t argument = 0;

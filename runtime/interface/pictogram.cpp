@@ -137,40 +137,55 @@ Shapes shapes_of_place(PlaceKind kind) {
     case PlaceKind::AccessibleToilets:
       return shapes_of_wheelchair();
     case PlaceKind::AllGenderToilets:
-      return {box(4.5F, 2, 4, 11), box(4.5F, 10, 15, 3.2F, 1.4F), disc(12.5F, 12.5F, 5.6F),
-              cut(box(2, 1, 20, 8.6F)), box(4.5F, 2, 4, 11), box(8.5F, 16, 7, 5.5F)};
+      return {box(4.5F, 2, 4, 11),      box(4.5F, 10, 15, 3.2F, 1.4F), disc(12.5F, 12.5F, 5.6F),
+              cut(box(2, 1, 20, 8.6F)), box(4.5F, 2, 4, 11),           box(8.5F, 16, 7, 5.5F)};
     case PlaceKind::WomensToilets:
       return both(woman(12), {}, {});
     case PlaceKind::MensToilets:
       return both(man(12), {}, {});
     case PlaceKind::BabyChange:
-      return {disc(12, 5, 3), box(8.2F, 9, 7.6F, 8.5F, 3), line(8.8F, 11, 4.6F, 8.6F, 2),
-              line(15.2F, 11, 19.4F, 8.6F, 2), line(9.8F, 16, 7, 21, 2.4F),
-              line(14.2F, 16, 17, 21, 2.4F), cut(line(8, 14.2F, 16, 14.2F, 1.1F))};
+      return {disc(12, 5, 3),
+              box(8.2F, 9, 7.6F, 8.5F, 3),
+              line(8.8F, 11, 4.6F, 8.6F, 2),
+              line(15.2F, 11, 19.4F, 8.6F, 2),
+              line(9.8F, 16, 7, 21, 2.4F),
+              line(14.2F, 16, 17, 21, 2.4F),
+              cut(line(8, 14.2F, 16, 14.2F, 1.1F))};
     case PlaceKind::Exit:
-      return {box(3, 2, 11, 20), cut(box(5, 4, 7, 16)), cut(box(11, 9, 5, 6)),
-              line(8, 12, 20.5F, 12, 2.1F), line(20.5F, 12, 16.5F, 8, 2.1F),
+      return {box(3, 2, 11, 20),
+              cut(box(5, 4, 7, 16)),
+              cut(box(11, 9, 5, 6)),
+              line(8, 12, 20.5F, 12, 2.1F),
+              line(20.5F, 12, 16.5F, 8, 2.1F),
               line(20.5F, 12, 16.5F, 16, 2.1F)};
     case PlaceKind::EmergencyExit:
-      return {box(17, 2, 5, 20), cut(box(18.4F, 3.5F, 2.2F, 17)), disc(11.2F, 4, 2.1F),
-              line(10.2F, 8.4F, 8.4F, 13.4F, 2.7F), line(10.4F, 8, 15, 10.8F, 1.7F),
-              line(9.6F, 8, 5, 9.8F, 1.7F), line(8.4F, 13.6F, 12, 16.6F, 2),
-              line(12, 16.6F, 11.4F, 21, 2), line(8.2F, 13.6F, 6.4F, 18, 2),
+      return {box(17, 2, 5, 20),
+              cut(box(18.4F, 3.5F, 2.2F, 17)),
+              disc(11.2F, 4, 2.1F),
+              line(10.2F, 8.4F, 8.4F, 13.4F, 2.7F),
+              line(10.4F, 8, 15, 10.8F, 1.7F),
+              line(9.6F, 8, 5, 9.8F, 1.7F),
+              line(8.4F, 13.6F, 12, 16.6F, 2),
+              line(12, 16.6F, 11.4F, 21, 2),
+              line(8.2F, 13.6F, 6.4F, 18, 2),
               line(6.4F, 18, 2.6F, 18.4F, 2)};
     case PlaceKind::Entrance:
-      return {box(10, 2, 11, 20), cut(box(12, 4, 7, 16)), cut(box(8, 9, 5, 6)),
+      return {box(10, 2, 11, 20),        cut(box(12, 4, 7, 16)),    cut(box(8, 9, 5, 6)),
               line(3, 12, 15, 12, 2.1F), line(15, 12, 11, 8, 2.1F), line(15, 12, 11, 16, 2.1F)};
     case PlaceKind::Information:
       return {disc(12, 5.2F, 2.2F), line(9.6F, 10.6F, 12, 10.6F, 2.2F),
               line(12, 10.8F, 12, 19.4F, 3), line(9, 19.8F, 15, 19.8F, 2.2F)};
     case PlaceKind::Tickets:
-      return {box(2, 6.5F, 20, 11, 1.2F), cut(disc(2, 12, 2.2F)), cut(disc(22, 12, 2.2F)),
-              cut(line(15.5F, 8.6F, 15.5F, 9.6F, 1)), cut(line(15.5F, 11.5F, 15.5F, 12.5F, 1)),
+      return {box(2, 6.5F, 20, 11, 1.2F),
+              cut(disc(2, 12, 2.2F)),
+              cut(disc(22, 12, 2.2F)),
+              cut(line(15.5F, 8.6F, 15.5F, 9.6F, 1)),
+              cut(line(15.5F, 11.5F, 15.5F, 12.5F, 1)),
               cut(line(15.5F, 14.4F, 15.5F, 15.4F, 1))};
     case PlaceKind::Cloakroom:
-      return {ring(12, 5.4F, 2.3F, 1.7F), cut(box(8, 5.6F, 3.6F, 3)), line(12, 7.6F, 12, 9.6F, 1.7F),
-              line(12, 9.6F, 2.8F, 16.6F, 2), line(12, 9.6F, 21.2F, 16.6F, 2),
-              line(2.8F, 17.4F, 21.2F, 17.4F, 2)};
+      return {ring(12, 5.4F, 2.3F, 1.7F),      cut(box(8, 5.6F, 3.6F, 3)),
+              line(12, 7.6F, 12, 9.6F, 1.7F),  line(12, 9.6F, 2.8F, 16.6F, 2),
+              line(12, 9.6F, 21.2F, 16.6F, 2), line(2.8F, 17.4F, 21.2F, 17.4F, 2)};
     case PlaceKind::Lockers:
       return {box(3, 2, 18, 20), cut(box(5, 4, 6.2F, 16)), cut(box(12.8F, 4, 6.2F, 16)),
               disc(9.2F, 12, 1.2F), disc(14.8F, 12, 1.2F)};
@@ -178,8 +193,9 @@ Shapes shapes_of_place(PlaceKind kind) {
       return {ring(16, 12.4F, 3.4F, 1.8F), box(4, 8, 12, 10, 3), line(3, 21, 17, 21, 1.8F),
               line(8, 2.6F, 8, 5.2F, 1.5F), line(12, 2.6F, 12, 5.2F, 1.5F)};
     case PlaceKind::Restaurant:
-      return {line(7, 8, 7, 21.5F, 2.2F), line(4, 3, 4, 8, 1.5F), line(7, 3, 7, 8, 1.5F),
-              line(10, 3, 10, 8, 1.5F), line(4, 8.2F, 10, 8.2F, 1.8F), line(16.6F, 12, 16.6F, 21.5F, 2.2F),
+      return {line(7, 8, 7, 21.5F, 2.2F),      line(4, 3, 4, 8, 1.5F),
+              line(7, 3, 7, 8, 1.5F),          line(10, 3, 10, 8, 1.5F),
+              line(4, 8.2F, 10, 8.2F, 1.8F),   line(16.6F, 12, 16.6F, 21.5F, 2.2F),
               box(15.6F, 2.2F, 4.4F, 11.5F, 2)};
     case PlaceKind::Shop:
       return {ring(12, 8, 4, 1.8F), box(4, 8.6F, 16, 13, 1.4F)};
@@ -197,9 +213,12 @@ Shapes shapes_of_place(PlaceKind kind) {
     case PlaceKind::FirstAid:
       return {box(9, 3, 6, 18), box(3, 9, 18, 6)};
     case PlaceKind::Defibrillator:
-      return {disc(7.6F, 8.4F, 4.7F), disc(16.4F, 8.4F, 4.7F),
-              triangle({3.8F, 11.4F}, {20.2F, 11.4F}, {12, 21}), disc(12, 11, 3.2F),
-              cut(line(13.4F, 6, 10, 11.6F, 1.5F)), cut(line(10, 11.6F, 14, 11.6F, 1.5F)),
+      return {disc(7.6F, 8.4F, 4.7F),
+              disc(16.4F, 8.4F, 4.7F),
+              triangle({3.8F, 11.4F}, {20.2F, 11.4F}, {12, 21}),
+              disc(12, 11, 3.2F),
+              cut(line(13.4F, 6, 10, 11.6F, 1.5F)),
+              cut(line(10, 11.6F, 14, 11.6F, 1.5F)),
               cut(line(14, 11.6F, 11, 17, 1.5F))};
     case PlaceKind::QuietRoom:
       return {disc(11, 12, 9), cut(disc(15.6F, 9, 7.6F))};
@@ -207,32 +226,51 @@ Shapes shapes_of_place(PlaceKind kind) {
       return {disc(10, 4.6F, 2.2F), line(9.6F, 9, 8, 15, 3), line(9.8F, 9.2F, 15.4F, 8, 1.8F),
               line(8, 15.6F, 15, 18.4F, 2.4F), line(15, 19.8F, 5, 20.4F, 2.2F)};
     case PlaceKind::MeetingPoint:
-      return {disc(12, 12, 2.8F), line(3.2F, 3.2F, 7.6F, 7.6F, 1.9F), line(7.6F, 7.6F, 7.6F, 3.6F, 1.9F),
-              line(7.6F, 7.6F, 3.6F, 7.6F, 1.9F), line(20.8F, 3.2F, 16.4F, 7.6F, 1.9F),
-              line(16.4F, 7.6F, 16.4F, 3.6F, 1.9F), line(16.4F, 7.6F, 20.4F, 7.6F, 1.9F),
-              line(3.2F, 20.8F, 7.6F, 16.4F, 1.9F), line(7.6F, 16.4F, 7.6F, 20.4F, 1.9F),
-              line(7.6F, 16.4F, 3.6F, 16.4F, 1.9F), line(20.8F, 20.8F, 16.4F, 16.4F, 1.9F),
-              line(16.4F, 16.4F, 16.4F, 20.4F, 1.9F), line(16.4F, 16.4F, 20.4F, 16.4F, 1.9F)};
+      return {disc(12, 12, 2.8F),
+              line(3.2F, 3.2F, 7.6F, 7.6F, 1.9F),
+              line(7.6F, 7.6F, 7.6F, 3.6F, 1.9F),
+              line(7.6F, 7.6F, 3.6F, 7.6F, 1.9F),
+              line(20.8F, 3.2F, 16.4F, 7.6F, 1.9F),
+              line(16.4F, 7.6F, 16.4F, 3.6F, 1.9F),
+              line(16.4F, 7.6F, 20.4F, 7.6F, 1.9F),
+              line(3.2F, 20.8F, 7.6F, 16.4F, 1.9F),
+              line(7.6F, 16.4F, 7.6F, 20.4F, 1.9F),
+              line(7.6F, 16.4F, 3.6F, 16.4F, 1.9F),
+              line(20.8F, 20.8F, 16.4F, 16.4F, 1.9F),
+              line(16.4F, 16.4F, 16.4F, 20.4F, 1.9F),
+              line(16.4F, 16.4F, 20.4F, 16.4F, 1.9F)};
     case PlaceKind::LostAndFound:
-      return {disc(12, 11.4F, 9.2F), cut(box(0, 11.4F, 24, 14)), cut(disc(6, 12.6F, 2.4F)),
-              cut(disc(12, 12.6F, 2.4F)), cut(disc(18, 12.6F, 2.4F)), line(12, 10, 12, 19.6F, 1.8F),
-              line(12, 20.4F, 15, 20.4F, 1.8F), line(15.4F, 18.4F, 15.4F, 20, 1.8F)};
+      return {disc(12, 11.4F, 9.2F),
+              cut(box(0, 11.4F, 24, 14)),
+              cut(disc(6, 12.6F, 2.4F)),
+              cut(disc(12, 12.6F, 2.4F)),
+              cut(disc(18, 12.6F, 2.4F)),
+              line(12, 10, 12, 19.6F, 1.8F),
+              line(12, 20.4F, 15, 20.4F, 1.8F),
+              line(15.4F, 18.4F, 15.4F, 20, 1.8F)};
     case PlaceKind::CashMachine:
       return {box(2, 6, 20, 12), cut(box(4, 8, 16, 8)), disc(12, 12, 3)};
     case PlaceKind::Telephone:
       return {line(4.5F, 6.6F, 19.5F, 6.6F, 3.4F), box(2.6F, 5, 5.4F, 6, 1.6F),
               box(16, 5, 5.4F, 6, 1.6F), box(5, 11.5F, 14, 9.5F, 2), cut(disc(12, 16.2F, 2.8F))};
     case PlaceKind::Library:
-      return {box(2.5F, 4.5F, 8.7F, 14.5F), box(12.8F, 4.5F, 8.7F, 14.5F), line(3.4F, 20.6F, 20.6F, 20.6F, 1.6F),
-              cut(line(5, 8.6F, 8.8F, 8.6F, 1.2F)), cut(line(5, 12, 8.8F, 12, 1.2F)),
-              cut(line(15.2F, 8.6F, 19, 8.6F, 1.2F)), cut(line(15.2F, 12, 19, 12, 1.2F))};
+      return {box(2.5F, 4.5F, 8.7F, 14.5F),          box(12.8F, 4.5F, 8.7F, 14.5F),
+              line(3.4F, 20.6F, 20.6F, 20.6F, 1.6F), cut(line(5, 8.6F, 8.8F, 8.6F, 1.2F)),
+              cut(line(5, 12, 8.8F, 12, 1.2F)),      cut(line(15.2F, 8.6F, 19, 8.6F, 1.2F)),
+              cut(line(15.2F, 12, 19, 12, 1.2F))};
     case PlaceKind::Auditorium:
-      return {box(3, 2.5F, 18, 9.5F), cut(box(5, 4.5F, 14, 5.5F)), disc(6, 16, 2),
-              disc(12, 16, 2), disc(18, 16, 2), box(3.4F, 18.8F, 5.2F, 3.4F, 1.4F),
-              box(9.4F, 18.8F, 5.2F, 3.4F, 1.4F), box(15.4F, 18.8F, 5.2F, 3.4F, 1.4F)};
+      return {box(3, 2.5F, 18, 9.5F),
+              cut(box(5, 4.5F, 14, 5.5F)),
+              disc(6, 16, 2),
+              disc(12, 16, 2),
+              disc(18, 16, 2),
+              box(3.4F, 18.8F, 5.2F, 3.4F, 1.4F),
+              box(9.4F, 18.8F, 5.2F, 3.4F, 1.4F),
+              box(15.4F, 18.8F, 5.2F, 3.4F, 1.4F)};
     case PlaceKind::Parking:
-      return {ring(12.4F, 8.4F, 4.2F, 3), cut(box(5, 2, 5.8F, 14)), line(8.6F, 4.2F, 8.6F, 20, 3.2F),
-              line(8.6F, 4.2F, 12, 4.2F, 3), line(8.6F, 12.6F, 12, 12.6F, 3)};
+      return {ring(12.4F, 8.4F, 4.2F, 3), cut(box(5, 2, 5.8F, 14)),
+              line(8.6F, 4.2F, 8.6F, 20, 3.2F), line(8.6F, 4.2F, 12, 4.2F, 3),
+              line(8.6F, 12.6F, 12, 12.6F, 3)};
     case PlaceKind::Count:
       break;
   }
@@ -251,7 +289,8 @@ Shapes shapes_of(Pictogram what) {
       return shapes_of_wheelchair();
     case Pictogram::NoEscalators: {
       Shapes shapes = shapes_of_stairs(2.3F);
-      for (const Shape& shape : {cut(line(3.5F, 3.5F, 20.5F, 20.5F, 4.6F)), line(3.5F, 3.5F, 20.5F, 20.5F, 2)})
+      for (const Shape& shape :
+           {cut(line(3.5F, 3.5F, 20.5F, 20.5F, 4.6F)), line(3.5F, 3.5F, 20.5F, 20.5F, 2)})
         shapes.push_back(shape);
       return shapes;
     }

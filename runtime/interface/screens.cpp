@@ -44,27 +44,31 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
 /// Why there is no way, and who can help.
 std::string no_way_text(const Sheet& sheet, const RouteSummary& summary) {
   const std::optional<Goal> goal = goal_of(sheet.museum(), sheet.request().state);
-  if (!summary.closed || !goal) return std::string(sheet.word("no_way"));
+  if (!summary.hindrance || !goal) return std::string(sheet.word("no_way"));
   const Floor& floor = sheet.museum().floors[goal->floor];
   const std::string_view title = sheet.local(floor.title);
-  return filled_in(sheet.word(closed_word(*summary.closed)), "floor",
+  return filled_in(sheet.word(hindrance_word(*summary.hindrance)), "floor",
                    title.empty() ? std::string_view(floor.plan.short_name) : title);
 }
 
 }  // namespace
 
-std::string_view closed_word(Closed closed) noexcept {
-  switch (closed) {
-    case Closed::Door:
+std::string_view hindrance_word(Hindrance hindrance) noexcept {
+  switch (hindrance) {
+    case Hindrance::Door:
       return "closed_door";
-    case Closed::Stairs:
+    case Hindrance::Stairs:
       return "closed_stairs";
-    case Closed::Escalator:
+    case Hindrance::Escalator:
       return "closed_escalator";
-    case Closed::Lift:
+    case Hindrance::Lift:
       return "closed_lift";
-    case Closed::Ramp:
+    case Hindrance::Ramp:
       return "closed_ramp";
+    case Hindrance::Steps:
+      return "only_steps";
+    case Hindrance::Escalators:
+      return "only_escalators";
   }
   return "no_way";
 }

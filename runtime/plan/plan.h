@@ -13,6 +13,7 @@
 #include "runtime/model/none.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
+#include "runtime/path/building/building_way.h"
 #include "runtime/path/route.h"
 
 namespace docent::plan {
@@ -51,7 +52,8 @@ struct WalkOrder {
   std::optional<std::uint32_t> goal_floor{};  ///< Where the goal is; empty: on `floor`.
   /// Instead of the goal, which is then anything: the nearest place of that kind, on any floor.
   std::optional<PlaceKind> seeks{};
-  Placement start;  ///< Where the avatar stands if no plan is in progress.
+  path::Permissions permissions{};  ///< Of the connections to other floors.
+  Placement start;                  ///< Where the avatar stands if no plan is in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
   /// keeps that plan until the answer to its latest order has come.
   const Plan* previous = nullptr;
@@ -83,7 +85,7 @@ struct WalkOrder {
 struct Plan {
   WalkOrder order;
   path::RouteStatus status = path::RouteStatus::NoRoute;
-  std::optional<interface::Closed> closed{};  ///< No way, because of that.
+  std::optional<interface::Hindrance> hindrance{};  ///< No way, because of that.
   /// Of an order that seeks: the place that was found, which is the goal of `order` now; where
   /// there is no way, the one to which there would be one at best; `none` where there is no place.
   std::uint32_t place = none;

@@ -187,7 +187,7 @@ std::unique_ptr<Plan> Traffic::seek(const WalkOrder& order) {
   auto plan = std::make_unique<Plan>();
   plan->order = there;
   plan->status = found.status;
-  plan->closed = found.closed;
+  plan->hindrance = found.hindrance;
   plan->place = found.place;
   return plan;
 }
@@ -312,7 +312,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   } else {
     Leg leg = find_leg(museum_, building_, order, from.position);
     plan->status = leg.way.status;
-    plan->closed = leg.closed;
+    plan->hindrance = leg.hindrance;
     if (leg.way.status != path::RouteStatus::Ok) return plan;
     plan->end = leg.end;
     plan->then = leg.then;

@@ -228,8 +228,37 @@ TEST(AGuide, WhoseOnlyConnectionIsClosedSaysThatItIs) {
   while (!watch.crowd()[0].route_summary) watch.step();
 
   EXPECT_EQ(watch.crowd()[0].route_summary->status, path::RouteStatus::NoRoute);
-  EXPECT_EQ(watch.crowd()[0].route_summary->closed, interface::Closed::Lift);
+  EXPECT_EQ(watch.crowd()[0].route_summary->hindrance, interface::Hindrance::Lift);
   EXPECT_TRUE(watch.crowd()[0].has_arrived);
+}
+
+/// Why a guide finds no way up to the first floor, if so, and by what it goes there.
+std::pair<std::optional<interface::Hindrance>, std::uint32_t> goes_up(
+    std::vector<Connection> connections, const path::Permissions& permissions) {
+  Museum museum = house();
+  museum.connections = std::move(connections);
+  Watch watch(museum, 1);
+  watch.crowd().add(0, museum.kiosk, 100, 1);
+  watch.crowd().send(0, 1, museum.exhibits[8].viewing_point, RouteKind::Shortest, permissions);
+  while (!watch.crowd()[0].route_summary) watch.step();
+  const auto& ride = watch.crowd()[0].avatar.next->then;
+  return {watch.crowd()[0].route_summary->hindrance, ride ? ride->connection : none};
+}
+
+TEST(AGuide, LeadsAWayWithoutStepsOrSaysWhyThereIsNone) {
+  const Museum all = house();
+  const Connection &stairs = all.connections[0], &lift = all.connections[2],
+                   &escalator = all.connections[3];
+  Connection broken = lift;
+  broken.closed = true;
+
+  EXPECT_EQ(goes_up({stairs, lift}, {}).second, 0U);
+  EXPECT_EQ(goes_up({stairs, lift}, {.step_free = true}).second, 1U);
+  EXPECT_EQ(goes_up({stairs}, {.step_free = true}).first, interface::Hindrance::Steps);
+  EXPECT_EQ(goes_up({stairs, broken}, {.step_free = true}).first, interface::Hindrance::Lift);
+  EXPECT_EQ(goes_up({escalator}, {}).second, 0U);
+  EXPECT_EQ(goes_up({escalator}, {.no_escalators = true}).first, interface::Hindrance::Escalators);
+  EXPECT_EQ(goes_up({escalator, stairs}, {.no_escalators = true}).second, 1U);
 }
 
 Place toilets(std::uint32_t floor, Vec2 standing) {
@@ -288,7 +317,7 @@ TEST(AGuide, SentToAPlaceThatNoWayLeadsToSaysWhy) {
   watch.crowd().seek(0, PlaceKind::Toilets, RouteKind::Shortest);
   while (!watch.crowd()[0].route_summary) watch.step();
 
-  EXPECT_EQ(watch.crowd()[0].route_summary->closed, interface::Closed::Lift);
+  EXPECT_EQ(watch.crowd()[0].route_summary->hindrance, interface::Hindrance::Lift);
   EXPECT_EQ(watch.crowd()[0].place, 0U) << "so that it can be said where";
   EXPECT_TRUE(watch.crowd()[0].has_arrived);
   watch.crowd().seek(0, PlaceKind::Cafe, RouteKind::Shortest);

@@ -464,6 +464,52 @@ TEST(Guide, LeadsToAnotherFloorWhichComesIntoViewWhileTheModelIsBehindPaper) {
   EXPECT_EQ(session.guide().draw_list().floor, house.kiosk_floor);
 }
 
+TEST(Guide, PlansAnewAtOnceWithoutStepsAndGoesAnyWayAgainWithTheNextVisitor) {
+  Session session;
+  session.tap("begin");
+  session.run(1);
+  session.tap("floor:upper");
+  session.run(1);
+  const auto upstairs = std::ranges::find(museum().exhibits, 1U, &Exhibit::floor);
+  session.tap("exhibit:" + upstairs->id, interface::Role::Spot);
+  session.run(2);
+  const auto taken = [&] {
+    const auto& then = session.guide().crowd()[0].avatar.plan->then;
+    return then ? museum().connections[then->connection].id : std::string();
+  };
+  EXPECT_EQ(taken(), "grand-stairs");
+
+  session.tap("step-free");
+  session.run(2);
+  EXPECT_EQ(taken(), "lift");
+  EXPECT_TRUE(session.guide().state().ways.step_free);
+
+  session.tap("home");
+  session.run(1);
+  EXPECT_FALSE(session.guide().state().ways.step_free);
+}
+
+TEST(Guide, WhoFindsNoWayWithoutStepsStopsAndGoesOnWhenAnyWayWillDo) {
+  Museum house = museum();
+  for (Connection& connection : house.connections) connection.step_free = false;
+  Session session(house);
+  session.tap("begin");
+  session.run(1);
+  session.tap("floor:upper");
+  session.run(1);
+  const auto upstairs = std::ranges::find(house.exhibits, 1U, &Exhibit::floor);
+  session.tap("exhibit:" + upstairs->id, interface::Role::Spot);
+  session.run(2);
+
+  session.tap("step-free");
+  session.run(2);
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking) << "it says why";
+  session.tap("step-free");
+  session.run(1);
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Walk);
+}
+
 TEST(Guide, DoesTheSameTwice) {
   const auto visit = [](Session& session) {
     session.tap("begin");

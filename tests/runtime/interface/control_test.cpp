@@ -228,6 +228,46 @@ TEST(Places, AreFoundByTheirNamesInVisits) {
   EXPECT_FALSE(is_control_name(museum, "place:parking"));
 }
 
+/// Names of what is asked of ways in a state, in a building with these connections.
+std::vector<std::string> avoidances(std::vector<Connection> connections, InterfaceState state) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.connections = std::move(connections);
+  std::vector<std::string> out;
+  for (const std::string& name : names(controls_of(museum, state, 8)))
+    if (name == "step-free" || name == "no-escalators") out.push_back(name);
+  return out;
+}
+
+TEST(WaysWithoutSteps, AreOfferedWhereAWayIsChosenAndThereAreSteps) {
+  const Connection lift{.id = "lift", .kind = ConnectionKind::Lift, .step_free = true, .stops = {}};
+  const Connection stairs{.id = "stairs", .stops = {}};
+  const Connection escalator{.id = "up", .kind = ConnectionKind::Escalator, .stops = {}};
+  InterfaceState state;
+  for (const Screen screen : {Screen::Choosing, Screen::Walking}) {
+    state.screen = screen;
+    EXPECT_THAT(avoidances({lift}, state), ElementsAre());
+    EXPECT_THAT(avoidances({lift, stairs}, state), ElementsAre("step-free"));
+    EXPECT_THAT(avoidances({lift, escalator}, state), ElementsAre("step-free", "no-escalators"));
+  }
+  for (const Screen screen : {Screen::Welcome, Screen::Arrived}) {
+    state.screen = screen;
+    EXPECT_THAT(avoidances({stairs}, state), ElementsAre());
+  }
+}
+
+TEST(WaysWithoutSteps, AreAskedForUntilTheVisitorSaysOtherwiseOrLeaves) {
+  InterfaceState state;
+  state.screen = Screen::Walking;
+  state.exhibit = 1;
+  state = after(state, {Action::Kind::AvoidSteps, 1});
+  state = after(state, {Action::Kind::AvoidEscalators, 1});
+  state = after(state, {Action::Kind::Choose, 2});
+  EXPECT_TRUE(state.ways.step_free && state.ways.no_escalators);
+
+  EXPECT_FALSE(after(state, {Action::Kind::AvoidSteps, 0}).ways.step_free);
+  EXPECT_EQ(after(state, {Action::Kind::Home}).ways, path::Permissions{});
+}
+
 TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<RouteKindInfo> kinds(route_kinds.begin(), route_kinds.end());
