@@ -407,8 +407,9 @@ FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& me
 FloorPlan plan_of_walls(std::vector<OverlayRing> rings) {
   std::vector<DrawnRing> drawn;
   for (OverlayRing& ring : rings) drawn.push_back({std::move(ring), {}});
+  const std::vector<std::string> no_files;
   std::vector<Diagnostic> unsaid;
-  const Reporter reporter({}, unsaid);
+  const Reporter reporter(no_files, unsaid);
   const std::vector<std::vector<Vec2>> walls = drop_specks(
       settle(overlay(rings_of(tidy(std::move(drawn), nullptr)), Fill::LeftOfRings), ""), reporter);
   if (walls.empty())
