@@ -241,8 +241,9 @@ std::pair<std::optional<interface::Hindrance>, std::uint32_t> goes_up(
   watch.crowd().add(0, museum.kiosk, 100, 1);
   watch.crowd().send(0, 1, museum.exhibits[8].viewing_point, RouteKind::Shortest, permissions);
   while (!watch.crowd()[0].route_summary) watch.step();
-  const auto& ride = watch.crowd()[0].avatar.next->then;
-  return {watch.crowd()[0].route_summary->hindrance, ride ? ride->connection : none};
+  const Agent& agent = watch.crowd()[0];
+  const auto& plan = agent.avatar.next ? agent.avatar.next : agent.avatar.plan;
+  return {agent.route_summary->hindrance, plan && plan->then ? plan->then->connection : none};
 }
 
 TEST(AGuide, LeadsAWayWithoutStepsOrSaysWhyThereIsNone) {

@@ -506,7 +506,7 @@ TEST(Guide, WhoFindsNoWayWithoutStepsStopsAndGoesOnWhenAnyWayWillDo) {
   EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking) << "it says why";
   session.tap("step-free");
-  session.run(1);
+  session.run(3);
   EXPECT_EQ(session.guide().state_of(0), AvatarState::Walk);
 }
 
