@@ -60,12 +60,32 @@ void Crowd::hold_still() noexcept {
   for (Agent& one : members_) one.avatar.breathes = false;
 }
 
-void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal,
-                 RouteKind kind) noexcept {
+void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
+                 const path::Permissions& permissions) noexcept {
   Agent& one = members_[who];
   one.goal = goal;
   one.goal_floor = floor;
+  one.seeks.reset();
+  one.place = none;
   one.kind = kind;
+  one.permissions = permissions;
+  set_out(who);
+}
+
+void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind,
+                 const path::Permissions& permissions) noexcept {
+  Agent& one = members_[who];
+  one.goal = one.avatar.body;  // until it is known
+  one.goal_floor = one.avatar.floor;
+  one.seeks = place;
+  one.place = none;
+  one.kind = kind;
+  one.permissions = permissions;
+  set_out(who);
+}
+
+void Crowd::set_out(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
   one.has_arrived = one.is_on_its_way = one.has_ridden = false;
   one.route_summary.reset();
   one.ask_at = clock_;
@@ -80,7 +100,10 @@ void Crowd::replan() noexcept {
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];
     if (!one.goal || one.has_arrived) continue;
-    send(who, one.goal_floor, *one.goal, one.kind);
+    if (one.seeks)
+      seek(who, *one.seeks, one.kind, one.permissions);
+    else
+      send(who, one.goal_floor, *one.goal, one.kind, one.permissions);
     one.replans = true;
   }
 }
@@ -159,12 +182,17 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     return;
   }
   if (plan->order.ride) return take_ride(one, std::move(plan));
+  if (plan->place != none) {
+    one.place = plan->place;
+    one.goal = plan->order.goal;
+    one.goal_floor = plan->order.goal_floor.value_or(plan->order.floor);
+  }
   if (plan->order.goal && (!plan->order.continues || plan->is_new_way)) {
     one.is_answered = true;
     // What was told of the whole way stays true on its later floors.
     if (!one.has_ridden || plan->status != path::RouteStatus::Ok)
-      one.route_summary =
-          interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal, plan->closed};
+      one.route_summary = interface::RouteSummary{plan->status, plan->length, plan->seconds_to_goal,
+                                                  plan->hindrance};
   }
   const bool replans = std::exchange(one.replans, false);
   if (plan->status != path::RouteStatus::Ok) {
@@ -276,7 +304,9 @@ void Crowd::go_on(std::uint32_t who) noexcept {
   plan::WalkOrder order;
   order.goal = one.goal;
   order.goal_floor = one.goal_floor;
+  if (one.place == none) order.seeks = one.seeks;
   order.kind = one.kind;
+  order.permissions = one.permissions;
   if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {
     if (avatar.plan->then) return ask_for_ride(who);

@@ -7,6 +7,7 @@
 #include "runtime/guide/avatar.h"
 #include "runtime/guide/proximity.h"
 #include "runtime/model/museum.h"
+#include "runtime/model/none.h"
 #include "runtime/plan/planner.h"
 
 namespace docent::guide {
@@ -17,7 +18,10 @@ struct Agent {
   bool is_here = false;           ///< It appears once there is room for it.
   std::optional<Placement> goal;  ///< Where it is sent; empty: it stands, or stops.
   std::uint32_t goal_floor = 0;
+  std::optional<PlaceKind> seeks{};  ///< It was sent to the nearest place of that kind, ...
+  std::uint32_t place = none;        ///< ... which is this one, once that is known.
   RouteKind kind = RouteKind::Shortest;
+  path::Permissions permissions{};
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
   double pace = 1;  ///< Share of the ordinary speed.
   bool has_arrived = true;
@@ -65,7 +69,11 @@ class Crowd {
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
   /// Who is on a connection between two floors comes out first.
-  void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind) noexcept;
+  void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
+            const path::Permissions& permissions = {}) noexcept;
+  /// To the nearest place of that kind.
+  void seek(std::uint32_t who, PlaceKind place, RouteKind kind,
+            const path::Permissions& permissions = {}) noexcept;
   /// What is closed has changed: whoever is under way asks for a new way, and stops where there is
   /// none.
   void replan() noexcept;
@@ -82,6 +90,7 @@ class Crowd {
   double clock() const noexcept { return clock_; }
 
  private:
+  void set_out(std::uint32_t who) noexcept;
   void take_answers() noexcept;
   void take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void take_ride(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;

@@ -50,8 +50,9 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   list_.ribbon_point.reserve(most_ribbon_points + (guides - 1) * points_of_a_trail);
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) +
                         2 * interface::most_seats);
-  list_.quads.reserve(std::max(most_quads, museum.exhibits.size() * 4 + 512) +
-                      sessions_.size() * quads_of_a_card);
+  list_.quads.reserve(
+      std::max(most_quads, (museum.exhibits.size() + museum.places.size()) * 4 + 512) +
+      sessions_.size() * quads_of_a_card);
 }
 
 /// Guides wait near the kiosk, as many as there is room for.
@@ -256,8 +257,10 @@ void Guide::step(Seconds dt) noexcept {
 std::span<const LedVisitor> Guide::led_visitors() noexcept {
   led_visitors_.clear();
   for (const Session& session : sessions_)
-    if (session.guide() && session.leads_to_exhibit())
-      led_visitors_.push_back({*session.guide(), session.state().exhibit, session.state().arrived});
+    if (session.guide() && session.leads_to_goal())
+      led_visitors_.push_back({*session.guide(), session.state().exhibit,
+                               interface::goal_of(museum_, session.state()),
+                               session.state().arrived});
   return led_visitors_;
 }
 

@@ -1,7 +1,9 @@
 #include "runtime/guide/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "runtime/scene/theme.h"
@@ -69,6 +71,67 @@ std::int32_t twin_of(std::int32_t control, const interface::View& from,
   return twin == to.controls.end() ? -1 : static_cast<std::int32_t>(twin - to.controls.begin());
 }
 
+/// What a label covers where it is shown, with what it is drawn on.
+scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
+  const float unit = view.unit_px;
+  float width = label.width_px + 1.6F * unit, height = label.height_px * 0.82F;
+  if (label.on_disc)
+    width = height = std::max({4.2F * unit, label.width_px + 1.4F * unit, label.height_px});
+  if (label.is_sign) width = height = label.width_px + 1.2F * unit;
+  return around(label.rect.x + label.rect.width / 2, label.rect.y + label.rect.height / 2,
+                width / view.pixel_width, height / view.pixel_height);
+}
+
+/// Of a gallery.
+bool is_name(const interface::FloorLabel& label) noexcept {
+  return !label.on_disc && !label.is_sign;
+}
+
+bool overlap(const scene::Rect& a, const scene::Rect& b) noexcept {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+/// Steps about a place, nearest first, in shares of a sign's size.
+constexpr std::array<std::array<float, 2>, 17> about{{{0, 0},
+                                                      {0, -0.6F},
+                                                      {0, 0.6F},
+                                                      {-0.6F, 0},
+                                                      {0.6F, 0},
+                                                      {0, -1.1F},
+                                                      {0, 1.1F},
+                                                      {-1.1F, 0},
+                                                      {1.1F, 0},
+                                                      {-1.1F, -1.1F},
+                                                      {1.1F, -1.1F},
+                                                      {-1.1F, 1.1F},
+                                                      {1.1F, 1.1F},
+                                                      {0, -2.2F},
+                                                      {0, 2.2F},
+                                                      {-2.2F, 0},
+                                                      {2.2F, 0}}};
+
+/// Moves a sign to where it covers none of the labels before it and none that is no sign; leaves it
+/// where it is if there is no such place about it.
+void make_way(const interface::View& view, std::size_t sign,
+              std::span<interface::FloorLabel> labels) noexcept {
+  interface::FloorLabel& label = labels[sign];
+  const scene::Rect place = label.rect;
+  const scene::Rect ground = ground_of(view, label);
+  for (const auto& [x, y] : about) {
+    label.rect = place;
+    label.rect.x += x * ground.width;
+    label.rect.y += y * ground.height;
+    const scene::Rect here = ground_of(view, label);
+    bool is_free = scene::contains(view.free, here.x, here.y) &&
+                   scene::contains(view.free, here.x + here.width, here.y + here.height);
+    for (std::size_t i = 0; is_free && i < labels.size(); ++i)
+      if (i != sign && labels[i].rect.width > 0 && (!labels[i].is_sign || i < sign))
+        is_free = !overlap(here, ground_of(view, labels[i]));
+    if (is_free) return;
+  }
+  label.rect = place;
+}
+
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
@@ -103,11 +166,18 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
       if (in_picture)
         label.rect = around(at->x, at->y, label.width_px / view->pixel_width,
                             label.height_px / view->pixel_height);
+    }
+    for (std::size_t i = 0; i < view->labels.size(); ++i)
+      if (view->labels[i].is_sign && view->labels[i].rect.width > 0)
+        make_way(*view, i, view->labels);
+    for (const interface::FloorLabel& label : view->labels) {
       if (label.control < 0) continue;
-      scene::Rect& spot = view->controls[static_cast<std::size_t>(label.control)].rect;
-      spot = in_picture ? around(at->x, at->y, view->spot_px / view->pixel_width,
-                                 view->spot_px / view->pixel_height)
-                        : scene::Rect{};
+      const scene::Rect& at = label.rect;
+      view->controls[static_cast<std::size_t>(label.control)].rect =
+          at.width > 0
+              ? around(at.x + at.width / 2, at.y + at.height / 2, view->spot_px / view->pixel_width,
+                       view->spot_px / view->pixel_height)
+              : scene::Rect{};
     }
   }
 }
@@ -218,36 +288,26 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
   const float shorter = shorter_px(view);
   for (const interface::FloorLabel& label : view.labels) {
     if (label.rect.width <= 0 || label.texture == scene::TextureId::None) continue;
-    const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
     const interface::Control* spot =
         label.control < 0 ? nullptr : &view.controls[static_cast<std::size_t>(label.control)];
     const bool selected = spot != nullptr && spot->selected;
-    if (label.on_disc) {
-      const float size = std::max(4.2F * view.unit_px,
-                                  std::max(label.width_px + 1.4F * view.unit_px, label.height_px)) *
-                         (1 - 0.1F * press_depth(label.control)) * (selected ? 1.2F : 1);
-      scene::Quad disc;
-      disc.rect = around(x, y, size / view.pixel_width, size / view.pixel_height);
-      disc.corner = size / 2 / shorter;
-      disc.colour = scene::with_opacity(selected ? theme.invitation : theme.paper, opacity);
-      list.quads.push_back(disc);
-    }
-    if (!label.on_disc) {
-      scene::Quad slip;
-      const float pad = 0.8F * view.unit_px;
-      slip.rect = around(x, y, (label.width_px + 2 * pad) / view.pixel_width,
-                         (label.height_px * 0.82F) / view.pixel_height);
-      slip.corner = 0.8F * view.unit_px / shorter;
-      slip.colour = scene::with_opacity(theme.paper, 0.74F * opacity);
-      list.quads.push_back(slip);
-    }
+    scene::Quad ground;
+    const float size = (1 - 0.1F * press_depth(label.control)) * (selected ? 1.2F : 1);
+    ground.rect = scaled(ground_of(view, label), label.rect, size);
+    ground.corner = label.on_disc ? ground.rect.width * view.pixel_width / 2 / shorter
+                                  : 0.8F * view.unit_px / shorter;
+    ground.colour = scene::with_opacity(selected        ? theme.invitation
+                                        : label.is_sign ? theme.quiet_ink
+                                                        : theme.paper,
+                                        is_name(label) ? 0.74F * opacity : opacity);
+    list.quads.push_back(ground);
     scene::Quad text;
     text.fill = scene::QuadFill::Text;
     text.texture = label.texture;
     text.rect = label.rect;
     text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
     text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;
-    text.colour = scene::with_opacity(selected ? theme.paper : theme.ink, opacity);
+    text.colour = scene::with_opacity(selected || label.is_sign ? theme.paper : theme.ink, opacity);
     list.quads.push_back(text);
   }
 }

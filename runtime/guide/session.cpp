@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/interface/goal.h"
+
 namespace docent::guide {
 namespace {
 
@@ -92,8 +94,8 @@ bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
 void Session::swipe(bool left) noexcept {
   // What is further on comes from the side where lines end.
   const bool forwards = left != interface::runs_right_to_left(context_.museum, state_.language);
-  const std::uint32_t pages =
-      interface::page_count(context_.museum, interface::exhibits_per_page(context_.shape, state_));
+  const std::uint32_t pages = interface::page_count(
+      context_.museum, state_, interface::exhibits_per_page(context_.shape, state_));
   if (forwards && state_.page + 1 < pages)
     act({interface::Action::Kind::TurnPage, state_.page + 1});
   if (!forwards && state_.page > 0) act({interface::Action::Kind::TurnPage, state_.page - 1});
@@ -128,7 +130,6 @@ void Session::press_key(input::Key key) noexcept {
 }
 
 void Session::act(interface::Action action) noexcept {
-  const interface::InterfaceState before = state_;
   show(interface::after(state_, action));
   switch (action.kind) {
     case interface::Action::Kind::Pick:
@@ -138,10 +139,14 @@ void Session::act(interface::Action action) noexcept {
       break;
     case interface::Action::Kind::Choose:
     case interface::Action::Kind::FollowTour:
+    case interface::Action::Kind::Seek:
+    case interface::Action::Kind::GoToPlace:
       set_out();
       break;
     case interface::Action::Kind::TakeRoute:
-      if (leads_to_exhibit() && !before.arrived) set_out();
+    case interface::Action::Kind::AvoidSteps:
+    case interface::Action::Kind::AvoidEscalators:
+      set_out();  // by another way, or at last by any
       break;
     case interface::Action::Kind::Stop:
       order({.kind = Errand::Kind::Stop});
@@ -154,14 +159,24 @@ void Session::act(interface::Action action) noexcept {
   }
 }
 
-/// Sends the guide to the chosen exhibit by the chosen kind of way, unless it is on that way.
+/// Sends the guide to the chosen goal by the chosen kind of way, unless it is on that way.
 void Session::set_out() noexcept {
-  const Errand errand{Errand::Kind::ToExhibit, state_.exhibit, state_.kind};
-  if (!guide_ || state_.arrived || !errand.exhibit) return;
-  if (errand_.kind == errand.kind && errand_.exhibit == errand.exhibit &&
-      errand_.route == errand.route)
-    return;
+  Errand errand{.kind = Errand::Kind::ToGoal,
+                .exhibit = state_.exhibit,
+                .seeks = state_.seeks,
+                .route = state_.kind,
+                .permissions = state_.ways};
+  if (!errand.seeks) errand.place = state_.place;
+  if (!guide_ || state_.arrived || !interface::has_goal(state_) || errand_ == errand) return;
   order(errand);
+}
+
+void Session::lead(const Errand& errand) noexcept {
+  if (errand.seeks)
+    return context_.crowd.seek(*guide_, *errand.seeks, errand.route, errand.permissions);
+  const auto goal = interface::goal_of(context_.museum, state_);
+  if (goal)
+    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions);
 }
 
 void Session::order(const Errand& errand) noexcept {
@@ -169,9 +184,8 @@ void Session::order(const Errand& errand) noexcept {
   errand_ = errand;
   route_summary_.reset();
   switch (errand.kind) {
-    case Errand::Kind::ToExhibit:
-      context_.crowd.send(*guide_, context_.museum.exhibits[*errand.exhibit].floor,
-                          context_.museum.exhibits[*errand.exhibit].viewing_point, errand.route);
+    case Errand::Kind::ToGoal:
+      lead(errand);
       break;
     case Errand::Kind::Home:
       context_.crowd.send(*guide_, context_.museum.kiosk_floor, context_.homes[*guide_],
@@ -217,10 +231,14 @@ bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
 
 /// The crowd has been told about the guide's way.
 void Session::take_way() noexcept {
-  if (!guide_ || !agent().is_answered || !leads_to_exhibit()) return;
+  if (!guide_ || !agent().is_answered || !leads_to_goal()) return;
   if (!route_summary_) ++routes_;
+  if (errand_.seeks && agent().place != none) state_.place = agent().place;
   route_summary_ = agent().route_summary;
-  if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) errand_ = {};
+  if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) {
+    errand_ = {};
+    context_.crowd.stop(*guide_);  // it goes on no farther to where it was going before
+  }
   request_view();
 }
 
@@ -239,14 +257,15 @@ void Session::notice_arrival() noexcept {
   if (!guide_ || errand_.kind == Errand::Kind::None || agent().awaits_answer ||
       !stands(agent().avatar) || !agent().has_arrived)
     return;
-  if (errand_.kind != Errand::Kind::ToExhibit) {
+  if (errand_.kind != Errand::Kind::ToGoal) {
     errand_ = {};
     return;
   }
   interface::InterfaceState now = state_;
   if (now.arrived) return;
   now.arrived = true;
-  now.floor = context_.museum.exhibits[*errand_.exhibit].floor;  // that is where they are looking
+  if (const auto goal = interface::goal_of(context_.museum, state_))
+    now.floor = goal->floor;  // that is where they are looking
   if (now.screen == interface::Screen::Walking) now.screen = interface::Screen::Arrived;
   show(now);
 }

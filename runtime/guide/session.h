@@ -17,10 +17,15 @@ namespace docent::guide {
 
 /// What a guide was sent to do.
 struct Errand {
-  enum class Kind : std::uint8_t { None, ToExhibit, Stop, Home };
+  enum class Kind : std::uint8_t { None, ToGoal, Stop, Home };
   Kind kind = Kind::None;
   std::optional<std::uint32_t> exhibit{};
+  std::optional<PlaceKind> seeks{};  ///< The nearest place of that kind; or just this place.
+  std::optional<std::uint32_t> place{};
   RouteKind route = RouteKind::Shortest;
+  path::Permissions permissions{};
+
+  bool operator==(const Errand&) const = default;
 };
 
 /// What the sessions of a kiosk have in common. Borrowed.
@@ -64,7 +69,7 @@ class Session {
   const Overlay& overlay() const noexcept { return overlay_; }
   const interface::View* view() const noexcept { return overlay_.view(); }
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
-  bool leads_to_exhibit() const noexcept { return errand_.kind == Errand::Kind::ToExhibit; }
+  bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
   /// Does the glass show the state that the visitor asked for?
   bool shows_its_state() const noexcept;
   bool is_vacant() const noexcept { return state_.screen == interface::Screen::Welcome; }
@@ -78,6 +83,7 @@ class Session {
   void swipe(bool left) noexcept;
   void set_out() noexcept;
   void order(const Errand& errand) noexcept;
+  void lead(const Errand& errand) noexcept;
   void go_home() noexcept;
   void take_way() noexcept;
   void notice_arrival() noexcept;

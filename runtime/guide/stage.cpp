@@ -147,10 +147,9 @@ void Stage::change_floor(const interface::InterfaceState& state, const Avatar& l
 scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                                    const Avatar& leader) const noexcept {
   const double height = leader.height;
-  if (state.screen == interface::Screen::Arrived && state.exhibit) {
-    const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
-    return scene::beside(leader.body, exhibit.placement.position, height, free_, aspect_);
-  }
+  if (state.screen == interface::Screen::Arrived)
+    if (const auto goal = interface::goal_of(museum_, state))
+      return scene::beside(leader.body, goal->position, height, free_, aspect_);
   if (state.screen == interface::Screen::Walking) {
     const AheadPoints ahead = ahead_of(leader);
     scene::CameraRig rig = scene::behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
@@ -266,12 +265,12 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
     draw_own_way(state, leader, list);
 }
 
-/// On this floor: at the exhibit, or where the guide leaves it for another.
+/// On this floor: at the goal, or where the guide leaves it for another.
 std::optional<Placement> Stage::end_of_way(const interface::InterfaceState& state,
                                            const Avatar& leader) const noexcept {
-  if (!state.exhibit) return {};
-  const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
-  if (exhibit.floor == floor_) return exhibit.viewing_point;
+  const auto goal = interface::goal_of(museum_, state);
+  if (!goal) return {};
+  if (goal->floor == floor_) return goal->standing;
   if (leader.plan->then && leader.floor == floor_) return leader.plan->end;
   return {};
 }
@@ -302,12 +301,11 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
                       scene::DrawList& list) const noexcept {
   for (const LedVisitor& one : led_visitors) {
     const Agent& guide = crowd[one.guide];
-    if (!one.exhibit) continue;
+    if (!one.goal) continue;
     if (guide.is_on_its_way && guide.avatar.floor == list.floor)
       draw_trail(guide.avatar, static_cast<float>(flow_), list);
-    const Exhibit& exhibit = museum_.exhibits[*one.exhibit];
-    const Placement& view = exhibit.viewing_point;
-    if (!one.arrived && exhibit.floor == list.floor)
+    const Placement& view = one.goal->standing;
+    if (!one.arrived && one.goal->floor == list.floor)
       list.markers.push_back({.kind = scene::MarkerDraw::Kind::Goal,
                               .look = guide.avatar.look,
                               .position = to_world(view.position, height_of(museum_, list.floor)),

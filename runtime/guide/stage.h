@@ -6,6 +6,7 @@
 #include "runtime/guide/avatar.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/interface/control.h"
+#include "runtime/interface/goal.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/draw_list.h"
@@ -19,10 +20,11 @@ bool leaves_a_trail(const Agent& one) noexcept;
 /// metres; nothing where the list has no capacity left. Does not allocate.
 void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcept;
 
-/// A guide who leads a visitor to an exhibit.
+/// A guide who leads a visitor to an exhibit or a place.
 struct LedVisitor {
   std::uint32_t guide = 0;
   std::optional<std::uint32_t> exhibit{};
+  std::optional<interface::Goal> goal{};  ///< None until it is known.
   bool arrived = false;
 };
 

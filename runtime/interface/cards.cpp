@@ -21,6 +21,11 @@ constexpr float heading_units = 5;
 constexpr float least_invitation = 10;  // units for where the way leads
 constexpr float taken_opacity = 0.18F;  // of a guide whom somebody else has
 
+/// Of the question above the list; beside it are the helps.
+float height_of_heading(const Measures& m) noexcept {
+  return std::round(std::max(m.touch + m.unit, heading_units * m.unit));
+}
+
 float height_of_row(const Measures& m) noexcept {
   return std::round(std::max(m.touch, row_units * m.unit));
 }
@@ -108,6 +113,42 @@ void draw_band(Sheet& sheet, const PixelBox& card) {
               scene::trail_colour(*look), 0, -1);
 }
 
+/// The helps of every screen as pictograms in the card's upper corner, and below them what is asked
+/// of ways. Returns how wide and high they are, with the gap before and below.
+struct Corner {
+  float width = 0, height = 0;
+};
+Corner draw_corner(Sheet& sheet, const PixelBox& content) {
+  const Measures& m = sheet.measures();
+  constexpr std::array<std::array<std::pair<std::string_view, Pictogram>, 3>, 2> rows{
+      {{{{"toilets", pictogram_of(PlaceKind::Toilets)},
+         {"places", Pictogram::Places},
+         {"exhibits", Pictogram::Exhibits}}},
+       {{{"step-free", Pictogram::StepFree},
+         {"no-escalators", Pictogram::NoEscalators},
+         {"", Pictogram::Count}}}}};
+  const float gap = std::round(m.unit);
+  Corner corner;
+  for (const auto& row : rows) {
+    float x = content.right();
+    for (const auto& [name, pictogram] : row) {
+      const std::int32_t control = name.empty() ? -1 : sheet.control(name);
+      if (control < 0) continue;
+      x -= m.touch;
+      const PixelBox box{x, content.y + corner.height, m.touch, m.touch};
+      const bool is_on = sheet.view().controls[static_cast<std::size_t>(control)].selected;
+      sheet.place(control, box);
+      sheet.fill(box, is_on ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
+      sheet.pictogram(pictogram, box.inset(std::round(0.16F * m.touch)),
+                      is_on ? sheet.theme().paper : sheet.theme().ink, control);
+      x -= gap;
+    }
+    corner.width = std::max(corner.width, content.right() - x);
+    if (x < content.right()) corner.height += m.touch + gap;
+  }
+  return corner;
+}
+
 /// Buttons side by side on the lowest row, those that this state has; returns its top.
 float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::string_view> names) {
   const Measures& m = sheet.measures();
@@ -125,24 +166,29 @@ float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::s
   return top;
 }
 
+/// An exhibit's number, or how long a tour is, and what it is called.
+std::string row_text(const Sheet& sheet, const Control& control) {
+  const std::string title(sheet.local(control.label));
+  if (control.action.kind == Action::Kind::Seek) return title;
+  const Tour* tour = begun_tour(sheet, control);
+  const std::string before = tour != nullptr
+                                 ? tour_line(sheet, *tour)
+                                 : number_in(sheet.museum(), sheet.request().state.language,
+                                             static_cast<long>(control.action.argument) + 1);
+  return before + "  " + title;
+}
+
 void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
-  const Museum& museum = sheet.museum();
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
   const PixelBox picture{box.x, box.y, box.height, box.height};
-  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
-  sheet.image(picture, museum.exhibits[it.action.argument].image, m.corner, control);
+  draw_what(sheet, control, picture);
   const float x = picture.right() + m.unit;
   TextStyle style = sheet.style(Letters::Body, 2);
   style.line_height = style.right_to_left ? 1.4F : 1.2F;
-  const std::string number =
-      number_in(museum, sheet.request().state.language, static_cast<long>(it.action.argument) + 1);
-  const Tour* tour = begun_tour(sheet, it);
-  const std::string before = tour == nullptr ? number : tour_line(sheet, *tour);
-  const TextPiece title = sheet.fitted(style, before + "  " + std::string(sheet.local(it.label)),
-                                       box.right() - x - m.unit / 2);
+  const TextPiece title = sheet.fitted(style, row_text(sheet, it), box.right() - x - m.unit / 2);
   sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
               sheet.theme().ink, control);
 }
@@ -207,9 +253,10 @@ void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
     bottom -= gap + m.touch;
     draw_languages(sheet, {content.x, bottom, content.width, m.touch});
   }
-  const float top = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
-                               content.width, sheet.theme().ink, 2) +
-                    gap;
+  const Corner corner = draw_corner(sheet, content);
+  const float asked = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
+                                 content.width - corner.width, sheet.theme().ink, 2);
+  const float top = std::max(asked + gap, content.y + corner.height);
   constexpr std::uint32_t columns = 4, rows = scene::guide_look_count / columns;
   const float width = std::floor((content.width - (columns - 1) * gap / 2) / columns);
   const float height = std::floor((bottom - gap - top - (rows - 1) * gap) / rows);
@@ -239,9 +286,11 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
-  sheet.piece(sheet.fitted(style, sheet.word("choose_title"), content.width), content.x, content.y,
-              content.width, Align::Start, sheet.theme().ink);
-  float y = content.y + std::round(heading_units * m.unit);
+  const bool of_places = sheet.request().state.lists_places;
+  const float width = content.width - draw_corner(sheet, content).width;
+  sheet.piece(sheet.fitted(style, sheet.word(of_places ? "places_title" : "choose_title"), width),
+              content.x, content.y, width, Align::Start, sheet.theme().ink);
+  float y = content.y + height_of_heading(m);
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
     if (sheet.view().controls[i].role != Role::ListItem) continue;
     draw_row(sheet, static_cast<std::int32_t>(i), {content.x, y, content.width, row});
@@ -262,38 +311,38 @@ void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const float height = in_a_row ? m.touch : column, routes = bottom - height;
   draw_routes(sheet, {content.x, routes, content.width, height},
               in_a_row ? Along::Row : Along::NarrowColumn);
-  const float y = draw_invitation(
-      sheet,
-      draw_tour_progress(sheet, {content.x, content.y, content.width, routes - gap - content.y}),
-      Letters::Lead);
+  const Corner corner = draw_corner(sheet, content);
+  const PixelBox words{content.x, content.y, content.width - corner.width,
+                       routes - gap - content.y};
+  const float said = draw_invitation(sheet, draw_tour_progress(sheet, words), Letters::Lead);
+  const float y = std::max(said, content.y + corner.height);
   const float room = routes - m.gap - y;
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && room > 8 * m.unit)
-    sheet.whole_image({content.x, y, content.width, room}, exhibit->image, m.corner);
+  if (room > 8 * m.unit) draw_goal(sheet, {content.x, y, content.width, room});
 }
 
 void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const Exhibit* exhibit = chosen_exhibit(sheet);
   constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
   float bottom = draw_buttons(sheet, content, buttons) - m.gap;
-  if (exhibit == nullptr) return;
   if (const std::int32_t next = sheet.control("next"); next >= 0) {
     const float row = height_of_row(m);
     draw_row(sheet, next, {content.x, bottom - row, content.width, row});
     bottom -= row + m.unit;
   }
-  const PixelBox rest =
-      draw_tour_progress(sheet, {content.x, content.y, content.width, bottom - content.y});
-  float y = sheet.text(Letters::Heading, sheet.local(exhibit->title), content.x, rest.y,
-                       content.width, sheet.theme().ink, 2) +
+  const Corner corner = draw_corner(sheet, content);
+  const PixelBox rest = draw_tour_progress(
+      sheet, {content.x, content.y, content.width - corner.width, bottom - content.y});
+  float y = sheet.text(Letters::Heading, goal_title(sheet), content.x, rest.y, rest.width,
+                       sheet.theme().ink, 2) +
             m.unit;
+  y = std::max(y, content.y + corner.height);
   const float picture = std::min(0.4F * (bottom - y), 0.75F * content.width);
-  y += sheet.whole_image({content.x, y, content.width, picture}, exhibit->image, m.corner) + m.unit;
+  y += draw_goal(sheet, {content.x, y, content.width, picture}) + m.unit;
   TextStyle style = sheet.style(Letters::Body);
   const float line = style.size * style.line_height;
   style.max_lines = static_cast<std::uint16_t>(std::clamp((bottom - y) / line, 1.0F, 40.0F));
-  sheet.piece(sheet.fitted(style, sheet.local(exhibit->text), content.width), content.x, y,
-              content.width, Align::Start, sheet.theme().ink);
+  sheet.piece(sheet.fitted(style, goal_text(sheet), content.width), content.x, y, content.width,
+              Align::Start, sheet.theme().ink);
 }
 
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
@@ -301,8 +350,8 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
   const float height =
       card_of(shape, std::max(seats, 1U), 1).height * static_cast<float>(shape.height);
   const float gap = std::round(m.unit / 2);
-  const float room = height - 2 * std::round(card_margin * m.unit) -
-                     std::round(heading_units * m.unit) - 2 * m.touch - m.gap - gap;
+  const float room = height - 2 * std::round(card_margin * m.unit) - height_of_heading(m) -
+                     2 * m.touch - m.gap - gap;
   return static_cast<std::uint32_t>(
       std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
 }

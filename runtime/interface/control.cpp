@@ -2,26 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <numeric>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/goal.h"
+#include "runtime/interface/places.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
 namespace {
-
-/// A word in every language that has it.
-LocalText word_in_all(const Museum& museum, std::string_view key) {
-  LocalText label;
-  for (std::uint32_t i = 0; i < museum.languages.size(); ++i)
-    label[museum.languages[i].tag] = word(museum, i, key);
-  return label;
-}
-
-Control button(const Museum& museum, std::string name, std::string_view key, Action action) {
-  return {.name = std::move(name), .label = word_in_all(museum, key), .action = action, .rect = {}};
-}
 
 Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
                         const InterfaceState& state) {
@@ -42,6 +31,26 @@ Control tour_control(const Museum& museum, std::uint32_t index, const InterfaceS
           .label = tour.title,
           .action = {Action::Kind::FollowTour, tour.exhibits.front(), {index, 0}},
           .selected = state.tour && state.tour->tour == index,
+          .rect = {}};
+}
+
+/// A kind of place in the list.
+Control kind_control(const Museum& museum, PlaceKind kind, const InterfaceState& state) {
+  Control control = button(museum, "place:" + std::string(info_of(kind).name), word_of(kind),
+                           {Action::Kind::Seek, static_cast<std::uint32_t>(kind)});
+  control.role = Role::ListItem;
+  control.selected = state.seeks == kind;
+  return control;
+}
+
+/// A place where it is on the model.
+Control place_spot(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
+  const Place& place = museum.places[index];
+  return {.name = "spot:" + place.id,
+          .role = Role::Spot,
+          .label = place.title.empty() ? word_in_all(museum, word_of(place.kind)) : place.title,
+          .action = {Action::Kind::GoToPlace, index},
+          .selected = state.place == index,
           .rect = {}};
 }
 
@@ -102,15 +111,27 @@ void add_looks(const ControlRequest& request, std::vector<Control>& out) {
   }
 }
 
+/// How long the list is: tours and exhibits, or kinds of places.
+std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noexcept {
+  if (!state.lists_places)
+    return static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
+  const auto is_there = [&](const PlaceKindInfo& info) { return has_place(museum, info.kind); };
+  return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
+}
+
 void add_list(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
-  const std::uint32_t pages = page_count(museum, per_page);
+  const std::uint32_t pages = page_count(museum, state, per_page);
   const std::uint32_t page = std::min(state.page, pages - 1);
   const auto tours = static_cast<std::uint32_t>(museum.tours.size());
-  const auto count = tours + static_cast<std::uint32_t>(museum.exhibits.size());
-  for (std::uint32_t i = page * per_page; i < std::min((page + 1) * per_page, count); ++i)
-    out.push_back(i < tours ? tour_control(museum, i, state)
-                            : exhibit_control(museum, i - tours, Role::ListItem, state));
+  const std::uint32_t begin = page * per_page;
+  const std::uint32_t end = std::min(begin + per_page, list_length(museum, state));
+  const std::vector<PlaceKind> kinds =
+      state.lists_places ? kinds_of_places(museum) : std::vector<PlaceKind>();
+  for (std::uint32_t i = begin; i < end; ++i)
+    out.push_back(state.lists_places ? kind_control(museum, kinds[i], state)
+                  : i < tours        ? tour_control(museum, i, state)
+                                     : exhibit_control(museum, i - tours, Role::ListItem, state));
   if (pages == 1) return;
 
   Control previous = button(museum, "page:previous", "page_previous",
@@ -145,6 +166,8 @@ void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Co
   for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
     if (museum.exhibits[i].floor == floor)
       out.push_back(exhibit_control(museum, i, Role::Spot, state));
+  for (std::uint32_t i = 0; i < museum.places.size(); ++i)
+    if (museum.places[i].floor == floor) out.push_back(place_spot(museum, i, state));
 }
 
 // The controls of each screen: on a glass of one's own, and on a card.
@@ -168,9 +191,12 @@ void add_picking(const ControlRequest& request, std::vector<Control>& out) {
 }
 /// Back to where the visitor is led, or else home.
 void add_back(const ControlRequest& request, std::string_view home_key, std::vector<Control>& out) {
-  if (!request.state.exhibit) return add_home(request, home_key, out);
-  out.push_back(button(request.museum, "back", request.state.arrived ? "back_to_exhibit" : "back",
-                       {Action::Kind::Return}));
+  const InterfaceState& state = request.state;
+  if (!has_goal(state)) return add_home(request, home_key, out);
+  const std::string_view key = !state.arrived  ? "back"
+                               : state.exhibit ? "back_to_exhibit"
+                                               : "back_to_place";
+  out.push_back(button(request.museum, "back", key, {Action::Kind::Return}));
 }
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
@@ -207,64 +233,18 @@ void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
   add_home(request, "home", out);
 }
 
-/// A seat whose visitor has left.
-InterfaceState vacated(const InterfaceState& state) noexcept {
-  InterfaceState vacant;
-  vacant.glass = state.glass;
-  vacant.seats = state.seats;
-  vacant.seat = state.seat;
-  vacant.taken = state.taken;
-  return vacant;
-}
-
-/// A state reached while searching, and how.
-struct Reached {
-  InterfaceState state;
-  std::size_t parent = 0;
-  Control by;
-};
-
-std::vector<Control> touches_back_from(const std::deque<Reached>& reached, std::size_t last) {
-  std::vector<Control> touches;
-  for (; last != 0; last = reached[last].parent) touches.push_back(reached[last].by);
-  std::ranges::reverse(touches);
-  return touches;
-}
-
-/// Which touches a search may use.
-enum class Reach : std::uint8_t {
-  Panel,     ///< The panel's controls, without sending the guide anywhere on the way.
-  Model,     ///< Also exhibits on the model.
-  Anything,  ///< Also setting out, where the wanted control is only there while walking.
-};
-
-/// Breadth first over the control graph, so the answer has the fewest touches.
-std::vector<Control> search(const Museum& museum, const InterfaceState& from,
-                            std::uint32_t per_page, std::string_view name, std::size_t most,
-                            Reach reach) {
-  std::deque<Reached> reached{{from, 0, {}}};
-  std::vector<std::size_t> depth{0};
-  for (std::size_t at = 0; at < reached.size(); ++at) {
-    if (depth[at] == most) break;
-    for (Control& control : controls_of(museum, reached[at].state, per_page)) {
-      if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
-      const bool found = control.name == name;
-      const InterfaceState state = after(reached[at].state, control.action);
-      const bool sets_out = control.action.kind == Action::Kind::Choose ||
-                            control.action.kind == Action::Kind::FollowTour;
-      if (!found && sets_out && reach != Reach::Anything) continue;
-      if (!found &&
-          std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
-        continue;
-      depth.push_back(depth[at] + 1);
-      reached.push_back({state, at, std::move(control)});
-      if (found) return touches_back_from(reached, reached.size() - 1);
-    }
-  }
-  return {};
-}
-
 }  // namespace
+
+LocalText word_in_all(const Museum& museum, std::string_view key) {
+  LocalText label;
+  for (std::uint32_t i = 0; i < museum.languages.size(); ++i)
+    label[museum.languages[i].tag] = word(museum, i, key);
+  return label;
+}
+
+Control button(const Museum& museum, std::string name, std::string_view key, Action action) {
+  return {.name = std::move(name), .label = word_in_all(museum, key), .action = action, .rect = {}};
+}
 
 const std::array<ScreenFaces, 5> screens{{
     {Screen::Welcome, {add_begin, lay_out_welcome}, {add_join, lay_out_welcome_card}},
@@ -275,70 +255,6 @@ const std::array<ScreenFaces, 5> screens{{
     {Screen::Walking, {add_walking, lay_out_walking}, {add_walking_on_card, lay_out_walking_card}},
     {Screen::Arrived, {add_arrived, lay_out_arrived}, {add_arrived_on_card, lay_out_arrived_card}},
 }};
-
-InterfaceState after(InterfaceState state, Action action) noexcept {
-  switch (action.kind) {
-    case Action::Kind::Begin:
-      state.screen = state.seat && !state.look ? Screen::Picking : Screen::Choosing;
-      state.page = 0;
-      break;
-    case Action::Kind::Pick:
-      if ((state.taken >> action.argument & 1U) != 0) break;
-      state.look = action.argument;
-      state.screen = state.exhibit ? Screen::Walking : Screen::Choosing;
-      state.page = 0;
-      break;
-    case Action::Kind::ShowExhibits:
-      state.screen = Screen::Choosing;
-      state.page = 0;
-      break;
-    case Action::Kind::Choose:
-    case Action::Kind::FollowTour:
-      state.tour.reset();
-      if (action.kind == Action::Kind::FollowTour) state.tour = action.stop;
-      state.arrived = state.arrived && state.exhibit == action.argument;
-      state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
-      if (state.seat && !state.look) state.screen = Screen::Picking;
-      state.exhibit = action.argument;
-      break;
-    case Action::Kind::TurnPage:
-      state.page = action.argument;
-      break;
-    case Action::Kind::ShowFloor:
-      state.floor = action.argument;
-      break;
-    case Action::Kind::Speak:
-      state.language = action.argument;
-      break;
-    case Action::Kind::TakeRoute:
-      state.kind = static_cast<RouteKind>(action.argument);
-      break;
-    case Action::Kind::Return:
-      if (!state.exhibit) {
-        state.screen = Screen::Welcome;
-        state.floor.reset();
-      } else
-        state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
-      break;
-    case Action::Kind::Stop:
-      state.screen = Screen::Choosing;
-      state.page = 0;
-      state.exhibit.reset();
-      state.tour.reset();
-      state.arrived = false;
-      break;
-    case Action::Kind::Home:
-      if (state.seat) return vacated(state);
-      state.screen = Screen::Welcome;
-      state.page = 0;
-      state.floor.reset();
-      state.exhibit.reset();
-      state.tour.reset();
-      state.arrived = false;
-      break;
-  }
-  return state;
-}
 
 std::vector<Control> route_controls(const Museum& museum, RouteKind selected,
                                     std::span<const RouteKindInfo> kinds) {
@@ -360,11 +276,13 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
   const ControlRequest request{museum, state, per_page};
   if (state.seat) {
     faces_of(state.screen).card.add_controls(request, out);
+    if (state.screen != Screen::Welcome) add_helps(request, out);
     return out;
   }
   if (state.glass == Glass::Whole) {
     faces_of(state.screen).whole.add_controls(request, out);
     add_languages(request, out);
+    add_helps(request, out);
   }
   if (state.glass != Glass::Whole || state.screen == Screen::Choosing)
     add_spots(museum, state, out);
@@ -394,49 +312,10 @@ std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibi
   return others;
 }
 
-std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept {
-  const auto count = static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
+std::uint32_t page_count(const Museum& museum, const InterfaceState& state,
+                         std::uint32_t per_page) noexcept {
+  const std::uint32_t count = list_length(museum, state);
   return std::max(1U, (count + per_page - 1) / std::max(1U, per_page));
-}
-
-std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
-                                std::uint32_t per_page, std::string_view name, std::size_t most) {
-  for (const Reach reach : {Reach::Panel, Reach::Model, Reach::Anything})
-    if (auto touches = search(museum, state, per_page, name, most, reach); !touches.empty())
-      return touches;
-  return {};
-}
-
-bool is_control_name(const Museum& museum, std::string_view name) {
-  const std::uint32_t per_page = 1;  // the paging controls exist where there are two exhibits
-  const auto has_it = [&](const InterfaceState& state) {
-    const std::vector<Control> controls = controls_of(museum, state, per_page);
-    return std::ranges::any_of(controls, [&](const Control& c) { return c.name == name; });
-  };
-  for (const ScreenFaces& faces : screens)
-    for (const bool is_led : {false, true}) {
-      if (is_led && museum.exhibits.empty()) continue;
-      InterfaceState state;
-      state.screen = faces.screen;
-      if (is_led) state.exhibit = 0;
-      if (has_it(state)) return true;
-      for (std::uint32_t tour = 0; is_led && tour < museum.tours.size(); ++tour) {
-        if (name == "tour:" + museum.tours[tour].id) return true;
-        state.tour = TourWalk{tour, 0};
-        if (has_it(state)) return true;
-      }
-    }
-  for (std::uint32_t floor = 0; floor < museum.floors.size(); ++floor) {
-    InterfaceState above;
-    above.screen = Screen::Choosing;
-    above.floor = floor;
-    if (has_it(above)) return true;
-  }
-  InterfaceState picking;
-  picking.screen = Screen::Picking;
-  picking.glass = Glass::Busy;
-  picking.seat = 1;
-  return has_it(picking);
 }
 
 std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept {

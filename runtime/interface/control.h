@@ -9,7 +9,9 @@
 
 #include "runtime/interface/tour_walk.h"
 #include "runtime/model/museum.h"
+#include "runtime/model/place_kind.h"
 #include "runtime/model/route_kind.h"
+#include "runtime/path/building/building_way.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::interface {
@@ -37,12 +39,18 @@ enum class Glass : std::uint8_t {
 /// (where the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
   Screen screen = Screen::Welcome;
-  std::uint32_t language = 0;              ///< Index into Museum::languages.
-  std::uint32_t page = 0;                  ///< Of the list of exhibits, on the choosing screen.
-  std::optional<std::uint32_t> floor{};    ///< That is seen from above; none: the kiosk's.
-  std::optional<std::uint32_t> exhibit{};  ///< Where the visitor is going or has arrived.
+  std::uint32_t language = 0;            ///< Index into Museum::languages.
+  std::uint32_t page = 0;                ///< Of the list, on the choosing screen.
+  bool lists_places = false;             ///< That list is of places, and not of exhibits.
+  std::optional<std::uint32_t> floor{};  ///< That is seen from above; none: the kiosk's.
+  /// Where the visitor is going or has arrived: an exhibit or a place.
+  std::optional<std::uint32_t> exhibit{};
+  std::optional<PlaceKind> seeks{};  ///< They want the nearest place of that kind, ...
+  /// ... which is this one, once that has been found out; or they chose this one on the model.
+  std::optional<std::uint32_t> place{};
   RouteKind kind = RouteKind::Shortest;
-  bool arrived = false;  ///< The guide stands at `exhibit`.
+  path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
+  bool arrived = false;      ///< The guide stands there.
   Glass glass = Glass::Whole;
   std::uint8_t seats = 0;  ///< How many a shared glass has.
   /// The seat whose card this is, counted from the left, from 1; none: no card, but the model.
@@ -57,18 +65,23 @@ struct InterfaceState {
 /// What pressing a control asks for.
 struct Action {
   enum class Kind : std::uint8_t {
-    Begin,         ///< From the welcome to the list of exhibits; at a seat, to the guides.
-    Pick,          ///< The guide with look `argument`.
-    Choose,        ///< Go to exhibit `argument`.
-    FollowTour,    ///< Go to exhibit `argument`, which is `stop`.
-    TurnPage,      ///< Show page `argument` of the list.
-    ShowFloor,     ///< Show floor `argument` from above.
-    Speak,         ///< Language `argument`.
-    TakeRoute,     ///< RouteKind `argument`.
-    ShowExhibits,  ///< The list again; the walk goes on.
-    Return,        ///< From the list back to the walk, the exhibit or the welcome.
-    Stop,          ///< The guide stops where it is.
-    Home,          ///< Back to the welcome; the guide walks home.
+    Begin,            ///< From the welcome to the list of exhibits; at a seat, to the guides.
+    Pick,             ///< The guide with look `argument`.
+    Choose,           ///< Go to exhibit `argument`.
+    FollowTour,       ///< Go to exhibit `argument`, which is `stop`.
+    Seek,             ///< Go to the nearest place of the kind `argument`.
+    GoToPlace,        ///< Go to place `argument`.
+    TurnPage,         ///< Show page `argument` of the list.
+    ShowFloor,        ///< Show floor `argument` from above.
+    Speak,            ///< Language `argument`.
+    TakeRoute,        ///< RouteKind `argument`.
+    AvoidSteps,       ///< Ways without steps only, where `argument` is 1; 0: any.
+    AvoidEscalators,  ///< The same of escalators.
+    ShowExhibits,     ///< The list again; the walk goes on.
+    ShowPlaces,       ///< The list of places; the walk goes on.
+    Return,           ///< From the list back to the walk, the exhibit or the welcome.
+    Stop,             ///< The guide stops where it is.
+    Home,             ///< Back to the welcome; the guide walks home.
   };
   Kind kind = Kind::Begin;
   std::uint32_t argument = 0;
@@ -80,17 +93,17 @@ InterfaceState after(InterfaceState state, Action action) noexcept;
 
 enum class Role : std::uint8_t {
   Button,
-  ListItem,  ///< An exhibit on a card.
-  Spot,      ///< The same exhibit where it stands on the model.
+  ListItem,  ///< An exhibit or a kind of place on a card.
+  Spot,      ///< An exhibit or a place where it is on the model.
   Choice,    ///< One of several of which one holds: language, route kind.
 };
 
 /// Something a visitor can press. One list per view: drawing, touch, keypad, scripted visits and
 /// tests all read it.
 struct Control {
-  /// Stable, the same in every language: `exhibit:ID`, `tour:ID`, `next`, `route:shortest`,
-  /// `language:TAG`, `home`... A spot bears its exhibit's name; a list item of that name, where
-  /// there is one, comes first.
+  /// Stable, the same in every language: `exhibit:ID`, `place:KIND`, `tour:ID`, `next`,
+  /// `route:shortest`, `language:TAG`, `home`... A spot bears its exhibit's name; a list item of
+  /// that name, where there is one, comes first. A place on the model is `spot:ID`.
   std::string name;
   Role role = Role::Button;
   LocalText label;
@@ -102,7 +115,8 @@ struct Control {
 };
 
 /// The controls of a state in focus order, without their rectangles. `per_page` is how many
-/// exhibits a page of the list shows. Spots come last.
+/// exhibits a page of the list shows. What is on every screen follows what is the screen's own;
+/// spots come last.
 std::vector<Control> controls_of(const Museum& museum, const InterfaceState& state,
                                  std::uint32_t per_page);
 
@@ -121,8 +135,9 @@ std::vector<std::uint32_t> neighbours(const Museum& museum, std::uint32_t exhibi
 /// How many suggestions the arrived screen makes.
 inline constexpr std::size_t suggestion_count = 2;
 
-/// How many pages the list of tours and exhibits has; at least 1.
-std::uint32_t page_count(const Museum& museum, std::uint32_t per_page) noexcept;
+/// How many pages the list has: that of tours and exhibits, or that of places; at least 1.
+std::uint32_t page_count(const Museum& museum, const InterfaceState& state,
+                         std::uint32_t per_page) noexcept;
 
 /// The controls that a visitor in `state` has to touch to press the control `name`, that one
 /// included; empty where more than `most` touches would be needed. List items are preferred to

@@ -16,6 +16,14 @@ struct ControlRequest {
   std::uint32_t per_page = 1;  ///< Exhibits on a page of the list.
 };
 
+/// A word of the interface in every language that has it.
+LocalText word_in_all(const Museum& museum, std::string_view key);
+/// A control whose label is a word of the interface.
+Control button(const Museum& museum, std::string name, std::string_view key, Action action);
+/// What helps on every screen: the nearest toilets, and the list of places; and, where a way is
+/// chosen, ways without steps or escalators, if the building has any.
+void add_helps(const ControlRequest& request, std::vector<Control>& out);
+
 /// How a screen is shown: what can be pressed, in focus order, and where everything lies in the
 /// content of a panel or a card.
 struct Face {

@@ -13,10 +13,12 @@
 namespace docent::interface {
 namespace {
 
+constexpr float least_model = 0.55F;  ///< The share of the screen that the model keeps.
+
 /// The panel in pixels, left to right.
 PixelBox panel_box(const ScreenShape& shape) noexcept {
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
-  constexpr float most = 0.44F;  // the model keeps at least 55 %
+  constexpr float most = 0.44F;  // so that it does
   if (!is_landscape(shape)) {
     const float panel = std::round(height * most);
     return {0, height - panel, width, panel};
@@ -32,6 +34,22 @@ PixelBox free_box(const ScreenShape& shape) noexcept {
   const scene::Rect free = free_part_of(shape, false);
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   return {free.x * width, free.y * height, free.width * width, free.height * height};
+}
+
+/// The pictogram of a place where it is.
+FloorLabel sign_on_model(Sheet& sheet, std::int32_t control) {
+  constexpr float side = 3.4F;  // units
+  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  const Place& place = sheet.museum().places[action.argument];
+  const TextPiece sign = sheet.sign(pictogram_of(place.kind), side * sheet.measures().unit);
+  return {.position = place.position,
+          .height = 1.6F,
+          .texture = sign.texture,
+          .width_px = sign.width,
+          .height_px = sign.height,
+          .control = control,
+          .is_sign = true,
+          .rect = {}};
 }
 
 /// Where each exhibit stands and each gallery is called, for the choosing screen.
@@ -56,6 +74,10 @@ void add_floor_labels(Sheet& sheet) {
   for (std::size_t i = 0; i < view.controls.size(); ++i) {
     const Control& control = view.controls[i];
     if (control.role != Role::Spot) continue;
+    if (control.action.kind == Action::Kind::GoToPlace) {
+      view.labels.push_back(sign_on_model(sheet, static_cast<std::int32_t>(i)));
+      continue;
+    }
     const Exhibit& exhibit = museum.exhibits[control.action.argument];
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 600;
@@ -156,12 +178,18 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   sheet.draw_panel(panel);
   const PixelBox content = panel.inset(sheet.measures().margin);
   faces_of(request.state.screen).whole.lay_out(sheet, content);
+  PixelBox free = free_box(request.shape);
+  const float strip = draw_helps(sheet, free);
   if (request.state.screen == Screen::Choosing) {
     add_floor_labels(sheet);
-    // The model stands beside the floors' buttons, not below them.
-    const float column = draw_floors(sheet, free_box(request.shape)) / view->pixel_width;
+    // The model stands beside the floors' buttons, not below them; and above the strip, as far as
+    // most of the screen stays its own.
+    free.height -= strip;
+    const float column = draw_floors(sheet, free) / view->pixel_width;
     view->free.width -= column;
     if (runs_right_to_left(museum, request.state.language)) view->free.x += column;
+    const float least = std::min(view->free.height, least_model / view->free.width);
+    view->free.height = std::max(least, view->free.height - strip / view->pixel_height);
   }
   sheet.finish();
   return view;

@@ -11,18 +11,19 @@
 
 namespace docent::interface {
 
-/// Why there is no way, though there would be one if nothing were closed.
-enum class Closed : std::uint8_t { Door, Stairs, Escalator, Lift, Ramp };
+/// Why there is no way, though there would be one if something were not closed, or if steps or
+/// escalators were allowed.
+enum class Hindrance : std::uint8_t { Door, Stairs, Escalator, Lift, Ramp, Steps, Escalators };
 
 /// The key of the interface's word that says so; {floor} in it is the floor that cannot be reached.
-std::string_view closed_word(Closed closed) noexcept;
+std::string_view hindrance_word(Hindrance hindrance) noexcept;
 
 /// What is known of the way that the guide is about to take.
 struct RouteSummary {
   path::RouteStatus status = path::RouteStatus::Ok;
   double metres = 0;
   double seconds = 0;
-  std::optional<Closed> closed{};  ///< Only where there is no way.
+  std::optional<Hindrance> hindrance{};  ///< Only where there is no way.
 
   bool operator==(const RouteSummary&) const = default;
 };

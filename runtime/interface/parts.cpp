@@ -4,10 +4,16 @@
 #include <cmath>
 
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/places.h"
 #include "runtime/interface/sheet.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
+namespace {
+
+constexpr std::string_view between = "  ·  ";  // parts of a line
+
+}  // namespace
 
 void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control) {
@@ -145,23 +151,44 @@ const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept {
   return begins ? tour_of(sheet.museum(), control.action.stop) : nullptr;
 }
 
+std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room) {
+  const Museum& museum = sheet.museum();
+  std::string line;
+  const auto add = [&line](std::string_view part) {
+    if (!part.empty()) line.append(line.empty() ? "" : between).append(part);
+  };
+  if (room < museum.rooms.size()) add(sheet.local(museum.rooms[room].title));
+  if (floor != museum.kiosk_floor) add(sheet.local(museum.floors[floor].title));
+  return line;
+}
+
 /// Its number, its gallery, and its floor where that is another.
 std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
   const Museum& museum = sheet.museum();
   const Exhibit& exhibit = museum.exhibits[index];
   std::string line =
       number_in(museum, sheet.request().state.language, static_cast<long>(index) + 1);
-  const auto add = [&line](std::string_view place) {
-    if (!place.empty()) line.append("  ·  ").append(place);
-  };
-  if (exhibit.room < museum.rooms.size()) add(sheet.local(museum.rooms[exhibit.room].title));
-  if (exhibit.floor != museum.kiosk_floor) add(sheet.local(museum.floors[exhibit.floor].title));
+  const std::string where = where_line(sheet, exhibit.floor, exhibit.room);
+  if (!where.empty()) line.append(between).append(where);
   return line;
 }
 
 std::string tour_line(const Sheet& sheet, const Tour& tour) {
   return filled_in(sheet.word("tour_card"), "time",
                    time_in(sheet.museum(), sheet.request().state.language, tour.seconds));
+}
+
+/// Where the only one of its kind is, or how many there are.
+std::string kind_line(const Sheet& sheet, PlaceKind kind) {
+  const Museum& museum = sheet.museum();
+  if (const auto only = only_place(museum, kind)) {
+    const Place& place = museum.places[*only];
+    return where_line(sheet, place.floor, room_of(museum, place.floor, place.position));
+  }
+  const auto count =
+      std::ranges::count_if(museum.places, [&](const Place& p) { return answers(p.kind, kind); });
+  return filled_in(sheet.word("place_nearest"), "n",
+                   number_in(museum, sheet.request().state.language, count));
 }
 
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
@@ -186,26 +213,43 @@ PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
   return {box.x, bottom, box.width, box.bottom() - bottom};
 }
 
+void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  if (action.kind == Action::Kind::Seek)
+    return draw_sign(sheet, static_cast<PlaceKind>(action.argument), box, control);
+  sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  sheet.image(box, sheet.museum().exhibits[action.argument].image, m.corner, control);
+}
+
+void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control) {
+  constexpr float margin = 0.14F;  // of the tile
+  sheet.fill(box, sheet.theme().quiet_ink, sheet.measures().corner, control);
+  sheet.pictogram(pictogram_of(kind), box.inset(std::round(margin * box.width)),
+                  sheet.theme().paper, control);
+}
+
+std::string line_of(const Sheet& sheet, const Control& control) {
+  if (control.action.kind == Action::Kind::Seek)
+    return kind_line(sheet, static_cast<PlaceKind>(control.action.argument));
+  const Tour* tour = begun_tour(sheet, control);
+  return tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, control.action.argument);
+}
+
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (control < 0) return;
   const Measures& m = sheet.measures();
-  const Museum& museum = sheet.museum();
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-  const Exhibit& exhibit = museum.exhibits[it.action.argument];
   sheet.place(control, box);
   if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
-
   const PixelBox picture{box.x, box.y, box.height, box.height};
-  sheet.fill(picture, sheet.theme().plaster, m.corner, control);
-  sheet.image(picture, exhibit.image, m.corner, control);
+  draw_what(sheet, control, picture);
 
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
   TextStyle title_style = sheet.style(Letters::Label);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
   const TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
-  const Tour* tour = begun_tour(sheet, it);
-  const std::string line =
-      tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, it.action.argument);
+  const std::string line = line_of(sheet, it);
   TextStyle room_style = sheet.style(Letters::Small);
   room_style.line_height = title_style.line_height;
   const TextPiece second = sheet.fitted(room_style, line, width);

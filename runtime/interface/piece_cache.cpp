@@ -57,6 +57,16 @@ TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::u
   return piece;
 }
 
+TextPiece PieceCache::pictogram(Pictogram what, std::uint32_t side) {
+  std::string key = fmt::format("pictogram|{}|{}", static_cast<int>(what), side);
+  if (const TextPiece* known = find(key)) return *known;
+  TextBitmap bitmap = draw_pictogram(what, side);
+  const TextPiece piece{free_texture(), static_cast<float>(bitmap.width),
+                        static_cast<float>(bitmap.height), bitmap.lines, false};
+  keep(std::move(key), piece, {.texture = piece.texture, .text = std::move(bitmap), .picture = {}});
+  return piece;
+}
+
 scene::TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width,
                                      std::uint32_t height) {
   std::string key = key_of(image, width, height);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/interface/pictogram.h"
 #include "runtime/interface/picture.h"
 #include "runtime/interface/text.h"
 #include "runtime/interface/view.h"
@@ -43,6 +44,7 @@ class PieceCache {
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
+  TextPiece pictogram(Pictogram what, std::uint32_t side);
   /// Nobody waits for a piece now: the makers may tidy up.
   void rest() const;
   /// An image of the museum, `width` by `height` pixels, as SetPicture makes it.

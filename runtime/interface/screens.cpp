@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/interface/goal.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/places.h"
 #include "runtime/interface/sheet.h"
 
 namespace docent::interface {
@@ -40,28 +42,33 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
 }
 
 /// Why there is no way, and who can help.
-std::string no_way_text(const Sheet& sheet, const Exhibit& exhibit, const RouteSummary& summary) {
-  if (!summary.closed) return std::string(sheet.word("no_way"));
-  const Floor& floor = sheet.museum().floors[exhibit.floor];
+std::string no_way_text(const Sheet& sheet, const RouteSummary& summary) {
+  const std::optional<Goal> goal = goal_of(sheet.museum(), sheet.request().state);
+  if (!summary.hindrance || !goal) return std::string(sheet.word("no_way"));
+  const Floor& floor = sheet.museum().floors[goal->floor];
   const std::string_view title = sheet.local(floor.title);
-  return filled_in(sheet.word(closed_word(*summary.closed)), "floor",
+  return filled_in(sheet.word(hindrance_word(*summary.hindrance)), "floor",
                    title.empty() ? std::string_view(floor.plan.short_name) : title);
 }
 
 }  // namespace
 
-std::string_view closed_word(Closed closed) noexcept {
-  switch (closed) {
-    case Closed::Door:
+std::string_view hindrance_word(Hindrance hindrance) noexcept {
+  switch (hindrance) {
+    case Hindrance::Door:
       return "closed_door";
-    case Closed::Stairs:
+    case Hindrance::Stairs:
       return "closed_stairs";
-    case Closed::Escalator:
+    case Hindrance::Escalator:
       return "closed_escalator";
-    case Closed::Lift:
+    case Hindrance::Lift:
       return "closed_lift";
-    case Closed::Ramp:
+    case Hindrance::Ramp:
       return "closed_ramp";
+    case Hindrance::Steps:
+      return "only_steps";
+    case Hindrance::Escalators:
+      return "only_escalators";
   }
   return "no_way";
 }
@@ -72,20 +79,58 @@ const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept {
   return exhibit && *exhibit < all.size() ? &all[*exhibit] : nullptr;
 }
 
+std::optional<PlaceKind> chosen_kind(const Sheet& sheet) noexcept {
+  const InterfaceState& state = sheet.request().state;
+  const auto& places = sheet.museum().places;
+  if (state.place && *state.place < places.size()) return places[*state.place].kind;
+  return state.seeks;
+}
+
+std::string goal_title(const Sheet& sheet) {
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
+    return std::string(sheet.local(exhibit->title));
+  const InterfaceState& state = sheet.request().state;
+  const auto& places = sheet.museum().places;
+  if (state.place && *state.place < places.size() && !places[*state.place].title.empty())
+    return std::string(sheet.local(places[*state.place].title));
+  const std::optional<PlaceKind> kind = chosen_kind(sheet);
+  return kind ? std::string(sheet.word(word_of(*kind))) : std::string();
+}
+
+std::string goal_text(const Sheet& sheet) {
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
+    return std::string(sheet.local(exhibit->text));
+  const Museum& museum = sheet.museum();
+  const std::optional<Goal> goal = goal_of(museum, sheet.request().state);
+  if (!goal) return {};
+  return where_line(sheet, goal->floor, room_of(museum, goal->floor, goal->position));
+}
+
+float draw_goal(Sheet& sheet, const PixelBox& box) {
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
+    return sheet.whole_image(box, exhibit->image, sheet.measures().corner);
+  const std::optional<PlaceKind> kind = chosen_kind(sheet);
+  const float side = std::round(std::min({box.width, box.height, 40 * sheet.measures().unit}));
+  if (!kind || side < 1) return 0;
+  draw_sign(sheet, *kind, {box.x, box.y, side, side});
+  return side;
+}
+
 float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   const Measures& m = sheet.measures();
-  const Exhibit* exhibit = chosen_exhibit(sheet);
-  if (exhibit == nullptr) return box.y;
+  const std::string title_text = goal_title(sheet);
+  if (title_text.empty()) return box.y;
   TextStyle style = sheet.style(Letters::Lead);
   style.tabular = true;
   const float line = std::ceil(style.size * style.line_height);
-  const TextPiece follow =
-      sheet.fitted(sheet.style(Letters::Body), sheet.word("follow"), box.width);
-  TextPiece name = sheet.fitted(sheet.style(title, 2), sheet.local(exhibit->title), box.width);
+  const TextPiece follow = sheet.fitted(
+      sheet.style(Letters::Body),
+      sheet.word(chosen_exhibit(sheet) != nullptr ? "follow" : "follow_to_place"), box.width);
+  TextPiece name = sheet.fitted(sheet.style(title, 2), title_text, box.width);
   // Where there is little room, the name is said, and on one line.
   const bool tight = follow.height + name.height + m.unit + line > box.height;
   if (tight && name.height + m.unit + line > box.height)
-    name = sheet.fitted(sheet.style(title), sheet.local(exhibit->title), box.width);
+    name = sheet.fitted(sheet.style(title), title_text, box.width);
   float y = box.y;
   if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
   y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
@@ -95,8 +140,8 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
     prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
     return y + line + m.gap;
   }
-  const std::string text = route_summary ? no_way_text(sheet, *exhibit, *route_summary)
-                                         : std::string(sheet.word("planning"));
+  const std::string text =
+      route_summary ? no_way_text(sheet, *route_summary) : std::string(sheet.word("planning"));
   return sheet.text(Letters::Body, text, box.x, y, box.width, sheet.theme().quiet_ink, 3) + m.gap;
 }
 
@@ -126,8 +171,9 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const ListShape list = list_shape(sheet.request().shape);
   const std::uint32_t per_page = list.columns * list.rows;
-  sheet.text(Letters::Heading, sheet.word("choose_title"), content.x, content.y, content.width,
-             sheet.theme().ink);
+  const bool of_places = sheet.request().state.lists_places;
+  sheet.text(Letters::Heading, sheet.word(of_places ? "places_title" : "choose_title"), content.x,
+             content.y, content.width, sheet.theme().ink);
 
   const float column_gap = 2 * m.gap;
   const auto columns = static_cast<float>(list.columns);
@@ -150,7 +196,7 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const float routes = foot - m.gap - m.touch;
   draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
 
-  const std::uint32_t pages = page_count(sheet.museum(), per_page);
+  const std::uint32_t pages = page_count(sheet.museum(), sheet.request().state, per_page);
   if (pages == 1) return;
   const float y = routes - m.gap - m.touch;
   const float third = std::floor((content.width - 2 * m.gap) / 3);
@@ -198,16 +244,14 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
   first = draw_tour_progress(sheet, first);
   const float y = draw_invitation(sheet, first, Letters::Title);
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr && end - y > 12 * m.unit)
-    sheet.whole_image({first.x, y, first.width, end - y}, exhibit->image, m.corner);
+  if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});
 }
 
 void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const Exhibit* exhibit = chosen_exhibit(sheet);
   const bool landscape = is_landscape(sheet.request().shape);
   const float foot = draw_foot(sheet, content, "home");
-  if (exhibit == nullptr) return;
+  const std::string title_text = goal_title(sheet);
 
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
@@ -237,25 +281,21 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
 
   // The words come first; the picture takes what they leave.
   const float text_width = second.width;
-  const TextPiece title =
-      sheet.fitted(sheet.style(Letters::Title, 2), sheet.local(exhibit->title), text_width);
+  const TextPiece title = sheet.fitted(sheet.style(Letters::Title, 2), title_text, text_width);
   TextStyle body_style = sheet.style(Letters::Body);
   const float line = body_style.size * body_style.line_height;
   const float least_picture = landscape ? 30 * m.unit : 0;
   const float room_for_text = bottom - second.y - title.height - m.gap - least_picture;
   body_style.max_lines =
       static_cast<std::uint16_t>(std::clamp(std::floor(room_for_text / line), 1.0F, 40.0F));
-  const TextPiece body = sheet.fitted(body_style, sheet.local(exhibit->text), text_width);
+  const TextPiece body = sheet.fitted(body_style, goal_text(sheet), text_width);
 
   float y = second.y;
   if (landscape) {
     const float room = bottom - second.y - title.height - body.height - 2 * m.gap;
-    y += sheet.whole_image({content.x, y, content.width, std::max(room, 0.0F)}, exhibit->image,
-                           m.corner) +
-         m.gap;
+    y += draw_goal(sheet, {content.x, y, content.width, std::max(room, 0.0F)}) + m.gap;
   } else {
-    sheet.whole_image({first.x, first.y, first.width, foot - m.gap - first.y}, exhibit->image,
-                      m.corner);
+    draw_goal(sheet, {first.x, first.y, first.width, foot - m.gap - first.y});
   }
   y = sheet.piece(title, second.x, y, text_width, Align::Start, sheet.theme().ink) + m.unit;
   sheet.piece(body, second.x, y, text_width, Align::Start, sheet.theme().ink);

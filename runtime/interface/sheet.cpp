@@ -188,17 +188,41 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
     fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
   scene::Colour colour = strong ? theme_.paper : theme_.ink;
   if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
-  TextStyle look = style(Letters::Label);
   const float pad = measures_.unit * 1.5F;
-  TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
-  if (label.cut) {
-    look.max_lines = 2;
-    look.size = std::round(look.size * 0.8F);
-    look.line_height = 1.1F;
-    label = fitted(look, local(it.label), box.width - 2 * pad);
-  }
+  const TextPiece label = whole_word(local(it.label), box.width - 2 * pad);
   piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
         Align::Centre, colour, control);
+}
+
+void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
+                      std::int32_t control) {
+  const float side = std::floor(std::min(box.width, box.height));
+  if (side < 1) return;
+  const TextPiece drawn = pieces_.pictogram(what, static_cast<std::uint32_t>(side));
+  piece(drawn, box.x, box.y + (box.height - drawn.height) / 2, box.width, Align::Centre, colour,
+        control);
+}
+
+void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& box) {
+  place(control, box);
+  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
+  const float side = std::round(0.62F * measures_.touch), pad = measures_.unit;
+  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
+  pictogram(what, {box.x + pad, box.y, side, box.height}, ink, control);
+  const float x = box.x + side + 2 * pad, width = box.right() - pad - x;
+  const TextPiece label = whole_word(local(it.label), width);
+  piece(label, x, box.y + (box.height - label.height) / 2, width, Align::Start, ink, control);
+}
+
+TextPiece Sheet::whole_word(std::string_view text, float width) {
+  TextStyle look = style(Letters::Label);
+  const TextPiece label = fitted(look, text, width);
+  if (!label.cut) return label;
+  look.max_lines = 2;
+  look.line_height = 1.1F;
+  look.size = std::round(look.size * 0.8F);
+  return fitted(look, text, width);
 }
 
 void Sheet::draw_panel(const PixelBox& box) {

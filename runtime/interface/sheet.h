@@ -1,8 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "runtime/interface/layout.h"
+#include "runtime/interface/pictogram.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::interface {
@@ -71,6 +76,15 @@ class Sheet {
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
+  /// A pictogram of so many pixels, to be drawn elsewhere.
+  TextPiece sign(Pictogram what, float side) {
+    return pieces_.pictogram(what, static_cast<std::uint32_t>(std::max(1.0F, std::round(side))));
+  }
+  /// A pictogram in the middle of a box, as large as the smaller side.
+  void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
+                 std::int32_t control = -1);
+  /// A button with a pictogram before its word.
+  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box);
 
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
@@ -87,6 +101,8 @@ class Sheet {
 
  private:
   void add(scene::Quad quad, std::int32_t control);
+  /// A control's word in one line, or smaller in two.
+  TextPiece whole_word(std::string_view text, float width);
 
   const Museum& museum_;
   const ViewRequest& request_;
@@ -131,6 +147,15 @@ std::string tour_line(const Sheet& sheet, const Tour& tour);
 const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept;
 /// What the visitor goes to or is at; null where there is nothing.
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
+/// The same, where it is a place, and what it is called, whatever it is.
+std::optional<PlaceKind> chosen_kind(const Sheet& sheet) noexcept;
+std::string goal_title(const Sheet& sheet);
+/// What is told of it on arrival: an exhibit's text, where a place is.
+std::string goal_text(const Sheet& sheet);
+/// The exhibit's picture, or the place's pictogram, as large as fits; returns its height.
+float draw_goal(Sheet& sheet, const PixelBox& box);
+/// A room, and its floor where that is not the kiosk's.
+std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room);
 
 /// Columns and rows of the exhibits' list inside the choosing panel's content.
 struct ListShape {
@@ -145,14 +170,23 @@ ListShape list_shape(const ScreenShape& shape) noexcept;
 void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control);
 
-/// The exhibit of a list item: its picture, title and gallery.
+/// The exhibit of a list item: its picture, title and gallery; of a kind of place: its pictogram,
+/// name, and where it is.
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box);
+/// The picture, or pictogram, of what a list item leads to, and the line below its title.
+void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box);
+std::string line_of(const Sheet& sheet, const Control& control);
+/// A kind's pictogram on a dark tile.
+void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control = -1);
 /// The three route kinds, side by side or one above the other.
 enum class Along : std::uint8_t { Row, Column, NarrowColumn };
 float draw_routes(Sheet& sheet, const PixelBox& box, Along along);
 /// The floors at the far edge of the model, over one another as in a lift, and the name of the one
 /// that is shown.
 float draw_floors(Sheet& sheet, const PixelBox& free);
+/// What helps on every screen, on a strip at the model's lower edge; returns its height, with the
+/// gap below it.
+float draw_helps(Sheet& sheet, const PixelBox& free);
 /// Languages in a row.
 void draw_languages(Sheet& sheet, const PixelBox& box);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.

@@ -40,6 +40,7 @@ struct FloorLabel {
   float width_px = 0, height_px = 0;
   std::int32_t control = -1;  ///< The spot that it marks; -1: none.
   bool on_disc = false;       ///< Drawn on a small disc.
+  bool is_sign = false;       ///< A place's pictogram, on a dark tile; makes way for other labels.
   scene::Rect rect;           ///< Screen frame: where it is seen now; follows the camera.
 };
 

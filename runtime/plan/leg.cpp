@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "runtime/path/building/nearest_place.h"
 #include "runtime/plan/stretch.h"
 
 namespace docent::plan {
@@ -26,19 +27,25 @@ path::RouteStatus route_status(path::BuildingStatus status) noexcept {
   return path::RouteStatus::NoRoute;
 }
 
+constexpr std::array room_to_spare{Museum::walking_room, 0.0, -Museum::walking_room};
+
+path::BuildingQuery query_of(const WalkOrder& order, Vec2 from) {
+  return {.way = {.kind = order.kind,
+                  .from = from,
+                  .to = order.goal->position,
+                  .smooth = true,
+                  .tell_clearance = false},
+          .from_floor = order.floor,
+          .to_floor = order.goal_floor.value_or(order.floor),
+          .permissions = order.permissions};
+}
+
 /// With as much room as there is.
 path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
                                     const WalkOrder& order, Vec2 from) {
-  constexpr std::array spare{Museum::walking_room, 0.0, -Museum::walking_room};
-  path::BuildingQuery query{.way = {.kind = order.kind,
-                                    .from = from,
-                                    .to = order.goal->position,
-                                    .smooth = true,
-                                    .tell_clearance = false},
-                            .from_floor = order.floor,
-                            .to_floor = order.goal_floor.value_or(order.floor)};
+  path::BuildingQuery query = query_of(order, from);
   path::BuildingWay way;
-  for (const double more : spare) {
+  for (const double more : room_to_spare) {
     query.way.radius = std::max(0.0, museum.body_radius + more);
     way = building.route(query);
     if (way.status == path::BuildingStatus::Ok) break;
@@ -61,21 +68,31 @@ Ride ride_of(const Museum& museum, const path::Leg& leg) noexcept {
           .metres = leg.length};
 }
 
-std::optional<interface::Closed> closed_on(const Museum& museum,
-                                           const path::BuildingWay& way) noexcept {
+std::optional<interface::Hindrance> hindrance_of(const Museum& museum,
+                                                 const path::BuildingWay& way) noexcept {
+  if (way.status == path::BuildingStatus::NoStepFree) return interface::Hindrance::Steps;
   if (way.status != path::BuildingStatus::Closed) return {};
-  if (way.closed.empty()) return interface::Closed::Door;
+  if (way.closed.empty()) return interface::Hindrance::Door;
   switch (museum.connections[way.closed.front()].kind) {
     case ConnectionKind::Stairs:
-      return interface::Closed::Stairs;
+      return interface::Hindrance::Stairs;
     case ConnectionKind::Escalator:
-      return interface::Closed::Escalator;
+      return interface::Hindrance::Escalator;
     case ConnectionKind::Lift:
-      return interface::Closed::Lift;
+      return interface::Hindrance::Lift;
     case ConnectionKind::Ramp:
-      return interface::Closed::Ramp;
+      return interface::Hindrance::Ramp;
   }
   return {};
+}
+
+/// Where there is no way without escalators, is there one with them?
+bool needs_escalators(const Museum& museum, const path::BuildingMap& building,
+                      const WalkOrder& order, const path::BuildingWay& way, Vec2 from) {
+  if (!order.permissions.no_escalators || way.status != path::BuildingStatus::NoRoute) return false;
+  WalkOrder freer = order;
+  freer.permissions.no_escalators = false;
+  return find_building_way(museum, building, freer, from).status == path::BuildingStatus::Ok;
 }
 
 }  // namespace
@@ -91,7 +108,9 @@ Leg find_leg(const Museum& museum, const path::BuildingMap& building, const Walk
   }
   const path::BuildingWay whole = find_building_way(museum, building, order, from);
   leg.way.status = route_status(whole.status);
-  leg.closed = closed_on(museum, whole);
+  leg.hindrance = hindrance_of(museum, whole);
+  if (needs_escalators(museum, building, order, whole, from))
+    leg.hindrance = interface::Hindrance::Escalators;
   if (whole.status != path::BuildingStatus::Ok || whole.legs.size() < 2) return leg;
   const path::Leg &first = whole.legs[0], &second = whole.legs[1];
   leg.then = ride_of(museum, second);
@@ -100,6 +119,18 @@ Leg find_leg(const Museum& museum, const path::BuildingMap& building, const Walk
   leg.seconds_after = whole.seconds - first.seconds;
   leg.way = find_way(museum, map, order.kind, from, leg.end.position);
   return leg;
+}
+
+FoundPlace find_place(const Museum& museum, const path::BuildingMap& building,
+                      const WalkOrder& order, Vec2 from) {
+  path::BuildingQuery query = query_of(order, from);
+  path::NearestPlace nearest;
+  for (const double more : room_to_spare) {
+    query.way.radius = std::max(0.0, museum.body_radius + more);
+    nearest = path::nearest_place(building, query, museum.places, *order.seeks);
+    if (nearest.way.status == path::BuildingStatus::Ok) break;
+  }
+  return {nearest.place, route_status(nearest.way.status), hindrance_of(museum, nearest.way)};
 }
 
 }  // namespace docent::plan

@@ -10,8 +10,10 @@
 
 #include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
+#include "runtime/model/none.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
+#include "runtime/path/building/building_way.h"
 #include "runtime/path/route.h"
 
 namespace docent::plan {
@@ -48,7 +50,10 @@ struct WalkOrder {
   RouteKind kind = RouteKind::Shortest;
   std::optional<Placement> goal;              ///< Empty: stop as soon as is natural.
   std::optional<std::uint32_t> goal_floor{};  ///< Where the goal is; empty: on `floor`.
-  Placement start;  ///< Where the avatar stands if no plan is in progress.
+  /// Instead of the goal, which is then anything: the nearest place of that kind, on any floor.
+  std::optional<PlaceKind> seeks{};
+  path::Permissions permissions{};  ///< Of the connections to other floors.
+  Placement start;                  ///< Where the avatar stands if no plan is in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks
   /// keeps that plan until the answer to its latest order has come.
   const Plan* previous = nullptr;
@@ -80,10 +85,13 @@ struct WalkOrder {
 struct Plan {
   WalkOrder order;
   path::RouteStatus status = path::RouteStatus::NoRoute;
-  std::optional<interface::Closed> closed{};  ///< No way, because of that.
-  double length = 0;                          ///< Metres to the goal, over floors and stairs.
-  std::vector<Vec2> points;                   ///< The way, simplified to 2 mm, floor frame.
-  std::vector<double> reach;                  ///< Metres along the way of each point.
+  std::optional<interface::Hindrance> hindrance{};  ///< No way, because of that.
+  /// Of an order that seeks: the place that was found, which is the goal of `order` now; where
+  /// there is no way, the one to which there would be one at best; `none` where there is no place.
+  std::uint32_t place = none;
+  double length = 0;                 ///< Metres to the goal, over floors and stairs.
+  std::vector<Vec2> points;          ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;         ///< Metres along the way of each point.
   motion::Walk walk;                 ///< At least one frame unless status says there is no way.
   bool is_whole = true;              ///< Does the walk lead to the end of the way?
   std::uint32_t handover_frame = 0;  ///< Where the next stretch takes over, unless is_whole.

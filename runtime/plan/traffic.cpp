@@ -8,6 +8,7 @@
 #include "runtime/crowd/find_detour.h"
 #include "runtime/crowd/find_passage.h"
 #include "runtime/crowd/find_refuge.h"
+#include "runtime/interface/goal.h"
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/leg.h"
@@ -170,7 +171,29 @@ bool Traffic::keep_place(const WalkOrder& order, Vec2 place, Plan& plan) {
   return false;
 }
 
+/// To the nearest place of a kind.
+std::unique_ptr<Plan> Traffic::seek(const WalkOrder& order) {
+  const FoundPlace found = find_place(museum_, building_, order, takes_over_at(order).position);
+  WalkOrder there = order;
+  there.seeks.reset();
+  if (found.status == path::RouteStatus::Ok) {
+    const Place& place = museum_.places[found.place];
+    there.goal = interface::standing_at(place);
+    there.goal_floor = place.floor;
+    auto plan = this->plan(there);
+    plan->place = found.place;
+    return plan;
+  }
+  auto plan = std::make_unique<Plan>();
+  plan->order = there;
+  plan->status = found.status;
+  plan->hindrance = found.hindrance;
+  plan->place = found.place;
+  return plan;
+}
+
 std::unique_ptr<Plan> Traffic::plan(const WalkOrder& order) {
+  if (order.seeks) return seek(order);
   let_go(seconds_of(order));
   leaving_.erase(order.avatar);
   members_[order.avatar].rank = order.rank;
@@ -289,7 +312,7 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
   } else {
     Leg leg = find_leg(museum_, building_, order, from.position);
     plan->status = leg.way.status;
-    plan->closed = leg.closed;
+    plan->hindrance = leg.hindrance;
     if (leg.way.status != path::RouteStatus::Ok) return plan;
     plan->end = leg.end;
     plan->then = leg.then;

@@ -43,6 +43,7 @@ class Traffic {
   };
   void let_go(double now);
   std::unique_ptr<Plan> enter(const WalkOrder& order);
+  std::unique_ptr<Plan> seek(const WalkOrder& order);
   std::unique_ptr<Plan> stop(const WalkOrder& order);
   std::unique_ptr<Plan> make_room(const WalkOrder& order);
   std::unique_ptr<Plan> get_on(const WalkOrder& order);

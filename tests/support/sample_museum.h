@@ -60,6 +60,13 @@ inline Museum sample_museum_without_walls() {
     museum.images.push_back(
         {.name = section.image.value, .width = 960, .height = 960, .bytes = {}});
   }
+  for (const config::PlaceSection& section : config.places)
+    if (is_below(section))
+      museum.places.push_back({.id = section.id.value,
+                               .kind = place_kind_named(section.kind.value).value(),
+                               .position = section.position.value,
+                               .standing = section.position.value,
+                               .title = texts(section.title)});
   for (const config::TourSection& section : config.tours) {
     Tour& tour = museum.tours.emplace_back();
     tour.id = section.id.value;

@@ -94,7 +94,7 @@ class Watch {
       : planner_(museum, {}, bodies), crowd_(museum, planner_) {}
 
   Crowd& crowd() { return crowd_; }
-  const plan::Planner& planner() const { return planner_; }
+  plan::Planner& planner() { return planner_; }
 
   void step() {
     planner_.wait();
@@ -228,8 +228,102 @@ TEST(AGuide, WhoseOnlyConnectionIsClosedSaysThatItIs) {
   while (!watch.crowd()[0].route_summary) watch.step();
 
   EXPECT_EQ(watch.crowd()[0].route_summary->status, path::RouteStatus::NoRoute);
-  EXPECT_EQ(watch.crowd()[0].route_summary->closed, interface::Closed::Lift);
+  EXPECT_EQ(watch.crowd()[0].route_summary->hindrance, interface::Hindrance::Lift);
   EXPECT_TRUE(watch.crowd()[0].has_arrived);
+}
+
+/// Why a guide finds no way up to the first floor, if so, and by what it goes there.
+std::pair<std::optional<interface::Hindrance>, std::uint32_t> goes_up(
+    std::vector<Connection> connections, const path::Permissions& permissions) {
+  Museum museum = house();
+  museum.connections = std::move(connections);
+  Watch watch(museum, 1);
+  watch.crowd().add(0, museum.kiosk, 100, 1);
+  watch.crowd().send(0, 1, museum.exhibits[8].viewing_point, RouteKind::Shortest, permissions);
+  while (!watch.crowd()[0].route_summary) watch.step();
+  const Agent& agent = watch.crowd()[0];
+  const auto& plan = agent.avatar.next ? agent.avatar.next : agent.avatar.plan;
+  return {agent.route_summary->hindrance, plan && plan->then ? plan->then->connection : none};
+}
+
+TEST(AGuide, LeadsAWayWithoutStepsOrSaysWhyThereIsNone) {
+  const Museum all = house();
+  const Connection &stairs = all.connections[0], &lift = all.connections[2],
+                   &escalator = all.connections[3];
+  Connection broken = lift;
+  broken.closed = true;
+
+  EXPECT_EQ(goes_up({stairs, lift}, {}).second, 0U);
+  EXPECT_EQ(goes_up({stairs, lift}, {.step_free = true}).second, 1U);
+  EXPECT_EQ(goes_up({stairs}, {.step_free = true}).first, interface::Hindrance::Steps);
+  EXPECT_EQ(goes_up({stairs, broken}, {.step_free = true}).first, interface::Hindrance::Lift);
+  EXPECT_EQ(goes_up({escalator}, {}).second, 0U);
+  EXPECT_EQ(goes_up({escalator}, {.no_escalators = true}).first, interface::Hindrance::Escalators);
+  EXPECT_EQ(goes_up({escalator, stairs}, {.no_escalators = true}).second, 1U);
+}
+
+Place toilets(std::uint32_t floor, Vec2 standing) {
+  return {.id = "",
+          .kind = PlaceKind::WomensToilets,
+          .floor = floor,
+          .position = standing,
+          .standing = standing,
+          .title = {}};
+}
+
+TEST(AGuide, SentToTheNearestPlaceOfAKindGoesToTheOneThatIsNearestOnFoot) {
+  Museum museum = house();
+  // The straight line to the second is the shorter one, but it is a floor up.
+  museum.places = {toilets(0, {15, 1}), toilets(1, {8, 4.5}), toilets(0, {1, 1})};
+  Watch watch(museum, 1);
+  watch.crowd().add(0, museum.kiosk, 100, 1);
+
+  watch.crowd().seek(0, PlaceKind::Toilets, RouteKind::Shortest);
+
+  ASSERT_TRUE(watch.run_until_arrived(0, 60));
+  EXPECT_EQ(watch.crowd()[0].place, 0U);
+  EXPECT_EQ(watch.crowd()[0].avatar.floor, 0U);
+  EXPECT_LT(glm::distance(watch.crowd()[0].avatar.body.position, Vec2(15, 1)), 0.02);
+}
+
+TEST(AGuide, OnItsWayToTheNearestPlaceGoesToAnotherWhereTheWayThereIsClosed) {
+  Museum museum = house();
+  museum.connections = {museum.connections[2], museum.connections[0]};  // the lift, and stairs
+  museum.places = {toilets(2, {14, 5}), toilets(1, {3, 8})};
+  Watch watch(museum, 1);
+  watch.crowd().add(0, at(14, 5, 0), 100, 1);
+  watch.crowd().seek(0, PlaceKind::Toilets, RouteKind::Shortest);
+  for (int i = 0; i < 60; ++i) watch.step();
+  ASSERT_EQ(watch.crowd()[0].place, 0U);
+
+  Closures closures;
+  closures.doors.resize(3);
+  closures.connections = {0};
+  watch.planner().close(closures);
+  watch.crowd().replan();
+
+  ASSERT_TRUE(watch.run_until_arrived(0, 180));
+  EXPECT_EQ(watch.crowd()[0].place, 1U);
+  EXPECT_EQ(watch.crowd()[0].avatar.floor, 1U);
+}
+
+TEST(AGuide, SentToAPlaceThatNoWayLeadsToSaysWhy) {
+  Museum museum = house();
+  museum.connections = {museum.connections[2]};
+  museum.connections.front().closed = true;
+  museum.places = {toilets(2, {14, 5})};
+  Watch watch(museum, 1);
+  watch.crowd().add(0, museum.kiosk, 100, 1);
+
+  watch.crowd().seek(0, PlaceKind::Toilets, RouteKind::Shortest);
+  while (!watch.crowd()[0].route_summary) watch.step();
+
+  EXPECT_EQ(watch.crowd()[0].route_summary->hindrance, interface::Hindrance::Lift);
+  EXPECT_EQ(watch.crowd()[0].place, 0U) << "so that it can be said where";
+  EXPECT_TRUE(watch.crowd()[0].has_arrived);
+  watch.crowd().seek(0, PlaceKind::Cafe, RouteKind::Shortest);
+  while (!watch.crowd()[0].route_summary) watch.step();
+  EXPECT_EQ(watch.crowd()[0].route_summary->status, path::RouteStatus::NoRoute);
 }
 
 /// One hall up the stairs from another, beside it and not above it.

@@ -307,6 +307,79 @@ TEST(Guide, CanBeUsedByKeysAlone) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
 }
 
+TEST(Guide, LeadsToTheNearestToiletsByOneTouchFromEveryScreen) {
+  Session session;
+  session.tap("toilets");
+  session.run(1);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
+  const auto place = session.guide().state().place;
+  ASSERT_TRUE(place);
+  EXPECT_TRUE(answers(museum().places[*place].kind, PlaceKind::Toilets));
+  for (int i = 0; i < 60 && !session.guide().state().arrived; ++i) session.run(1);
+
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
+  EXPECT_LT(glm::distance(session.guide().crowd()[0].avatar.body.position,
+                          museum().places[*place].standing),
+            0.02);
+  session.tap("places");
+  session.run(0.5);
+  session.tap("place:cafe");
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().seeks, PlaceKind::Cafe);
+  session.tap("toilets");
+  session.run(0.5);
+  EXPECT_EQ(session.guide().state().place, place);
+}
+
+TEST(Guide, IsSentToAPlaceByItsSignOnTheModel) {
+  Session session;
+  session.tap("begin");
+  session.run(1.5);
+  session.tap("spot:shop", interface::Role::Spot);
+  session.run(1);
+
+  ASSERT_TRUE(session.guide().state().place);
+  EXPECT_EQ(museum().places[*session.guide().state().place].id, "shop");
+  EXPECT_FALSE(session.guide().state().seeks);
+}
+
+TEST(Guide, ComesToTheHelpsLastByKeys) {
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(0.5);
+  session.key(input::Key::Up);  // from the first thing round to the last
+  session.key(input::Key::Up);
+  session.key(input::Key::Enter);
+  session.run(0.5);
+
+  EXPECT_EQ(session.guide().state().seeks, PlaceKind::Toilets);
+}
+
+TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  for (const std::uint32_t floor : {0U, 1U, 2U}) {
+    session.tap("floor:" + museum().floors[floor].plan.name);
+    session.run(1.5);
+    const interface::View& view = *session.guide().view();
+    std::size_t signs = 0;
+    for (const interface::FloorLabel& sign : view.labels) {
+      if (!sign.is_sign || sign.rect.width <= 0) continue;
+      ++signs;
+      for (const interface::FloorLabel& other : view.labels) {
+        if (&other == &sign) continue;
+        const bool apart = sign.rect.x >= other.rect.x + other.rect.width ||
+                           other.rect.x >= sign.rect.x + sign.rect.width ||
+                           sign.rect.y >= other.rect.y + other.rect.height ||
+                           other.rect.y >= sign.rect.y + sign.rect.height;
+        EXPECT_TRUE(apart) << view.controls[static_cast<std::size_t>(sign.control)].name;
+      }
+    }
+    EXPECT_GE(signs, 3U);
+  }
+}
+
 TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
   Session session;
   session.tap("begin");
@@ -389,6 +462,52 @@ TEST(Guide, LeadsToAnotherFloorWhichComesIntoViewWhileTheModelIsBehindPaper) {
   session.tap("home");
   session.run(2);
   EXPECT_EQ(session.guide().draw_list().floor, house.kiosk_floor);
+}
+
+TEST(Guide, PlansAnewAtOnceWithoutStepsAndGoesAnyWayAgainWithTheNextVisitor) {
+  Session session;
+  session.tap("begin");
+  session.run(1);
+  session.tap("floor:upper");
+  session.run(1);
+  const auto upstairs = std::ranges::find(museum().exhibits, 1U, &Exhibit::floor);
+  session.tap("exhibit:" + upstairs->id, interface::Role::Spot);
+  session.run(2);
+  const auto taken = [&] {
+    const auto& then = session.guide().crowd()[0].avatar.plan->then;
+    return then ? museum().connections[then->connection].id : std::string();
+  };
+  EXPECT_EQ(taken(), "grand-stairs");
+
+  session.tap("step-free");
+  session.run(2);
+  EXPECT_EQ(taken(), "lift");
+  EXPECT_TRUE(session.guide().state().ways.step_free);
+
+  session.tap("home");
+  session.run(1);
+  EXPECT_FALSE(session.guide().state().ways.step_free);
+}
+
+TEST(Guide, WhoFindsNoWayWithoutStepsStopsAndGoesOnWhenAnyWayWillDo) {
+  Museum house = museum();
+  for (Connection& connection : house.connections) connection.step_free = false;
+  Session session(house);
+  session.tap("begin");
+  session.run(1);
+  session.tap("floor:upper");
+  session.run(1);
+  const auto upstairs = std::ranges::find(house.exhibits, 1U, &Exhibit::floor);
+  session.tap("exhibit:" + upstairs->id, interface::Role::Spot);
+  session.run(2);
+
+  session.tap("step-free");
+  session.run(2);
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking) << "it says why";
+  session.tap("step-free");
+  session.run(3);
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Walk);
 }
 
 TEST(Guide, DoesTheSameTwice) {

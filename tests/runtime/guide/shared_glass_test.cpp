@@ -184,7 +184,10 @@ TEST(ASharedGlass, LeadsEightVisitorsAtOnceEachByTheirOwnGuide) {
 /// The spot on the model that is furthest to one side.
 const interface::Control& outermost_spot(Glassful& glass, bool left) {
   const auto& controls = glass.guide().view(0)->controls;
-  const auto at = [](const interface::Control& c) { return c.rect.width > 0 ? c.rect.x : 0.5F; };
+  const auto at = [](const interface::Control& c) {
+    const bool is_exhibit = c.action.kind == interface::Action::Kind::Choose;
+    return is_exhibit && c.rect.width > 0 ? c.rect.x : 0.5F;
+  };
   return left ? *std::ranges::min_element(controls, {}, at)
               : *std::ranges::max_element(controls, {}, at);
 }

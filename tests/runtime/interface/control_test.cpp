@@ -134,6 +134,140 @@ TEST(ControlGraph, DoesNotSendTheGuideAwayOnTheWayToARouteKind) {
               ElementsAre("begin", "route:offset"));
 }
 
+TEST(Places, AreListedByTheirKindsAndByTheWiderOnesThatTheyAnswer) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.places = {{.id = "a", .kind = PlaceKind::WomensToilets},
+                   {.id = "b", .kind = PlaceKind::Lift},
+                   {.id = "c", .kind = PlaceKind::Lift}};
+  InterfaceState state;
+  state = after(state, {Action::Kind::ShowPlaces});
+
+  std::vector<std::string> listed;
+  for (const Control& control : controls_of(museum, state, 8))
+    if (control.role == Role::ListItem) listed.push_back(control.name);
+
+  EXPECT_EQ(state.screen, Screen::Choosing);
+  EXPECT_THAT(listed, ElementsAre("place:toilets", "place:womens_toilets", "place:lift"));
+}
+
+TEST(Places, AreSoughtByTheirKindAndGoneToByTheirSpot) {
+  const Museum museum = test::sample_museum_without_walls();
+  InterfaceState state;
+  state.exhibit = 3;
+  state.arrived = true;
+  state.tour = TourWalk{0, 1};
+
+  const InterfaceState sought =
+      after(state, {Action::Kind::Seek, static_cast<std::uint32_t>(PlaceKind::Cafe)});
+  EXPECT_EQ(sought.screen, Screen::Walking);
+  EXPECT_EQ(sought.seeks, PlaceKind::Cafe);
+  EXPECT_FALSE(sought.exhibit || sought.place || sought.tour || sought.arrived);
+
+  const InterfaceState gone = after(sought, {Action::Kind::GoToPlace, 2});
+  EXPECT_EQ(gone.place, 2U);
+  EXPECT_FALSE(gone.seeks);
+  EXPECT_FALSE(after(gone, {Action::Kind::Choose, 0}).place);
+  EXPECT_FALSE(after(gone, {Action::Kind::Home}).place);
+}
+
+TEST(Places, OfTheKindThatOneIsOnTheWayToDoNotTurnOneRound) {
+  InterfaceState state;
+  const Action toilets{Action::Kind::Seek, static_cast<std::uint32_t>(PlaceKind::Toilets)};
+  state = after(state, toilets);
+  state.place = 4;  // has been found
+
+  state = after(after(state, {Action::Kind::ShowExhibits}), toilets);
+
+  EXPECT_EQ(state.place, 4U);
+  EXPECT_EQ(state.screen, Screen::Walking);
+}
+
+TEST(Places, ToiletsAreOneTouchAwayFromEveryScreenAndCard) {
+  const Museum museum = test::sample_museum_without_walls();
+  for (const Screen screen :
+       {Screen::Welcome, Screen::Picking, Screen::Choosing, Screen::Walking, Screen::Arrived})
+    for (const bool of_places : {false, true})
+      for (const bool on_card : {false, true}) {
+        InterfaceState state;
+        state.screen = screen;
+        state.lists_places = of_places;
+        if (on_card) {
+          if (screen == Screen::Welcome) continue;  // nobody is there
+          state.glass = Glass::Busy;
+          state.seat = 1;
+          state.seats = 3;
+        }
+        EXPECT_THAT(names(touches_to(museum, state, 8, "toilets")), ElementsAre("toilets"))
+            << static_cast<int>(screen);
+      }
+}
+
+TEST(Places, FollowWhatIsTheScreensOwnInTheOrderOfTheKeys) {
+  const Museum museum = test::sample_museum_without_walls();
+  for (const Screen screen :
+       {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived}) {
+    InterfaceState state;
+    state.screen = screen;
+    state.exhibit = 1;
+    const std::vector<std::string> all = names(controls_of(museum, state, 8));
+    const auto toilets = std::ranges::find(all, "toilets");
+    for (const std::string_view own : {"language:en", "home", "back", "choose", "begin"}) {
+      const auto at = std::ranges::find(all, own);
+      EXPECT_TRUE(at == all.end() || at < toilets) << own;
+    }
+  }
+}
+
+TEST(Places, AreFoundByTheirNamesInVisits) {
+  const Museum museum = test::sample_museum_without_walls();
+
+  EXPECT_THAT(names(touches_to(museum, {}, 8, "place:cafe")), ElementsAre("places", "place:cafe"));
+  EXPECT_TRUE(is_control_name(museum, "place:shop"));
+  EXPECT_TRUE(is_control_name(museum, "spot:cafe"));
+  EXPECT_TRUE(is_control_name(museum, "exhibits"));
+  EXPECT_FALSE(is_control_name(museum, "place:parking"));
+}
+
+/// Names of what is asked of ways in a state, in a building with these connections.
+std::vector<std::string> avoidances(std::vector<Connection> connections, InterfaceState state) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.connections = std::move(connections);
+  std::vector<std::string> out;
+  for (const std::string& name : names(controls_of(museum, state, 8)))
+    if (name == "step-free" || name == "no-escalators") out.push_back(name);
+  return out;
+}
+
+TEST(WaysWithoutSteps, AreOfferedWhereAWayIsChosenAndThereAreSteps) {
+  const Connection lift{.id = "lift", .kind = ConnectionKind::Lift, .step_free = true, .stops = {}};
+  const Connection stairs{.id = "stairs", .stops = {}};
+  const Connection escalator{.id = "up", .kind = ConnectionKind::Escalator, .stops = {}};
+  InterfaceState state;
+  for (const Screen screen : {Screen::Choosing, Screen::Walking}) {
+    state.screen = screen;
+    EXPECT_THAT(avoidances({lift}, state), ElementsAre());
+    EXPECT_THAT(avoidances({lift, stairs}, state), ElementsAre("step-free"));
+    EXPECT_THAT(avoidances({lift, escalator}, state), ElementsAre("step-free", "no-escalators"));
+  }
+  for (const Screen screen : {Screen::Welcome, Screen::Arrived}) {
+    state.screen = screen;
+    EXPECT_THAT(avoidances({stairs}, state), ElementsAre());
+  }
+}
+
+TEST(WaysWithoutSteps, AreAskedForUntilTheVisitorSaysOtherwiseOrLeaves) {
+  InterfaceState state;
+  state.screen = Screen::Walking;
+  state.exhibit = 1;
+  state = after(state, {Action::Kind::AvoidSteps, 1});
+  state = after(state, {Action::Kind::AvoidEscalators, 1});
+  state = after(state, {Action::Kind::Choose, 2});
+  EXPECT_TRUE(state.ways.step_free && state.ways.no_escalators);
+
+  EXPECT_FALSE(after(state, {Action::Kind::AvoidSteps, 0}).ways.step_free);
+  EXPECT_EQ(after(state, {Action::Kind::Home}).ways, path::Permissions{});
+}
+
 TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<RouteKindInfo> kinds(route_kinds.begin(), route_kinds.end());
@@ -184,7 +318,7 @@ TEST(ControlGraph, EveryEnabledControlLeadsToAStateWithControls) {
       met.insert(control.name);
       if (!control.enabled) continue;
       const InterfaceState next = after(state, control.action);
-      ASSERT_LT(next.page, page_count(museum, 12));
+      ASSERT_LT(next.page, page_count(museum, next, 12));
       if (std::ranges::find(seen, next) != seen.end()) continue;
       seen.push_back(next);
       open.push_back(next);

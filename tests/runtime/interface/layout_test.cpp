@@ -35,7 +35,12 @@ Pixels plain(std::uint32_t /*image*/, std::uint32_t width, std::uint32_t height)
 }
 
 const Museum& museum() {
-  static const Museum it = test::sample_museum_without_walls();
+  static const Museum it = [] {
+    Museum museum = test::sample_museum_without_walls();
+    museum.connections = {{.id = "stairs", .stops = {}},
+                          {.id = "escalator", .kind = ConnectionKind::Escalator, .stops = {}}};
+    return museum;
+  }();
   return it;
 }
 
@@ -60,6 +65,12 @@ ViewRequest any_request() {
   request.state.language = *rc::gen::inRange(0U, 3U);
   request.state.exhibit =
       *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().exhibits.size()));
+  if (*rc::gen::inRange(0, 4) == 0) {
+    request.state.exhibit.reset();
+    request.state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
+    request.state.seeks = PlaceKind::Toilets;
+  }
+  request.state.lists_places = *rc::gen::arbitrary<bool>();
   request.state.page = *rc::gen::inRange(0U, 2U);
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);

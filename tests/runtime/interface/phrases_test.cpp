@@ -49,5 +49,13 @@ TEST(Words, AreThereInEveryLanguage) {
   }
 }
 
+TEST(Words, NameEveryKindOfPlaceInEveryLanguage) {
+  const Museum museum = test::sample_museum_without_walls();
+  for (const Language& language : museum.languages)
+    for (const PlaceKindInfo& info : place_kinds)
+      EXPECT_TRUE(language.words.contains("place_" + std::string(info.name)))
+          << language.tag << ": " << info.name;
+}
+
 }  // namespace
 }  // namespace docent::interface

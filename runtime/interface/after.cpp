@@ -1,0 +1,133 @@
+/// The one rule of what pressing does.
+#include "runtime/interface/control.h"
+#include "runtime/interface/goal.h"
+
+namespace docent::interface {
+namespace {
+
+/// The visitor is led nowhere.
+void forget_goal(InterfaceState& state) noexcept {
+  state.exhibit.reset();
+  state.seeks.reset();
+  state.place.reset();
+  state.tour.reset();
+  state.arrived = false;
+}
+
+/// The guide leads the visitor to the goal, unless they are there.
+void follow_guide(InterfaceState& state, bool is_there) noexcept {
+  state.arrived = is_there;
+  state.screen = is_there ? Screen::Arrived : Screen::Walking;
+  if (state.seat && !state.look) state.screen = Screen::Picking;
+}
+
+void choose(InterfaceState& state, const Action& action) noexcept {
+  const bool is_there = state.arrived && state.exhibit == action.argument;
+  forget_goal(state);
+  if (action.kind == Action::Kind::FollowTour) state.tour = action.stop;
+  state.exhibit = action.argument;
+  follow_guide(state, is_there);
+}
+
+/// Who is on the way to the nearest already, or there, goes on.
+void seek(InterfaceState& state, PlaceKind kind) noexcept {
+  if (state.seeks == kind) return follow_guide(state, state.arrived);
+  forget_goal(state);
+  state.seeks = kind;
+  follow_guide(state, false);
+}
+
+void go_to_place(InterfaceState& state, std::uint32_t place) noexcept {
+  const bool is_there = state.arrived && state.place == place;
+  forget_goal(state);
+  state.place = place;
+  follow_guide(state, is_there);
+}
+
+void show_list(InterfaceState& state, bool of_places) noexcept {
+  state.screen = state.seat && !state.look ? Screen::Picking : Screen::Choosing;
+  state.lists_places = of_places;
+  state.page = 0;
+}
+
+/// A seat whose visitor has left.
+InterfaceState vacated(const InterfaceState& state) noexcept {
+  InterfaceState vacant;
+  vacant.glass = state.glass;
+  vacant.seats = state.seats;
+  vacant.seat = state.seat;
+  vacant.taken = state.taken;
+  return vacant;
+}
+
+}  // namespace
+
+InterfaceState after(InterfaceState state, Action action) noexcept {
+  switch (action.kind) {
+    case Action::Kind::Begin:
+      show_list(state, false);
+      break;
+    case Action::Kind::Pick:
+      if ((state.taken >> action.argument & 1U) != 0) break;
+      state.look = action.argument;
+      state.screen = has_goal(state) ? Screen::Walking : Screen::Choosing;
+      state.page = 0;
+      break;
+    case Action::Kind::ShowExhibits:
+      show_list(state, false);
+      break;
+    case Action::Kind::ShowPlaces:
+      show_list(state, true);
+      break;
+    case Action::Kind::Choose:
+    case Action::Kind::FollowTour:
+      choose(state, action);
+      break;
+    case Action::Kind::Seek:
+      seek(state, static_cast<PlaceKind>(action.argument));
+      break;
+    case Action::Kind::GoToPlace:
+      go_to_place(state, action.argument);
+      break;
+    case Action::Kind::TurnPage:
+      state.page = action.argument;
+      break;
+    case Action::Kind::ShowFloor:
+      state.floor = action.argument;
+      break;
+    case Action::Kind::Speak:
+      state.language = action.argument;
+      break;
+    case Action::Kind::TakeRoute:
+      state.kind = static_cast<RouteKind>(action.argument);
+      break;
+    case Action::Kind::AvoidSteps:
+      state.ways.step_free = action.argument != 0;
+      break;
+    case Action::Kind::AvoidEscalators:
+      state.ways.no_escalators = action.argument != 0;
+      break;
+    case Action::Kind::Return:
+      if (!has_goal(state)) {
+        state.screen = Screen::Welcome;
+        state.floor.reset();
+      } else
+        state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      break;
+    case Action::Kind::Stop:
+      forget_goal(state);
+      show_list(state, false);
+      break;
+    case Action::Kind::Home:
+      if (state.seat) return vacated(state);
+      forget_goal(state);
+      state.floor.reset();
+      state.ways = {};
+      show_list(state, false);
+      state.screen = Screen::Welcome;
+      break;
+  }
+  return state;
+}
+
+}  // namespace docent::interface
