@@ -141,12 +141,10 @@ void Session::act(interface::Action action) noexcept {
     case interface::Action::Kind::FollowTour:
     case interface::Action::Kind::Seek:
     case interface::Action::Kind::GoToPlace:
-      set_out();
-      break;
     case interface::Action::Kind::TakeRoute:
     case interface::Action::Kind::AvoidSteps:
     case interface::Action::Kind::AvoidEscalators:
-      set_out();  // by another way, or at last by any
+      set_out();  // to another goal, by another way, or at last by any
       break;
     case interface::Action::Kind::Stop:
       order({.kind = Errand::Kind::Stop});

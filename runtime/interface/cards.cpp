@@ -168,7 +168,7 @@ float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::s
 
 /// An exhibit's number, or how long a tour is, and what it is called.
 std::string row_text(const Sheet& sheet, const Control& control) {
-  const std::string title(sheet.local(control.label));
+  std::string title(sheet.local(control.label));
   if (control.action.kind == Action::Kind::Seek) return title;
   const Tour* tour = begun_tour(sheet, control);
   const std::string before = tour != nullptr
