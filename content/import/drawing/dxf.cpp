@@ -203,7 +203,7 @@ class DxfReader {
       else if (variable == "$ACADVER")
         version = trimmed(group.value);
       else if (variable == "$INSUNITS")
-        set_unit(static_cast<int>(number(group.value)));
+        set_unit(static_cast<int>(std::clamp(number(group.value), -1.0, 1e3)));
     }
     if (version < "AC1021") code_page_ = std::string(stated_page);  // From 2007 on it is UTF-8.
   }
