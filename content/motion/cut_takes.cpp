@@ -75,21 +75,24 @@ MotionClip part_of(const MotionClip& take, Stretch part, std::string name) {
   return clip;
 }
 
-/// The parts of one stretch between where standing begins before it and ends after it.
-struct Parts {
-  Stretch start, walk, stop;
+struct Part {
+  const char* name;
+  Stretch frames;
 };
 
-Parts parts_of(Stretch walking, Stretch with_standing, double frame_rate) {
-  const std::size_t some = frames_in(shared, frame_rate);
-  const std::size_t frames = walking.last - walking.first;
+/// The parts of one stretch of walking. `whole` has the standing before and after it, where there
+/// is any: without it nothing starts or stops.
+std::vector<Part> parts_of(Stretch walking, Stretch whole, double frame_rate) {
+  const std::size_t some = frames_in(shared, frame_rate), frames = walking.last - walking.first;
+  const bool starts = whole.first<walking.first, stops = whole.last> walking.last;
+  if (!starts || !stops) return {{starts ? "start" : stops ? "stop" : "walk", whole}};
   if (frames < 5 * some) {  // too short for a walk between the two
     const std::size_t middle = walking.first + frames / 2, half = std::min(some, frames) / 2;
-    return {{with_standing.first, middle + half}, {}, {middle - half, with_standing.last}};
+    return {{"start", {whole.first, middle + half}}, {"stop", {middle - half, whole.last}}};
   }
-  return {{with_standing.first, walking.first + 2 * some},
-          {walking.first + some, walking.last - some},
-          {walking.last - 2 * some, with_standing.last}};
+  return {{"start", {whole.first, walking.first + 2 * some}},
+          {"walk", {walking.first + some, walking.last - some}},
+          {"stop", {walking.last - 2 * some, whole.last}}};
 }
 
 }  // namespace
@@ -110,12 +113,9 @@ std::vector<MotionClip> cut_take(const Skeleton& skeleton, const MotionClip& tak
     const Stretch stretch = walking[i];
     const Stretch whole{stretch.first - std::min(kept, stretch.first - before),
                         stretch.last + std::min(kept, after - stretch.last)};
-    const Parts parts = parts_of(stretch, whole, take.frame_rate);
     const std::string number = walking.size() > 1 ? fmt::format(" {}", i + 1) : "";
-    for (const auto& [name, part] : {std::pair{"start", parts.start}, std::pair{"walk", parts.walk},
-                                     std::pair{"stop", parts.stop}})
-      if (part.last > part.first)
-        clips.push_back(part_of(take, part, fmt::format("{}, {}{}", take.name, name, number)));
+    for (const auto& [name, part] : parts_of(stretch, whole, take.frame_rate))
+      clips.push_back(part_of(take, part, fmt::format("{}, {}{}", take.name, name, number)));
   }
   return clips;
 }

@@ -86,6 +86,23 @@ TEST(ATake, InWhichSomebodyStandsForAWhileHoldsEachStretchOfWalking) {
               ElementsAre("take, start 1", "take, stop 1", "take, start 2", "take, stop 2"));
 }
 
+TEST(ATake, ThatBeginsInMidStrideHasNoStartThere) {
+  MotionClip take = take_of(12);
+  const auto cut = static_cast<std::size_t>(3 * take.frame_rate);
+  take.root.erase(take.root.begin(), take.root.begin() + static_cast<std::ptrdiff_t>(cut));
+  take.rotation.erase(take.rotation.begin(),
+                      take.rotation.begin() + static_cast<std::ptrdiff_t>(cut * take.joint_count));
+  stand(take, 4);
+  const MotionClip again = take_of(5);
+  const Vec3 on = take.root.back() - again.root.front();
+  for (const Vec3& root : again.root) take.root.push_back(root + Vec3(on.x, 0, on.z));
+  take.rotation.insert(take.rotation.end(), again.rotation.begin(), again.rotation.end());
+  stand(take, 2);
+
+  EXPECT_THAT(names_of(motion::offline::cut_take(shipped_graph().skeleton, take)),
+              ElementsAre("take, stop 1", "take, start 2", "take, stop 2"));
+}
+
 TEST(ATake, ThatIsOneClipStaysWhole) {
   for (const auto& source : shipped_clips().clips)
     EXPECT_THAT(names_of(motion::offline::cut_take(shipped_clips().skeleton, source.clip)),
