@@ -130,7 +130,15 @@ FoundPlace find_place(const Museum& museum, const path::BuildingMap& building,
     nearest = path::nearest_place(building, query, museum.places, *order.seeks);
     if (nearest.way.status == path::BuildingStatus::Ok) break;
   }
-  return {nearest.place, route_status(nearest.way.status), hindrance_of(museum, nearest.way)};
+  FoundPlace found{nearest.place, route_status(nearest.way.status),
+                   hindrance_of(museum, nearest.way)};
+  if (order.permissions.no_escalators && nearest.way.status == path::BuildingStatus::NoRoute) {
+    WalkOrder freer = order;
+    freer.permissions.no_escalators = false;
+    if (find_place(museum, building, freer, from).status == path::RouteStatus::Ok)
+      found.hindrance = interface::Hindrance::Escalators;
+  }
+  return found;
 }
 
 }  // namespace docent::plan

@@ -326,6 +326,20 @@ TEST(AGuide, SentToAPlaceThatNoWayLeadsToSaysWhy) {
   EXPECT_EQ(watch.crowd()[0].route_summary->status, path::RouteStatus::NoRoute);
 }
 
+TEST(AGuide, SentToAPlaceThatOnlyAnEscalatorLeadsToSaysSo) {
+  Museum museum = house();
+  museum.connections = {museum.connections[3]};
+  museum.places = {toilets(1, {14, 5})};
+  Watch watch(museum, 1);
+  watch.crowd().add(0, museum.kiosk, 100, 1);
+
+  watch.crowd().seek(0, PlaceKind::Toilets, RouteKind::Shortest, {.no_escalators = true});
+  while (!watch.crowd()[0].route_summary) watch.step();
+
+  EXPECT_EQ(watch.crowd()[0].route_summary->status, path::RouteStatus::NoRoute);
+  EXPECT_EQ(watch.crowd()[0].route_summary->hindrance, interface::Hindrance::Escalators);
+}
+
 /// One hall up the stairs from another, beside it and not above it.
 Museum two_halls() {
   Museum museum = house();
