@@ -130,11 +130,11 @@ class RoomCompiler {
     Vec2 low = outline.front(), high = outline.front();
     for (const Vec2 p : outline) low = glm::min(low, p), high = glm::max(high, p);
     constexpr int points = 24;
-    for (int i = 0; i < points * points; ++i) {
-      const Vec2 share{(i % points + 0.5) / points, (i / points + 0.5) / points};  // NOLINT
-      const Vec2 p = low + share * (high - low);
-      if (contains(outline, p)) visit(p);
-    }
+    for (int row = 0; row < points; ++row)
+      for (int column = 0; column < points; ++column) {
+        const Vec2 p = low + (Vec2{column + 0.5, row + 0.5} / double{points}) * (high - low);
+        if (contains(outline, p)) visit(p);
+      }
   }
 
   /// How much of an outline is floor, by a grid of points; 1 where there is no outline.

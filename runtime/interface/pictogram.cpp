@@ -294,8 +294,6 @@ Shapes shapes_of(Pictogram what) {
         shapes.push_back(shape);
       return shapes;
     }
-    case Pictogram::Collect:
-      return {line(12, 4, 12, 20, 3), line(4, 12, 20, 12, 3)};
     case Pictogram::Count:
       return {};
   }

@@ -14,7 +14,6 @@ enum class Pictogram : std::uint8_t {
   Places,
   StepFree,
   NoEscalators,
-  Collect,  ///< Something is put to what was collected.
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -53,7 +53,7 @@ chr::local_seconds shown_by_the_library(const char* zone, chr::sys_seconds at) {
   const std::time_t moment = at.time_since_epoch().count();
   std::tm shown{};
   localtime_r(&moment, &shown);
-  unsetenv("TZ");  // NOLINT
+  unsetenv("TZ");  // NOLINT: as above
   return chr::local_seconds(at.time_since_epoch() + chr::seconds(shown.tm_gmtoff));
 }
 
