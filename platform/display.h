@@ -58,6 +58,9 @@ class Display {
   virtual bool can_show() const noexcept { return true; }
   /// Has the last frame been lost, so that it has to be drawn again though nothing changed?
   virtual bool wants_frame() const noexcept { return false; }
+  /// Did the frame that was presented last get onto the screen? Something else may have happened
+  /// since for which it has to be drawn again.
+  virtual bool has_shown() const noexcept { return !wants_frame(); }
   /// Where to draw the next frame; ask again each frame, since a window may have been resized.
   virtual RenderTarget target() const noexcept = 0;
   /// Shows what was drawn: queues the next page flip.

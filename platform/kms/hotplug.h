@@ -7,7 +7,8 @@
 namespace docent::kms {
 
 /// Hears the kernel's own messages about screens that come and go (NETLINK_KOBJECT_UEVENT); needs
-/// no udev daemon. Where the socket is not allowed, nothing is ever heard.
+/// no udev daemon. Where the socket is not allowed, nothing is ever heard. Devices that are plugged
+/// in and out all the time fill nothing: the kernel keeps messages about changes only.
 class Hotplug {
  public:
   Hotplug() noexcept;
@@ -20,6 +21,10 @@ class Hotplug {
  private:
   FileDescriptor socket_;
 };
+
+/// Has the kernel drop what comes to this socket, unless it is about a change. False where it
+/// cannot.
+bool keep_changes_only(int socket) noexcept;
 
 /// Is this message, as the kernel sends it (fields that end with a zero byte), about a graphics
 /// card's screens?

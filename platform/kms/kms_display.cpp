@@ -128,6 +128,7 @@ class Kms final : public KmsDisplay {
 
   bool can_show() const noexcept override { return can_show_; }
   bool wants_frame() const noexcept override { return lacks_frame_ || !scanout_.is_mode_set; }
+  bool has_shown() const noexcept override { return !lacks_frame_; }
   void light(bool is_wanted) noexcept override { want_screen(scanout_, is_wanted); }
   std::optional<double> diagonal_inches() const noexcept override {
     return outputs_.diagonal_inches;
@@ -202,6 +203,7 @@ class Kms final : public KmsDisplay {
         return wait_for_events(std::min(end, resume_at(scanout_, now())));
       case ScanoutStep::GiveUpFlip:
         gave_up_flip(scanout_);
+        lacks_frame_ = true;
         tell_frame_lost("the screen did not show a frame within a second; its mode is set anew");
         return show_flipped();
       case ScanoutStep::LookAgain:

@@ -194,7 +194,7 @@ void Kiosk::give_sign_of_life() noexcept {
   if (statistics_.frames == 0) return;
   if (!presenter_.has_drawn())
     teller_.rested();
-  else if (!edges_.display->wants_frame())
+  else if (edges_.display->has_shown())
     teller_.presented();
 }
 
