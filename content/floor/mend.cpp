@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "content/content_error.h"
+#include "content/floor/corners_on_sides.h"
 #include "content/floor/ring_overlay.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/model/geometry/segment.h"
@@ -158,7 +159,34 @@ void remove_spikes(DrawnRing& drawn, const Reporter* reporter) {
   }
 }
 
-/// Vertices unified, spikes gone; rings of which nothing remains are left out.
+std::vector<OverlayRing> rings_of(const std::vector<DrawnRing>& drawn) {
+  std::vector<OverlayRing> rings;
+  rings.reserve(drawn.size());
+  for (const DrawnRing& ring : drawn) rings.push_back(ring.ring);
+  return rings;
+}
+
+/// A side that a corner lies on becomes two, which meet in it.
+void split_sides(std::vector<DrawnRing>& drawn) {
+  const std::vector<CornerOnSide> found = corners_on_sides(rings_of(drawn));
+  for (auto c = found.begin(); c != found.end();) {
+    DrawnRing& ring = drawn[c->ring];
+    const DrawnRing whole = std::exchange(ring, {{{}, ring.ring.polygon, ring.ring.hole}, {}});
+    ring.doorway = whole.doorway;
+    const auto add = [&ring, &whole](std::uint32_t side, Vec2 corner) {
+      ring.ring.vertex.push_back(corner);
+      if (!whole.place.empty()) ring.place.push_back(whole.place[side]);
+    };
+    const std::uint32_t number = c->ring;
+    for (std::uint32_t side = 0; side < whole.ring.vertex.size(); ++side) {
+      add(side, whole.ring.vertex[side]);
+      for (; c != found.end() && c->ring == number && c->side == side; ++c) add(side, c->corner);
+    }
+  }
+}
+
+/// Vertices unified, spikes gone, corners on sides joined to them; rings of which nothing remains
+/// are left out.
 std::vector<DrawnRing> tidy(std::vector<DrawnRing> drawn, const Reporter* reporter) {
   Corners corners;
   for (DrawnRing& ring : drawn) {
@@ -171,6 +199,7 @@ std::vector<DrawnRing> tidy(std::vector<DrawnRing> drawn, const Reporter* report
                      "a thin wall needs two sides");
   }
   std::erase_if(drawn, [](const DrawnRing& ring) { return ring.ring.vertex.size() < 3; });
+  split_sides(drawn);
   return drawn;
 }
 
@@ -186,13 +215,6 @@ std::vector<DrawnRing> collect(const import::ImportedPlan& imported) {
     for (const import::ImportedRing& hole : imported.polygons[p].holes) add(hole, p, true);
   }
   return drawn;
-}
-
-std::vector<OverlayRing> rings_of(const std::vector<DrawnRing>& drawn) {
-  std::vector<OverlayRing> rings;
-  rings.reserve(drawn.size());
-  for (const DrawnRing& ring : drawn) rings.push_back(ring.ring);
-  return rings;
 }
 
 /// A plan of 0.0002 m is one in degrees.

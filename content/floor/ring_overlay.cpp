@@ -7,10 +7,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "runtime/model/geometry/segment.h"
 #include "runtime/model/none.h"
 
 namespace docent::floor {
@@ -51,6 +54,10 @@ double nearest_double(const Kernel::FT& number) {
   return CGAL::to_double(CGAL::exact(number));  // Not from the filter's interval.
 }
 
+Vec2 rounded(const Point& p) {
+  return {nearest_double(p.x()), nearest_double(p.y())};
+}
+
 bool west_to_east(Vec2 a, Vec2 b) {
   return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
@@ -72,9 +79,9 @@ class VertexRanks {
   }
   [[nodiscard]] std::uint32_t find(const Point& point) const {
     // A point that is no pair of doubles is no vertex of the input, nor is its rounding.
-    const Vec2 rounded{nearest_double(point.x()), nearest_double(point.y())};
-    if (to_point(rounded) != point) return none;
-    const auto found = first_.find(std::pair(rounded.x, rounded.y));
+    const Vec2 nearest = rounded(point);
+    if (to_point(nearest) != point) return none;
+    const auto found = first_.find(std::pair(nearest.x, nearest.y));
     return found == first_.end() ? none : found->second;
   }
   [[nodiscard]] Vec2 operator[](std::uint32_t rank) const { return vertices_[rank]; }
@@ -197,11 +204,21 @@ Halfedge next_wall(const Halfedge& wall) {
   return next;
 }
 
+/// Does a b c run straight on, as far as doubles can tell? A bend that is smaller than that is the
+/// rest of a rounding, and no disc that touches both its sides can be computed.
+bool is_straight(Vec2 a, Vec2 b, Vec2 c) {
+  const double largest = std::max(
+      {std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
+  return dot(b - a, c - b) > 0 &&
+         distance_to_segment(b, a, c) <= 2 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 /// A vertex may go where the wall runs straight on and no other wall needs it.
 bool is_needed(const Halfedge& wall, const Halfedge& next) {
-  return wall->target()->data().visits > 1 ||
-         !CGAL::collinear(wall->source()->point(), wall->target()->point(),
-                          next->target()->point());
+  if (wall->target()->data().visits > 1) return true;
+  const Point &a = wall->source()->point(), &b = wall->target()->point(),
+              &c = next->target()->point();
+  return !CGAL::collinear(a, b, c) && !is_straight(rounded(a), rounded(b), rounded(c));
 }
 
 struct Loop {
@@ -220,8 +237,7 @@ Loop follow_wall(const Halfedge& start, const VertexRanks& ranks, bool& adds_ver
       const std::uint32_t rank = wall->target()->data().input;
       adds_vertices |= rank == none;
       const Point& p = wall->target()->point();
-      corners.emplace_back(
-          rank, rank == none ? Vec2{nearest_double(p.x()), nearest_double(p.y())} : ranks[rank]);
+      corners.emplace_back(rank, rank == none ? rounded(p) : ranks[rank]);
     }
     wall = next;
   } while (wall != start);
@@ -280,7 +296,7 @@ std::vector<RingContact> find_contacts(Arrangement& arrangement) {
   for (auto vertex = arrangement.vertices_begin(); vertex != arrangement.vertices_end(); ++vertex) {
     const std::vector<Cover> covers = covers_about(vertex);
     if (covers.size() <= 2) continue;
-    const Vec2 at{nearest_double(vertex->point().x()), nearest_double(vertex->point().y())};
+    const Vec2 at = rounded(vertex->point());
     const bool crossing = vertex->data().input == none;
     for (std::size_t i = 0; i < covers.size();) {
       std::size_t end = i;

@@ -42,8 +42,8 @@ struct RingOverlay {
 };
 
 /// Computes it exactly (CGAL, 2D arrangements); only new vertices are rounded, once each, to the
-/// nearest doubles. Vertices of `rings` come through bit for bit, but for exactly collinear ones,
-/// which are dropped.
+/// nearest doubles. Vertices of `rings` come through bit for bit, but for those on a straight wall,
+/// exactly or to within a rounding error, which are dropped.
 RingOverlay overlay(std::span<const OverlayRing> rings, Fill fill);
 
 }  // namespace docent::floor

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "content/content_error.h"
+#include "content/floor/voronoi.h"
 #include "tests/content/floor/plans.h"
 #include "tests/support/reference_data.h"
 
@@ -67,6 +68,20 @@ TEST(Mend, DropsCornersThatAreExactlyStraightWithoutAWord) {
       mend_all(drawn({{0, 0}, {5, 0}, {10, 0}, {20, 0}, {20, 12}, {10, 12}, {0, 12}, {0, 6}}));
   EXPECT_THAT(mendings, IsEmpty());
   EXPECT_EQ(plan.vertex.size(), 4U);
+}
+
+/// A wall of a turned plan is drawn through a point that its doubles cannot hit.
+TEST(Mend, DropsCornersThatAreStraightButForARoundingError) {
+  for (int i = 1; i < 200; ++i) {
+    const double turn = i * 0.03;
+    const auto turned = [turn](double x, double y) {
+      return Vec2{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
+    };
+    const auto [plan, mendings] = mend_all(drawn({turned(0, 0), turned(3, 0), turned(7.7, 0),
+                                                  turned(20, 0), turned(20, 12), turned(0, 12)}));
+    EXPECT_THAT(mendings, IsEmpty());
+    EXPECT_EQ(plan.vertex.size(), 4U) << turn;
+  }
 }
 
 TEST(Mend, TurnsRingsRoundSoThatTheFloorIsOnTheLeft) {
@@ -201,6 +216,29 @@ TEST(Mend, KeepsACaseThatASpeckOfFloorTouchesFromWithin) {
   const auto [mended_plan, mendings] = mend_all(plan);
   EXPECT_THAT(codes_of(mendings), Contains("speck-of-floor"));
   EXPECT_DOUBLE_EQ(floor_area(mended_plan), 238);
+}
+
+/// In decimals, a corner on an oblique wall misses it by a rounding error, to either side.
+TEST(Mend, JoinsACornerThatIsDrawnOnAnObliqueWallToIt) {
+  for (int i = 20; i < 180; ++i) {
+    const double t = i / 200.0;
+    const Vec2 on_wall = Vec2{0.3, 0.7} + t * Vec2{18.4, 9.7};
+    const auto [plan, mendings] =
+        mend_all(drawn({{0.3, 0.7}, {18.7, 10.4}, {0.3, 10.4}},
+                       {{on_wall, on_wall + Vec2{-0.31, 0.01}, on_wall + Vec2{-0.2, 0.13}}}));
+    expect_invariants(plan);
+    EXPECT_EQ(plan.ring.size(), 1U) << on_wall.x << ' ' << on_wall.y;
+    EXPECT_NO_THROW(floor::voronoi_diagram(plan)) << on_wall.x << ' ' << on_wall.y;
+  }
+}
+
+TEST(Mend, LeavesASlitOfAHundredthOfAMillimetreOpen) {
+  const Vec2 above = Vec2{9.5, 5.55} + 1e-5 * Vec2{-9.7, 18.4} / std::hypot(9.7, 18.4);
+  const auto [plan, mendings] =
+      mend_all(drawn({{0.3, 0.7}, {18.7, 10.4}, {0.3, 10.4}},
+                     {{above, above + Vec2{-0.31, 0.01}, above + Vec2{-0.2, 0.13}}}));
+  EXPECT_EQ(plan.ring.size(), 2U);
+  EXPECT_NO_THROW(floor::voronoi_diagram(plan));
 }
 
 TEST(Mend, SettlesWhenRoundedCrossingsCrossAgain) {
