@@ -182,7 +182,8 @@ RecordedMotion parse_amc(std::string_view text, const std::string& file,
                          const AcclaimSkeleton& skeleton, const AcclaimOptions& options) {
   RecordedMotion recorded = AmcReader(text, file, skeleton).read(options);
   recorded.clip.name = std::filesystem::path(file).stem().string();
-  find_body_parts(recorded.skeleton, recorded.clip);
+  if (find_body_parts(recorded.skeleton, recorded.clip))
+    recorded.notes.push_back(swapped_sides_note(file));
   recorded.scale.stated = true;
   scale_to_metres(recorded, options.metres_per_unit.value_or(0.0254 / skeleton.length_unit));
   return recorded;

@@ -167,27 +167,37 @@ std::size_t farthest_end(const Skeleton& skeleton, std::size_t joint) {
   return farthest;
 }
 
-/// Mean place of every joint, seen from the hips and turned so that it does not matter which way
-/// the body faces in the recording.
-struct MeanPose {
-  std::vector<Vec3> place;  ///< x to the side of unknown sign, y up.
+/// The body in some frames of its motion. Which way it faces, and how its root's own axes lie, is
+/// the recording's affair, so sides are asked frame by frame.
+struct SampledPoses {
+  std::vector<std::vector<Vec3>> places;  ///< By frame, then joint. World, y up.
+  std::vector<float> height;              ///< Per joint: above the hips, mean of the frames.
 };
 
-MeanPose mean_pose(const Skeleton& skeleton, const MotionClip& clip) {
-  MeanPose mean{.place = std::vector<Vec3>(skeleton.joint.size())};
-  std::vector<Vec3> places;
+SampledPoses sample_poses(const Skeleton& skeleton, const MotionClip& clip) {
+  SampledPoses poses{.places = {}, .height = std::vector<float>(skeleton.joint.size())};
   const std::size_t step = std::max<std::size_t>(1, clip.root.size() / 32);
-  float samples = 0;
-  for (std::size_t f = 0; f < clip.root.size(); f += step, ++samples) {
+  for (std::size_t f = 0; f < clip.root.size(); f += step) {
+    std::vector<Vec3>& places = poses.places.emplace_back();
     place_joints(skeleton, clip, f, places);
-    const Quat back = glm::inverse(clip.rotation[f * clip.joint_count]);
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      const Vec3 seen = back * (places[j] - places[0]);
-      mean.place[j] += Vec3{seen.x, places[j].y - places[0].y, seen.z};
-    }
+    for (std::size_t j = 0; j < places.size(); ++j) poses.height[j] += places[j].y - places[0].y;
   }
-  for (Vec3& place : mean.place) place /= samples;
-  return mean;
+  for (float& height : poses.height) height /= static_cast<float>(poses.places.size());
+  return poses;
+}
+
+/// From -1 to 1: how much a joint lies on the left of another for somebody whose feet point from
+/// heel to toe. Left is where up x forward points.
+float leftness(const SampledPoses& poses, std::size_t joint, std::size_t other, std::size_t heel,
+               std::size_t toe) {
+  float left = 0, all = 0;
+  for (const std::vector<Vec3>& at : poses.places) {
+    const Vec3 forward{at[toe].x - at[heel].x, 0, at[toe].z - at[heel].z};
+    const Vec3 across{at[joint].x - at[other].x, 0, at[joint].z - at[other].z};
+    left += glm::dot(glm::cross(Vec3{0, 1, 0}, forward), across);
+    all += glm::length(forward) * glm::length(across);
+  }
+  return all > 0 ? left / all : 0;
 }
 
 /// Knee and hip (or elbow and shoulder) are the two joints of a limb's line that make its bones
@@ -216,12 +226,12 @@ std::optional<Limb> find_limb(const Skeleton& skeleton, const Branch& line, std:
 }
 
 /// The legs of a body whose joints' names say nothing.
-void shape_legs(const MeanPose& pose, Skeleton& skeleton) {
+void shape_legs(const SampledPoses& poses, Skeleton& skeleton) {
   const auto children = children_of(skeleton);
   std::vector<std::size_t> ends;
   for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
     if (children[j].empty()) ends.push_back(j);
-  std::ranges::sort(ends, {}, [&](std::size_t j) { return pose.place[j].y; });
+  std::ranges::sort(ends, {}, [&](std::size_t j) { return poses.height[j]; });
   if (ends.size() < 2) return;
 
   const Branch first = line_to(skeleton, ends[0]);
@@ -245,12 +255,9 @@ void shape_legs(const MeanPose& pose, Skeleton& skeleton) {
       set(LeftAnkle, RightAnkle, own[ankle]);
       set(LeftToe, RightToe, own[ankle + 1]);
     };
-    // Left is where up x forward points, and the foot points forward.
     const auto side_of = [&](const Branch& line) {
-      const Vec3 toe = pose.place[line.back()], heel = pose.place[line[line.size() - 3]];
-      const Vec3 forward{toe.x - heel.x, 0, toe.z - heel.z};
-      const Vec3 other = pose.place[(&line == &first ? second : first)[parted]];
-      return glm::dot(glm::cross(Vec3{0, 1, 0}, forward), pose.place[line[parted]] - other);
+      const Branch& other = &line == &first ? second : first;
+      return leftness(poses, line[parted], other[parted], line[line.size() - 3], line.back());
     };
     const bool first_is_left = side_of(first) - side_of(second) > 0;
     leg(first, first_is_left);
@@ -260,13 +267,13 @@ void shape_legs(const MeanPose& pose, Skeleton& skeleton) {
 }
 
 /// The chest is where the arms part, and the head the highest end of what it carries.
-void shape_trunk(const MeanPose& pose, Skeleton& skeleton) {
+void shape_trunk(const SampledPoses& poses, Skeleton& skeleton) {
   using enum BodyPart;
   JointIndex& head = part_of(skeleton, Head);
   if (head == JointIndex::None) {
     std::size_t highest = 0;
     for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
-      if (pose.place[j].y > pose.place[highest].y) highest = j;
+      if (poses.height[j] > poses.height[highest]) highest = j;
     const Branch line = line_to(skeleton, highest);
     if (line.size() > 1) head = JointIndex{static_cast<int>(line[line.size() - 2])};
   }
@@ -294,13 +301,13 @@ void shape_trunk(const MeanPose& pose, Skeleton& skeleton) {
 
 /// The arms of a body whose joints' names say nothing: the two longest branches that leave the
 /// line from the hips to the head.
-void shape_arms(const MeanPose& pose, Skeleton& skeleton) {
+void shape_arms(const SampledPoses& poses, Skeleton& skeleton) {
   using enum BodyPart;
   if (skeleton[LeftShoulder] != JointIndex::None || skeleton[LeftHip] == JointIndex::None) return;
   const auto children = children_of(skeleton);
   std::size_t highest = 0;
   for (std::size_t j = 1; j < skeleton.joint.size(); ++j)
-    if (pose.place[j].y > pose.place[highest].y) highest = j;
+    if (poses.height[j] > poses.height[highest]) highest = j;
   const Branch spine = line_to(skeleton, highest);
   std::vector<std::size_t> starts;
   for (const std::size_t j : spine)
@@ -314,8 +321,13 @@ void shape_arms(const MeanPose& pose, Skeleton& skeleton) {
   });
   if (starts.size() < 2) return;
 
-  const Vec3 left =
-      pose.place[index_of(skeleton[LeftHip])] - pose.place[index_of(skeleton[RightHip])];
+  const auto is_on_left = [&](std::size_t joint, std::size_t other) {
+    float left = 0;
+    for (const std::vector<Vec3>& at : poses.places)
+      left += glm::dot(at[joint] - at[other],
+                       at[index_of(skeleton[LeftHip])] - at[index_of(skeleton[RightHip])]);
+    return left > 0;
+  };
   for (std::size_t i = 0; i < 2; ++i) {
     const Branch whole = line_to(skeleton, farthest_end(skeleton, starts[i]));
     const Branch own(std::ranges::find(whole, starts[i]), whole.end());
@@ -323,8 +335,7 @@ void shape_arms(const MeanPose& pose, Skeleton& skeleton) {
     const std::size_t wrist = own.size() - 2;
     const auto limb = find_limb(skeleton, own, wrist);
     if (!limb) continue;
-    const Vec3 from_other = pose.place[starts[i]] - pose.place[starts[1 - i]];
-    const bool is_left = glm::dot(from_other, left) > 0;
+    const bool is_left = is_on_left(starts[i], starts[1 - i]);
     const auto set = [&](BodyPart left_part, BodyPart right_part, std::size_t joint) {
       part_of(skeleton, is_left ? left_part : right_part) = JointIndex{static_cast<int>(joint)};
     };
@@ -352,6 +363,33 @@ void find_tips(Skeleton& skeleton) {
   tip(RightWrist, RightHandTip);
 }
 
+constexpr std::array paired_parts{
+    std::pair{BodyPart::LeftHip, BodyPart::RightHip},
+    std::pair{BodyPart::LeftKnee, BodyPart::RightKnee},
+    std::pair{BodyPart::LeftAnkle, BodyPart::RightAnkle},
+    std::pair{BodyPart::LeftToe, BodyPart::RightToe},
+    std::pair{BodyPart::LeftToeTip, BodyPart::RightToeTip},
+    std::pair{BodyPart::LeftClavicle, BodyPart::RightClavicle},
+    std::pair{BodyPart::LeftShoulder, BodyPart::RightShoulder},
+    std::pair{BodyPart::LeftElbow, BodyPart::RightElbow},
+    std::pair{BodyPart::LeftWrist, BodyPart::RightWrist},
+    std::pair{BodyPart::LeftHandTip, BodyPart::RightHandTip},
+};
+
+/// Do both feet point behind the body whose left hip is on its left? Then the sides are named as
+/// somebody before it sees them, or the recording is mirrored. Feet that turn out by less than 60
+/// degrees say so, in a body that mostly stands.
+bool has_sides_swapped(const SampledPoses& poses, const Skeleton& skeleton) {
+  using enum BodyPart;
+  const auto says_so = [&](BodyPart ankle, BodyPart tip) {
+    return skeleton[ankle] != JointIndex::None && skeleton[tip] != JointIndex::None &&
+           leftness(poses, index_of(skeleton[LeftHip]), index_of(skeleton[RightHip]),
+                    index_of(skeleton[ankle]), index_of(skeleton[tip])) < -0.5f;
+  };
+  return skeleton[LeftHip] != JointIndex::None && skeleton[RightHip] != JointIndex::None &&
+         says_so(LeftAnkle, LeftToeTip) && says_so(RightAnkle, RightToeTip);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton) {
@@ -361,7 +399,7 @@ std::vector<std::vector<std::size_t>> children_of(const Skeleton& skeleton) {
   return children;
 }
 
-void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
+bool find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
   using enum BodyPart;
   skeleton.part.fill(JointIndex::None);
   part_of(skeleton, Hips) = JointIndex{0};
@@ -371,15 +409,29 @@ void find_body_parts(Skeleton& skeleton, const MotionClip& clip) {
   part_of(skeleton, Head) = names.find(WordSide::Middle, {"head"});
   part_of(skeleton, Neck) = names.find(WordSide::Middle, {"lowerneck", "neck"});
 
-  const MeanPose pose = mean_pose(skeleton, clip);
+  const SampledPoses poses = sample_poses(skeleton, clip);
   const auto missing = [&](std::initializer_list<BodyPart> parts) {
     return std::ranges::any_of(parts, [&](BodyPart p) { return skeleton[p] == JointIndex::None; });
   };
   if (missing({LeftHip, LeftKnee, LeftAnkle, RightHip, RightKnee, RightAnkle}))
-    shape_legs(pose, skeleton);
-  shape_arms(pose, skeleton);
-  shape_trunk(pose, skeleton);
+    shape_legs(poses, skeleton);
+  shape_arms(poses, skeleton);
+  shape_trunk(poses, skeleton);
   find_tips(skeleton);
+  if (!has_sides_swapped(poses, skeleton)) return false;
+  for (const auto& [left, right] : paired_parts)
+    std::swap(part_of(skeleton, left), part_of(skeleton, right));
+  return true;
+}
+
+Diagnostic swapped_sides_note(const std::string& file) {
+  return {.file = file,
+          .severity = Severity::Warning,
+          .code = "swapped-sides",
+          .message =
+              "the joints that are named left are on this body's right, so each counts for "
+              "the other side",
+          .hint = "nothing need be done, unless the recording was mirrored by mistake"};
 }
 
 bool are_counterparts(std::string_view name, std::string_view other) {

@@ -12,7 +12,11 @@ namespace docent::import {
 /// Biped and ASF names, upper or lower case, side before or behind), else from the body's shape in
 /// motion: legs are the two branches that end lowest, the head's ends highest. `clip` gives the
 /// poses to judge by. Parts that the skeleton does not have stay None; the hips are always joint 0.
-void find_body_parts(Skeleton& skeleton, const MotionClip& clip);
+/// Left is left of where the feet point: true where names say otherwise, which are not believed.
+bool find_body_parts(Skeleton& skeleton, const MotionClip& clip);
+
+/// What is said of a file whose names are not believed.
+Diagnostic swapped_sides_note(const std::string& file);
 
 /// Do these names mean the same part on the two sides ("LeftUpLeg" and "RightUpLeg"), or both the
 /// same part of the middle ("Spine" and "Spine1")? Digits do not count.

@@ -352,7 +352,8 @@ RecordedMotion parse_bvh(std::string_view bytes, const std::string& file,
                           .notes = motion.notes};
   const BoneStretch stretch = take_bones_from_frames(hierarchy, hips, motion, recorded.skeleton);
   recorded.clip.name = std::filesystem::path(file).stem().string();
-  find_body_parts(recorded.skeleton, recorded.clip);
+  if (find_body_parts(recorded.skeleton, recorded.clip))
+    recorded.notes.push_back(swapped_sides_note(file));
   recorded.scale.stated = metres_per_unit.has_value();
   scale_to_metres(recorded, metres_per_unit ? *metres_per_unit
                                             : judge_metres_per_unit(recorded.skeleton, file));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "content/content_error.h"
 #include "content/import/motion/bvh.h"
 #include "tests/content/import/motion/sample_body.h"
@@ -98,6 +100,65 @@ TEST(BodyParts, AreFoundByShapeWhereNamesSayNothing) {
                               RightKnee, RightAnkle, RightToe, LeftShoulder, LeftElbow, LeftWrist,
                               RightShoulder, RightElbow, RightWrist, Head, HeadTop, Chest})
     EXPECT_EQ(skeleton[part], expected[part]) << static_cast<int>(part);
+}
+
+/// Some rigs' hips have their own y along a thigh, or to the front.
+TEST(BodyParts, AreFoundByShapeHoweverTheHipsOwnAxesLie) {
+  Names numbers;
+  int number = 0;
+  for (const SampleJoint& joint : sample_body())
+    if (joint.parent >= 0) numbers[joint.name] = "bone" + std::to_string(++number);
+  const Skeleton expected = skeleton_of(sample_body());
+  for (const glm::dvec3 angles : {glm::dvec3{0, 0, 90}, {90, 0, 0}, {0, 70, -90}, {-90, 200, 0}}) {
+    // What the hips' turn does to the body at rest is undone in its bones.
+    auto body = renamed(numbers);
+    SampleFrame frame = standing_frame(body);
+    frame.zyx[0] = {angles.x, angles.y, angles.z};
+    glm::dmat4 turn(1);
+    turn = glm::rotate(turn, glm::radians(angles.x), {0, 0, 1});
+    turn = glm::rotate(turn, glm::radians(angles.y), {0, 1, 0});
+    turn = glm::rotate(turn, glm::radians(angles.z), {1, 0, 0});
+    for (SampleJoint& joint : body)
+      if (joint.parent >= 0)
+        joint.offset = glm::dvec3(glm::inverse(turn) * glm::dvec4(joint.offset, 0));
+    const Skeleton skeleton = import::parse_bvh(bvh_text(body, {frame}), "body.bvh", 1.0).skeleton;
+    expect_same_parts(skeleton, expected);
+  }
+}
+
+Names sides_swapped() {
+  Names swapped;
+  for (const SampleJoint& joint : sample_body())
+    for (const auto& [side, other] : {std::pair{"Left", "Right"}, std::pair{"Right", "Left"}})
+      if (joint.name.starts_with(side))
+        swapped[joint.name] = other + joint.name.substr(std::string(side).size());
+  return swapped;
+}
+
+TEST(BodyParts, DoNotBelieveNamesThatHaveTheFeetPointBackwards) {
+  const auto body = renamed(sides_swapped());
+  const import::RecordedMotion recorded =
+      import::parse_bvh(bvh_text(body, {standing_frame(body)}), "body.bvh", 1.0);
+  expect_same_parts(recorded.skeleton, skeleton_of(sample_body()));
+  ASSERT_EQ(recorded.notes.size(), 1U);
+  EXPECT_EQ(recorded.notes[0].code, "swapped-sides");
+}
+
+/// Crossed, turned out or pointed like a dancer's, feet do not say which side is which.
+TEST(BodyParts, BelieveNamesWhereTheFeetLieOddly) {
+  const std::vector<SampleJoint> body = sample_body();
+  const auto joint_named = [&](std::string_view name) {
+    return static_cast<std::size_t>(std::ranges::find(body, name, &SampleJoint::name) -
+                                    body.begin());
+  };
+  for (const double out : {-100.0, -80.0, 80.0, 100.0}) {
+    SampleFrame frame = standing_frame(body);
+    frame.zyx[joint_named("LeftFoot")] = {0, out, 0};
+    frame.zyx[joint_named("RightFoot")] = {0, -out, 0};
+    const import::RecordedMotion recorded =
+        import::parse_bvh(bvh_text(body, {frame}), "body.bvh", 1.0);
+    expect_same_parts(recorded.skeleton, skeleton_of(body));
+  }
 }
 
 TEST(BodyParts, LeaveOutWhatABodyDoesNotHave) {
