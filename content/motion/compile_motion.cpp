@@ -9,6 +9,7 @@
 #include "content/content_error.h"
 #include "content/import/motion/motion_folder.h"
 #include "content/motion/cut_takes.h"
+#include "content/motion/fewer_joints.h"
 #include "content/motion/resample.h"
 #include "content/motion/rest_pose.h"
 
@@ -40,6 +41,29 @@ const Skeleton& commonest_skeleton(const std::vector<import::FolderMotion>& moti
       ++known->count;
   }
   return *std::ranges::max_element(kinds, {}, &Kind::count)->skeleton;
+}
+
+/// Leaves out what a kiosk could not draw, and says so.
+void leave_joints_out(Skeleton& skeleton, std::vector<SourceClip>& sources,
+                      const std::string& folder, std::vector<Diagnostic>& problems) {
+  const std::size_t before = skeleton.joint.size();
+  if (before <= most_joints) return;
+  const std::vector<std::size_t> kept = joints_of_parts(skeleton);
+  if (kept.size() > most_joints)
+    throw content::ContentError(
+        folder, 0, 0, "too-many-joints",
+        fmt::format("the body's limbs take {} joints, and a kiosk draws at most {}", kept.size(),
+                    most_joints),
+        "export the recording with a plainer skeleton");
+  skeleton = with_joints(skeleton, kept);
+  for (SourceClip& source : sources) source.clip = with_joints(source.clip, kept);
+  problems.push_back({.file = folder,
+                      .severity = Severity::Warning,
+                      .code = "joints-left-out",
+                      .message = fmt::format("{} of the skeleton's {} joints are left out, because "
+                                             "a kiosk draws at most {}",
+                                             before - kept.size(), before, most_joints),
+                      .hint = "they are fingers and the like, which no walk needs"});
 }
 
 /// Cuts takes whose roles nobody stated, and says so.
@@ -104,6 +128,7 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
     for (SourceClip& source : sources) clips.push_back(&source.clip);
     rest_upright(skeleton, clips);
   }
+  leave_joints_out(skeleton, sources, folders.front().string(), problems);
   return make_motion_graph(skeleton, cut_takes(skeleton, std::move(sources), problems),
                            folders.front().string(), options, problems);
 }

@@ -15,6 +15,7 @@
 #include "content/write/replace_file.h"
 #include "platform/sqlite/checksum.h"
 #include "platform/sqlite/database.h"
+#include "runtime/schema/invariants.h"
 #include "runtime/schema/rows.h"
 #include "runtime/schema/schema.h"
 #include "schema_sql.h"
@@ -199,6 +200,15 @@ MadeDatabase make_database(const Museum& museum) {
   return made;
 }
 
+void demand_what_readers_demand(const Museum& museum) {
+  const std::string broken = schema::broken_invariant(museum);
+  if (broken.empty()) return;
+  throw content::ContentError(
+      Errc::InvalidInput, "the database", "unusable-museum",
+      fmt::format("no kiosk would take this museum: {} is not as it must be", broken),
+      "that is docent-content's fault and none of yours; tell its makers, with the sources");
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_museum(const Museum& museum) {
@@ -207,6 +217,7 @@ std::vector<std::byte> encode_museum(const Museum& museum) {
 }
 
 std::size_t write_museum(const Museum& museum, const std::filesystem::path& file) {
+  demand_what_readers_demand(museum);
   const MadeDatabase made = make_database(museum);
   replace_file(file, made.file);
   return made.file.size();

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "platform/gles/shaders.h"
+#include "runtime/model/motion/skeleton.h"
 #include "runtime/scene/look.h"
 
 namespace docent::gles {
 namespace {
 
-constexpr std::size_t most_joints = 64;
 constexpr float body_height = 1.85F;
 constexpr float body_reach = 0.55F;  // metres from the hips to a hand or foot, along x or z
 

@@ -12,6 +12,7 @@
 #include "platform/gles/scenery_pass.h"
 #include "platform/gles/shaders.h"
 #include "platform/gles/way_pass.h"
+#include "runtime/model/motion/skeleton.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::gles {
@@ -218,7 +219,7 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
   list.ribbons.back().count = 2;
   list.ribbons.back().length = 1;
   list.markers.emplace_back();
-  list.palette.assign(64, Mat4(1));
+  list.palette.assign(most_joints, Mat4(1));
   list.avatars.emplace_back();
   for (const scene::QuadFill fill :
        {scene::QuadFill::Solid, scene::QuadFill::Text, scene::QuadFill::Image}) {

@@ -371,7 +371,7 @@ bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
            std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < joints; });
   };
   if (mesh.vertices.empty()) return mesh.indices.empty();
-  return joints <= 64 && mesh.inverse_bind.size() == joints &&
+  return joints <= most_joints && mesh.inverse_bind.size() == joints &&
          std::ranges::all_of(mesh.inverse_bind, sound_matrix) &&
          std::ranges::all_of(mesh.vertices, sound_vertex) &&
          are_triangles(mesh.indices, mesh.vertices.size());

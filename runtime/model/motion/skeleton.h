@@ -54,6 +54,10 @@ enum class BodyPart : std::uint8_t {
   Count
 };
 
+/// A skeleton with more joints is neither written nor read: so many matrices of one body fit into
+/// a uniform block of every OpenGL ES 3 together with what else is told of it.
+inline constexpr std::size_t most_joints = 64;
+
 /// A tree of joints, parents before children; joint 0 is the root (the hips). Model frame: metres,
 /// y up; in the rest pose, when every rotation is the identity, the body faces +z as nearly as the
 /// recording allows. The ends of limbs are joints too, without a rotation (`has_rotation` false).

@@ -157,7 +157,8 @@ struct Spoiler {
 };
 
 /// A well-formed database with a valid checksum may still have been made by somebody hostile.
-TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
+TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
+  const TemporaryFolder folder;
   const Spoiler spoilers[] = {
       {"walls", [](Museum& m) { m.floors[0].plan.next[2] = 99; }},
       {"walls", [](Museum& m) { m.floors[0].plan.ring[0].count = 0xffffffff; }},
@@ -229,6 +230,19 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
       {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 2; }},
       {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
       {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
+      {"avatar",
+       [](Museum& m) {
+         Skeleton& body = m.motion.skeleton;
+         for (MotionClip& clip : m.motion.clips) clip.rotation.clear();
+         for (; body.joint.size() <= most_joints; body.has_rotation.push_back(false)) {
+           body.joint.push_back({"finger", JointIndex{0}, {}});
+           m.avatar.inverse_bind.resize(body.joint.size() + 1, Mat4(1));
+         }
+         for (MotionClip& clip : m.motion.clips) {
+           clip.joint_count = static_cast<std::uint32_t>(body.joint.size());
+           clip.rotation.resize(clip.joint_count * clip.root.size(), Quat(1, 0, 0, 0));
+         }
+       }},
   };
   for (const Spoiler& spoiler : spoilers) {
     Museum museum = small_museum();
@@ -238,6 +252,8 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhere) {
 
     EXPECT_EQ(error.code, Errc::Damaged) << spoiler.what;
     EXPECT_THAT(error.what, HasSubstr(spoiler.what));
+    EXPECT_THROW(write::write_museum(museum, folder.path() / "museum.db"), content::ContentError)
+        << spoiler.what;
   }
 }
 
