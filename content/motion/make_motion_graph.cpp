@@ -8,6 +8,7 @@
 #include "content/motion/classify.h"
 #include "content/motion/enrich.h"
 #include "content/motion/foot_plants.h"
+#include "content/motion/joint_pops.h"
 #include "content/motion/made_stands.h"
 #include "content/motion/motion_classes.h"
 #include "content/motion/prune.h"
@@ -29,6 +30,7 @@ Diagnostic warning(const std::string& file, std::string code, std::string messag
 /// What is known of a clip besides its motion. Where its joints are takes most of the memory that
 /// an hour of motion needs, so that is never kept, but found again.
 struct Study {
+  std::vector<JointPop> popped;
   std::vector<CaptureFault> mended, left;
   double planted_height = 0;
   PoseCloud cloud;
@@ -39,6 +41,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
   std::vector<Study> studies(sources.size());
   content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
+    studies[c].popped = mend_joint_pops(skeleton, clip);
     JointPositions track = joint_positions(skeleton, clip);
     studies[c].mended = mend_capture_faults(skeleton, clip, track);
     studies[c].left = find_capture_faults(skeleton, clip, track);
@@ -63,11 +66,13 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
 
 void report_faults(const Skeleton& skeleton, const SourceClip& source, const Study& study,
                    std::vector<Diagnostic>& warnings) {
-  for (const CaptureFault& fault : study.mended)
-    warnings.push_back(warning(source.file, "mended-fault",
-                               describe(fault, skeleton) + " and was mended",
+  const auto warn_of_mending = [&](const std::string& what) {
+    warnings.push_back(warning(source.file, "mended-fault", what + " and was mended",
                                "the frames beside it were joined smoothly; look whether the motion "
                                "is right there"));
+  };
+  for (const JointPop& pop : study.popped) warn_of_mending(describe(pop, skeleton));
+  for (const CaptureFault& fault : study.mended) warn_of_mending(describe(fault, skeleton));
   for (const CaptureFault& fault : study.left)
     warnings.push_back(warning(source.file, "capture-fault", describe(fault, skeleton),
                                "no transition touches these frames; mend them in the recording "

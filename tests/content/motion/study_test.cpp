@@ -7,6 +7,7 @@
 #include "content/motion/classify.h"
 #include "content/motion/extract_root_motion.h"
 #include "content/motion/foot_plants.h"
+#include "content/motion/joint_pops.h"
 #include "content/motion/resample.h"
 #include "tests/content/motion/shipped_clips.h"
 
@@ -186,6 +187,46 @@ TEST(Mending, GivesUpOnAnArmThatIsShakenForLong) {
 
   EXPECT_EQ(clip.rotation, shaken.rotation);
   EXPECT_EQ(motion::offline::find_capture_faults(skeleton, clip, track).size(), 1U);
+}
+
+/// Turns a wrist about the forearm in some frames; nothing of the hand goes far.
+void twist_wrist(MotionClip& clip, std::size_t first, std::size_t last) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  const std::size_t wrist = index_of(skeleton[BodyPart::RightWrist]);
+  const Vec3 along =
+      glm::normalize(skeleton.joint[index_of(skeleton[BodyPart::RightHandTip])].offset);
+  for (std::size_t f = first; f <= last; ++f)
+    clip.rotation[f * clip.joint_count + wrist] =
+        clip.rotation[f * clip.joint_count + wrist] * glm::angleAxis(2.5f, along);
+}
+
+TEST(JointPops, AreMendedWhereAHandTwistsFasterThanAnyCan) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  const MotionClip sound = shipped_clips().named("walk");
+  const std::size_t wrist = index_of(skeleton[BodyPart::RightWrist]);
+  for (const auto& [first, last] : {std::pair{200, 200}, {200, 206}, {200, 222}}) {
+    MotionClip clip = sound;
+    twist_wrist(clip, first, last);
+    const auto pops = motion::offline::find_joint_pops(skeleton, clip);
+    ASSERT_FALSE(pops.empty());
+    EXPECT_EQ(pops[0].joint, wrist);
+    EXPECT_TRUE(motion::offline::find_capture_faults(
+                    skeleton, clip, motion::offline::joint_positions(skeleton, clip))
+                    .empty());
+
+    EXPECT_EQ(motion::offline::mend_joint_pops(skeleton, clip).size(), pops.size()) << last;
+
+    EXPECT_TRUE(motion::offline::find_joint_pops(skeleton, clip).empty()) << last;
+    EXPECT_EQ(clip.root, sound.root);
+    for (std::size_t i = 0; i < clip.rotation.size(); ++i)
+      ASSERT_TRUE(i % clip.joint_count == wrist || clip.rotation[i] == sound.rotation[i]);
+  }
+}
+
+TEST(JointPops, AreNoneInSoundMotion) {
+  for (const motion::offline::SourceClip& source : shipped_clips().clips)
+    EXPECT_TRUE(motion::offline::find_joint_pops(shipped_clips().skeleton, source.clip).empty())
+        << source.file;
 }
 
 TEST(Mending, DoesNothingToSoundMotion) {
