@@ -49,7 +49,7 @@ const plan::Nearby& Crowd::near(std::uint32_t who) const noexcept {
 std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
   const auto who = static_cast<std::uint32_t>(members_.size());
   Agent one;
-  one.avatar = make_avatar(museum_, floor, plan::make_standing(museum_, place));
+  one.avatar = make_avatar(museum_, floor, plan::make_standing(museum_, place), who);
   one.rank = rank;
   one.pace = pace;
   members_.push_back(std::move(one));

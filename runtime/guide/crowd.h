@@ -66,6 +66,12 @@ class Crowd {
   void set_look(std::uint32_t who, std::uint32_t look) noexcept {
     members_[who].avatar.look = look;
   }
+  /// Whom and what a body attends to, from the next step on.
+  void attend(std::uint32_t who, const Company& company) noexcept {
+    members_[who].avatar.company = company;
+  }
+  /// It lifts a hand to its visitor in the next step, whatever it does.
+  void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
   /// Who is on a connection between two floors comes out first.

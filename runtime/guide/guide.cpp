@@ -34,6 +34,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
+      attention_(museum),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -116,6 +117,7 @@ bool Guide::is_vacant() const noexcept {
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
   const Agent& one = crowd_[who];
+  const bool gestures = one.avatar.manner.gesture != motion::Gesture::None;
   switch (one.avatar.gait) {
     case motion::Gait::Turn:
       return AvatarState::Turn;
@@ -125,6 +127,7 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
       break;
   }
   if (one.goal && !one.has_arrived) return AvatarState::Wait;
+  if (gestures) return AvatarState::Gesture;
   const auto session = std::ranges::find(sessions_, std::optional(who), &Session::guide);
   const bool is_guide = who < homes_.size();
   const bool at_exhibit =
@@ -236,6 +239,9 @@ void Guide::take_answers() noexcept {
 void Guide::step(Seconds dt) noexcept {
   const float seconds = dt.count();
   take_answers();
+  attention_.direct(sessions_, settings_.shape,
+                    scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
+                    homes_.size(), settings_.reduced_motion, crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
   const Agent& guide = crowd_[0];

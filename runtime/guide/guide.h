@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/guide/attention.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
@@ -129,6 +130,7 @@ class Guide {
   GuideSettings settings_;
   Crowd crowd_;
   Strollers strollers_;
+  Attention attention_;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.

@@ -132,9 +132,13 @@ void Session::press_key(input::Key key) noexcept {
 void Session::act(interface::Action action) noexcept {
   show(interface::after(state_, action));
   switch (action.kind) {
+    case interface::Action::Kind::Begin:
+      if (guide_) context_.crowd.greet(*guide_);
+      break;
     case interface::Action::Kind::Pick:
       if (state_.look != action.argument) break;
       guide_ = action.argument;
+      context_.crowd.greet(*guide_);
       set_out();  // where they have touched an exhibit first
       break;
     case interface::Action::Kind::Choose:
@@ -166,6 +170,7 @@ void Session::set_out() noexcept {
                 .permissions = state_.ways};
   if (!errand.seeks) errand.place = state_.place;
   if (!guide_ || state_.arrived || !interface::has_goal(state_) || errand_ == errand) return;
+  if (stands(agent().avatar)) context_.crowd.greet(*guide_);
   order(errand);
 }
 
