@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/matrix.hpp>
-#include <limits>
 
 #include "runtime/interface/goal.h"
 #include "runtime/interface/seats.h"
+#include "runtime/scene/camera.h"
 
 namespace docent::guide {
 namespace {
@@ -22,38 +21,6 @@ double floor_height(const Museum& museum, std::uint32_t floor) noexcept {
 
 Vec3 eyes_of(const Avatar& avatar) noexcept {
   return to_world(avatar.body.position, avatar.height + eye_height);
-}
-
-/// The middle of an exhibit's picture or object; at eye level where it is not drawn.
-Vec3 middle_of_exhibit(const Museum& museum, std::uint32_t exhibit) {
-  const Exhibit& it = museum.exhibits[exhibit];
-  constexpr float far = std::numeric_limits<float>::max();
-  Vec3 low(far), high(-far);
-  if (it.floor < museum.scenery.size()) {
-    const Scenery& scenery = museum.scenery[it.floor];
-    for (const SceneryPart& part : scenery.parts)
-      for (std::uint32_t i = 0;
-           part.exhibit == static_cast<std::int32_t>(exhibit) && i < part.index_count; ++i) {
-        const Vec3 p = scenery.vertices[scenery.indices[part.first_index + i]].position;
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-      }
-  }
-  if (low.x > high.x)
-    return to_world(it.placement.position, floor_height(museum, it.floor) + eye_height - 0.3);
-  return (low + high) / 2.0F;
-}
-
-/// Where on the level of people's eyes a point of the screen looks at.
-std::optional<Vec3> point_under(const scene::CameraView& camera, float x, float y,
-                                double height) noexcept {
-  const Mat4 back = glm::inverse(camera.projection * camera.view);
-  const Vec4 far = back * Vec4(2 * x - 1, 1 - 2 * y, 1, 1);
-  if (std::abs(far.w) < 1e-9F) return {};
-  const Vec3 ray = Vec3(far) / far.w - camera.eye;
-  const float share = (static_cast<float>(height) - camera.eye.y) / ray.y;
-  if (!(share > 0) || share > 1) return {};
-  return camera.eye + share * ray;
 }
 
 bool sees(const Avatar& one, const Avatar& other) noexcept {
@@ -93,15 +60,10 @@ bool has_waved(const Avatar& avatar) noexcept {
 
 }  // namespace
 
-Attention::Attention(const Museum& museum) : museum_(museum) {
-  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
-    middles_.push_back(middle_of_exhibit(museum, i));
-}
-
 std::optional<Vec3> Attention::goal_of(const Session& session) const noexcept {
   if (!session.state().arrived) return {};
-  if (session.state().exhibit && *session.state().exhibit < middles_.size())
-    return middles_[*session.state().exhibit];
+  if (session.state().exhibit && *session.state().exhibit < shapes_.size())
+    return shapes_[*session.state().exhibit].middle;
   const auto goal = interface::goal_of(museum_, session.state());
   if (!goal) return {};
   return to_world(goal->position, floor_height(museum_, goal->floor) + eye_height - 0.3);
@@ -130,8 +92,9 @@ void Attention::direct(std::span<const Session> sessions, const interface::Scree
     company.visitor = camera.eye;
     if (const auto& seat = session.state().seat) {
       const scene::Rect card = interface::card_of(shape, session.state().seats, *seat);
-      company.visitor = point_under(camera, card.x + card.width / 2, card.y + card.height / 2,
-                                    avatar.height + eye_height);
+      company.visitor =
+          scene::point_at_height(camera, {card.x + card.width / 2, card.y + card.height / 2},
+                                 static_cast<float>(avatar.height + eye_height));
     }
     crowd.attend(*session.guide(), company);
   }

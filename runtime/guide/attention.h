@@ -1,9 +1,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/exhibit_shape.h"
 #include "runtime/guide/session.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/draw_list.h"
@@ -14,7 +14,9 @@ namespace docent::guide {
 /// them to, and to who passes near; strollers to a guide who waves.
 class Attention {
  public:
-  explicit Attention(const Museum& museum);
+  /// Borrows both.
+  Attention(const Museum& museum, std::span<const ExhibitShape> shapes) noexcept
+      : museum_(museum), shapes_(shapes) {}
 
   /// Tells each body, before it takes its next step. A visitor is where the camera is, or, on a
   /// shared glass, where their card lies. `guides`: how many of the crowd are. `calm`: see Company.
@@ -22,14 +24,11 @@ class Attention {
               const scene::CameraView& camera, std::size_t guides, bool calm,
               Crowd& crowd) const noexcept;
 
-  /// Where one points to show an exhibit: the middle of what is seen of it. World frame.
-  Vec3 middle_of(std::uint32_t exhibit) const noexcept { return middles_[exhibit]; }
-
  private:
   std::optional<Vec3> goal_of(const Session& session) const noexcept;
 
   const Museum& museum_;
-  std::vector<Vec3> middles_;
+  std::span<const ExhibitShape> shapes_;
 };
 
 }  // namespace docent::guide

@@ -121,6 +121,26 @@ void Crowd::stop(std::uint32_t who) noexcept {
   ask(who, {}, one.avatar.seconds + one.lead);
 }
 
+bool Crowd::is_about_to_arrive(std::uint32_t who) const noexcept {
+  const Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  return one.goal && !one.has_arrived && one.is_on_its_way && !one.awaits_answer && !avatar.next &&
+         !is_between_floors(one) && avatar.plan->is_whole && !avatar.plan->then &&
+         avatar.floor == one.goal_floor && !stands(avatar);
+}
+
+void Crowd::end_at(std::uint32_t who, const Placement& place) noexcept {
+  Agent& one = members_[who];
+  one.goal = place;
+  one.seeks.reset();
+  plan::WalkOrder order;
+  order.goal = place;
+  order.goal_floor = one.goal_floor;
+  order.kind = RouteKind::Shortest;
+  order.permissions = one.permissions;
+  ask(who, order, one.avatar.seconds + one.lead);
+}
+
 void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept {
   Agent& one = members_[who];
   const Avatar& avatar = one.avatar;

@@ -83,6 +83,10 @@ class Crowd {
   /// What is closed has changed: whoever is under way asks for a new way, and stops where there is
   /// none.
   void replan() noexcept;
+  /// Is it on the last part of the way to its goal, and nothing else is being found out for it?
+  bool is_about_to_arrive(std::uint32_t who) const noexcept;
+  /// Who is about to arrive ends there instead; where that cannot be, at its goal.
+  void end_at(std::uint32_t who, const Placement& place) noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;

@@ -34,7 +34,8 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
-      attention_(museum),
+      exhibit_shapes_(exhibit_shapes(museum)),
+      attention_(museum, exhibit_shapes_),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -78,8 +79,13 @@ void Guide::enter_guides() {
 void Guide::take_seats() {
   const std::size_t seats = std::min<std::size_t>(
       interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
-  const SessionContext context{museum_,         planner_, crowd_,
-                               settings_.shape, homes_,   settings_.reduced_motion};
+  const SessionContext context{museum_,
+                               planner_,
+                               crowd_,
+                               settings_.shape,
+                               homes_,
+                               exhibit_shapes_,
+                               settings_.reduced_motion};
   const bool shared = seats > 1;
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
@@ -245,7 +251,7 @@ void Guide::step(Seconds dt) noexcept {
   crowd_.step(seconds);
   strollers_.step(crowd_);
   const Agent& guide = crowd_[0];
-  if (!is_shared() && guide.is_answered) {
+  if (!is_shared() && guide.is_answered && !sessions_[0].ends_aside()) {
     const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
     if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
   }
