@@ -123,7 +123,8 @@ bool Guide::is_vacant() const noexcept {
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
   const Agent& one = crowd_[who];
-  const bool gestures = one.avatar.manner.gesture != motion::Gesture::None;
+  const motion::Gesture gesture = one.avatar.manner.gesture;
+  const bool gestures = gesture == motion::Gesture::Wave || gesture == motion::Gesture::Point;
   switch (one.avatar.gait) {
     case motion::Gait::Turn:
       return AvatarState::Turn;

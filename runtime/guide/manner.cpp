@@ -17,6 +17,7 @@ constexpr double waving_seconds = 1.6;
 constexpr double waves_again = 20;  ///< Seconds.
 constexpr double waves_to = 0.6;    ///< Share of those who pass.
 constexpr double first_pointing = 4.5, pointing_seconds = 3.2, pointing_period = 17;
+constexpr double telling_seconds = 4.2, telling_period = 9;
 constexpr double looks_back_every = 6, looks_back_for = 1.3;
 constexpr double straight_enough = 0.3;  ///< Radians of the way ahead, to look back.
 constexpr double nearly_done = 2;        ///< Metres, from where on it does not look back.
@@ -69,6 +70,10 @@ Doing doing_of(const Company& company, const Manner& manner) noexcept {
       return {Gesture::Point, *company.exhibit, *since};
   const double waving = manner.clock - manner.waved;
   if (waving < waving_seconds) return {Gesture::Wave, manner.waved_to, waving};
+  if (company.visitor && manner.shows != Manner::never)
+    if (const auto telling = motion::occasion_at(manner.clock - manner.shows, telling_period,
+                                                 telling_seconds, manner.who * 8 + 7))
+      return {Gesture::Tell, *company.visitor, telling->since};
   return {};
 }
 
@@ -101,6 +106,7 @@ Look look_while_showing(const Company& company, const Doing& doing, const Manner
     const bool sees_to_visitor = doing.since > 1.3 && doing.since < 2.7;
     return {.at = sees_to_visitor ? company.visitor : company.exhibit};
   }
+  if (doing.gesture == Gesture::Tell) return {.at = company.visitor};
   const auto n = static_cast<std::int64_t>(std::floor(manner.clock / glance_seconds));
   const double mind = motion::chance(manner.who * 8 + 3, n);
   if (mind < 0.5) return {.at = company.visitor};
@@ -112,7 +118,7 @@ Look look_while_standing(const Company& company, const Manner& manner) noexcept 
   if (company.calm) return {};
   const auto n = static_cast<std::int64_t>(std::floor(manner.clock / glance_seconds));
   const double mind = motion::chance(manner.who * 8 + 3, n);
-  if (company.visitor && mind < (company.is_used ? 0.65 : 0.25)) return {.at = company.visitor};
+  if (company.visitor && mind < (company.is_used ? 0.55 : 0.25)) return {.at = company.visitor};
   return glance(manner);
 }
 

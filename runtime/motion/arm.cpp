@@ -289,6 +289,21 @@ ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& tr
   return within_limits(posture);
 }
 
+ArmPosture telling(double seconds) noexcept {
+  const auto beat = [&](double period, double change, std::uint64_t which) {
+    return static_cast<float>(least_jerk(seconds / 0.8) * kept_for(seconds, period, change, which));
+  };
+  const float raised = 0.42F + 0.08F * beat(1.3, 0.5, 1), azimuth = 0.75F;
+  const float sine = std::sin(raised);
+  return within_limits(
+      {.upper = {sine * std::sin(azimuth), -std::cos(raised), sine * std::cos(azimuth)},
+       .twist = 0.05F + 0.22F * beat(1.1, 0.45, 2),
+       .flexion = 1.45F + 0.2F * beat(0.9, 0.4, 3),
+       .pronation = -0.55F + 0.25F * beat(1.4, 0.5, 4),
+       .wrist_flexion = -0.2F + 0.2F * beat(0.8, 0.35, 5),
+       .wrist_deviation = 0.1F * beat(1.2, 0.4, 6)});
+}
+
 ArmRotations rotations_of(const Arm& arm, const ArmPosture& posture) noexcept {
   ArmRotations local;
   local.fill(Quat(1, 0, 0, 0));

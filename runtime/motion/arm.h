@@ -71,6 +71,9 @@ ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& 
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,
                   double seconds) noexcept;
 
+/// The hand before the body, palm half up, going along with words; `seconds` since it began.
+ArmPosture telling(double seconds) noexcept;
+
 /// The rotations of the arm's joints, relative to their parents, in the order of Arm::joint.
 using ArmRotations = std::array<Quat, Arm::most_joints>;
 ArmRotations rotations_of(const Arm& arm, const ArmPosture& posture) noexcept;

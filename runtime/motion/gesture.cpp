@@ -10,7 +10,7 @@ namespace docent::motion {
 namespace {
 
 /// A change takes so long: by its angle, and never so quick that it looks thrown.
-constexpr float seconds_a_radian = 0.54F, quickest = 0.5F, slowest = 0.95F;
+constexpr float seconds_a_radian = 0.54F, quickest = 0.5F, slowest = 0.85F;
 constexpr double longest_change = 2 * slowest;
 /// The hand follows the forearm, which follows the upper arm.
 constexpr float lag_at_elbow = 1.1F, lag_at_wrist = 1.25F;
@@ -41,7 +41,7 @@ void change_to(const Arm& arm, Gesture gesture, const ArmRotations& wanted,
     difference.rate = motion.rate[i];
     if (gesture == Gesture::None && seconds > 0)
       difference.rate -= turn_between(motion.walked[i], walks[i]) / static_cast<float>(seconds);
-    most = std::max(most, glm::length(difference.angle));
+    most = std::max(most, glm::length(difference.angle) + 0.1F * glm::length(difference.rate));
   }
   const float whole = std::clamp(seconds_a_radian * most, quickest, slowest);
   for (std::size_t i = 0; i < arm.count; ++i)
@@ -58,11 +58,18 @@ ArmRotations walked_by(const Arm& arm, const PoseView& pose) noexcept {
 
 ArmRotations wanted_by(const Skeleton& skeleton, const Arm& arm, const ArmOrder& order,
                        const ArmRotations& walks, const PoseView& pose) noexcept {
-  if (order.gesture == Gesture::None) return walks;
   const JointPlace trunk = place_of(skeleton, arm.trunk, pose);
-  return rotations_of(arm, order.gesture == Gesture::Point
-                               ? pointing(skeleton, arm, trunk, order.target)
-                               : waving(skeleton, arm, trunk, order.target, order.seconds));
+  switch (order.gesture) {
+    case Gesture::Point:
+      return rotations_of(arm, pointing(skeleton, arm, trunk, order.target));
+    case Gesture::Wave:
+      return rotations_of(arm, waving(skeleton, arm, trunk, order.target, order.seconds));
+    case Gesture::Tell:
+      return rotations_of(arm, telling(order.seconds));
+    case Gesture::None:
+      break;
+  }
+  return walks;
 }
 
 }  // namespace
@@ -73,8 +80,9 @@ void move_arm(const Skeleton& skeleton, const Arm& arm, const ArmOrder& order, d
   const ArmRotations walks = walked_by(arm, pose);
   if (!std::exchange(motion.begun, true)) motion.shown = motion.walked = walks;
   const ArmRotations wanted = wanted_by(skeleton, arm, order, walks, pose);
-  const bool begins_anew = order.seconds < std::exchange(motion.ordered, order.seconds);
-  if (order.gesture != motion.gesture || begins_anew)
+  const double before = std::exchange(motion.ordered, order.seconds);
+  const bool another = order.gesture != Gesture::None && order.seconds < before + seconds / 2;
+  if (order.gesture != motion.gesture || another)
     change_to(arm, order.gesture, wanted, walks, seconds, motion);
   motion.since += seconds;
   const bool changes = motion.since < longest_change;

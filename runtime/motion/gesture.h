@@ -9,7 +9,12 @@
 namespace docent::motion {
 
 /// What an arm does besides walking.
-enum class Gesture : std::uint8_t { None, Wave, Point };
+enum class Gesture : std::uint8_t {
+  None,
+  Wave,
+  Point,
+  Tell,  ///< A hand that goes along with words.
+};
 
 /// What an arm is to do at this moment.
 struct ArmOrder {

@@ -17,8 +17,8 @@ constexpr float breath_angle = 0.014f;    // radians of the chest
 constexpr float breath_rise = 0.0015f;    // metres of the hips
 constexpr double stance_seconds = 8.5;    // for about so long people stand on one leg rather...
 constexpr double shift_seconds = 1.7;     // ... before they shift their weight
-constexpr float shift_sideways = 0.036f;  // metres of the hips
-constexpr float shift_roll = 0.06f;       // radians that the hips drop on the free leg's side
+constexpr float shift_sideways = 0.042f;  // metres of the hips
+constexpr float shift_roll = 0.08f;       // radians that the hips drop on the free leg's side
 constexpr float sway_sideways = 0.005f, sway_forwards = 0.005f;
 constexpr float slack = 0.004f;         // metres that hips sink from a stand at attention
 constexpr float longest_leg = 0.9985f;  // of its length, when it bears the body
@@ -57,10 +57,11 @@ void move_hands(const Arms& arms, double seconds, float fade, std::uint64_t who,
       rotation = glm::normalize(rotation * glm::angleAxis(fade * angle, arm.rest[bone] * axis));
     };
     const Vec3 hinge = glm::cross(out, Vec3(0, 0, 1));
+    bend(arm.shoulder, 0, hinge, 0.06F * habit(seconds, 10.0, 1.6, who, which + 4));
     const float bent = 0.5F + 0.5F * habit(seconds, 11.0, 1.3, who, which);
     bend(arm.elbow, 1, hinge,
          0.16F * bent + 0.02F * wander(seconds, 6.1, index_of(side) == 0 ? 0.4 : 2.9));
-    bend(arm.elbow, 1, out, sign_of(side) * 0.12F * habit(seconds, 14.0, 1.1, who, which + 1));
+    bend(arm.elbow, 1, out, sign_of(side) * 0.2F * habit(seconds, 14.0, 1.1, who, which + 1));
     bend(arm.wrist, 2, hinge, 0.10F * habit(seconds, 9.0, 0.8, who, which + 2));
     bend(arm.wrist, 2, Vec3(0, 0, 1), 0.10F * habit(seconds, 7.0, 0.7, who, which + 3));
   }
@@ -101,6 +102,7 @@ void add_idle(const Skeleton& skeleton, const Limbs& limbs, const Standing& stan
   turn(skeleton, BodyPart::Spine, {0, 0, 1}, -0.8F * roll, pose);
   turn(skeleton, BodyPart::Chest, {0, 0, 1}, -0.5F * roll, pose);
   turn(skeleton, BodyPart::Spine, {0, 1, 0}, -yaw, pose);
+  turn(skeleton, BodyPart::Chest, {0, 1, 0}, fade * 0.07F * habit(seconds, 7.0, 1.5, who, 4), pose);
   turn(skeleton, BodyPart::Chest, {1, 0, 0}, -fade * breath_angle * breath, pose);
   turn(skeleton, BodyPart::Head, {1, 0, 0}, fade * 0.008f * breath, pose);
   turn(skeleton, BodyPart::Head, {0, 0, 1},

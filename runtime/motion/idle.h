@@ -25,7 +25,7 @@ struct Standing {
 
 /// Adds what keeps a standing body alive: breath, shifts of weight from leg to leg over planted
 /// feet, hands that do not quite rest. A function of its arguments alone, which never repeats.
-/// Smooth; moves the hips by at most 5 cm. Does not allocate.
+/// Smooth; moves the hips by at most 6 cm. Does not allocate.
 void add_idle(const Skeleton& skeleton, const Limbs& limbs, const Standing& standing,
               PoseView& pose) noexcept;
 

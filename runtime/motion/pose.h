@@ -38,7 +38,7 @@ struct Gaze {
 };
 
 /// How far people turn their heads, the spine's part included. Radians.
-inline constexpr double most_gaze_yaw = 1.5, most_gaze_up = 0.5, most_gaze_down = 0.7;
+inline constexpr double most_gaze_yaw = 1.75, most_gaze_up = 0.5, most_gaze_down = 0.7;
 
 /// Moves the gaze towards a wish, which is brought within what a neck allows: a critically damped
 /// spring of at most 3.2 radians a second. Stable whatever time goes by.

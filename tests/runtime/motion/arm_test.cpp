@@ -73,8 +73,9 @@ TEST_P(AnyFigure, NeverHurtsAJointWhereverTheTargetIs) {
     const Vec3 target = trunk.place + Vec3(anywhere(chance), anywhere(chance), anywhere(chance));
     const Arm& arm = *figure.arms[side];
     SCOPED_TRACE(i);
-    for (const ArmPosture& posture : {pointing(figure.skeleton, arm, trunk, target),
-                                      waving(figure.skeleton, arm, trunk, target, 0.01 * i)}) {
+    for (const ArmPosture& posture :
+         {pointing(figure.skeleton, arm, trunk, target),
+          waving(figure.skeleton, arm, trunk, target, 0.01 * i), telling(0.01 * i)}) {
       expect_human(test::measured(figure.hold(side, posture), arm, trunk));
       const ArmPosture kept = within_limits(posture);
       EXPECT_EQ(kept.twist, posture.twist);

@@ -69,7 +69,7 @@ TEST(Gesture, MovesTheHandWithoutAJumpHoweverItIsCutShort) {
   for (int i = 0, left = 0; i < 60 * 600; ++i, --left) {
     if (left <= 0) {
       left = std::uniform_int_distribution(1, 90)(chance);
-      order = {static_cast<Gesture>(std::uniform_int_distribution(0, 2)(chance)),
+      order = {static_cast<Gesture>(std::uniform_int_distribution(0, 3)(chance)),
                Vec3(std::uniform_real_distribution<float>(-1, 3)(chance), 1.4F, 2), 0};
     }
     order.seconds += frame;
