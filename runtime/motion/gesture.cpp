@@ -30,17 +30,19 @@ Vec3 rest_of(const ArmMotion::Difference& difference, double seconds) noexcept {
                            s * ((15.0F * x + 8.0F * v) - s * (6.0F * x + 3.0F * v))));
 }
 
-void change_to(const Arm& arm, Gesture gesture, const ArmRotations& wanted,
-               const ArmRotations& walks, double seconds, ArmMotion& motion) noexcept {
+void change_to(const Arm& arm, Gesture gesture, const ArmRotations& wanted, double seconds,
+               ArmMotion& motion) noexcept {
   motion.gesture = gesture;
   motion.since = 0;
   float most = 0;
   for (std::size_t i = 0; i < arm.count; ++i) {
     ArmMotion::Difference& difference = motion.difference[i];
-    difference.angle = turn_between(wanted[i], motion.shown[i]);
+    // Both as they were in the last frame: a posture stands still meanwhile, a walk goes on.
+    const Quat& before = gesture == Gesture::None ? motion.walked[i] : wanted[i];
+    difference.angle = turn_between(before, motion.shown[i]);
     difference.rate = motion.rate[i];
-    if (gesture == Gesture::None && seconds > 0)
-      difference.rate -= turn_between(motion.walked[i], walks[i]) / static_cast<float>(seconds);
+    if (seconds > 0)
+      difference.rate -= turn_between(before, wanted[i]) / static_cast<float>(seconds);
     most = std::max(most, glm::length(difference.angle) + 0.1F * glm::length(difference.rate));
   }
   const float whole = std::clamp(seconds_a_radian * most, quickest, slowest);
@@ -83,7 +85,7 @@ void move_arm(const Skeleton& skeleton, const Arm& arm, const ArmOrder& order, d
   const double before = std::exchange(motion.ordered, order.seconds);
   const bool another = order.gesture != Gesture::None && order.seconds < before + seconds / 2;
   if (order.gesture != motion.gesture || another)
-    change_to(arm, order.gesture, wanted, walks, seconds, motion);
+    change_to(arm, order.gesture, wanted, seconds, motion);
   motion.since += seconds;
   const bool changes = motion.since < longest_change;
   for (std::size_t i = 0; i < arm.count; ++i) {

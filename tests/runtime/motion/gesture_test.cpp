@@ -81,7 +81,7 @@ TEST(Gesture, MovesTheHandWithoutAJumpHoweverItIsCutShort) {
     velocity = moves;
   }
   EXPECT_LT(fastest, 5.8F);  // metres a second: a hand thrown up in a hurry, over and over
-  EXPECT_LT(hardest, 1.5F);  // of it within one frame
+  EXPECT_LT(hardest, 1.2F);  // of it within one frame
 }
 
 TEST(Gesture, EndsTheSameHoweverLongTheFramesTake) {
