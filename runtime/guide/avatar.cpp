@@ -10,13 +10,12 @@ namespace docent::guide {
 namespace {
 
 /// How long the breathing takes to give way to the first step.
-constexpr double leave_idle_seconds = 0.4;
+constexpr double leave_idle_seconds = 0.6;
 /// Who walks looks where it will be in about a second: the head turns into a bend before the body
 /// does (Grasso, Prevost, Ivanenko, Berthoz 1998).
 constexpr double looks_ahead = 1.4;   ///< Metres along the way.
 constexpr double nearly_there = 0.6;  ///< Metres: from here on it looks at what it came for.
-constexpr double most_gaze = 0.75;    ///< Radians.
-constexpr double gaze_quickness = 7;  ///< Of a critically damped spring, 1/s.
+constexpr double most_aside = 0.75;   ///< Radians that one looks into a bend.
 
 constexpr double lift_step_seconds = 1.2;  ///< In which one steps into a lift, or out of it.
 constexpr double lift_depth = 0.9;         ///< Metres from the stop to where one stands in it.
@@ -109,7 +108,8 @@ void change_plan(Avatar& avatar) noexcept {
   avatar.plan = std::move(avatar.next);
 }
 
-double wanted_gaze(const Avatar& avatar) noexcept {
+/// Where the way leads, from where the body faces: radians.
+double way_ahead(const Avatar& avatar) noexcept {
   const plan::Plan& plan = *avatar.plan;
   if (has_finished(avatar) || plan.points.size() < 2 || plan.walk.body.empty()) return 0;
   const bool near = plan.is_whole && avatar.along > plan.reach.back() - nearly_there;
@@ -120,35 +120,31 @@ double wanted_gaze(const Avatar& avatar) noexcept {
     heading = std::atan2(to.y, to.x);
   }
   const double aside = std::remainder(heading - avatar.body.heading, 2 * std::numbers::pi);
-  return std::clamp(aside, -most_gaze, most_gaze);
+  return std::clamp(aside, -most_aside, most_aside);
 }
 
-void look_ahead(Avatar& avatar, double seconds) noexcept {
-  // Steps are at most a frame's: the spring stays stable whatever time went by.
-  constexpr double longest_step = 1.0 / 30;
-  const double dt = std::min(seconds, longest_step), w = gaze_quickness;
-  avatar.gaze_rate += (w * w * (wanted_gaze(avatar) - avatar.gaze) - 2 * w * avatar.gaze_rate) * dt;
-  avatar.gaze += avatar.gaze_rate * dt;
+Bearing bearing_of(const Avatar& avatar) noexcept {
+  const plan::Plan& plan = *avatar.plan;
+  return {.body = avatar.body,
+          .height = avatar.height,
+          .way_ahead = way_ahead(avatar),
+          .metres_left = plan.reach.empty() ? 0 : plan.reach.back() - avatar.along,
+          .stands = avatar.gait == motion::Gait::Idle,
+          .walks = avatar.gait == motion::Gait::Walk};
 }
 
-void pose(const Museum& museum, Avatar& avatar) noexcept {
+void pose(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   const motion::Walk& walk = avatar.plan->walk;
   if (walk.joint_count == 0 || walk.joint_count != avatar.rotation.size()) return;
+  const Skeleton& skeleton = museum.motion.skeleton;
   motion::PoseView view{.root = {}, .rotation = avatar.rotation};
   motion::sample(walk, avatar.seconds, view);
-  if (avatar.idle_weight > 0) {
-    std::ranges::copy(avatar.rotation, avatar.still.begin());
-    motion::PoseView living{.root = view.root, .rotation = avatar.still};
-    motion::add_idle(museum.motion.skeleton, avatar.standing, living);
-    const auto weight = static_cast<float>(avatar.idle_weight);
-    view.root = glm::mix(view.root, living.root, weight);
-    for (std::size_t j = 0; j < avatar.rotation.size(); ++j)
-      avatar.rotation[j] = glm::slerp(avatar.rotation[j], avatar.still[j], weight);
-  }
-  motion::turn_head(museum.motion.skeleton, static_cast<float>(avatar.gaze), view);
-  motion::to_world_space(museum.motion.skeleton, view, avatar.world);
-  const Vec3 off = to_world(avatar.aside, avatar.height);
-  for (Mat4& joint : avatar.world) joint[3] += Vec4(off, 0);
+  view.root += to_world(avatar.aside, avatar.height);
+  motion::add_idle(skeleton, avatar.limbs, {avatar.standing, avatar.idle_weight, avatar.manner.who},
+                   view);
+  behave(skeleton, avatar.limbs.arms, avatar.company, bearing_of(avatar), seconds, avatar.manner,
+         view);
+  motion::to_world_space(skeleton, view, avatar.world);
 }
 
 /// World y of a body part; the floor where the skeleton has no such part.
@@ -181,13 +177,14 @@ double ride_share(const Museum& museum, const Avatar& avatar) noexcept {
   return std::clamp(dot(avatar.body.position - from, to - from) / (length * length), 0.0, 1.0);
 }
 
-Avatar make_avatar(const Museum& museum, std::uint32_t floor,
-                   std::unique_ptr<plan::Plan> standing) {
+Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing,
+                   std::uint64_t who) {
   Avatar avatar;
+  avatar.manner.who = who;
+  avatar.limbs = motion::find_limbs(museum.motion.skeleton);
   avatar.floor = floor;
   avatar.plan = std::move(standing);
   avatar.rotation.resize(avatar.plan->walk.joint_count, Quat(1, 0, 0, 0));
-  avatar.still = avatar.rotation;
   avatar.world.resize(avatar.rotation.size(), Mat4(1));
   advance(museum, avatar, 0);
   avatar.ankle_rest = place_of(museum, avatar, BodyPart::LeftAnkle).y;
@@ -238,8 +235,7 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
     avatar.idle_weight = std::max(0.0, avatar.idle_weight - seconds / leave_idle_seconds);
   }
   if (avatar.breathes) avatar.standing += seconds;
-  look_ahead(avatar, seconds);
-  pose(museum, avatar);
+  pose(museum, avatar, seconds);
 }
 
 void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noexcept {

@@ -3,7 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "runtime/guide/manner.h"
 #include "runtime/model/museum.h"
+#include "runtime/motion/idle.h"
 #include "runtime/motion/pose.h"
 #include "runtime/plan/plan.h"
 #include "runtime/scene/draw_list.h"
@@ -29,15 +31,19 @@ struct Avatar {
   Vec2 aside{};                   ///< Of a carried body: from its place in the plan's walk.
   double along = 0;               ///< Metres of the plan's way behind it.
   motion::Gait gait = motion::Gait::Idle;
-  double gaze = 0, gaze_rate = 0;  ///< Turn of the head from the body: radians; radians a second.
+  Company company;  ///< Whom it attends to.
+  Manner manner;    ///< What it does besides walking.
 
-  std::vector<Quat> rotation, still;   ///< One per joint.
+  motion::Limbs limbs;
+  std::vector<Quat> rotation;          ///< One per joint.
   std::vector<Mat4> world;             ///< One per joint, world frame.
   float ankle_rest = 0, toe_rest = 0;  ///< World y of the joints when standing flat.
 };
 
 /// An avatar that stands as the plan `standing` does. Allocates all that it will ever need.
-Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing);
+/// `who`: no two of a crowd have the same habits.
+Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<plan::Plan> standing,
+                   std::uint64_t who = 0);
 
 /// The ride that it is on; null where it is on its floor.
 const plan::Ride* ride_of(const Avatar& avatar) noexcept;

@@ -49,7 +49,7 @@ const plan::Nearby& Crowd::near(std::uint32_t who) const noexcept {
 std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double rank, double pace) {
   const auto who = static_cast<std::uint32_t>(members_.size());
   Agent one;
-  one.avatar = make_avatar(museum_, floor, plan::make_standing(museum_, place));
+  one.avatar = make_avatar(museum_, floor, plan::make_standing(museum_, place), who);
   one.rank = rank;
   one.pace = pace;
   members_.push_back(std::move(one));
@@ -119,6 +119,26 @@ void Crowd::stop(std::uint32_t who) noexcept {
   one.avatar.next.reset();
   if (stands(one.avatar)) return;
   ask(who, {}, one.avatar.seconds + one.lead);
+}
+
+bool Crowd::is_about_to_arrive(std::uint32_t who) const noexcept {
+  const Agent& one = members_[who];
+  const Avatar& avatar = one.avatar;
+  return one.goal && !one.has_arrived && one.is_on_its_way && !one.awaits_answer && !avatar.next &&
+         !is_between_floors(one) && avatar.plan->is_whole && !avatar.plan->then &&
+         avatar.floor == one.goal_floor && !stands(avatar);
+}
+
+void Crowd::end_at(std::uint32_t who, const Placement& place) noexcept {
+  Agent& one = members_[who];
+  one.goal = place;
+  one.seeks.reset();
+  plan::WalkOrder order;
+  order.goal = place;
+  order.goal_floor = one.goal_floor;
+  order.kind = RouteKind::Shortest;
+  order.permissions = one.permissions;
+  ask(who, order, one.avatar.seconds + one.lead);
 }
 
 void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept {

@@ -66,6 +66,12 @@ class Crowd {
   void set_look(std::uint32_t who, std::uint32_t look) noexcept {
     members_[who].avatar.look = look;
   }
+  /// Whom and what a body attends to, from the next step on.
+  void attend(std::uint32_t who, const Company& company) noexcept {
+    members_[who].avatar.company = company;
+  }
+  /// It lifts a hand to its visitor in the next step, whatever it does.
+  void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
   /// Who is on a connection between two floors comes out first.
@@ -77,6 +83,10 @@ class Crowd {
   /// What is closed has changed: whoever is under way asks for a new way, and stops where there is
   /// none.
   void replan() noexcept;
+  /// Is it on the last part of the way to its goal, and nothing else is being found out for it?
+  bool is_about_to_arrive(std::uint32_t who) const noexcept;
+  /// Who is about to arrive ends there instead; where that cannot be, at its goal.
+  void end_at(std::uint32_t who, const Placement& place) noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;

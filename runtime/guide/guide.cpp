@@ -34,6 +34,8 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
+      exhibit_shapes_(exhibit_shapes(museum)),
+      attention_(museum, exhibit_shapes_),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -77,8 +79,13 @@ void Guide::enter_guides() {
 void Guide::take_seats() {
   const std::size_t seats = std::min<std::size_t>(
       interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
-  const SessionContext context{museum_,         planner_, crowd_,
-                               settings_.shape, homes_,   settings_.reduced_motion};
+  const SessionContext context{museum_,
+                               planner_,
+                               crowd_,
+                               settings_.shape,
+                               homes_,
+                               exhibit_shapes_,
+                               settings_.reduced_motion};
   const bool shared = seats > 1;
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
@@ -116,6 +123,8 @@ bool Guide::is_vacant() const noexcept {
 
 AvatarState Guide::state_of(std::uint32_t who) const noexcept {
   const Agent& one = crowd_[who];
+  const motion::Gesture gesture = one.avatar.manner.gesture;
+  const bool gestures = gesture == motion::Gesture::Wave || gesture == motion::Gesture::Point;
   switch (one.avatar.gait) {
     case motion::Gait::Turn:
       return AvatarState::Turn;
@@ -125,6 +134,7 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
       break;
   }
   if (one.goal && !one.has_arrived) return AvatarState::Wait;
+  if (gestures) return AvatarState::Gesture;
   const auto session = std::ranges::find(sessions_, std::optional(who), &Session::guide);
   const bool is_guide = who < homes_.size();
   const bool at_exhibit =
@@ -236,10 +246,13 @@ void Guide::take_answers() noexcept {
 void Guide::step(Seconds dt) noexcept {
   const float seconds = dt.count();
   take_answers();
+  attention_.direct(sessions_, settings_.shape,
+                    scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
+                    homes_.size(), settings_.reduced_motion, crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
   const Agent& guide = crowd_[0];
-  if (!is_shared() && guide.is_answered) {
+  if (!is_shared() && guide.is_answered && !sessions_[0].ends_aside()) {
     const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
     if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
   }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/guide/attention.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
@@ -66,6 +67,10 @@ struct GuideCounters {
 class Guide {
  public:
   Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings);
+  /// Waits until everything asked is answered: till then the worker reads the plans in progress.
+  ~Guide() { planner_.wait(); }
+  Guide(const Guide&) = delete;
+  Guide& operator=(const Guide&) = delete;
 
   void touch(const input::InputEvent& event) noexcept;
   void step(Seconds dt) noexcept;
@@ -129,6 +134,8 @@ class Guide {
   GuideSettings settings_;
   Crowd crowd_;
   Strollers strollers_;
+  std::vector<ExhibitShape> exhibit_shapes_;
+  Attention attention_;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/guide/step_aside.h"
 #include "runtime/interface/goal.h"
 
 namespace docent::guide {
@@ -132,9 +133,13 @@ void Session::press_key(input::Key key) noexcept {
 void Session::act(interface::Action action) noexcept {
   show(interface::after(state_, action));
   switch (action.kind) {
+    case interface::Action::Kind::Begin:
+      if (guide_) context_.crowd.greet(*guide_);
+      break;
     case interface::Action::Kind::Pick:
       if (state_.look != action.argument) break;
       guide_ = action.argument;
+      context_.crowd.greet(*guide_);
       set_out();  // where they have touched an exhibit first
       break;
     case interface::Action::Kind::Choose:
@@ -166,6 +171,7 @@ void Session::set_out() noexcept {
                 .permissions = state_.ways};
   if (!errand.seeks) errand.place = state_.place;
   if (!guide_ || state_.arrived || !interface::has_goal(state_) || errand_ == errand) return;
+  if (stands(agent().avatar)) context_.crowd.greet(*guide_);
   order(errand);
 }
 
@@ -180,6 +186,7 @@ void Session::lead(const Errand& errand) noexcept {
 void Session::order(const Errand& errand) noexcept {
   if (!guide_) return;
   errand_ = errand;
+  ends_aside_ = false;
   route_summary_.reset();
   switch (errand.kind) {
     case Errand::Kind::ToGoal:
@@ -230,6 +237,8 @@ bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
 /// The crowd has been told about the guide's way.
 void Session::take_way() noexcept {
   if (!guide_ || !agent().is_answered || !leads_to_goal()) return;
+  const auto& summary = agent().route_summary;
+  if (ends_aside_ && summary && summary->status == path::RouteStatus::Ok) return;
   if (!route_summary_) ++routes_;
   if (errand_.seeks && agent().place != none) state_.place = agent().place;
   route_summary_ = agent().route_summary;
@@ -244,11 +253,29 @@ void Session::take_way() noexcept {
 
 void Session::step(float seconds, float absent_after) noexcept {
   take_way();
+  step_aside();
   notice_arrival();
   notice_absence(seconds, absent_after);
   vacant_seconds_ += seconds;
   gestures_.advance(seconds);
   overlay_.advance(seconds);
+}
+
+/// Near the end of its way the guide turns to a place beside it, so that it hides nothing.
+void Session::step_aside() noexcept {
+  if (!guide_ || !leads_to_goal() || ends_aside_ || !state_.exhibit || state_.arrived) return;
+  const Avatar& avatar = agent().avatar;
+  const auto goal = interface::goal_of(context_.museum, state_);
+  if (!goal || avatar.floor != goal->floor || remaining() > turns_aside ||
+      !context_.crowd.is_about_to_arrive(*guide_))
+    return;
+  std::optional<double> yaw;
+  if (state_.seat) yaw = context_.museum.kiosk.heading;
+  const auto place = place_aside(*context_.planner.maps()[goal->floor], *goal,
+                                 context_.exhibit_shapes[*state_.exhibit], avatar.body, yaw,
+                                 context_.museum.body_radius);
+  ends_aside_ = true;
+  if (place) context_.crowd.end_at(*guide_, *place);
 }
 
 void Session::notice_arrival() noexcept {

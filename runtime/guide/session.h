@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/exhibit_shape.h"
 #include "runtime/guide/overlay.h"
 #include "runtime/input/gesture.h"
 #include "runtime/interface/layout.h"
@@ -35,7 +36,8 @@ struct SessionContext {
   Crowd& crowd;  ///< Its first agents are the guides; guide i waits at homes[i].
   const interface::ScreenShape& shape;
   std::span<const Placement> homes;
-  bool reduced_motion = false;  ///< As in GuideSettings.
+  std::span<const ExhibitShape> exhibit_shapes;  ///< One per exhibit.
+  bool reduced_motion = false;                   ///< As in GuideSettings.
 };
 
 /// One visitor in front of the glass: what they see of it, what they asked for, and how their guide
@@ -70,6 +72,8 @@ class Session {
   const interface::View* view() const noexcept { return overlay_.view(); }
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
+  /// Has the guide left its way for its place beside what it leads to?
+  bool ends_aside() const noexcept { return ends_aside_; }
   /// Does the glass show the state that the visitor asked for?
   bool shows_its_state() const noexcept;
   bool is_vacant() const noexcept { return state_.screen == interface::Screen::Welcome; }
@@ -86,6 +90,7 @@ class Session {
   void lead(const Errand& errand) noexcept;
   void go_home() noexcept;
   void take_way() noexcept;
+  void step_aside() noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;
 
@@ -97,6 +102,7 @@ class Session {
   interface::InterfaceState state_, vacant_;
   std::optional<std::uint32_t> guide_;
   Errand errand_;
+  bool ends_aside_ = false;
   std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;
   Overlay overlay_;

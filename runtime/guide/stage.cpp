@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "runtime/guide/step_aside.h"
 #include "runtime/scene/look.h"
 
 namespace docent::guide {
@@ -149,7 +150,8 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
   const double height = leader.height;
   if (state.screen == interface::Screen::Arrived)
     if (const auto goal = interface::goal_of(museum_, state))
-      return scene::beside(leader.body, goal->position, height, free_, aspect_);
+      return scene::beside(goal->standing.position, goal->position,
+                           arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
   if (state.screen == interface::Screen::Walking) {
     const AheadPoints ahead = ahead_of(leader);
     scene::CameraRig rig = scene::behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
@@ -275,6 +277,15 @@ std::optional<Placement> Stage::end_of_way(const interface::InterfaceState& stat
   return {};
 }
 
+/// Metres of the way shown that are behind the guide, who may have left it near its end.
+float Stage::walked(const Avatar& leader, Vec2 end) const noexcept {
+  constexpr double same = 0.3;
+  if (glm::distance(leader.plan->end.position, end) < same || leader.plan->then)
+    return static_cast<float>(leader.along);
+  const auto left = static_cast<float>(glm::distance(leader.body.position, end));
+  return std::clamp(way_length_ - left, 0.0F, way_length_);
+}
+
 void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
                          scene::DrawList& list) const noexcept {
   if (const auto end = end_of_way(state, leader)) {
@@ -292,7 +303,7 @@ void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& l
                             .count = way_count_,
                             .revision = revision_,
                             .length = way_length_,
-                            .walked = static_cast<float>(leader.along),
+                            .walked = walked(leader, list.ribbon_point[way_count_ - 1]),
                             .flow = static_cast<float>(flow_),
                             .opacity = way_opacity_});
 }

@@ -56,6 +56,7 @@ class Stage {
  private:
   void draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
                     scene::DrawList& list) const noexcept;
+  float walked(const Avatar& leader, Vec2 end) const noexcept;
   void draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,
                  scene::DrawList& list) const noexcept;
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
+#include "runtime/motion/rotation.h"
+
 namespace docent::motion {
 namespace {
 
@@ -45,16 +47,6 @@ Vec3 rest_hip(const Skeleton& skeleton, const Leg& leg) {
   Vec3 place{};
   for (std::size_t i = 1; i <= leg.hip; ++i) place += skeleton.joint[leg.joint[i]].offset;
   return place;
-}
-
-/// The shortest rotation that turns one direction into another.
-Quat shortest_arc(Vec3 from, Vec3 to) noexcept {
-  const float lengths = glm::length(from) * glm::length(to);
-  if (lengths < 1e-9f) return {1, 0, 0, 0};
-  const Vec3 axis = glm::cross(from, to);
-  const float w = lengths + glm::dot(from, to);
-  if (w < 1e-6f * lengths) return {1, 0, 0, 0};  // opposite: no leg folds so far
-  return glm::normalize(Quat(w, axis.x, axis.y, axis.z));
 }
 
 /// The cosine of the angle opposite to side `c` of a triangle.

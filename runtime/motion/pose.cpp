@@ -64,6 +64,20 @@ void to_world_space(const Skeleton& skeleton, const PoseView& pose,
   }
 }
 
+JointPlace place_of(const Skeleton& skeleton, JointIndex joint, const PoseView& pose) noexcept {
+  JointPlace at;
+  while (joint != JointIndex::None) {
+    const Joint& one = skeleton.joint[index_of(joint)];
+    const Quat& rotation = pose.rotation[index_of(joint)];
+    const bool is_root = one.parent == JointIndex::None;
+    at.place = (is_root ? pose.root : one.offset) + rotation * at.place;
+    at.rotation = rotation * at.rotation;
+    joint = one.parent;
+  }
+  at.rotation = glm::normalize(at.rotation);
+  return at;
+}
+
 void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,
                            std::span<Mat4> palette) noexcept {
   const std::size_t count = std::min({world.size(), inverse_bind.size(), palette.size()});

@@ -23,14 +23,33 @@ void sample(const MotionClip& clip, double seconds, PoseView& pose) noexcept;
 /// World transforms of all joints: `world` holds one matrix per joint. Does not allocate.
 void to_world_space(const Skeleton& skeleton, const PoseView& pose, std::span<Mat4> world) noexcept;
 
-/// Adds breathing and slow shifts of weight to a standing pose, over planted feet. `seconds` counts
-/// from when it began to stand; nothing is added at 0 and the motion never repeats exactly. Smooth
-/// in time; moves the hips by at most 2 cm. Does not allocate.
-void add_idle(const Skeleton& skeleton, double seconds, PoseView& pose) noexcept;
+/// Where a joint is in a pose, and how it is turned: world frame. Does not allocate.
+struct JointPlace {
+  Vec3 place{};
+  Quat rotation{1, 0, 0, 0};
+};
+JointPlace place_of(const Skeleton& skeleton, JointIndex joint, const PoseView& pose) noexcept;
 
-/// Turns the head by `angle` radians about the world's vertical, counter-clockwise from above; neck
-/// and chest take their share. Does not allocate.
-void turn_head(const Skeleton& skeleton, float angle, PoseView& pose) noexcept;
+/// Where a head is turned, from the body: radians, left and up positive, and how quickly that
+/// changes.
+struct Gaze {
+  double yaw = 0, pitch = 0;
+  double yaw_rate = 0, pitch_rate = 0;  ///< Radians a second.
+};
+
+/// How far people turn their heads, the spine's part included. Radians.
+inline constexpr double most_gaze_yaw = 1.75, most_gaze_up = 0.5, most_gaze_down = 0.7;
+
+/// Moves the gaze towards a wish, which is brought within what a neck allows: a critically damped
+/// spring of at most 3.2 radians a second. Stable whatever time goes by.
+void follow_gaze(double yaw, double pitch, double seconds, Gaze& gaze) noexcept;
+
+/// The gaze that a body facing `heading` (floor frame) needs to look from `eye` at `target`, world.
+Gaze gaze_at(Vec3 target, Vec3 eye, double heading) noexcept;
+
+/// Turns the head as the gaze says about the world's vertical and across it; neck and spine take
+/// their share. Does not allocate.
+void turn_head(const Skeleton& skeleton, const Gaze& gaze, PoseView& pose) noexcept;
 
 /// palette[j] = world[j] * inverse_bind[j]: what skinning multiplies a rest-pose vertex by.
 void fill_skinning_palette(std::span<const Mat4> world, std::span<const Mat4> inverse_bind,

@@ -23,4 +23,15 @@ inline Quat rotation_of(Vec3 vector) noexcept {
   return glm::angleAxis(angle, vector / angle);
 }
 
+/// The shortest rotation that turns one direction into another; none where they are opposite: no
+/// limb folds so far.
+inline Quat shortest_arc(Vec3 from, Vec3 to) noexcept {
+  const float lengths = glm::length(from) * glm::length(to);
+  if (lengths < 1e-9f) return {1, 0, 0, 0};
+  const Vec3 axis = glm::cross(from, to);
+  const float w = lengths + glm::dot(from, to);
+  if (w < 1e-6f * lengths) return {1, 0, 0, 0};
+  return glm::normalize(Quat(w, axis.x, axis.y, axis.z));
+}
+
 }  // namespace docent::motion

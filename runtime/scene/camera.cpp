@@ -106,6 +106,16 @@ std::optional<ScreenPoint> project(const CameraView& view, Vec3 point) noexcept 
   return ScreenPoint{0.5F + clip.x / clip.w / 2, 0.5F - clip.y / clip.w / 2};
 }
 
+std::optional<Vec3> point_at_height(const CameraView& view, ScreenPoint at, float height) noexcept {
+  const Vec4 far =
+      glm::inverse(view.projection * view.view) * Vec4(2 * at.x - 1, 1 - 2 * at.y, 1, 1);
+  if (std::abs(far.w) < 1e-9F) return std::nullopt;
+  const Vec3 ray = Vec3(far) / far.w - view.eye;
+  const float share = (height - view.eye.y) / ray.y;
+  if (!(share > 0) || !std::isfinite(share)) return std::nullopt;
+  return view.eye + share * ray;
+}
+
 CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, const Rect& free,
                       float aspect) noexcept {
   CameraRig rig{.yaw = yaw,
@@ -186,12 +196,10 @@ CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspec
   return rig;
 }
 
-CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect& free,
+CameraRig beside(Vec2 standing, Vec2 exhibit, double yaw, double height, const Rect& free,
                  float aspect) noexcept {
-  const Vec2 gap = exhibit - guide.position;
-  const double towards = dot(gap, gap) > 0.01 ? std::atan2(gap.y, gap.x) : guide.heading;
-  CameraRig rig{.target = to_world((guide.position + exhibit) / 2.0, height) + Vec3(0, 1.0F, 0),
-                .yaw = towards + 0.42,  // from over the shoulder, so that the guide hides nothing
+  CameraRig rig{.target = to_world((standing + exhibit) / 2.0, height) + Vec3(0, 1.0F, 0),
+                .yaw = yaw,
                 .pitch = arrival_pitch,
                 .distance = arrival_distance,
                 .centre_x = middle_x(free),

@@ -38,6 +38,10 @@ struct ScreenPoint {
 };
 std::optional<ScreenPoint> project(const CameraView& view, Vec3 point) noexcept;
 
+/// The point at a height (world y) that a point of the screen shows; none where that is behind the
+/// eye, or above the horizon.
+std::optional<Vec3> point_at_height(const CameraView& view, ScreenPoint at, float height) noexcept;
+
 /// The whole floor, with the direction `yaw` up, as large as fits into `free` (screen frame).
 CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, const Rect& free,
                       float aspect) noexcept;
@@ -58,8 +62,12 @@ CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspec
 /// The yaw that shows where the walker goes next.
 double yaw_towards(const Walker& walker, double otherwise) noexcept;
 
-/// Beside the guide, with the exhibit in the upper third of `free`.
-CameraRig beside(const Placement& guide, Vec2 exhibit, double height, const Rect& free,
+/// How far the camera looks aside, on arrival, from the way in which one looks at an exhibit:
+/// radians.
+inline constexpr double arrival_turn = 0.42;
+
+/// Looks the way `yaw` over who stands there, with the exhibit in the upper third of `free`.
+CameraRig beside(Vec2 standing, Vec2 exhibit, double yaw, double height, const Rect& free,
                  float aspect) noexcept;
 
 /// The angle `current` moved towards `wanted`, exponentially with `time_constant` (seconds), by at

@@ -117,16 +117,16 @@ TEST(Camera, IsAlwaysAboveEverythingThatItCouldRunInto) {
     const Placement body{{number(0, 40), number(0, 30)}, number(-pi, pi)};
     const Vec2 exhibit = body.position + Vec2{number(-2, 2), number(-2, 2)};
     const CameraRig from = behind({body, 0, {}}, number(-pi, pi), free, 1.7F);
-    const CameraRig to = beside(body, exhibit, 0, free, 1.7F);
+    const CameraRig to = beside(body.position, exhibit, number(-pi, pi), 0, free, 1.7F);
     RC_ASSERT(view_of(blend(from, to, number(0, 1)), 1.7F).eye.y > tallest_thing);
   }));
 }
 
 TEST(ArrivalCamera, ShowsTheExhibitInTheUpperThird) {
   const Rect free{0.37F, 0, 0.63F, 1};
-  const Placement guide{{10, 10}, 0};
 
-  const CameraView view = view_of(beside(guide, {11.4, 10}, 0, free, 16.0F / 9), 16.0F / 9);
+  const CameraView view =
+      view_of(beside({10, 10}, {11.4, 10}, arrival_turn, 0, free, 16.0F / 9), 16.0F / 9);
 
   const auto exhibit = project(view, to_world({11.4, 10}, 1.2));
   const auto feet = project(view, to_world({10, 10}));

@@ -1,0 +1,43 @@
+#include "runtime/guide/exhibit_shape.h"
+
+#include <limits>
+
+namespace docent::guide {
+namespace {
+
+constexpr double breast_height = 1.25;  ///< Metres.
+
+ExhibitShape shape_of(const Museum& museum, std::uint32_t exhibit) {
+  const Exhibit& it = museum.exhibits[exhibit];
+  constexpr float far = std::numeric_limits<float>::max();
+  Vec3 low(far), high(-far);
+  const auto take_in = [&](const Scenery& scenery, const SceneryPart& part) {
+    for (std::uint32_t i = 0; i < part.index_count; ++i) {
+      const Vec3 p = scenery.vertices[scenery.indices[part.first_index + i]].position;
+      low = glm::min(low, p);
+      high = glm::max(high, p);
+    }
+  };
+  if (it.floor < museum.scenery.size())
+    for (const SceneryPart& part : museum.scenery[it.floor].parts)
+      if (part.exhibit == static_cast<std::int32_t>(exhibit))
+        take_in(museum.scenery[it.floor], part);
+  const double height = it.floor < museum.floors.size() ? museum.floors[it.floor].plan.height : 0;
+  if (low.x > high.x) low = high = to_world(it.placement.position, height + breast_height);
+  const Vec2 a = to_floor(low), b = to_floor(high);
+  return {(low + high) / 2.0F, glm::min(a, b), glm::max(a, b)};
+}
+
+}  // namespace
+
+std::vector<ExhibitShape> exhibit_shapes(const Museum& museum) {
+  std::vector<ExhibitShape> shapes;
+  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i) shapes.push_back(shape_of(museum, i));
+  return shapes;
+}
+
+double distance_to(const ExhibitShape& shape, Vec2 point) noexcept {
+  return glm::distance(point, glm::clamp(point, shape.low, shape.high));
+}
+
+}  // namespace docent::guide

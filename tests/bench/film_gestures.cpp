@@ -1,0 +1,160 @@
+/// Films what a guide does besides walking, for people's eyes: a sheet of pictures at even times,
+/// seen from any side.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "platform/gles/renderer.h"
+#include "platform/headless/headless_display.h"
+#include "platform/image/image.h"
+#include "runtime/guide/avatar.h"
+#include "runtime/kiosk/exhibition.h"
+#include "runtime/scene/camera.h"
+
+namespace docent::bench {
+namespace {
+
+struct Options {
+  std::string scene = "greet";
+  double yaw = 0, pitch = 0.2, distance = 3.2;  ///< The film's camera; yaw from the body's heading.
+  double from = 0, to = 3;                      ///< Seconds.
+  std::uint32_t pictures = 10, columns = 5, look = 1;
+  std::uint32_t side = 300;     ///< Pixels.
+  double aside = 1.0;           ///< Radians from straight ahead to the visitor or the exhibit.
+  double away = 1.6, rise = 0;  ///< Metres to it, and above 1.2 m.
+};
+
+std::unique_ptr<plan::Plan> straight_ahead(const Museum& museum, const Placement& from,
+                                           double metres) {
+  auto plan = std::make_unique<plan::Plan>();
+  const Vec2 ahead{std::cos(from.heading), std::sin(from.heading)};
+  plan->points = {from.position, from.position + metres * ahead};
+  plan->reach = {0, metres};
+  motion::WalkRequest request;
+  request.path = plan->points;
+  const Result<motion::Walk> walk = motion::make_walk(museum.motion, request);
+  if (!walk) return nullptr;
+  plan->walk = *walk;
+  plan->status = path::RouteStatus::Ok;
+  plan->length = metres;
+  return plan;
+}
+
+Vec3 beside(const guide::Avatar& avatar, double aside, double metres, double height) {
+  const double angle = avatar.body.heading + aside;
+  return to_world(avatar.body.position + metres * Vec2{std::cos(angle), std::sin(angle)}, height);
+}
+
+/// Where the walking camera would be: behind and above.
+Vec3 kiosk_camera(const guide::Avatar& avatar) {
+  return beside(avatar, std::numbers::pi, 6, 7.5);
+}
+
+void begin(const Options& options, guide::Avatar& avatar, const Museum& museum) {
+  guide::Company& company = avatar.company;
+  company.is_used = true;
+  if (options.scene == "greet" || options.scene == "back" || options.scene == "set-out")
+    company.visitor = kiosk_camera(avatar);
+  else
+    company.visitor = beside(avatar, -options.aside, 6, 6.0);
+  if (options.scene == "greet-front") company.visitor = beside(avatar, options.aside, 4, 4);
+  if (options.scene.starts_with("greet") || options.scene == "set-out") greet(avatar.manner);
+  if (options.scene == "point")
+    company.exhibit = beside(avatar, options.aside, options.away, 1.2 + options.rise);
+  if (options.scene == "back" || options.scene == "set-out")
+    avatar.plan = straight_ahead(museum, avatar.body, 10);
+}
+
+int film(const Options& options, const std::filesystem::path& out, kiosk::Exhibition& exhibition) {
+  auto display = headless::open_headless({options.side, options.side});
+  auto renderer = gles::make_renderer();
+  if (!display || !renderer) return 3;
+  kiosk::upload(exhibition);
+  const Museum& museum = exhibition.museum;
+  guide::Avatar avatar =
+      guide::make_avatar(museum, 0, plan::make_standing(museum, museum.kiosk), 3);
+  avatar.look = options.look;
+  begin(options, avatar, museum);
+  const std::uint32_t rows = (options.pictures + options.columns - 1) / options.columns;
+  Pixels sheet{.width = options.side * options.columns, .height = options.side * rows, .rgba = {}};
+  sheet.rgba.resize(std::size_t{4} * sheet.width * sheet.height);
+  scene::DrawList list;
+  list.palette.reserve(64);
+  Pixels picture;
+  constexpr double frame = 1.0 / 60;
+  double time = 0;
+  for (std::uint32_t i = 0; i < options.pictures; ++i) {
+    const double at =
+        options.from + (options.to - options.from) * i / std::max(1U, options.pictures - 1);
+    for (; time < at; time += frame) {
+      if (options.scene == "back" || options.scene == "set-out")
+        avatar.company.visitor = kiosk_camera(avatar);
+      advance(museum, avatar, frame);
+    }
+    list.avatars.clear();
+    list.palette.clear();
+    list.joint.clear();
+    draw(museum, avatar, list);
+    scene::CameraRig rig;
+    rig.target = to_world(avatar.body.position, avatar.height + 0.95);
+    rig.yaw = avatar.body.heading + std::numbers::pi + options.yaw;  // from the front
+    rig.pitch = options.pitch;
+    rig.distance = options.distance;
+    list.camera = scene::view_of(rig, 1);
+    list.focus = avatar.body.position;
+    list.focus_radius = 1e3F;
+    renderer->draw(list, exhibition.holdings, (*display)->target());
+    (*display)->read_back(picture);
+    const std::size_t x0 = std::size_t{options.side} * (i % options.columns);
+    const std::size_t y0 = std::size_t{options.side} * (i / options.columns);
+    for (std::size_t y = 0; y < options.side; ++y)
+      std::copy_n(
+          picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * y * options.side),
+          4 * options.side,
+          sheet.rgba.begin() + static_cast<std::ptrdiff_t>(4 * ((y0 + y) * sheet.width + x0)));
+  }
+  return image::write_png(out, sheet) ? 0 : 3;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Films what a guide does besides walking"};
+  std::string database;
+  std::filesystem::path out = "gestures.png";
+  Options options;
+  app.add_option("database", database, "a compiled museum")->required();
+  app.add_option("--scene", options.scene,
+                 "greet, greet-front, set-out, back (it looks round), point or idle");
+  app.add_option("--out", out, "the sheet");
+  app.add_option("--yaw", options.yaw,
+                 "radians from the front to the camera, to the guide's right");
+  app.add_option("--pitch", options.pitch, "radians that the camera looks down");
+  app.add_option("--distance", options.distance, "metres");
+  app.add_option("--from", options.from, "seconds: the first picture");
+  app.add_option("--to", options.to, "seconds: the last");
+  app.add_option("--pictures", options.pictures)->check(CLI::Range(1, 100));
+  app.add_option("--columns", options.columns)->check(CLI::Range(1, 20));
+  app.add_option("--side", options.side, "pixels of a picture")->check(CLI::Range(64, 1024));
+  app.add_option("--look", options.look);
+  app.add_option("--aside", options.aside, "radians from straight ahead to the exhibit, leftwards");
+  app.add_option("--away", options.away, "metres to the exhibit");
+  app.add_option("--rise", options.rise, "metres of the exhibit above 1.2 m");
+  CLI11_PARSE(app, argc, argv);
+  auto exhibition = kiosk::load_exhibition(database, kiosk::Selection{}, {});
+  if (!exhibition) {
+    fmt::print(stderr, "{}\n", exhibition.error().what);
+    return 1;
+  }
+  return film(options, out, **exhibition);
+}
+
+}  // namespace
+}  // namespace docent::bench
+
+int main(int argc, char** argv) {
+  return docent::bench::run(argc, argv);
+}
