@@ -31,6 +31,23 @@ struct Doing {
   double since = 0;
 };
 
+/// What is left to chance, each by itself.
+enum class Habit : std::uint8_t {
+  GlancesAside,
+  GlancesUp,
+  Minds,
+  LooksBack,
+  Shoulder,
+  Points,
+  Tells,
+  Waves,
+  Count
+};
+
+std::uint64_t chance_of(Habit habit, const Manner& manner) noexcept {
+  return manner.who * static_cast<std::uint64_t>(Habit::Count) + static_cast<std::uint64_t>(habit);
+}
+
 double heading_to(const Bearing& bearing, Vec3 target) noexcept {
   const Vec2 line = to_floor(target) - bearing.body.position;
   return std::remainder(std::atan2(line.y, line.x) - bearing.body.heading, 2 * std::numbers::pi);
@@ -41,7 +58,7 @@ std::optional<double> pointing_for(const Company& company, const Manner& manner)
   const double since = manner.clock - manner.shows;
   if (company.calm || since < first_pointing) return since;
   const auto again = motion::occasion_at(since - first_pointing, pointing_period, pointing_seconds,
-                                         manner.who * 8 + 5);
+                                         chance_of(Habit::Points, manner));
   if (!again) return {};
   return again->since;
 }
@@ -56,7 +73,7 @@ void notice(const Company& company, const Bearing& bearing, Manner& manner) noex
   const bool comes_by = company.passer && !manner.has_passer;
   manner.has_passer = company.passer.has_value();
   if (comes_by && !company.calm && manner.clock - manner.waved > waves_again &&
-      motion::chance(manner.who * 8 + 6, ++manner.passed) < waves_to)
+      motion::chance(chance_of(Habit::Waves, manner), ++manner.passed) < waves_to)
     wave_to(*company.passer, manner);
   if (company.passer) manner.waved_to = *company.passer;
 }
@@ -72,7 +89,7 @@ Doing doing_of(const Company& company, const Manner& manner) noexcept {
   if (waving < waving_seconds) return {Gesture::Wave, manner.waved_to, waving};
   if (company.visitor && manner.shows != Manner::never)
     if (const auto telling = motion::occasion_at(manner.clock - manner.shows, telling_period,
-                                                 telling_seconds, manner.who * 8 + 7))
+                                                 telling_seconds, chance_of(Habit::Tells, manner)))
       return {Gesture::Tell, *company.visitor, telling->since};
   return {};
 }
@@ -94,8 +111,10 @@ struct Look {
 
 /// About, now here, now there.
 Look glance(const Manner& manner) noexcept {
-  const double yaw = motion::kept_for(manner.clock, glance_seconds, 0.3, manner.who * 8 + 1);
-  const double pitch = motion::kept_for(manner.clock, glance_seconds, 0.3, manner.who * 8 + 2);
+  const double yaw =
+      motion::kept_for(manner.clock, glance_seconds, 0.3, chance_of(Habit::GlancesAside, manner));
+  const double pitch =
+      motion::kept_for(manner.clock, glance_seconds, 0.3, chance_of(Habit::GlancesUp, manner));
   return {.yaw = farthest_glance * yaw, .pitch = 0.12 * pitch - 0.05};
 }
 
@@ -108,7 +127,7 @@ Look look_while_showing(const Company& company, const Doing& doing, const Manner
   }
   if (doing.gesture == Gesture::Tell) return {.at = company.visitor};
   const auto n = static_cast<std::int64_t>(std::floor(manner.clock / glance_seconds));
-  const double mind = motion::chance(manner.who * 8 + 3, n);
+  const double mind = motion::chance(chance_of(Habit::Minds, manner), n);
   if (mind < 0.5) return {.at = company.visitor};
   if (mind < 0.8) return {.at = company.exhibit};
   return glance(manner);
@@ -117,7 +136,7 @@ Look look_while_showing(const Company& company, const Doing& doing, const Manner
 Look look_while_standing(const Company& company, const Manner& manner) noexcept {
   if (company.calm) return {};
   const auto n = static_cast<std::int64_t>(std::floor(manner.clock / glance_seconds));
-  const double mind = motion::chance(manner.who * 8 + 3, n);
+  const double mind = motion::chance(chance_of(Habit::Minds, manner), n);
   if (company.visitor && mind < (company.is_used ? 0.55 : 0.25)) return {.at = company.visitor};
   return glance(manner);
 }
@@ -126,7 +145,8 @@ bool looks_back(const Company& company, const Bearing& bearing, const Manner& ma
   if (!bearing.walks || company.calm || bearing.metres_left < nearly_done ||
       std::abs(bearing.way_ahead) > straight_enough)
     return false;
-  return motion::occasion_at(manner.clock, looks_back_every, looks_back_for, manner.who * 8 + 4)
+  return motion::occasion_at(manner.clock, looks_back_every, looks_back_for,
+                             chance_of(Habit::LooksBack, manner))
       .has_value();
 }
 
@@ -140,13 +160,15 @@ Look look_of(const Company& company, const Bearing& bearing, const Doing& doing,
   return {.yaw = bearing.way_ahead};
 }
 
-/// Over which shoulder one looks at what is behind: the one over which one looks already.
+/// Over which shoulder one looks at what is behind: the one over which one looks already, else now
+/// this one, now that.
 double over_one_shoulder(double yaw, const Manner& manner) noexcept {
   constexpr double behind = 2.3;
   if (std::abs(yaw) < behind) return yaw;
   const double now = manner.gaze.yaw;
   if (std::abs(now) > 0.2) return std::copysign(yaw, now);
-  return std::copysign(yaw, manner.side == Side::Left ? 1.0 : -1.0);
+  const auto n = static_cast<std::int64_t>(std::floor(manner.clock / looks_back_every));
+  return std::copysign(yaw, motion::chance(chance_of(Habit::Shoulder, manner), n) - 0.5);
 }
 
 }  // namespace
