@@ -125,7 +125,8 @@ Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const Path
   const double first_step =
       last > sequence.first ? sequence.effort[sequence.first + 1] * stretch : 0;
   const Joining joining(
-      momentum, track, first_step * graph.frame_rate * track.stride.front() * track.stride.front());
+      momentum, track,
+      first_step * graph.frame_rate * track.stride.front() * track.cadence.front());
   std::size_t hint = 0;
   for (double at = static_cast<double>(sequence.first);;) {
     const auto frame = std::min(static_cast<std::size_t>(at), last);
@@ -139,7 +140,7 @@ Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const Path
     add_pose(graph, sequence, moment, joining.bent(point.placement, seconds), draft);
     draft.walk.along.push_back(static_cast<float>(point.along));
     if (at >= static_cast<double>(last)) break;
-    at += point.stride;
+    at += point.cadence;
   }
   for (const Side side : both_sides) plant_feet(graph, side, momentum, draft);
   return draft;

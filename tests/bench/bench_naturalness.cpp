@@ -48,9 +48,9 @@ void run(const std::string& database, std::vector<std::string> folders,
     const std::filesystem::path others = std::filesystem::path(folder) / held_out;
     if (!held_out.empty() && std::filesystem::exists(others))
       takes = track_clips(walkable(others)->graph);
-    const std::string title = fmt::format("\n{}: {} clips, {} transitions", folder,
-                                          made->motion.clips.size(),
-                                          made->motion.transitions.size());
+    const std::string title =
+        fmt::format("\n{}: {} clips, {} transitions", folder, made->motion.clips.size(),
+                    made->motion.transitions.size());
     fmt::print("{}", to_table(title, measure_naturalness(made->graph, routes, takes)));
     std::fflush(stdout);
   }

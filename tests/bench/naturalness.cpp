@@ -68,8 +68,8 @@ std::vector<Stride> strides_of(const TrackedMotion& motion) {
 std::vector<Stride> strides_between(const TrackedMotion& motion) {
   std::vector<Stride> strides = strides_of(motion);
   const auto is_slow = [&](const Stride& stride) {
-    const double metres = glm::distance(motion.body[stride.from].position,
-                                        motion.body[stride.to].position);
+    const double metres =
+        glm::distance(motion.body[stride.from].position, motion.body[stride.to].position);
     return metres / static_cast<double>(stride.to - stride.from) * motion.rate < 0.7;
   };
   std::erase_if(strides, is_slow);
@@ -125,8 +125,8 @@ std::vector<double> RecordedPoses::distances(const TrackedMotion& motion) const 
     add_pose(motion, f, pose);
     float nearest = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < poses_.size(); i += pose_numbers)
-      nearest = std::min(
-          nearest, squares_between(poses_.data() + i, pose.data(), pose_numbers, nearest));
+      nearest =
+          std::min(nearest, squares_between(poses_.data() + i, pose.data(), pose_numbers, nearest));
     out.push_back(std::sqrt(static_cast<double>(nearest) / parts));
   }
   return out;
@@ -163,8 +163,8 @@ std::vector<double> nearest_other_stride(std::span<const TrackedMotion> motions)
     float best = std::numeric_limits<float>::infinity();
     for (std::size_t j = 0; j < strides.size(); j += numbers)
       if (i != j)
-        best = std::min(best,
-                        squares_between(strides.data() + i, strides.data() + j, numbers, best));
+        best =
+            std::min(best, squares_between(strides.data() + i, strides.data() + j, numbers, best));
     nearest.push_back(std::sqrt(static_cast<double>(best) / (parts * stride_moments)));
   }
   return nearest;

@@ -118,8 +118,7 @@ Naturalness measure_naturalness(const motion::WalkGraph& graph,
   measure_clips(clips, look);
   for (const MuseumRoutes& each : routes) look.routes.push_back(look_at(graph, poses, each));
   look.routes.push_back(look_at(graph, poses, {"stairs of 0.8 m", {stairs_path(0.8)}}));
-  const TrackedMotion hairpin =
-      track(graph.motion->skeleton, walk_along(graph, hairpin_path()));
+  const TrackedMotion hairpin = track(graph.motion->skeleton, walk_along(graph, hairpin_path()));
   look.hairpin_bend = head_bend(hairpin);
   look.hairpin_time = head_bend_time(hairpin);
   measure_ellipse(graph, look);
@@ -168,8 +167,8 @@ std::string to_table(const std::string& title, const Naturalness& look) {
   row("arms swing, cm; vary on the ellipse, %",
       fmt::format("{:.0f} / {:.0f}", 100 * look.arm_variation[0], 100 * look.arm_variation[1]),
       fmt::format("{:.0f} / {:.0f}", 100 * look.arm_swing[0], 100 * look.arm_swing[1]), "17 to 25");
-  row("planted feet wander, 95 %, mm",
-      each([](const auto& r) { return 1000 * r.drift; }, "{:.1f}"), "", "0.8");
+  row("planted feet wander, 95 %, mm", each([](const auto& r) { return 1000 * r.drift; }, "{:.1f}"),
+      "", "0.8");
   row("deviation, mean, cm", each([](const auto& r) { return 100 * r.deviation_mean; }, "{:.1f}"),
       "", "0.4");
   row("deviation, largest, cm",

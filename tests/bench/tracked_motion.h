@@ -17,9 +17,9 @@ struct TrackedMotion {
 
   double rate = 120;
   std::vector<Parts> part;
-  std::vector<Placement> body;      ///< The body's circle.
+  std::vector<Placement> body;  ///< The body's circle.
   std::vector<FootPlants> plants;
-  std::vector<bool> is_walking;     ///< Neither stands nor turns on the spot.
+  std::vector<bool> is_walking;  ///< Neither stands nor turns on the spot.
 
   std::size_t frames() const { return part.size(); }
   Vec3 at(std::size_t frame, BodyPart p) const { return part[frame][static_cast<std::size_t>(p)]; }

@@ -33,10 +33,11 @@ constexpr std::array<Segment, 14> segments{{{Hips, Neck, 0.497, 0.5},
                                             {RightKnee, RightAnkle, 0.0465, 0.433},
                                             {LeftAnkle, LeftToeTip, 0.0145, 0.5},
                                             {RightAnkle, RightToeTip, 0.0145, 0.5}}};
-constexpr double gravity = 9.81;  // metres a second squared
-constexpr double smoothing = 0.022;  // seconds: a Gaussian that halves the power at 6 Hz  // seconds: a Gaussian that halves the power at 4 Hz
-constexpr double sole_half_width = 0.045, heel_behind_ankle = 0.055;       // metres
-constexpr double ankle_is_down = 0.035, toe_is_down = 0.02;  // metres above their lowest
+constexpr double gravity = 9.81;     // metres a second squared
+constexpr double smoothing = 0.022;  // seconds: a Gaussian that halves the power at 6 Hz  //
+                                     // seconds: a Gaussian that halves the power at 4 Hz
+constexpr double sole_half_width = 0.045, heel_behind_ankle = 0.055;  // metres
+constexpr double ankle_is_down = 0.035, toe_is_down = 0.02;           // metres above their lowest
 
 /// A segment's middle of mass on the floor and its height, smooth, by frame.
 struct Mass {
@@ -71,9 +72,9 @@ Vec2 zero_moment_point(const std::array<Mass, segments.size()>& masses, std::siz
     const Mass& mass = masses[s];
     const double m = segments[s].mass;
     const double up = acceleration(mass.height, f, rate) + gravity;
-    sum += m * (up * Vec2{mass.x[f], mass.y[f]} -
-                mass.height[f] *
-                    Vec2{acceleration(mass.x, f, rate), acceleration(mass.y, f, rate)});
+    sum +=
+        m * (up * Vec2{mass.x[f], mass.y[f]} -
+             mass.height[f] * Vec2{acceleration(mass.x, f, rate), acceleration(mass.y, f, rate)});
     weight += m * up;
   }
   return sum / weight;
@@ -147,8 +148,7 @@ std::vector<double> outside_the_feet(const TrackedMotion& motion) {
                motion.at(f, feet[side].ankle).y < ankle_rest[side] + ankle_is_down,
                motion.at(f, feet[side].toe).y < toe_rest[side] + toe_is_down, corners);
     if (!corners.empty())
-      distances.push_back(
-          distance_to_hull(zero_moment_point(masses, f, motion.rate), corners));
+      distances.push_back(distance_to_hull(zero_moment_point(masses, f, motion.rate), corners));
   }
   return distances;
 }
