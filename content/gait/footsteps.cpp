@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "content/gait/gait_figures.h"
-#include "content/gait/variation.h"
+#include "runtime/model/motion/variation.h"
 
 namespace docent::gait {
 

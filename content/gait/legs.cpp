@@ -6,7 +6,7 @@
 #include "content/gait/body_motion.h"
 #include "content/gait/gait_figures.h"
 #include "content/gait/gait_skeleton.h"
-#include "content/gait/variation.h"
+#include "runtime/model/motion/variation.h"
 
 namespace docent::gait {
 namespace {

@@ -56,7 +56,7 @@ class BeamSearch {
         goal_(Follower::total(track)),
         same_moment_(static_cast<std::uint32_t>(Follower::same_moment * graph.frame_rate) + 1),
         foresees_(!Follower::table(graph.motion->foresight).empty()),
-        beam_width_((foresees_ ? 1 : 2) * Follower::beam_width),
+        beam_width_((foresees_ ? 1 : Follower::groping) * Follower::beam_width),
         kept_beams_(foresees_ ? 2 : 3) {}
 
   MotionPlan run() {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace docent::gait {
+namespace docent {
 
 /// Small differences between one step and the next: a number in [-1, 1] for each seed, step and
 /// purpose, the same on every machine (SplitMix64, Steele, Lea and Flood 2014).
@@ -29,4 +29,4 @@ inline double fluctuation(std::uint32_t seed, std::int64_t step, std::uint32_t p
   return sum * std::sqrt(3.0 / sources);
 }
 
-}  // namespace docent::gait
+}  // namespace docent
