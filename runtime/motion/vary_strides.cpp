@@ -157,9 +157,8 @@ void vary_strides(const WalkGraph& graph, const StrideVariety& variety, Draft& d
       after = amounts_of(variety.seed, step + 1);
     }
     const double share = eased(steps - static_cast<double>(step));
-    const double whole =
-        share_before_end(graph, frames - 1 - f) *
-        std::lerp(variety.first_share, 1.0, share_before_end(graph, f));
+    const double whole = share_before_end(graph, frames - 1 - f) *
+                         std::lerp(variety.first_share, 1.0, share_before_end(graph, f));
     Amounts amount;
     for (std::size_t p = 0; p < Purposes; ++p)
       amount[p] = whole * std::lerp(before[p], after[p], share);

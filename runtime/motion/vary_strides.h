@@ -14,8 +14,9 @@ ArmsAtEase arms_at_ease(const MotionGraph& motion);
 /// Where a stretch of walking is in what differs from step to step.
 struct StrideVariety {
   std::uint32_t seed = 0;
-  double first_step = 0;   ///< Which step its first frame is in.
-  double first_share = 0;  ///< How much of it is to be seen there, in [0, 1]: nothing of who stands.
+  double first_step = 0;  ///< Which step its first frame is in.
+  double first_share =
+      0;  ///< How much of it is to be seen there, in [0, 1]: nothing of who stands.
 };
 
 /// Steps in a frame, by the clock: what differs glides on while a body stands, too.
@@ -27,8 +28,8 @@ double share_before_end(const WalkGraph& graph, std::size_t frames_left) noexcep
 /// Makes no stride like another, though they play the same clip: how far the arms swing, hang
 /// before the body, are bent and stand off, how the chest is carried and where the head looks
 /// differs from step to step as it does in people, with a memory of tens of steps
-/// (runtime/model/motion/variation.h). Legs and hips stay as they are. It ends as it was, so that who
-/// stands stands as ever.
+/// (runtime/model/motion/variation.h). Legs and hips stay as they are. It ends as it was, so that
+/// who stands stands as ever.
 void vary_strides(const WalkGraph& graph, const StrideVariety& variety, Draft& draft);
 
 /// A seed of where a path leads.
