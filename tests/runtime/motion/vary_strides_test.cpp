@@ -28,8 +28,8 @@ Draft still_pose() {
   Draft draft = empty_draft(walk_graph());
   const Skeleton& skeleton = motion_graph().skeleton;
   std::vector<Quat> pose(skeleton.joint.size(), Quat{1, 0, 0, 0});
-  for (const BodyPart part : {BodyPart::LeftShoulder, BodyPart::RightShoulder, BodyPart::LeftElbow,
-                              BodyPart::RightElbow})
+  for (const BodyPart part :
+       {BodyPart::LeftShoulder, BodyPart::RightShoulder, BodyPart::LeftElbow, BodyPart::RightElbow})
     pose[index_of(skeleton[part])] = glm::angleAxis(-0.4F, Vec3(1, 0, 0));
   for (int f = 0; f < 1200; ++f) {
     draft.walk.root.emplace_back(0, 1, 0);
