@@ -33,8 +33,8 @@ constexpr double walking_half_width = 0.055, standing_half_width = 0.085;
 constexpr double walking_toe_out = 6 * radians, standing_toe_out = 8 * radians;
 
 /// Standard deviations from step to step of healthy adults: shares of length and of time (Hausdorff
-/// 2005; Terrier and Deriaz 2011: 2 to 3 %), metres of width (Owings and Grabiner 2004: 1.5 to 2.5
-/// cm from foot to foot, of which each foot has its share), and of the angle of the foot.
+/// 2005; Terrier and Deriaz 2011: 2 to 3 %), metres of width (Owings and Grabiner 2004: some 2 cm
+/// from foot to foot, of which each foot has its share), and of the angle of the foot.
 constexpr double length_variation = 0.024, time_variation = 0.017, width_variation = 0.009;
 constexpr double yaw_variation = 1.3 * radians;
 

@@ -26,7 +26,7 @@ enum Purpose : std::uint32_t {
 };
 
 constexpr double degree = 0.017453292519943295;
-/// Standard deviations: shares of swing and bend (Mirelman et al. 2016: 10 to 20 %), else radians.
+/// Standard deviations: shares of swing and bend (of recorded walks 8 to 14 %), else radians.
 constexpr double farthest_off = 1.8;  ///< Standard deviations.
 constexpr double chest_facing = 2.1 * degree, chest_tilt = 1.3 * degree, chest_side = 0.8 * degree,
                  head_facing = 2.2 * degree, head_tilt = 1.3 * degree, arm_swing = 0.17,
