@@ -175,7 +175,7 @@ FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
   pose.ankle = ball - glm::dvec3{forward.x * z, y, forward.y * z};
 
   // The toes leave the floor last, then straighten.
-  pose.toe_pitch = pose.pitch * ease(u / 0.30);
+  pose.toe_pitch = pose.pitch * ease(u / 0.52);
   return pose;
 }
 
