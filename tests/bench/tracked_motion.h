@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "runtime/model/motion/motion_graph.h"
@@ -27,7 +28,7 @@ struct TrackedMotion {
     return side == Side::Left ? plants[frame].left : plants[frame].right;
   }
   std::size_t frames_in(double seconds) const {
-    return static_cast<std::size_t>(seconds * rate + 0.5);
+    return static_cast<std::size_t>(std::lround(seconds * rate));
   }
 };
 
