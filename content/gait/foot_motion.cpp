@@ -13,9 +13,9 @@ namespace docent::gait {
 namespace {
 
 /// Speed of the heel at the end of a full swing, metres a second (adults; Winter 1992: 0.4 to 1).
-constexpr double strike_speed = 0.55;
+constexpr double strike_speed = 0.12;
 /// By how much of a stride the foot is ahead of the smoothest motion, at most.
-constexpr double early_progress = 0.085;
+constexpr double early_progress = 0.06;
 
 /// Seconds of a whole cycle, for the shares of stance: stance takes 60 % of it.
 double cycle_of(const Footstep& step) {
@@ -175,7 +175,7 @@ FootPose swing_pose(const Footstep& from, const Footstep& to, double time) {
   pose.ankle = ball - glm::dvec3{forward.x * z, y, forward.y * z};
 
   // The toes leave the floor last, then straighten.
-  pose.toe_pitch = pose.pitch * ease(u / 0.30);
+  pose.toe_pitch = pose.pitch * ease(u / 0.52);
   return pose;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "content/gait/gait_figures.h"
-#include "content/gait/variation.h"
+#include "runtime/model/motion/variation.h"
 
 namespace docent::gait {
 
@@ -32,11 +32,11 @@ constexpr std::int64_t steps_each_way = 11;
 constexpr double walking_half_width = 0.055, standing_half_width = 0.085;
 constexpr double walking_toe_out = 6 * radians, standing_toe_out = 8 * radians;
 
-/// Variation from step to step: standard figures for healthy adults are 2 to 3 % of step length,
-/// 2 % of step time, 2 cm of width (Hausdorff 2005). These are half ranges of a flat distribution:
-/// shares of length and time, metres of width.
-constexpr double length_variation = 0.03, time_variation = 0.02, width_variation = 0.008;
-constexpr double yaw_variation = 1.6 * radians;
+/// Standard deviations from step to step of healthy adults: shares of length and of time (Hausdorff
+/// 2005; Terrier and Deriaz 2011: 2 to 3 %), metres of width (Owings and Grabiner 2004: some 2 cm
+/// from foot to foot, of which each foot has its share), and of the angle of the foot.
+constexpr double length_variation = 0.024, time_variation = 0.017, width_variation = 0.009;
+constexpr double yaw_variation = 1.3 * radians;
 
 enum Purpose : std::uint32_t { Length, Time, Width, Yaw };
 
@@ -68,11 +68,19 @@ struct Beat {
   double length = 1;  ///< Of the step that ends here, as a share of a full step.
 };
 
+/// Seconds of a step in a bend that slows the walker down to `speed`: people shorten their strides
+/// there and hardly lower their cadence (Courtine and Schieppati 2003).
+double duration_in_bend(const GaitPlan& plan, double speed) {
+  constexpr double slower = 0.15;
+  return step_duration(plan.speed) * std::pow(plan.speed / speed, slower);
+}
+
 double varied_length(const GaitPlan& plan, double speed, std::int64_t step) {
-  return step_length(speed) * (1 + length_variation * variation(plan.seed, step, Length));
+  return speed * duration_in_bend(plan, speed) *
+         (1 + length_variation * fluctuation(plan.seed, step, Length));
 }
 double varied_duration(const GaitPlan& plan, double speed, std::int64_t step) {
-  return step_duration(speed) * (1 + time_variation * variation(plan.seed, step, Time));
+  return duration_in_bend(plan, speed) * (1 + time_variation * fluctuation(plan.seed, step, Time));
 }
 
 /// The middle beat is at s = 0 and time 0; the others follow from it in both directions.
@@ -209,8 +217,8 @@ std::vector<Footstep> plan_footsteps(const GaitPlan& plan) {
     step.heading = way.heading(beat.s);
     // Where the line bends towards this foot its toes lead; away from it, they follow.
     step.yaw = way.heading(beat.s + ahead) + side * beat.toe_out +
-               yaw_variation * variation(plan.seed, number, Yaw);
-    const double width = beat.half_width + width_variation * variation(plan.seed, number, Width);
+               yaw_variation * fluctuation(plan.seed, number, Yaw);
+    const double width = beat.half_width + width_variation * fluctuation(plan.seed, number, Width);
     step.ankle = way.place(beat.s) + left_of_heading(step.heading) * (side * width);
     step.strike = beat.strike;
     step.length_in = beat.length;

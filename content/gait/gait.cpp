@@ -118,6 +118,8 @@ std::vector<GaitRecipe> default_clips() {
       {"turn-right-90", turn(-90, 1.65, 0.86, 21), middle(503), 503},
       {"turn-left-45", turn(45, 1.35, 0.97, 34), middle(441), 441},
       {"turn-right-45", turn(-45, 1.40, 0.97, 55), middle(444), 444},
+      {"corner-left-130", turn(130, 0.70, 0.50, 89), middle(400), 400},
+      {"corner-right-130", turn(-130, 0.70, 0.50, 144), middle(400), 400},
   };
 }
 

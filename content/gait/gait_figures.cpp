@@ -11,8 +11,21 @@ namespace {
 
 // Of healthy adults, from the sources in the header: degrees by share of the cycle (loading,
 // release) or of swing (pitch). `rise` is in metres, of the walker of 1.70 m, by share of swing.
-constexpr std::array<Knot, 7> loading{
-    {{0.00, 1}, {0.04, 7}, {0.09, 13.5}, {0.135, 15}, {0.20, 12}, {0.30, 6}, {0.42, 0}}};
+constexpr std::array<Knot, 15> loading{{{-0.22, 55},
+                                        {-0.18, 46},
+                                        {-0.14, 34},
+                                        {-0.11, 24},
+                                        {-0.08, 14.5},
+                                        {-0.05, 7.5},
+                                        {-0.02, 3.2},
+                                        {0.00, 2.4},
+                                        {0.03, 5.4},
+                                        {0.07, 10.8},
+                                        {0.11, 14.2},
+                                        {0.14, 15},
+                                        {0.20, 12},
+                                        {0.30, 6},
+                                        {0.42, 0}}};
 constexpr std::array<Knot, 6> release{
     {{-0.22, 0}, {-0.16, 4}, {-0.11, 12}, {-0.06, 23}, {-0.02, 32}, {0.0, 36}}};
 constexpr std::array<Knot, 5> pitch{{{0.12, -66}, {0.28, -51}, {0.46, -21}, {0.64, 2}, {0.84, 20}}};

@@ -37,8 +37,8 @@ inline constexpr Harmonics thorax_obliquity{0, 1.2, 0.60, 0.3, 0.1};
 inline constexpr Harmonics thorax_tilt{2.5, 0, 0, 0.9, 0.55};
 /// The arm over the cycle of its own side's foot: furthest back at heel strike, furthest forward
 /// half a cycle later.
-inline constexpr Harmonics shoulder_flexion{-3.0, 14.0, 0.52, 0.8, 0.1};
-inline constexpr Harmonics elbow_flexion{24.0, 9.5, 0.55, 1.5, 0.1};
+inline constexpr Harmonics shoulder_flexion{-3.0, 8.0, 0.52, 0.5, 0.1};
+inline constexpr Harmonics elbow_flexion{24.0, 6.5, 0.55, 1.0, 0.1};
 
 /// A knot of a curve: the share of the cycle or of swing, and the value there.
 struct Knot {

@@ -6,7 +6,7 @@
 #include "content/gait/body_motion.h"
 #include "content/gait/gait_figures.h"
 #include "content/gait/gait_skeleton.h"
-#include "content/gait/variation.h"
+#include "runtime/model/motion/variation.h"
 
 namespace docent::gait {
 namespace {
@@ -32,10 +32,30 @@ double normative_knee(const Footstep& step, double time) {
                    release * std::min(step.length_out, 1.1));
 }
 
+/// Seconds before its foot strikes in which a leg begins to hold the body.
+constexpr double takes_over_before = 0.23;
+
+/// The placing that a foot stands on, or is about to.
 const Footstep& placing_at(std::span<const Footstep> placings, double time) {
   std::size_t k = 0;
-  while (k + 1 < placings.size() && placings[k + 1].strike <= time) ++k;
+  while (k + 1 < placings.size() && placings[k + 1].strike - takes_over_before <= time) ++k;
   return placings[k];
+}
+
+/// The left leg's share in how high the body is held; the rest is the right one's. A leg takes over
+/// before its foot strikes and not when the weight comes onto it, so that it meets the ground bent
+/// and ready to yield: near straight, a millimetre of height is two degrees of the knee.
+double hold_of_left(std::span<const Footstep> steps, double time, const Loading& loading,
+                    std::size_t frame) {
+  constexpr double step_time = 0.36;  // seconds in which no other foot is about to strike
+  for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
+    const Footstep& step = steps[k];
+    const double since = time - step.strike;
+    if (stands_from_the_start(step) || since < -takes_over_before || since > step_time) continue;
+    const double share = ease(1 + since / takes_over_before);
+    return step.foot == Side::Left ? share : 1 - share;
+  }
+  return loading.left[frame];
 }
 
 /// Metres over the floor: where a leg holds the root, and beyond which it cannot reach.
@@ -122,17 +142,18 @@ std::vector<glm::dvec3> root_places(std::span<const Footstep> steps, const Pace&
         mass_ahead_standing + pace.vigour[f] * (mass_ahead_walking - mass_ahead_standing);
     ground[f] = mass[f] - forward_of(pace.heading[f]) * mass_ahead;
     const glm::dquat pelvis = upper_body_at(pace, f, seed).pelvis;
+    const double left = hold_of_left(steps, time, pace.loading, f);
     for (std::size_t side = 0; side < 2; ++side) {
       const double out = side == 0 ? 1 : -1;
       const glm::dvec3 hip = pelvis * glm::dvec3{out * walker::hip_half, -walker::hip_drop, 0};
-      const double share = side == 0 ? pace.loading.left[f] : pace.loading.right[f];
+      const double share = side == 0 ? left : 1 - left;
       const double knee = normative_knee(placing_at(placings[side], time), time);
       const Support support = support_of(hip, ground[f], foot_at(placings[side], time), knee);
       height[f] += share * support.held;
       highest[f] = std::min(highest[f], support.highest);
     }
   }
-  smooth(height, times.rate, 0.032);
+  smooth(height, times.rate, 0.012);
   keep_below(height, highest, times.rate, 0.028);
   std::vector<glm::dvec3> places;
   places.reserve(times.count);

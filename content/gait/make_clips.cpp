@@ -1,4 +1,4 @@
-// Writes the seven default clips as BVH files into a folder: make_clips content/clips
+// Writes the default clips as BVH files into a folder: make_clips content/clips
 
 #include <fmt/format.h>
 

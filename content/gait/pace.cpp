@@ -31,11 +31,15 @@ std::vector<double> sampled(const KnottedCurve& track, const FrameTimes& times, 
 
 /// Into the bend, radians, by as much of the centripetal force as the trunk takes; the legs take
 /// the rest. Speed and gravity in metres and seconds.
-std::vector<double> lean_of(const std::vector<double>& heading, double rate) {
-  constexpr double share_of_trunk = 0.55, speed = 0.95, gravity = 9.81;
+std::vector<double> lean_of(const Pace& pace) {
+  constexpr double share_of_trunk = 0.55, full_speed = 1.05, gravity = 9.81;
+  const std::vector<double>& heading = pace.heading;
+  const double rate = pace.times.rate;
   std::vector<double> lean(heading.size());
-  for (std::size_t f = 1; f < heading.size(); ++f)
+  for (std::size_t f = 1; f < heading.size(); ++f) {
+    const double speed = full_speed * pace.vigour[f];
     lean[f] = share_of_trunk * std::atan((heading[f] - heading[f - 1]) * rate * speed / gravity);
+  }
   smooth(lean, rate, 0.10);
   return lean;
 }
@@ -70,7 +74,7 @@ Pace pace_of(std::span<const Footstep> steps, const FrameTimes& times) {
             .heading = sampled(heading, times, 0.13),
             .lean = {},
             .loading = loading_of(steps, times)};
-  pace.lean = lean_of(pace.heading, times.rate);
+  pace.lean = lean_of(pace);
   return pace;
 }
 

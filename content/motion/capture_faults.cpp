@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "content/import/motion/motion_file.h"
 #include "content/motion/fill_gap.h"
@@ -10,13 +12,28 @@
 namespace docent::motion::offline {
 namespace {
 
-/// The least leap that is a fault, in metres from one frame to the next.
-double least_leap(const Skeleton& skeleton, double frame_rate) {
-  constexpr double impossible = 800;  // m/s2, for an adult
+/// The joints from the head down to the root: what carries them is heavy.
+std::vector<bool> trunk_of(const Skeleton& skeleton) {
+  std::vector<bool> trunk(skeleton.joint.size());
+  for (JointIndex j = skeleton[BodyPart::HeadTop] == JointIndex::None ? skeleton[BodyPart::Head]
+                                                                      : skeleton[BodyPart::HeadTop];
+       j != JointIndex::None; j = skeleton.joint[index_of(j)].parent)
+    trunk[index_of(j)] = true;
+  return trunk;
+}
+
+/// The least leaps that are faults, in metres from one frame to the next, by joint.
+std::vector<double> least_leaps(const Skeleton& skeleton, double frame_rate) {
+  constexpr double impossible = 800, impossible_of_trunk = 250;  // m/s2, for an adult
   const double seconds = 1 / frame_rate;
+  std::vector<double> leaps;
   // At low rates the same acceleration is a large distance, but a joint never errs by less than
   // the noise of capture.
-  return std::max(0.01, impossible * seconds * seconds) * size_of(skeleton);
+  for (const bool is_trunk : trunk_of(skeleton))
+    leaps.push_back(
+        std::max(0.01, (is_trunk ? impossible_of_trunk : impossible) * seconds * seconds) *
+        size_of(skeleton));
+  return leaps;
 }
 
 /// Leaps this close, in frames, are one fault.
@@ -33,14 +50,14 @@ double leap_of(const JointPositions& track, std::size_t frame, std::size_t joint
 /// The faults from the first to the last frame in which something leaps.
 std::vector<CaptureFault> find_leaps(const Skeleton& skeleton, const MotionClip& clip,
                                      const JointPositions& track) {
-  const double limit = least_leap(skeleton, clip.frame_rate);
+  const std::vector<double> limit = least_leaps(skeleton, clip.frame_rate);
   std::vector<CaptureFault> faults;
   for (std::uint32_t f = 1; f + 1 < frame_count(clip); ++f) {
     CaptureFault here{.first = f, .last = f};
     for (std::size_t j = 0; j < track.joints; ++j)
-      if (const double off = leap_of(track, f, j); off > here.metres)
+      if (const double off = leap_of(track, f, j); off >= limit[j] && off > here.metres)
         here.metres = off, here.joint = j;
-    if (here.metres < limit) continue;
+    if (here.metres == 0) continue;
     if (!faults.empty() && f - faults.back().last <= bridge(clip)) {
       CaptureFault& fault = faults.back();
       fault.last = f;
@@ -60,12 +77,12 @@ struct Throwers {
 };
 
 Throwers find_throwers(const Skeleton& skeleton, const CaptureFault& fault,
-                       const JointPositions& track, double limit) {
+                       const JointPositions& track, const std::vector<double>& limit) {
   // What moves a quarter as far as the limit moves with what is thrown.
   std::vector<bool> thrown(track.joints);
   for (std::uint32_t f = fault.first; f <= fault.last; ++f)
     for (std::size_t j = 0; j < track.joints; ++j)
-      if (leap_of(track, f, j) > 0.25 * limit) thrown[j] = true;
+      if (leap_of(track, f, j) > 0.25 * limit[j]) thrown[j] = true;
   Throwers throwers{.turns = std::vector<bool>(track.joints), .body = thrown[0]};
   for (std::size_t j = 1; j < track.joints; ++j)
     if (thrown[j]) throwers.turns[index_of(skeleton.joint[j].parent)] = true;
@@ -83,13 +100,42 @@ void place_again(const Skeleton& skeleton, const MotionClip& clip, const Gap& ga
   }
 }
 
-/// Does anything leap in the frames of a gap, or where it meets the sound ones?
-bool is_sound(const Gap& gap, const MotionClip& clip, const JointPositions& track, double limit) {
-  const std::int64_t begin = std::max<std::int64_t>(gap.first - 1, 1);
-  const std::int64_t end = std::min<std::int64_t>(gap.last + 2, frame_count(clip) - 1);
-  for (std::int64_t f = begin; f < end; ++f)
-    for (std::size_t j = 0; j < track.joints; ++j)
-      if (leap_of(track, static_cast<std::size_t>(f), j) >= limit) return false;
+/// How a mended part must be.
+enum class Demand : std::uint8_t {
+  Sound,  ///< Nothing leaps in it, or where it meets the rest.
+  Calm,   ///< And neither does the trunk bend within a thirtieth of a second as no walker's does.
+};
+
+/// How sharply the way of a joint bends within a time, at most; metres.
+double sharpest_bend(const JointPositions& track, std::size_t joint, std::size_t first,
+                     std::size_t end, std::size_t step) {
+  double most = 0;
+  for (std::size_t f = std::max(first, step);
+       f + step < track.place.size() / track.joints && f < end; ++f) {
+    const Vec3 course = 0.5f * (track.at(f - step, joint) + track.at(f + step, joint));
+    most = std::max(most, 2 * static_cast<double>(glm::distance(track.at(f, joint), course)));
+  }
+  return most;
+}
+
+bool meets(Demand demand, const Skeleton& skeleton, const Gap& gap, const MotionClip& clip,
+           const JointPositions& track) {
+  constexpr double sharp = 22;  // m/s2
+  constexpr double bend_seconds = 1.0 / 30;
+  const std::vector<double> limit = least_leaps(skeleton, clip.frame_rate);
+  const auto begin = static_cast<std::size_t>(std::max<std::int64_t>(gap.first - 1, 1));
+  const auto end =
+      static_cast<std::size_t>(std::min<std::int64_t>(gap.last + 2, frame_count(clip) - 1));
+  for (std::size_t j = 0; j < track.joints; ++j)
+    if (sharpest_bend(track, j, begin, end, 1) >= limit[j]) return false;
+  if (demand == Demand::Sound) return true;
+  const std::uint32_t step = frames_in(bend_seconds, clip.frame_rate);
+  const double most = sharp * bend_seconds * bend_seconds * size_of(skeleton);
+  const std::vector<bool> trunk = trunk_of(skeleton);
+  for (std::size_t j = 0; j < track.joints; ++j)
+    if (trunk[j] && sharpest_bend(track, j, begin - std::min<std::size_t>(begin, step), end + step,
+                                  step) > most)
+      return false;
   return true;
 }
 
@@ -112,11 +158,11 @@ void put_back(const Kept& kept, const Gap& gap, MotionClip& clip) {
                                        gap.first * static_cast<std::int64_t>(clip.joint_count));
 }
 
-bool fill_gap(const Skeleton& skeleton, const CaptureFault& fault, const Gap& gap, MotionClip& clip,
-              JointPositions& track) {
-  const double limit = least_leap(skeleton, clip.frame_rate);
+bool fill_gap(const Skeleton& skeleton, const CaptureFault& fault, const Gap& gap, Demand demand,
+              MotionClip& clip, JointPositions& track) {
   if (gap.before < 0 && gap.after < 0) return false;
-  const Throwers throwers = find_throwers(skeleton, fault, track, limit);
+  const Throwers throwers =
+      find_throwers(skeleton, fault, track, least_leaps(skeleton, clip.frame_rate));
   const Kept kept = keep(clip, gap);
   const std::int64_t frames = frame_count(clip);
   if (throwers.body) fill(gap, Channel<Vec3>{.values = clip.root}, frames);
@@ -125,21 +171,26 @@ bool fill_gap(const Skeleton& skeleton, const CaptureFault& fault, const Gap& ga
       fill(gap, Channel<Quat>{.values = clip.rotation, .stride = clip.joint_count, .offset = j},
            frames);
   place_again(skeleton, clip, gap, track);
-  if (is_sound(gap, clip, track, limit)) return true;
+  if (meets(demand, skeleton, gap, clip, track)) return true;
   put_back(kept, gap, clip);
   place_again(skeleton, clip, gap, track);
   return false;
 }
 
-/// The frames beside a fault may be a little wrong, too, and their speeds very much.
+/// The frames beside a fault may be a little wrong, too, and their speeds very much. Where a trunk
+/// was thrown, it also takes a while to come back.
 bool mend(const Skeleton& skeleton, const CaptureFault& fault, MotionClip& clip,
           JointPositions& track) {
-  const std::int64_t most = frames_in(0.04, clip.frame_rate);
-  for (std::int64_t more = 0; more <= most; ++more)
-    if (fill_gap(skeleton, fault, gap_of(fault.first, fault.last, frame_count(clip), more), clip,
-                 track))
-      return true;
-  return false;
+  const auto widened = [&](Demand demand, double seconds) {
+    const std::int64_t most = frames_in(seconds, clip.frame_rate);
+    for (std::int64_t more = 0; more <= most; ++more)
+      if (fill_gap(skeleton, fault, gap_of(fault.first, fault.last, frame_count(clip), more),
+                   demand, clip, track))
+        return true;
+    return false;
+  };
+  if (trunk_of(skeleton)[fault.joint] && widened(Demand::Calm, 0.12)) return true;
+  return widened(Demand::Sound, 0.04);
 }
 
 }  // namespace

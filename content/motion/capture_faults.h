@@ -17,8 +17,9 @@ struct CaptureFault {
 
 /// Finds the faults of a clip, in order. A joint's place should be close to the middle of the
 /// frames before and after; what departs from it faster than any muscle moves a hand (800 m/s2; a
-/// pitcher's hand reaches about half of that) is a fault, and so are the frames between two such
-/// leaps. A leap within a tenth of a second of an end of the clip parts that end from the rest.
+/// pitcher's hand reaches about half of that) or anything a head and its trunk (250 m/s2) is a
+/// fault, and so are the frames between two such leaps. A leap within a tenth of a second of an end
+/// of the clip parts that end from the rest.
 std::vector<CaptureFault> find_capture_faults(const Skeleton& skeleton, const MotionClip& clip,
                                               const JointPositions& track);
 

@@ -23,7 +23,8 @@ double turn_acceleration(const MotionClip& clip, std::size_t joint, std::size_t 
   const Quat course = towards(turn(frame - 1), here) + towards(turn(frame + 1), here);
   const double length = glm::length(course);
   if (length < 1e-6) return 0;  // A turn and its opposite, which only a clip of three frames has.
-  const double along = std::min(1.0, std::abs(static_cast<double>(glm::dot(here, course))) / length);
+  const double along =
+      std::min(1.0, std::abs(static_cast<double>(glm::dot(here, course))) / length);
   return 2 * 2 * std::acos(along) * clip.frame_rate * clip.frame_rate;
 }
 

@@ -22,6 +22,7 @@ namespace docent::motion {
 /// heading error fades over the distance in which a warp takes it up.
 struct WarpedFollower {
   static constexpr std::size_t beam_width = 6;
+  static constexpr std::size_t groping = 2;   ///< Times as wide a beam where nothing is foreseen.
   static constexpr double same_moment = 0.1;  ///< Seconds within which clips go on alike.
   static constexpr std::size_t slice = warped_slice;
   static constexpr double forgetting = 0.7;  ///< Metres.
@@ -73,6 +74,7 @@ struct WarpedFollower {
 /// Follows a track with the clips' own motion: `progress` is metres of path.
 struct RawFollower {
   static constexpr std::size_t beam_width = 20;
+  static constexpr std::size_t groping = 1;
   static constexpr double same_moment = 0;
   static constexpr std::size_t slice = raw_slice;
   static constexpr double side_weight = 6.0;     ///< Square radians per square metre.

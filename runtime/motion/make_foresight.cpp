@@ -27,7 +27,7 @@ PathTrack bend_track(double bend) {
     track.position.push_back(
         std::abs(turn) < 1e-9 ? Vec2{along, 0} : Vec2{std::sin(turn), 1 - std::cos(turn)} / bend);
     track.heading.push_back(turn);
-    track.stride.push_back(1);
+    track.stride.push_back(1), track.cadence.push_back(1);
     track.effort.push_back(along);
   }
   return track;

@@ -12,6 +12,7 @@
 #include "runtime/motion/smoothing.h"
 #include "runtime/motion/speed_limit.h"
 #include "runtime/motion/steps.h"
+#include "runtime/motion/vary_strides.h"
 #include "runtime/motion/walk.h"
 #include "runtime/motion/walk_graph.h"
 #include "runtime/motion/warp.h"
@@ -58,6 +59,7 @@ class WalkMaker {
     if (request_.previous && request_.previous->root.empty())
       return std::unexpected(Error{Errc::InvalidInput, "the walk to go on from is empty"});
     begin();
+    begin_variety();
     if (is_walking_)
       go_on_walking();
     else
@@ -88,6 +90,28 @@ class WalkMaker {
     momentum_ = momentum_of(graph_, graph_.before_walking, body);
     lead_in_ = glm::distance(body.position, path_.front());
     if (lead_in_ > shortest_way) path_.insert(path_.begin(), body.position);
+  }
+
+  /// What differs from step to step goes on where the walk before left it.
+  void begin_variety() {
+    walk_.seed = seed_of(path_);
+    if (!request_.previous) return;
+    const Walk& before = *request_.previous;
+    const auto frame = std::min(request_.previous_frame, frame_count(before) - 1);
+    walk_.seed = before.seed;
+    walk_.first_step = before.first_step + steps_a_frame(graph_) * frame;
+    if (is_walking_) first_share_ = share_before_end(graph_, frame_count(before) - 1 - frame);
+  }
+
+  StrideVariety variety() const {
+    const bool is_first = walk_.root.empty();
+    return {walk_.seed, walk_.first_step + steps_a_frame(graph_) * frame_count(walk_),
+            is_first ? first_share_ : 0};
+  }
+
+  /// Feet come down elsewhere in each walk.
+  std::uint32_t foot_seed() const {
+    return walk_.seed ^ static_cast<std::uint32_t>(variety().first_step);
   }
 
   TrackPace pace() const {
@@ -193,7 +217,8 @@ class WalkMaker {
         play(graph_, plan, compose(momentum_.body, inverse(first.body[plan.start.frame])));
     Draft draft = request_.fidelity == Fidelity::Raw
                       ? as_it_is(graph_, sequence)
-                      : warp_onto(graph_, sequence, track, momentum_);
+                      : warp_onto(graph_, sequence, track, momentum_, foot_seed());
+    if (exact) vary_strides(graph_, variety(), draft);
     draft.walk.transitions = static_cast<std::uint32_t>(plan.transitions.size());
     draft.walk.expanded = plan.expanded;
     draft.walk.considered = plan.considered;
@@ -242,7 +267,8 @@ class WalkMaker {
   Momentum momentum_;
   ClipFrame source_;
   bool is_walking_ = false;
-  double lead_in_ = 0;  ///< Metres walked before the asked path begins.
+  double first_share_ = 0;  ///< Of what differs from step to step, when it begins.
+  double lead_in_ = 0;      ///< Metres walked before the asked path begins.
   Walk walk_;
 };
 

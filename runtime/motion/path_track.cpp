@@ -11,7 +11,10 @@ namespace {
 constexpr double sample_spacing = 0.02;    // metres
 constexpr double corner_rounding = 0.10;   // metres: standard deviation of the positions' bell
 constexpr double heading_rounding = 0.22;  // metres: a walker begins to turn before the corner
-constexpr double slowest_stride = 0.45;    // share of the clips' stride (and cadence)
+constexpr double slowest = 0.2;            // share of the clips' speed
+constexpr double least_cadence = 0.95;     // share of the clips' where a walker is slowest: people
+                                           // turn by short steps, not by slow ones
+constexpr double bend_acceleration = 1.5;  // metres a second squared that a body turns by
 constexpr double joining_way = 0.7;        // metres in which a moving body gets onto its track,
 constexpr double joining_care = 0.6;       // slower by this share for each radian that it turns
 constexpr double braking = 1.2;            // metres a second squared
@@ -49,13 +52,18 @@ std::vector<double> headings(std::span<const Vec2> points) {
 std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) {
   const std::size_t count = track.heading.size();
   std::vector<double> share(count, 1.0);
-  const double slowest = slowest_stride * slowest_stride;
   std::ranges::fill(share, std::clamp(pace.most_share, slowest, 1.0));
   for (std::size_t next = 1; next < count; ++next) {
     const double bend = std::abs(track.heading[next] - track.heading[next - 1]) / track.spacing;
     if (bend * pace.speed > pace.turning_rate)
       share[next - 1] =
           std::min(share[next - 1], std::max(slowest, pace.turning_rate / (bend * pace.speed)));
+  }
+  const std::vector<double> direction = headings(track.position);
+  for (std::size_t next = 1; next < count; ++next) {
+    const double bend = std::abs(direction[next] - direction[next - 1]) / track.spacing;
+    const double fastest = std::sqrt(bend_acceleration / std::max(bend, 1e-6)) / pace.speed;
+    share[next - 1] = std::min(share[next - 1], std::max(slowest, fastest));
   }
   const double careful = std::max(0.5, 1 - joining_care * std::abs(pace.first_turn));
   const auto joining = static_cast<std::size_t>(joining_way / track.spacing);
@@ -87,7 +95,10 @@ PathTrack make_path_track(std::span<const Vec2> path, const TrackPace& pace) {
   track.position = smooth_pinned(points, kernel_over(corner_rounding));
   track.heading = smooth_held(headings(points), kernel_over(heading_rounding));
   track.stride = speed_shares(track, pace);
-  for (double& share : track.stride) share = std::sqrt(share);
+  for (double& share : track.stride) {
+    track.cadence.push_back(least_cadence + (1 - least_cadence) * share);
+    share /= track.cadence.back();
+  }
   track.effort.resize(track.stride.size());
   for (std::size_t i = 1; i < track.effort.size(); ++i)
     track.effort[i] =
@@ -122,6 +133,7 @@ TrackPoint at_effort(const PathTrack& track, double effort, std::size_t& hint) n
   point.placement.heading = glm::mix(track.heading[i], track.heading[i + 1], t);
   point.along = track.spacing * (static_cast<double>(i) + t);
   point.stride = glm::mix(track.stride[i], track.stride[i + 1], t);
+  point.cadence = glm::mix(track.cadence[i], track.cadence[i + 1], t);
   return point;
 }
 

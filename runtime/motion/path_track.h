@@ -22,13 +22,15 @@ struct TrackPace {
 /// rounded (by at most 7 cm at a right angle and 8 cm at a full turn; a path along a circle of 0.5
 /// m radius is missed by 1 cm), its two ends kept.
 ///
-/// A walker takes shorter and slower strides where the heading turns quickly. `effort` measures the
-/// track in metres of the clips' own stride: walking one metre of effort covers `stride` metres.
+/// A walker takes shorter strides where the heading turns quickly, and nearly as many a second.
+/// `effort` measures the track in metres of the clips' own stride: walking one metre of effort
+/// covers `stride` metres.
 struct PathTrack {
   double spacing = 0;           ///< Metres of path between samples.
   std::vector<Vec2> position;   ///< Floor frame.
   std::vector<double> heading;  ///< Radians, unwrapped.
-  std::vector<double> stride;   ///< In (0, 1], also the share of the ordinary cadence.
+  std::vector<double> stride;   ///< In (0, 1]: share of the clips' stride,
+  std::vector<double> cadence;  ///< and of their cadence, likewise.
   std::vector<double> effort;   ///< Metres from the beginning; strictly increasing.
 
   double length() const noexcept { return spacing * static_cast<double>(position.size() - 1); }
@@ -38,7 +40,7 @@ struct PathTrack {
 struct TrackPoint {
   Placement placement;
   double along = 0;  ///< Metres of path.
-  double stride = 1;
+  double stride = 1, cadence = 1;
 };
 
 /// Needs at least two different points; coincident neighbours are harmless.

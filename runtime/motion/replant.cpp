@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/model/motion/variation.h"
 #include "runtime/motion/placement.h"
 #include "runtime/motion/rotation.h"
 #include "runtime/motion/smoothing.h"
@@ -43,7 +44,9 @@ struct Contact {
 
 constexpr float take_over_seconds = 0.3f;
 constexpr float steering_seconds =
-    0.3f;                           // before landing, in which a foot can still be led elsewhere
+    0.3f;  // before landing, in which a foot can still be led elsewhere
+constexpr float settled_seconds =
+    0.6f;                           // after which a motion that goes on from another is its own
 constexpr float free_twist = 0.3f;  // radians between foot and body that a leg takes easily
 constexpr float twist_give = 0.2f;  // radians over which the foot begins to turn on its ball
 constexpr float hip_give = 0.09f;   // metres that hips sink at most to let a foot stay
@@ -70,6 +73,28 @@ class Replanting {
       while (end < contact.size() && contact[end] == contact[f]) ++end;
       if (contact[f]) contacts_.push_back(anchored(f, end));
       f = end;
+    }
+  }
+
+  /// Sets feet down a little off, lengthwise and to the side: standard deviations of healthy adults
+  /// (Owings and Grabiner 2004), of which each of two feet has its share. One that begins or ends
+  /// standing stays.
+  void vary(Side side, std::uint32_t seed) {
+    enum Purpose : std::uint32_t { Along, Aside, Facing, Purposes };
+    constexpr double along = 0.012, aside = 0.008, facing = 0.022;  // metres, radians
+    constexpr double farthest = 1.8;                                // standard deviations
+    const auto off = [&](std::size_t step, std::uint32_t purpose) {
+      const auto own = purpose + Purposes * static_cast<std::uint32_t>(index_of(side));
+      return std::clamp(fluctuation(seed, static_cast<std::int64_t>(step), own), -farthest,
+                        farthest);
+    };
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      Contact& c = contacts_[k];
+      if (static_cast<float>(c.first) < rate_ * settled_seconds || c.end == feet_.size()) continue;
+      const Vec2 way =
+          turned({along * off(k, Along), aside * off(k, Aside)}, static_cast<double>(c.heading));
+      c.anchor += to_world(way, 0);
+      c.heading += static_cast<float>(facing * off(k, Facing));
     }
   }
 
@@ -247,10 +272,12 @@ double foot_heading(const Leg& leg, const Foot& foot) noexcept {
 }
 
 void replant(const WalkGraph& graph, Side side, std::span<Foot> feet, std::span<const Vec3> hips,
-             std::vector<bool>& contact, const FootStart& start, bool starts_planted) {
+             std::vector<bool>& contact, const FootStart& start, bool starts_planted,
+             std::uint32_t seed) {
   if (feet.empty()) return;
   Replanting work(graph, side, feet);
   work.find_contacts(contact);
+  work.vary(side, seed);
   work.start_from(start, starts_planted);
   work.release_out_of_reach(hips, contact);
   work.apply();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,11 @@ struct FootStart {
 /// plant gets one place (its own mean, or `start` where it goes on from there), level ground and
 /// one heading. Between foot plants the difference is bridged by a curve without kinks, so that the
 /// foot leaves and lands as it did. A foot plant out of the leg's reach is cut short: the foot is
-/// lifted earlier.
+/// lifted earlier. Each place but the first and the last is a little off, as no two steps of a
+/// person are alike: by what `seed` says.
 void replant(const WalkGraph& graph, Side side, std::span<Foot> feet, std::span<const Vec3> hips,
-             std::vector<bool>& contact, const FootStart& start, bool starts_planted);
+             std::vector<bool>& contact, const FootStart& start, bool starts_planted,
+             std::uint32_t seed);
 
 /// How far a hip joint must sink for the ankle to be within `reach` of it, metres; 0 where the
 /// ankle is within reach already.

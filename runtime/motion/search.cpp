@@ -55,7 +55,9 @@ class BeamSearch {
         starts_(starts),
         goal_(Follower::total(track)),
         same_moment_(static_cast<std::uint32_t>(Follower::same_moment * graph.frame_rate) + 1),
-        kept_beams_(Follower::table(graph.motion->foresight).empty() ? 3 : 2) {}
+        foresees_(!Follower::table(graph.motion->foresight).empty()),
+        beam_width_((foresees_ ? 1 : Follower::groping) * Follower::beam_width),
+        kept_beams_(foresees_ ? 2 : 3) {}
 
   MotionPlan run() {
     buckets_.resize(static_cast<std::size_t>((goal_ + largest_overshoot) / bucket_size) + 1);
@@ -172,7 +174,7 @@ class BeamSearch {
       Bucket& bucket = buckets_[i];
       bucket.scope = std::max(bucket.scope, scope);
       bucket.limit = infinity;
-      if (bucket.done.size() >= Follower::beam_width)
+      if (bucket.done.size() >= beam_width_)
         bucket.limit = std::ranges::max(bucket.done, {}, &Done::rank).rank;
     }
     scope_ = std::max(scope_, scope);
@@ -224,9 +226,9 @@ class BeamSearch {
     State<Follower>& state = bucket.states.emplace_back(walker);
     state.cost = cost;
     state.transition = transition;
-    if (bucket.candidates.size() < (kept_beams_ + 3) * Follower::beam_width) return;
+    if (bucket.candidates.size() < (kept_beams_ + 3) * beam_width_) return;
     const auto middle =
-        bucket.candidates.begin() + static_cast<std::ptrdiff_t>(kept_beams_ * Follower::beam_width);
+        bucket.candidates.begin() + static_cast<std::ptrdiff_t>(kept_beams_ * beam_width_);
     std::nth_element(bucket.candidates.begin(), middle, bucket.candidates.end(), is_cheaper);
     bucket.limit = middle->rank;
     bucket.candidates.erase(middle, bucket.candidates.end());
@@ -296,10 +298,10 @@ class BeamSearch {
       return likeness(a) == likeness(b);
     };
     states.erase(std::unique(states.begin(), states.end(), alike), states.end());
-    constexpr auto width = Follower::beam_width;
-    if (states.size() > width) {
-      std::nth_element(states.begin(), states.begin() + width, states.end(), is_cheaper);
-      states.erase(states.begin() + width, states.end());
+    if (states.size() > beam_width_) {
+      const auto end = states.begin() + static_cast<std::ptrdiff_t>(beam_width_);
+      std::nth_element(states.begin(), end, states.end(), is_cheaper);
+      states.erase(end, states.end());
     }
     std::sort(states.begin(), states.end(), is_cheaper);
   }
@@ -382,6 +384,8 @@ class BeamSearch {
   std::uint32_t home_ = 0;     ///< The scope that it begins in,
   std::uint32_t scope_ = 0;    ///< and the widest that was needed.
   std::uint32_t same_moment_;  ///< Frames.
+  bool foresees_;              ///< There is a table of foresight.
+  std::size_t beam_width_;     ///< Wide where nothing is foreseen: then many lead into dead ends.
   std::size_t kept_beams_;  ///< Widths of the beam that are kept before states that are alike are
                             ///< dropped: more where nothing is foreseen and costs say little.
   /// A state that was walked on from, kept while a wider scope may have to do so again.

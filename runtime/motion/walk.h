@@ -28,6 +28,8 @@ struct Walk {
   std::vector<float> along;     ///< Metres along the path asked for; 0 before it is reached.
   std::vector<Gait> gait;
   std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
+  std::uint32_t seed = 0;  ///< Of what differs from step to step (vary_strides.h), which goes on
+  double first_step = 0;   ///< through all walks of a body: which step its first frame is in.
   std::uint32_t transitions = 0;  ///< How many blends it holds.
   std::uint32_t expanded = 0;     ///< Search nodes expanded.
   std::uint32_t considered = 0;   ///< Transitions that the search looked at, counted each time.

@@ -6,6 +6,7 @@
 #include "runtime/model/none.h"
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
+#include "runtime/motion/vary_strides.h"
 
 namespace docent::motion {
 namespace {
@@ -358,6 +359,7 @@ Result<WalkGraph> make_walk_graph(const MotionGraph& motion) {
   graph.quickest = quickest_motion(motion);
   graph.turning_rate = turning_rate(graph);
   measure_resting_heights(graph);
+  graph.arms = arms_at_ease(motion);
   graph.before_walking =
       stand_in_clip(graph, graph.starts.front(), graph.clip[graph.starts.front()].first);
   graph.after_walking =

@@ -33,6 +33,11 @@ struct Stand {
   std::array<Foot, 2> foot;
 };
 
+/// How a body's arms hang on the average while it walks.
+struct ArmsAtEase {
+  std::array<Quat, 2> shoulder{Quat{1, 0, 0, 0}, Quat{1, 0, 0, 0}};  ///< Left, right.
+};
+
 /// A motion graph made ready to walk: made once, shared by all walks. Borrows the motion graph,
 /// which must outlive it. Immutable, so any thread may read it.
 ///
@@ -59,8 +64,9 @@ struct WalkGraph {
   double turning_rate = 2.4;            ///< Radians a second that a walking body turns at most.
   std::array<float, 2> toe_height{};    ///< Of a planted foot's toe joint, metres.
   std::array<float, 2> ankle_height{};  ///< Of a planted foot's ankle joint, metres.
-  Stand before_walking;                 ///< How the first start clip begins.
-  Stand after_walking;                  ///< How the first stop clip ends.
+  ArmsAtEase arms;
+  Stand before_walking;  ///< How the first start clip begins.
+  Stand after_walking;   ///< How the first stop clip ends.
 };
 
 /// Can a walk take a transition in this scope, and come to a stand after it?

@@ -72,13 +72,14 @@ bool& planted(FootPlants& plants, Side side) {
   return side == Side::Left ? plants.left : plants.right;
 }
 
-void plant_feet(const WalkGraph& graph, Side side, const Momentum& momentum, Draft& draft) {
+void plant_feet(const WalkGraph& graph, Side side, const Momentum& momentum, std::uint32_t seed,
+                Draft& draft) {
   const std::size_t i = index_of(side), frames = draft.walk.root.size();
   const std::vector<Vec3> hips = find_feet(graph, side, draft);
   std::vector<bool> contact(frames);
   for (std::size_t f = 0; f < frames; ++f) contact[f] = planted(draft.walk.plants[f], side);
   replant(graph, side, draft.foot[i], hips, contact, {momentum.foot[i], momentum.foot_velocity[i]},
-          momentum.planted[i]);
+          momentum.planted[i], seed);
   for (std::size_t f = 0; f < frames; ++f) planted(draft.walk.plants[f], side) = contact[f];
 }
 
@@ -116,7 +117,7 @@ class Joining {
 }  // namespace
 
 Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const PathTrack& track,
-                const Momentum& momentum) {
+                const Momentum& momentum, std::uint32_t seed) {
   Draft draft = empty_draft(graph);
   make_room(3 * (sequence.root.size() - sequence.first) / 2, draft.walk);
   const double walked = sequence.effort.back();
@@ -125,7 +126,8 @@ Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const Path
   const double first_step =
       last > sequence.first ? sequence.effort[sequence.first + 1] * stretch : 0;
   const Joining joining(
-      momentum, track, first_step * graph.frame_rate * track.stride.front() * track.stride.front());
+      momentum, track,
+      first_step * graph.frame_rate * track.stride.front() * track.cadence.front());
   std::size_t hint = 0;
   for (double at = static_cast<double>(sequence.first);;) {
     const auto frame = std::min(static_cast<std::size_t>(at), last);
@@ -139,9 +141,9 @@ Draft warp_onto(const WalkGraph& graph, const ClipSequence& sequence, const Path
     add_pose(graph, sequence, moment, joining.bent(point.placement, seconds), draft);
     draft.walk.along.push_back(static_cast<float>(point.along));
     if (at >= static_cast<double>(last)) break;
-    at += point.stride;
+    at += point.cadence;
   }
-  for (const Side side : both_sides) plant_feet(graph, side, momentum, draft);
+  for (const Side side : both_sides) plant_feet(graph, side, momentum, seed, draft);
   return draft;
 }
 

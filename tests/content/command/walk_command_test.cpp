@@ -18,10 +18,24 @@ class WalkCommand : public testing::Test {
  protected:
   WalkCommand() { std::ofstream(path()) << "x,y\n0,0\n3,0\n4.5,0.3\n6,0.9\n"; }
 
-  ProgramRun walk(const std::string& options) const {
-    return run_program("docent-content", "walk '" + sample_database().string() + "' --path '" +
+  ProgramRun walk(const std::string& options) const { return walk_in(sample_database(), options); }
+  ProgramRun walk_in(const std::filesystem::path& database, const std::string& options) const {
+    return run_program("docent-content", "walk '" + database.string() + "' --path '" +
                                              path().string() + "' -o '" + output().string() + "' " +
                                              options);
+  }
+
+  /// A hall whose guide has no clip that turns.
+  std::filesystem::path hall_without_turns() const {
+    const auto clips = folder_.path() / "clips", hall = folder_.path() / "hall.geojson",
+               database = folder_.path() / "hall.db";
+    std::filesystem::create_directory(clips);
+    for (const char* name : {"clips.toml", "stand-to-walk.bvh", "walk.bvh", "walk-to-stand.bvh"})
+      std::filesystem::copy_file(source_dir() / "content/clips" / name, clips / name);
+    std::ofstream(hall) << R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,9],[0,0]]]})";
+    run_program("docent-content", "compile '" + hall.string() + "' --clips '" + clips.string() +
+                                      "' --quiet -o '" + database.string() + "'");
+    return database;
   }
 
   std::filesystem::path path() const { return folder_.path() / "path.csv"; }
@@ -64,7 +78,7 @@ TEST_F(WalkCommand, GoesToTheEndOfAPathThatTurnsBack) {
 
 TEST_F(WalkCommand, SaysWhereTheClipsAloneStopShort) {
   std::ofstream(path()) << "x,y\n0,0\n3,0\n3,0.3\n0,0.3\n0,0.6\n3,0.6\n3,0.9\n0,0.9\n";
-  const ProgramRun run = walk("--raw");
+  const ProgramRun run = walk_in(hall_without_turns(), "--raw");
 
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_THAT(run.err, HasSubstr("error[stops-short]"));

@@ -46,7 +46,7 @@ TEST(ShippedClips, MakeAWellConnectedMotionGraph) {
   const MotionGraph graph = motion::offline::compile_motion(folder(), {}, problems);
 
   EXPECT_TRUE(problems.empty());
-  EXPECT_EQ(graph.clips.size(), 7U);
+  EXPECT_EQ(graph.clips.size(), 9U);
   EXPECT_GT(graph.transitions.size(), 200U);
   std::size_t into_stop = 0;
   for (const Transition& transition : graph.transitions)

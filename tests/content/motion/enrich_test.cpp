@@ -239,10 +239,12 @@ TEST(AnEnrichedGraph, HasTheTurnsBetweenThoseThatAreShipped) {
   std::vector<std::string> made;
   for (std::size_t c = shipped.clips.size(); c < graph.clips.size(); ++c)
     made.push_back(graph.clips[c].name);
-  EXPECT_THAT(made, ElementsAre("turn-right 68 of turn-right-90 and turn-right-45",
+  EXPECT_THAT(made, ElementsAre("turn-right 112 of corner-right-130 and turn-right-90",
+                                "turn-right 68 of turn-right-90 and turn-right-45",
                                 "turn-right 23 of turn-right-45 and walk",
-                                "turn-left 22 of walk and turn-left-45",
-                                "turn-left 68 of turn-left-45 and turn-left-90"));
+                                "walk 23 of walk and turn-left-45",
+                                "turn-left 69 of turn-left-45 and turn-left-90",
+                                "turn-left 113 of turn-left-90 and corner-left-130"));
   EXPECT_TRUE(warnings.empty());
 }
 

@@ -252,7 +252,7 @@ TEST(MotionFolder, LeavesOutAnotherBodyAndBringsClipsToOneRate) {
 
   const MotionGraph graph = motion::offline::compile_motion(folder.path(), {}, problems);
 
-  EXPECT_EQ(graph.clips.size(), 7U);
+  EXPECT_EQ(graph.clips.size(), 9U);
   for (const MotionClip& clip : graph.clips) EXPECT_EQ(clip.frame_rate, 120);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].code, "other-skeleton");
@@ -271,7 +271,7 @@ TEST(MotionFolder, LeavesOutWhatDoesNotWalk) {
       folder.path() / "stand.bvh");
   std::vector<Diagnostic> problems;
 
-  EXPECT_EQ(motion::offline::compile_motion(folder.path(), {}, problems).clips.size(), 7U);
+  EXPECT_EQ(motion::offline::compile_motion(folder.path(), {}, problems).clips.size(), 9U);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].code, "not-walking");
 }

@@ -229,6 +229,28 @@ TEST(JointPops, AreNoneInSoundMotion) {
         << source.file;
 }
 
+TEST(Mending, CalmsAHeadThatLeapsAndTakesAWhileToComeBack) {
+  const Skeleton& skeleton = shipped_clips().skeleton;
+  MotionClip clip = shipped_clips().named("walk");
+  const std::size_t neck = index_of(skeleton[BodyPart::Chest]),
+                    head = index_of(skeleton[BodyPart::HeadTop]);
+  const auto bend = [&](const motion::offline::JointPositions& track, std::size_t f) {
+    return glm::length(track.at(f - 4, head) - 2.0f * track.at(f, head) + track.at(f + 4, head));
+  };
+  const auto sound = motion::offline::joint_positions(skeleton, clip);
+  for (std::size_t f = 200; f < 210; ++f)
+    clip.rotation[f * clip.joint_count + neck] *=
+        glm::angleAxis(0.007f * static_cast<float>(210 - f), Vec3(0, 0, 1));
+  auto track = motion::offline::joint_positions(skeleton, clip);
+  EXPECT_GT(bend(track, 200), 0.025f);
+
+  const auto mended = motion::offline::mend_capture_faults(skeleton, clip, track);
+
+  EXPECT_EQ(mended.size(), 1U);
+  for (std::size_t f = 190; f < 220; ++f) EXPECT_LT(bend(track, f), 0.025f) << f;
+  EXPECT_LT(glm::distance(track.at(205, head), sound.at(205, head)), 0.02f);
+}
+
 TEST(Mending, DoesNothingToSoundMotion) {
   const Skeleton& skeleton = shipped_clips().skeleton;
   for (const motion::offline::SourceClip& source : shipped_clips().clips) {

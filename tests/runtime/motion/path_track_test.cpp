@@ -59,6 +59,13 @@ TEST(PathTrack, TakesShorterStridesInASharpCornerOnly) {
   EXPECT_GT(track.effort.back(), track.length());
 }
 
+TEST(PathTrack, KeepsTheCadenceInASharpCorner) {
+  const PathTrack track = make_path_track(std::vector<Vec2>{{0, 0}, {3, 0}, {3, 3}}, {});
+
+  for (const double cadence : track.cadence) EXPECT_GT(cadence, 0.94);
+  EXPECT_LT(track.stride[track.stride.size() / 2], 0.6);
+}
+
 TEST(PathTrack, SurvivesRepeatedAndNearlyRepeatedPoints) {
   const PathTrack track =
       make_path_track(std::vector<Vec2>{{0, 0}, {0, 0}, {1, 0}, {1 + 1e-7, 1e-7}, {1, 1}}, {});
