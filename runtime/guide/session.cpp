@@ -174,7 +174,8 @@ void Session::lead(const Errand& errand) noexcept {
     return context_.crowd.seek(*guide_, *errand.seeks, errand.route, errand.permissions);
   const auto goal = interface::goal_of(context_.museum, state_);
   if (goal)
-    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions);
+    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions,
+                        errand.exhibit);
 }
 
 void Session::order(const Errand& errand) noexcept {
@@ -225,6 +226,11 @@ bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   awaiting_view_ = false;
   overlay_.enter(std::move(view));
   return true;
+}
+
+void Session::heed_closures() noexcept {
+  set_out();
+  request_view();
 }
 
 /// The crowd has been told about the guide's way.

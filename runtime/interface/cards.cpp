@@ -166,7 +166,7 @@ float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::s
   return top;
 }
 
-/// An exhibit's number, or how long a tour is, and what it is called.
+/// An exhibit's number, or how long a tour is, and what it is called; and that it is closed.
 std::string row_text(const Sheet& sheet, const Control& control) {
   std::string title(sheet.local(control.label));
   if (control.action.kind == Action::Kind::Seek) return title;
@@ -175,7 +175,9 @@ std::string row_text(const Sheet& sheet, const Control& control) {
                                  ? tour_line(sheet, *tour)
                                  : number_in(sheet.museum(), sheet.request().state.language,
                                              static_cast<long>(control.action.argument) + 1);
-  return before + "  " + title;
+  const std::string closed =
+      tour == nullptr ? closed_line(sheet, control.action.argument) : std::string();
+  return before + "  " + title + (closed.empty() ? "" : "  ·  ") + closed;
 }
 
 void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {

@@ -152,7 +152,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
 }
 
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces) {
+                                PieceCache& pieces, const Closures& closed) {
   auto view = std::make_unique<View>();
   view->request = request.id;
   view->part = request.part;
@@ -166,7 +166,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
 
-  Sheet sheet(museum, request, pieces, *view);
+  Sheet sheet(museum, request, pieces, closed, *view);
   view->accent =
       request.state.look ? scene::trail_colour(*request.state.look) : sheet.theme().invitation;
   if (request.state.glass != Glass::Whole) {

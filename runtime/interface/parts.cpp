@@ -162,14 +162,25 @@ std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t ro
   return line;
 }
 
-/// Its number, its gallery, and its floor where that is another.
+std::string closed_line(const Sheet& sheet, std::uint32_t exhibit) {
+  const ClosedExhibit* closed = closed_exhibit(sheet.closed(), exhibit);
+  if (closed == nullptr) return {};
+  if (!closed->until) return std::string(sheet.word("closed_now"));
+  return filled_in(sheet.word("closed_until"), "when",
+                   moment_in(sheet.museum(), sheet.request().state.language, *closed->until,
+                             sheet.closed().day));
+}
+
+/// Its number, its gallery, and its floor where that is another; or that it is closed.
 std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
   const Museum& museum = sheet.museum();
   const Exhibit& exhibit = museum.exhibits[index];
   std::string line =
       number_in(museum, sheet.request().state.language, static_cast<long>(index) + 1);
-  const std::string where = where_line(sheet, exhibit.floor, exhibit.room);
-  if (!where.empty()) line.append(between).append(where);
+  const std::string closed = closed_line(sheet, index);
+  const std::string after =
+      closed.empty() ? where_line(sheet, exhibit.floor, exhibit.room) : closed;
+  if (!after.empty()) line.append(between).append(after);
   return line;
 }
 
@@ -236,6 +247,16 @@ std::string line_of(const Sheet& sheet, const Control& control) {
   return tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, control.action.argument);
 }
 
+namespace {
+
+/// To an exhibit that cannot be seen just now. A tour that begins with one can be begun.
+bool leads_to_closed(const Sheet& sheet, const Control& control) noexcept {
+  return control.action.kind != Action::Kind::Seek && begun_tour(sheet, control) == nullptr &&
+         closed_exhibit(sheet.closed(), control.action.argument) != nullptr;
+}
+
+}  // namespace
+
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (control < 0) return;
   const Measures& m = sheet.measures();
@@ -254,7 +275,9 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   room_style.line_height = title_style.line_height;
   const TextPiece second = sheet.fitted(room_style, line, width);
   const float top = box.y + (box.height - title.height - second.height) / 2;
-  sheet.piece(title, x, top, width, Align::Start, sheet.theme().ink, control);
+  const bool is_closed = leads_to_closed(sheet, it);
+  sheet.piece(title, x, top, width, Align::Start,
+              is_closed ? sheet.theme().quiet_ink : sheet.theme().ink, control);
   sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
 }
 

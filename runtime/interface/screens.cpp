@@ -1,5 +1,6 @@
 /// What stands on the panel of each screen.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/interface/goal.h"
@@ -51,6 +52,55 @@ std::string no_way_text(const Sheet& sheet, const RouteSummary& summary) {
                    title.empty() ? std::string_view(floor.plan.short_name) : title);
 }
 
+/// What is said where the visitor is not led to what they have chosen: its name, that it is closed
+/// and until when, and why there is no way.
+struct Refusal {
+  std::string title, closed, why;
+};
+Refusal refusal_of(const Sheet& sheet, const RouteSummary& summary) {
+  Refusal refusal{.title = goal_title(sheet), .closed = {}, .why = no_way_text(sheet, summary)};
+  const std::optional<std::uint32_t> exhibit = sheet.request().state.exhibit;
+  if (summary.hindrance != Hindrance::Exhibit || !exhibit) return refusal;
+  const ClosedExhibit* closed = closed_exhibit(sheet.closed(), *exhibit);
+  refusal.closed = closed_line(sheet, *exhibit);
+  // Where it has just been opened, a way is being looked for.
+  refusal.why = closed == nullptr ? sheet.word("planning") : sheet.local(closed->reason);
+  return refusal;
+}
+
+/// Sets it as large as there is room for; returns the bottom.
+float draw_refusal(Sheet& sheet, const Refusal& refusal, const PixelBox& box, Letters title) {
+  struct Sizes {
+    Letters title, closed, why;
+  };
+  const bool on_card = title == Letters::Lead;
+  const std::array sizes{
+      Sizes{title, on_card ? Letters::Body : Letters::Lead, Letters::Body},
+      Sizes{on_card ? Letters::Label : Letters::Heading, Letters::Body, Letters::Body},
+      Sizes{Letters::Label, Letters::Body, Letters::Small},
+      Sizes{Letters::Small, Letters::Small, Letters::Small}};
+  const auto set = [&](Letters letters, const std::string& text, float lines) {
+    const auto most = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 6.0F));
+    return text.empty() ? TextPiece{} : sheet.fitted(sheet.style(letters, most), text, box.width);
+  };
+  for (const Sizes& size : sizes) {
+    const bool is_last = &size == &sizes.back();
+    const TextPiece name = set(size.title, refusal.title, is_last ? 1 : 2);
+    const TextPiece closed = set(size.closed, refusal.closed, 2);
+    const float room = box.height - name.height - closed.height;
+    const TextStyle style = sheet.style(size.why);
+    const float lines = std::floor(room / (style.size * style.line_height));
+    const TextPiece why = set(size.why, refusal.why, is_last ? lines : 6);
+    if (!is_last && why.height > room) continue;
+    float y = sheet.piece(name, box.x, box.y, box.width, Align::Start, sheet.theme().ink);
+    y = sheet.piece(closed, box.x, y, box.width, Align::Start, sheet.theme().ink);
+    return is_last && lines < 1
+               ? y
+               : sheet.piece(why, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
+  }
+  return box.y;
+}
+
 }  // namespace
 
 std::string_view hindrance_word(Hindrance hindrance) noexcept {
@@ -69,6 +119,8 @@ std::string_view hindrance_word(Hindrance hindrance) noexcept {
       return "only_steps";
     case Hindrance::Escalators:
       return "only_escalators";
+    case Hindrance::Exhibit:
+      return "closed_now";
   }
   return "no_way";
 }
@@ -98,8 +150,10 @@ std::string goal_title(const Sheet& sheet) {
 }
 
 std::string goal_text(const Sheet& sheet) {
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
-    return std::string(sheet.local(exhibit->text));
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
+    const std::string closed = closed_line(sheet, *sheet.request().state.exhibit);
+    return closed + (closed.empty() ? "" : "\n") + std::string(sheet.local(exhibit->text));
+  }
   const Museum& museum = sheet.museum();
   const std::optional<Goal> goal = goal_of(museum, sheet.request().state);
   if (!goal) return {};
@@ -120,6 +174,9 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   const Measures& m = sheet.measures();
   const std::string title_text = goal_title(sheet);
   if (title_text.empty()) return box.y;
+  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
+  if (route_summary && route_summary->status != path::RouteStatus::Ok)
+    return draw_refusal(sheet, refusal_of(sheet, *route_summary), box, title) + m.gap;
   TextStyle style = sheet.style(Letters::Lead);
   style.tabular = true;
   const float line = std::ceil(style.size * style.line_height);
@@ -135,14 +192,12 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
   y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
 
-  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
-  if (route_summary && route_summary->status == path::RouteStatus::Ok) {
-    prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
-    return y + line + m.gap;
-  }
-  const std::string text =
-      route_summary ? no_way_text(sheet, *route_summary) : std::string(sheet.word("planning"));
-  return sheet.text(Letters::Body, text, box.x, y, box.width, sheet.theme().quiet_ink, 3) + m.gap;
+  if (!route_summary)
+    return sheet.text(Letters::Body, sheet.word("planning"), box.x, y, box.width,
+                      sheet.theme().quiet_ink, 3) +
+           m.gap;
+  prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
+  return y + line + m.gap;
 }
 
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
@@ -242,6 +297,7 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
 
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
+  first.height = end - first.y;
   first = draw_tour_progress(sheet, first);
   const float y = draw_invitation(sheet, first, Letters::Title);
   if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});

@@ -49,10 +49,12 @@ void mirror(scene::Rect& rect, const scene::Rect& all) noexcept {
 
 }  // namespace
 
-Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view)
+Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
+             const Closures& closed, View& view)
     : museum_(museum),
       request_(request),
       pieces_(pieces),
+      closed_(closed),
       view_(view),
       measures_(measures_of(request.shape)),
       width_(static_cast<float>(request.shape.width)),

@@ -40,12 +40,14 @@ struct PixelBox {
 /// finish() mirrors it for those that do not. Coordinates are pixels of the screen.
 class Sheet {
  public:
-  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
+  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
+        const Closures& closed, View& view);
 
   const Measures& measures() const noexcept { return measures_; }
   const scene::Theme& theme() const noexcept { return theme_; }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
+  const Closures& closed() const noexcept { return closed_; }
   View& view() noexcept { return view_; }
 
   /// Index of the control of that name; -1 where this view has none. List items before spots.
@@ -107,6 +109,7 @@ class Sheet {
   const Museum& museum_;
   const ViewRequest& request_;
   PieceCache& pieces_;
+  const Closures& closed_;
   View& view_;
   Measures measures_;
   scene::Theme theme_;
@@ -150,10 +153,13 @@ const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 /// The same, where it is a place, and what it is called, whatever it is.
 std::optional<PlaceKind> chosen_kind(const Sheet& sheet) noexcept;
 std::string goal_title(const Sheet& sheet);
-/// What is told of it on arrival: an exhibit's text, where a place is.
+/// What is told of it on arrival: an exhibit's text, and that it has been closed since; where a
+/// place is.
 std::string goal_text(const Sheet& sheet);
 /// The exhibit's picture, or the place's pictogram, as large as fits; returns its height.
 float draw_goal(Sheet& sheet, const PixelBox& box);
+/// "Closed until 5 p.m."; empty where the exhibit can be seen.
+std::string closed_line(const Sheet& sheet, std::uint32_t exhibit);
 /// A room, and its floor where that is not the kiosk's.
 std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room);
 

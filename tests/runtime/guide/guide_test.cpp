@@ -46,6 +46,10 @@ class Session {
   void key(input::Key key) {
     guide_.touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = key});
   }
+  void close(const Closures& closures) {
+    planner_.close(closures);
+    guide_.heed_closures();
+  }
   Guide& guide() { return guide_; }
 
  private:
@@ -527,6 +531,49 @@ TEST(Guide, DoesTheSameTwice) {
   EXPECT_EQ(std::memcmp(a.palette.data(), b.palette.data(), a.palette.size() * sizeof(Mat4)), 0);
   EXPECT_EQ(a.camera.view, b.camera.view);
   EXPECT_EQ(a.quads.size(), b.quads.size());
+}
+
+TEST(Guide, SaysThatAnExhibitIsClosedAndLeadsThereOnceItIsOpen) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  Closures closed;
+  closed.doors.resize(museum().floors.size());
+  closed.exhibits = {{0}};
+  session.close(closed);
+  session.run(0.5);
+
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
+  EXPECT_TRUE(session.guide().view()->remaining.empty()) << "there is no way";
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+
+  closed.exhibits.clear();
+  session.close(closed);
+  session.run(1);
+
+  EXPECT_FALSE(session.guide().view()->remaining.empty());
+  EXPECT_NE(session.guide().state_of(0), AvatarState::Idle) << "it turns, or walks";
+}
+
+TEST(Guide, StopsOnItsWayToAnExhibitThatIsClosedAndSaysSo) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  session.tap(first_exhibit());
+  session.run(3);
+  ASSERT_EQ(session.guide().state_of(0), AvatarState::Walk);
+  Closures closed;
+  closed.doors.resize(museum().floors.size());
+  closed.exhibits = {{0}};
+
+  session.close(closed);
+  session.run(4);
+
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+  EXPECT_FALSE(session.guide().state().arrived);
 }
 
 }  // namespace
