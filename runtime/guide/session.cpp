@@ -224,11 +224,13 @@ void Session::request_view() noexcept {
 bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   if (view->request != last_request_) return false;  // the visitor has gone on
   awaiting_view_ = false;
+  state_.own_tour = view->state.own_tour;  // the worker has put it in order
   overlay_.enter(std::move(view));
   return true;
 }
 
 void Session::heed_closures() noexcept {
+  interface::order_anew(state_.own_tour);
   set_out();
   request_view();
 }

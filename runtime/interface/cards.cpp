@@ -288,7 +288,7 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
-  const bool of_places = sheet.request().state.lists_places;
+  const bool of_places = sheet.request().state.lists == Listed::Places;
   const float width = content.width - draw_corner(sheet, content).width;
   sheet.piece(sheet.fitted(style, sheet.word(of_places ? "places_title" : "choose_title"), width),
               content.x, content.y, width, Align::Start, sheet.theme().ink);

@@ -49,7 +49,7 @@ void add_helps(const ControlRequest& request, std::vector<Control>& out) {
     out.push_back(std::move(toilets));
   }
   if (state.screen == Screen::Picking) return;  // first of all, by whom they are led
-  const bool lists_places = state.screen == Screen::Choosing && state.lists_places;
+  const bool lists_places = state.screen == Screen::Choosing && state.lists == Listed::Places;
   out.push_back(lists_places ? button(museum, "exhibits", "exhibits", {Action::Kind::ShowExhibits})
                              : button(museum, "places", "places", {Action::Kind::ShowPlaces}));
 }

@@ -222,13 +222,61 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
                Sheet::Emphasis::Strong);
 }
 
+namespace {
+
+std::string_view title_of(Listed lists) noexcept {
+  switch (lists) {
+    case Listed::Exhibits:
+      break;
+    case Listed::Places:
+      return "places_title";
+    case Listed::OwnTour:
+      return "own_tour";
+  }
+  return "choose_title";
+}
+
+/// An item of the list, and what collects it where that is an exhibit.
+void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const auto& controls = sheet.view().controls;
+  const auto next = static_cast<std::size_t>(control) + 1;
+  const bool can_collect = next < controls.size() && is_collect(controls[next]);
+  if (!can_collect) return draw_card(sheet, control, box);
+  const float width = std::round(
+      std::max(m.touch, std::min(12 * m.unit * sheet.request().shape.text_scale, box.width / 4)));
+  const float gap = std::round(m.unit);
+  draw_card(sheet, control, {box.x, box.y, box.width - width - gap, box.height});
+  sheet.quiet_button(static_cast<std::int32_t>(next),
+                     {box.right() - width, box.y, width, box.height});
+}
+
+/// To begin the visitor's own tour, and to put more into it.
+void draw_start(Sheet& sheet, const PixelBox& row) {
+  const float half = std::floor((row.width - sheet.measures().gap) / 2);
+  sheet.button(sheet.control("start-tour"), {row.x, row.y, half, row.height},
+               Sheet::Emphasis::Strong);
+  sheet.button(sheet.control("choose"), {row.right() - half, row.y, half, row.height},
+               Sheet::Emphasis::Soft);
+}
+
+}  // namespace
+
 void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const ListShape list = list_shape(sheet.request().shape);
   const std::uint32_t per_page = list.columns * list.rows;
-  const bool of_places = sheet.request().state.lists_places;
-  sheet.text(Letters::Heading, sheet.word(of_places ? "places_title" : "choose_title"), content.x,
-             content.y, content.width, sheet.theme().ink);
+  const Listed lists = sheet.request().state.lists;
+  const TextPiece heading =
+      sheet.fitted(sheet.style(Letters::Heading), sheet.word(title_of(lists)), content.width);
+  sheet.piece(heading, content.x, content.y, content.width, Align::Start, sheet.theme().ink);
+  if (lists == Listed::OwnTour) {
+    const float width = content.width - heading.width - 2 * m.gap;
+    const TextPiece line =
+        sheet.fitted(sheet.style(Letters::Small, 2), own_tour_line(sheet), width);
+    sheet.piece(line, content.right() - width, content.y + (heading.height - line.height) / 2,
+                width, Align::End, sheet.theme().quiet_ink);
+  }
 
   const float column_gap = 2 * m.gap;
   const auto columns = static_cast<float>(list.columns);
@@ -239,17 +287,20 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
     const std::uint32_t in_column = shown / list.rows;
     const auto column = static_cast<float>(in_column);
     const auto row = static_cast<float>(shown % list.rows);
-    draw_card(sheet, static_cast<std::int32_t>(i),
-              {content.x + column * (width + column_gap),
-               content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
-               list.row_height});
+    draw_list_item(sheet, static_cast<std::int32_t>(i),
+                   {content.x + column * (width + column_gap),
+                    content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
+                    list.row_height});
     ++shown;
   }
 
   const bool can_go_back = sheet.control("back") >= 0;
   const float foot = draw_foot(sheet, content, can_go_back ? "back" : "home");
   const float routes = foot - m.gap - m.touch;
-  draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
+  if (lists == Listed::OwnTour)
+    draw_start(sheet, {content.x, routes, content.width, m.touch});
+  else
+    draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
 
   const std::uint32_t pages = page_count(sheet.museum(), sheet.request().state, per_page);
   if (pages == 1) return;
@@ -269,6 +320,17 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
               sheet.theme().quiet_ink);
 }
 
+namespace {
+
+/// What collects the exhibit that the visitor goes to, or is at; -1 where nothing does.
+std::int32_t collect_of(Sheet& sheet) {
+  const auto& controls = sheet.view().controls;
+  const auto found = std::ranges::find_if(controls, is_collect);
+  return found == controls.end() ? -1 : static_cast<std::int32_t>(found - controls.begin());
+}
+
+}  // namespace
+
 void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float foot = draw_foot(sheet, content, "home");
@@ -278,13 +340,15 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
 
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
-  const std::int32_t skip = sheet.control("skip");
-  const float shares = skip < 0 ? 2 : 3;
+  const std::int32_t skip = sheet.control("skip"), collect = collect_of(sheet);
+  const std::int32_t middle = skip < 0 ? collect : skip;
+  const float shares = middle < 0 ? 2 : 3;
   const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
   sheet.button(sheet.control("stop"), {content.x, buttons, share, m.touch},
                Sheet::Emphasis::Strong);
-  if (skip >= 0)
-    sheet.button(skip, {content.x + share + m.gap, buttons, share, m.touch}, Sheet::Emphasis::Soft);
+  if (middle >= 0)
+    sheet.button(middle, {content.x + share + m.gap, buttons, share, m.touch},
+                 middle == skip ? Sheet::Emphasis::Soft : Sheet::Emphasis::Plain);
   sheet.button(sheet.control("choose"), {content.right() - share, buttons, share, m.touch},
                Sheet::Emphasis::Soft);
 
@@ -313,7 +377,11 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
   const float row = list_shape(sheet.request().shape).row_height;
   float bottom = foot - m.gap - m.touch;
-  sheet.button(sheet.control("choose"), {second.x, bottom, second.width, m.touch},
+  const std::int32_t collect = collect_of(sheet);
+  const float share = collect < 0 ? second.width : std::floor((second.width - m.gap) / 2);
+  if (collect >= 0)
+    sheet.button(collect, {second.x, bottom, share, m.touch}, Sheet::Emphasis::Plain);
+  sheet.button(sheet.control("choose"), {second.right() - share, bottom, share, m.touch},
                Sheet::Emphasis::Soft);
 
   std::vector<std::int32_t> cards;

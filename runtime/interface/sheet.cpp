@@ -196,6 +196,19 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
         Align::Centre, colour, control);
 }
 
+void Sheet::quiet_button(std::int32_t control, const PixelBox& box) {
+  place(control, box);
+  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
+  TextStyle look = style(Letters::Small, 2);
+  look.line_height = right_to_left_ ? 1.35F : 1.15F;
+  const float pad = std::round(measures_.unit / 2);
+  const TextPiece label = fitted(look, local(it.label), box.width - 2 * pad);
+  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
+  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
+        Align::Centre, it.enabled ? ink : scene::with_opacity(ink, 0.35F), control);
+}
+
 void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                       std::int32_t control) {
   const float side = std::floor(std::min(box.width, box.height));

@@ -78,6 +78,9 @@ class Sheet {
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
+  /// A button without a ground, its word small and in two lines where it must be; what is selected
+  /// has a ground.
+  void quiet_button(std::int32_t control, const PixelBox& box);
   /// A pictogram of so many pixels, to be drawn elsewhere.
   TextPiece sign(Pictogram what, float side) {
     return pieces_.pictogram(what, static_cast<std::uint32_t>(std::max(1.0F, std::round(side))));
@@ -144,6 +147,8 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
 /// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
 /// box below that line.
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);
+/// How many stops the visitor's own tour has, and how long it takes, once that is known.
+std::string own_tour_line(const Sheet& sheet);
 /// What stands below the name of a tour in a list: "Tour, about 12 minutes".
 std::string tour_line(const Sheet& sheet, const Tour& tour);
 /// The tour that a control of the list begins; null where it is no tour.

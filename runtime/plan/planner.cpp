@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/model/last_catch.h"
+#include "runtime/plan/order_own_tour.h"
 
 namespace docent::plan {
 namespace {
@@ -138,7 +139,9 @@ void Planner::answer(const WalkOrder& order) {
   send(plans_, rides_.plan(order, here, there), stop_);
 }
 
-void Planner::answer(const interface::ViewRequest& request) {
+void Planner::answer(const interface::ViewRequest& asked) {
+  interface::ViewRequest request = asked;
+  if (!request.state.own_tour.is_ordered) order_own_tour(museum_, building_, request.state);
   std::unique_ptr<interface::View> view =
       interface::make_view(museum_, request, cache_, *closed_.load());
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);

@@ -39,6 +39,7 @@ class Planner {
   void ask(const interface::ViewRequest& request) noexcept;
 
   std::unique_ptr<Plan> take_plan() noexcept { return plans_.take(); }
+  /// Its state is the one asked about, with the visitor's own tour in order.
   std::unique_ptr<interface::View> take_view() noexcept { return views_.take(); }
   /// Changes of texture memory, to be applied in this order before the views that need them.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return pieces_.take(); }

@@ -75,7 +75,10 @@ ViewRequest any_request() {
     request.state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
     request.state.seeks = PlaceKind::Toilets;
   }
-  request.state.lists_places = *rc::gen::arbitrary<bool>();
+  request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::OwnTour);
+  for (auto collected = *rc::gen::inRange(request.state.lists == Listed::OwnTour ? 1 : 0, 20);
+       collected > 0; --collected)
+    add_to(request.state.own_tour, static_cast<std::uint32_t>(collected));
   request.state.page = *rc::gen::inRange(0U, 2U);
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
