@@ -153,14 +153,17 @@ Corner draw_corner(Sheet& sheet, const PixelBox& content) {
 float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::string_view> names) {
   const Measures& m = sheet.measures();
   const float top = content.bottom() - m.touch, gap = std::round(m.unit);
-  const auto is_there = [&](std::string_view name) { return sheet.control(name) >= 0; };
-  const auto count = static_cast<float>(std::ranges::count_if(names, is_there));
+  std::vector<std::int32_t> there;
+  for (const std::string_view name : names)
+    if (const std::int32_t control = sheet.control(name); control >= 0) there.push_back(control);
+  const auto count = static_cast<float>(there.size());
   const float width = std::floor((content.width + gap) / count - gap);
+  const TextStyle word = sheet.row_style(there, width);
+  const std::int32_t stop = sheet.control("stop");
   float x = content.x;
-  for (const std::string_view name : names) {
-    if (!is_there(name)) continue;
-    sheet.button(sheet.control(name), {x, top, width, m.touch},
-                 name == "stop" ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft);
+  for (const std::int32_t control : there) {
+    sheet.button(control, {x, top, width, m.touch},
+                 control == stop ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft, word);
     x += width + gap;
   }
   return top;

@@ -154,24 +154,17 @@ std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noe
   return state.own_tour.count;
 }
 
-/// An exhibit of the list, and what collects it.
-void add_exhibit(const ControlRequest& request, std::uint32_t exhibit, std::vector<Control>& out) {
-  const auto& [museum, state, per_page] = request;
-  out.push_back(exhibit_control(museum, exhibit, Role::ListItem, state));
-  if (!state.seat) out.push_back(collect_control(museum, exhibit, state));
-}
-
-void add_list_item(const ControlRequest& request, std::uint32_t index, std::vector<Control>& out) {
-  const auto& [museum, state, per_page] = request;
-  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
+Control list_item(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
+  const auto exhibit = [&](std::uint32_t i) {
+    return exhibit_control(museum, i, Role::ListItem, state);
+  };
   if (state.lists == Listed::Places)
-    return out.push_back(kind_control(museum, kinds_of_places(museum)[index], state));
-  if (state.lists == Listed::OwnTour)
-    return add_exhibit(request, state.own_tour.exhibit[index], out);
-  if (index < own_tours(state)) return out.push_back(own_tour_control(museum));
+    return kind_control(museum, kinds_of_places(museum)[index], state);
+  if (state.lists == Listed::OwnTour) return exhibit(state.own_tour.exhibit[index]);
+  if (index < own_tours(state)) return own_tour_control(museum);
   index -= own_tours(state);
-  if (index < tours) return out.push_back(tour_control(museum, index, state));
-  add_exhibit(request, index - tours, out);
+  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
+  return index < tours ? tour_control(museum, index, state) : exhibit(index - tours);
 }
 
 void add_list(const ControlRequest& request, std::vector<Control>& out) {
@@ -180,7 +173,7 @@ void add_list(const ControlRequest& request, std::vector<Control>& out) {
   const std::uint32_t page = std::min(state.page, pages - 1);
   const std::uint32_t begin = page * per_page;
   const std::uint32_t end = std::min(begin + per_page, list_length(museum, state));
-  for (std::uint32_t i = begin; i < end; ++i) add_list_item(request, i, out);
+  for (std::uint32_t i = begin; i < end; ++i) out.push_back(list_item(museum, i, state));
   if (pages == 1) return;
 
   Control previous = button(museum, "page:previous", "page_previous",
@@ -256,6 +249,13 @@ void add_start(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(std::move(start));
   out.push_back(button(request.museum, "choose", "own_tour_more", {Action::Kind::ShowExhibits}));
 }
+/// What collects the exhibits of the list.
+void add_collects(const ControlRequest& request, std::vector<Control>& out) {
+  const std::size_t listed = out.size();
+  for (std::size_t i = 0; i < listed; ++i)
+    if (out[i].role == Role::ListItem && out[i].action.kind == Action::Kind::Choose)
+      out.push_back(collect_control(request.museum, out[i].action.argument, request.state));
+}
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
   add_floors(request, out);
@@ -264,6 +264,7 @@ void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   else
     add_routes(request, out);
   add_back(request, "home", out);
+  add_collects(request, out);  // last, so that keys come to the exhibits soon
 }
 void add_choosing_on_card(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);

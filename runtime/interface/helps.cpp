@@ -78,10 +78,13 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   sheet.shadow(board, 2 * m.unit, 0.12F);
   sheet.fill(board, sheet.theme().paper, m.corner);
   // From the end: what is on every screen stays in its place.
+  std::vector<std::int32_t> controls;
+  for (const auto& one : shown) controls.push_back(one.first);
+  const TextStyle word = sheet.signed_row_style(controls, each);
   PixelBox cell{board.right() - gap - each, board.bottom() - gap - m.touch, each, m.touch};
   float left = columns;
   for (auto one = shown.rbegin(); one != shown.rend(); ++one) {
-    sheet.signed_button(one->first, one->second, cell);
+    sheet.signed_button(one->first, one->second, cell, word);
     cell.x -= each + gap;
     if (--left > 0) continue;
     left = columns;

@@ -65,11 +65,18 @@ void add_floor_labels(Sheet& sheet) {
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 500;
     const TextPiece name = sheet.fitted(style, sheet.local(room.title), 1e4F);
-    view.labels.push_back({.position = room.label,
-                           .texture = name.texture,
-                           .width_px = name.width,
-                           .height_px = name.height,
-                           .rect = {}});
+    FloorLabel label{.position = room.label,
+                     .texture = name.texture,
+                     .width_px = name.width,
+                     .height_px = name.height,
+                     .least = room.label,
+                     .most = room.label,
+                     .rect = {}};
+    for (const Vec2& corner : room.outline) {
+      label.least = glm::min(label.least, corner);
+      label.most = glm::max(label.most, corner);
+    }
+    view.labels.push_back(label);
   }
   for (std::size_t i = 0; i < view.controls.size(); ++i) {
     const Control& control = view.controls[i];

@@ -14,9 +14,9 @@ struct OwnTour {
 
   std::array<std::uint32_t, most> exhibit{};  ///< Indices into Museum::exhibits, none twice.
   std::array<double, most> arrives{};         ///< Seconds from the kiosk, looks before included.
-  double seconds = 0;        ///< To the end of the last look; 0 while nobody knows.
-  std::uint8_t count = 0;    ///< How many there are.
-  bool is_ordered = true;    ///< By the shortest walk; else that is being found.
+  double seconds = 0;      ///< To the end of the last look; 0 while nobody knows.
+  std::uint8_t count = 0;  ///< How many there are.
+  bool is_ordered = true;  ///< By the shortest walk; else that is being found.
 
   std::span<const std::uint32_t> exhibits() const noexcept {
     return std::span(exhibit).first(count);

@@ -292,11 +292,24 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
   TextStyle title_style = sheet.style(Letters::Label);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
-  const TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
+  TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
   const std::string line = line_of(sheet, it);
   TextStyle room_style = sheet.style(Letters::Small);
   room_style.line_height = title_style.line_height;
-  const TextPiece second = sheet.fitted(room_style, line, width);
+  TextPiece second = sheet.fitted(room_style, line, width);
+  const auto shrink_to = [&](float share) {
+    title_style.size = std::floor(share * title_style.size);
+    room_style.size = std::floor(share * room_style.size);
+    title = sheet.fitted(title_style, sheet.local(it.label), width);
+    second = sheet.fitted(room_style, line, width);
+  };
+  if (title.cut) {  // in two lines, as large as there is room for
+    title_style.max_lines = 2;
+    const float whole = (2 * title_style.size + room_style.size) * title_style.line_height;
+    shrink_to(std::min(0.7F, box.height / whole));
+  }
+  if (const float whole = title.height + second.height; whole > box.height)
+    shrink_to(box.height / whole);
   const float top = box.y + (box.height - title.height - second.height) / 2;
   const bool is_closed = leads_to_closed(sheet, it);
   sheet.piece(title, x, top, width, Align::Start,

@@ -236,28 +236,37 @@ std::string_view title_of(Listed lists) noexcept {
   return "choose_title";
 }
 
+/// What puts an exhibit into the visitor's own tour, or takes it out; -1 where nothing does.
+std::int32_t collect_of(Sheet& sheet, std::optional<std::uint32_t> exhibit) {
+  const auto& controls = sheet.view().controls;
+  const auto found = std::ranges::find_if(controls, [&](const Control& control) {
+    return is_collect(control) && control.action.argument == exhibit;
+  });
+  return found == controls.end() ? -1 : static_cast<std::int32_t>(found - controls.begin());
+}
+
 /// An item of the list, and what collects it where that is an exhibit.
 void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
-  const auto& controls = sheet.view().controls;
-  const auto next = static_cast<std::size_t>(control) + 1;
-  const bool can_collect = next < controls.size() && is_collect(controls[next]);
-  if (!can_collect) return draw_card(sheet, control, box);
+  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  const std::int32_t collect =
+      action.kind == Action::Kind::Choose ? collect_of(sheet, action.argument) : -1;
+  if (collect < 0) return draw_card(sheet, control, box);
   const float width = std::round(
       std::max(m.touch, std::min(12 * m.unit * sheet.request().shape.text_scale, box.width / 4)));
   const float gap = std::round(m.unit);
   draw_card(sheet, control, {box.x, box.y, box.width - width - gap, box.height});
-  sheet.quiet_button(static_cast<std::int32_t>(next),
-                     {box.right() - width, box.y, width, box.height});
+  sheet.quiet_button(collect, {box.right() - width, box.y, width, box.height});
 }
 
 /// To begin the visitor's own tour, and to put more into it.
 void draw_start(Sheet& sheet, const PixelBox& row) {
   const float half = std::floor((row.width - sheet.measures().gap) / 2);
-  sheet.button(sheet.control("start-tour"), {row.x, row.y, half, row.height},
-               Sheet::Emphasis::Strong);
-  sheet.button(sheet.control("choose"), {row.right() - half, row.y, half, row.height},
-               Sheet::Emphasis::Soft);
+  const std::array buttons{sheet.control("start-tour"), sheet.control("choose")};
+  const TextStyle word = sheet.row_style(buttons, half);
+  sheet.button(buttons[0], {row.x, row.y, half, row.height}, Sheet::Emphasis::Strong, word);
+  sheet.button(buttons[1], {row.right() - half, row.y, half, row.height}, Sheet::Emphasis::Soft,
+               word);
 }
 
 }  // namespace
@@ -320,17 +329,6 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
               sheet.theme().quiet_ink);
 }
 
-namespace {
-
-/// What collects the exhibit that the visitor goes to, or is at; -1 where nothing does.
-std::int32_t collect_of(Sheet& sheet) {
-  const auto& controls = sheet.view().controls;
-  const auto found = std::ranges::find_if(controls, is_collect);
-  return found == controls.end() ? -1 : static_cast<std::int32_t>(found - controls.begin());
-}
-
-}  // namespace
-
 void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float foot = draw_foot(sheet, content, "home");
@@ -340,17 +338,18 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
 
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
-  const std::int32_t skip = sheet.control("skip"), collect = collect_of(sheet);
+  const std::int32_t skip = sheet.control("skip"),
+                     collect = collect_of(sheet, sheet.request().state.exhibit);
   const std::int32_t middle = skip < 0 ? collect : skip;
   const float shares = middle < 0 ? 2 : 3;
   const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
-  sheet.button(sheet.control("stop"), {content.x, buttons, share, m.touch},
-               Sheet::Emphasis::Strong);
-  if (middle >= 0)
-    sheet.button(middle, {content.x + share + m.gap, buttons, share, m.touch},
-                 middle == skip ? Sheet::Emphasis::Soft : Sheet::Emphasis::Plain);
-  sheet.button(sheet.control("choose"), {content.right() - share, buttons, share, m.touch},
-               Sheet::Emphasis::Soft);
+  const std::array row{sheet.control("stop"), middle, sheet.control("choose")};
+  const TextStyle word = sheet.row_style(row, share);
+  sheet.button(row[0], {content.x, buttons, share, m.touch}, Sheet::Emphasis::Strong, word);
+  sheet.button(middle, {content.x + share + m.gap, buttons, share, m.touch},
+               middle == skip ? Sheet::Emphasis::Soft : Sheet::Emphasis::Plain, word);
+  sheet.button(row[2], {content.right() - share, buttons, share, m.touch}, Sheet::Emphasis::Soft,
+               word);
 
   const float routes_height = 3 * m.touch + 2 * std::round(m.unit);
   const float routes_top = bottom - m.gap - routes_height;
@@ -377,12 +376,13 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
   const float row = list_shape(sheet.request().shape).row_height;
   float bottom = foot - m.gap - m.touch;
-  const std::int32_t collect = collect_of(sheet);
+  const std::int32_t collect = collect_of(sheet, sheet.request().state.exhibit);
   const float share = collect < 0 ? second.width : std::floor((second.width - m.gap) / 2);
-  if (collect >= 0)
-    sheet.button(collect, {second.x, bottom, share, m.touch}, Sheet::Emphasis::Plain);
-  sheet.button(sheet.control("choose"), {second.right() - share, bottom, share, m.touch},
-               Sheet::Emphasis::Soft);
+  const std::array pair{collect, sheet.control("choose")};
+  const TextStyle word = sheet.row_style(pair, share);
+  sheet.button(pair[0], {second.x, bottom, share, m.touch}, Sheet::Emphasis::Plain, word);
+  sheet.button(pair[1], {second.right() - share, bottom, share, m.touch}, Sheet::Emphasis::Soft,
+               word);
 
   std::vector<std::int32_t> cards;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
@@ -403,21 +403,31 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   bottom -= m.gap;
   second = draw_tour_progress(sheet, second);
 
-  // The words come first; the picture takes what they leave.
+  // The words come first; the picture takes what they leave. Where there is hardly any room, the
+  // name is said, and smaller.
   const float text_width = second.width;
-  const TextPiece title = sheet.fitted(sheet.style(Letters::Title, 2), title_text, text_width);
   TextStyle body_style = sheet.style(Letters::Body);
   const float line = body_style.size * body_style.line_height;
   const float least_picture = landscape ? 30 * m.unit : 0;
-  const float room_for_text = bottom - second.y - title.height - m.gap - least_picture;
-  body_style.max_lines =
-      static_cast<std::uint16_t>(std::clamp(std::floor(room_for_text / line), 1.0F, 40.0F));
-  const TextPiece body = sheet.fitted(body_style, goal_text(sheet), text_width);
+  TextPiece title;
+  float room = 0;
+  for (const auto& [letters, lines] :
+       {std::pair{Letters::Title, 2}, std::pair{Letters::Heading, 2}, std::pair{Letters::Label, 1},
+        std::pair{Letters::Small, 1}}) {
+    title = sheet.fitted(sheet.style(letters, static_cast<std::uint16_t>(lines)), title_text,
+                         text_width);
+    room = bottom - second.y - title.height - m.gap;
+    if (room >= line) break;
+  }
+  const float lines = std::floor((room - least_picture) / line);
+  body_style.max_lines = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 40.0F));
+  const TextPiece body =
+      room < line ? TextPiece{} : sheet.fitted(body_style, goal_text(sheet), text_width);
 
   float y = second.y;
   if (landscape) {
-    const float room = bottom - second.y - title.height - body.height - 2 * m.gap;
-    y += draw_goal(sheet, {content.x, y, content.width, std::max(room, 0.0F)}) + m.gap;
+    const float left = room - body.height - m.gap;
+    if (left > 0) y += draw_goal(sheet, {content.x, y, content.width, left}) + m.gap;
   } else {
     draw_goal(sheet, {first.x, first.y, first.width, foot - m.gap - first.y});
   }

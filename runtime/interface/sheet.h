@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -78,6 +79,13 @@ class Sheet {
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
+  /// The same with its word in letters that suit a whole row.
+  void button(std::int32_t control, const PixelBox& box, Emphasis emphasis, const TextStyle& word);
+  /// The letters in which the words of all these buttons fit: in one line, or smaller in two.
+  /// `width`: of a button. Controls that are not there do not count.
+  TextStyle row_style(std::span<const std::int32_t> controls, float width) {
+    return word_style(controls, width - 2 * button_pad());
+  }
   /// A button without a ground, its word small and in two lines where it must be; what is selected
   /// has a ground.
   void quiet_button(std::int32_t control, const PixelBox& box);
@@ -88,8 +96,12 @@ class Sheet {
   /// A pictogram in the middle of a box, as large as the smaller side.
   void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                  std::int32_t control = -1);
-  /// A button with a pictogram before its word.
-  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box);
+  /// A button with a pictogram before its word, and the letters for a row of them.
+  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box,
+                     const TextStyle& word);
+  TextStyle signed_row_style(std::span<const std::int32_t> controls, float width) {
+    return word_style(controls, width - 3 * measures_.unit - sign_side());
+  }
 
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
@@ -106,8 +118,10 @@ class Sheet {
 
  private:
   void add(scene::Quad quad, std::int32_t control);
-  /// A control's word in one line, or smaller in two.
-  TextPiece whole_word(std::string_view text, float width);
+  TextStyle word_style(std::span<const std::int32_t> controls, float width);
+  TextPiece set(const TextStyle& style, std::string_view text, float width);
+  float button_pad() const noexcept { return 1.5F * measures_.unit; }
+  float sign_side() const noexcept { return std::round(0.62F * measures_.touch); }
 
   const Museum& museum_;
   const ViewRequest& request_;

@@ -28,6 +28,10 @@ bool leads_away(const Action& action) noexcept {
          action.kind == Action::Kind::Seek || action.kind == Action::Kind::GoToPlace;
 }
 
+bool loses_tour(const InterfaceState& state, const Action& action) noexcept {
+  return action.kind == Action::Kind::Home && state.own_tour.count > 0;
+}
+
 /// Which touches a search may use.
 enum class Reach : std::uint8_t {
   Panel,     ///< The panel's controls, without sending the guide anywhere or collecting anything.
@@ -47,7 +51,8 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
       if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
       const bool found = control.name == name;
       const InterfaceState state = after(reached[at].state, control.action);
-      const bool changes_more = leads_away(control.action) || is_collect(control);
+      const bool changes_more = leads_away(control.action) || is_collect(control) ||
+                                loses_tour(reached[at].state, control.action);
       if (!found && changes_more && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
