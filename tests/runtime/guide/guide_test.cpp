@@ -384,6 +384,55 @@ TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
   }
 }
 
+bool are_apart(const scene::Rect& a, const scene::Rect& b) {
+  return a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height ||
+         b.y >= a.y + a.height;
+}
+
+TEST(Guide, ShowsNoNameOfAGalleryUnderANumberNorUnderAnother) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  for (const std::uint32_t floor : {0U, 1U, 2U}) {
+    session.tap("floor:" + museum().floors[floor].plan.name);
+    session.run(1.5);
+    const auto& labels = session.guide().view()->labels;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i].control >= 0 || labels[i].rect.width <= 0) continue;
+      for (std::size_t j = 0; j < labels.size(); ++j)
+        EXPECT_TRUE(i == j || labels[j].is_sign || labels[j].rect.width <= 0 ||
+                    are_apart(labels[i].rect, labels[j].rect))
+            << floor << ": " << i << ", " << j;
+    }
+  }
+}
+
+TEST(Guide, LeadsThroughTheTourThatAVisitorPutsTogether) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  for (const std::uint32_t i : {2U, 0U, 1U}) session.tap("collect:" + museum().exhibits[i].id);
+  session.run(0.5);
+
+  EXPECT_TRUE(session.guide().state().own_tour.is_ordered) << "the worker has ordered it";
+  EXPECT_GT(session.guide().state().own_tour.seconds, 3 * 30);
+  EXPECT_TRUE(session.guide().shows_its_state());
+
+  session.tap("own-tour");
+  session.run(0.5);
+  session.tap("start-tour");
+  session.run(1);
+
+  const interface::InterfaceState& state = session.guide().state();
+  EXPECT_EQ(state.exhibit, state.own_tour.exhibit[0]);
+  EXPECT_EQ(state.tour, (interface::TourWalk{interface::TourWalk::own, 0}));
+  EXPECT_FALSE(session.guide().view()->remaining.empty());
+
+  session.tap("home");
+
+  EXPECT_EQ(session.guide().state().own_tour, interface::OwnTour{});
+}
+
 TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
   Session session;
   session.tap("begin");
