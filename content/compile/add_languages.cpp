@@ -16,7 +16,6 @@ namespace docent::compile {
 
 namespace {
 
-namespace fs = std::filesystem;
 using config::LocatedTexts;
 using config::WordsFile;
 

@@ -97,6 +97,14 @@ TEST(AddLanguages, LooksAtTheWordsThemselves) {
   }
 }
 
+TEST(AddLanguages, TakesAClockOfTwentyFourHoursForOneOfTwiceTwelve) {
+  const MuseumFolder museum;
+  museum.write("words/en.toml", own_english);
+  museum.replace("words/en.toml", "begin = \"Begin here\"", "clock = \"{hour24}.{minute}\"");
+
+  EXPECT_TRUE(added(museum).second.empty());
+}
+
 TEST(AddLanguages, ReadsWordsWhoseHeadingWasForgotten) {
   const MuseumFolder museum;
   museum.write("words/en.toml",

@@ -46,9 +46,8 @@ class AVisitorWithATour : public testing::Test {
   }
   const Control* find(const std::string& name) {
     controls_ = controls_of(museum_, state_, 30);
-    const auto found = std::ranges::find_if(controls_, [&](const Control& c) {
-      return c.name == name && c.role != Role::Spot;
-    });
+    const auto found = std::ranges::find_if(
+        controls_, [&](const Control& c) { return c.name == name && c.role != Role::Spot; });
     return found == controls_.end() ? nullptr : &*found;
   }
   void press(const std::string& name) {
@@ -111,8 +110,7 @@ TEST_F(AVisitorWithATour, HasItOrderedAnewForWaysWithoutSteps) {
 }
 
 TEST_F(AVisitorWithATour, CanAddNothingToAFullOne) {
-  while (!state_.own_tour.is_full())
-    add_to(state_.own_tour, 1000U + state_.own_tour.count);
+  while (!state_.own_tour.is_full()) add_to(state_.own_tour, 1000U + state_.own_tour.count);
   state_ = after(state_, {Action::Kind::ShowExhibits});
 
   ASSERT_NE(find("collect:" + museum_.exhibits[0].id), nullptr);
