@@ -147,10 +147,10 @@ class LanguageAdder {
                           const std::string& english) {
     std::set<std::string> wanted = config::placeholders_of(english);
     const std::set<std::string> used = config::placeholders_of(word.value);
-    if (wanted.contains("half") && used.contains("hour24")) {
-      wanted.erase("half");
-      wanted.erase("hour");
-      wanted.insert("hour24");
+    if (wanted.contains("{half}") && used.contains("{hour_of_day}")) {
+      wanted.erase("{half}");
+      wanted.erase("{hour}");
+      wanted.insert("{hour_of_day}");
     }
     const std::string hint = fmt::format("in English it is: {}", english);
     bool is_told = false;

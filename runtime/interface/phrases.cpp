@@ -34,7 +34,7 @@ std::string clock_in(const Museum& museum, std::uint32_t language, chr::minutes 
   const long minute = since_midnight.count() % 60;
   std::string text(word(museum, language, minute == 0 ? "clock_hour" : "clock"));
   text = filled_in(text, "hour", number((hour + 11) % 12 + 1));
-  text = filled_in(text, "hour24", number(hour));
+  text = filled_in(text, "hour_of_day", number(hour));
   text = filled_in(text, "minute", number(minute / 10) + number(minute % 10));
   return filled_in(text, "half",
                    word(museum, language, since_midnight < noon ? "before_noon" : "after_noon"));

@@ -73,7 +73,7 @@ TEST(Phrases, SayDaysToComeAsShortAsIsClear) {
 
 TEST(Phrases, SayTheHoursOfADayAsOneCountsThemThere) {
   Museum museum = test::sample_museum_without_walls();
-  museum.languages[0].words["clock"] = "{hour24}.{minute} Uhr";
+  museum.languages[0].words["clock"] = "{hour_of_day}.{minute} Uhr";
 
   EXPECT_EQ(moment_in(museum, 0, thursday + chr::minutes(17 * 60 + 30), thursday), "17.30 Uhr");
 }
