@@ -16,7 +16,6 @@ namespace docent::compile {
 
 namespace {
 
-namespace fs = std::filesystem;
 using config::LocatedTexts;
 using config::WordsFile;
 
@@ -142,11 +141,17 @@ class LanguageAdder {
          near.empty() ? "remove it" : fmt::format("did you mean '{}'?", near));
   }
 
-  /// What the kiosk fills in, such as {n}, is the same in every language.
+  /// What the kiosk fills in, such as {n}, is the same in every language, but for a clock of 24
+  /// hours, which has no halves.
   void check_placeholders(const std::string& key, const config::Located<std::string>& word,
                           const std::string& english) {
-    const std::set<std::string> wanted = config::placeholders_of(english),
-                                used = config::placeholders_of(word.value);
+    std::set<std::string> wanted = config::placeholders_of(english);
+    const std::set<std::string> used = config::placeholders_of(word.value);
+    if (wanted.contains("{half}") && used.contains("{hour_of_day}")) {
+      wanted.erase("{half}");
+      wanted.erase("{hour}");
+      wanted.insert("{hour_of_day}");
+    }
     const std::string hint = fmt::format("in English it is: {}", english);
     bool is_told = false;
     for (const std::string& name : used)

@@ -61,10 +61,12 @@ void Crowd::hold_still() noexcept {
 }
 
 void Crowd::send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
-                 const path::Permissions& permissions) noexcept {
+                 const path::Permissions& permissions,
+                 std::optional<std::uint32_t> exhibit) noexcept {
   Agent& one = members_[who];
   one.goal = goal;
   one.goal_floor = floor;
+  one.exhibit = exhibit;
   one.seeks.reset();
   one.place = none;
   one.kind = kind;
@@ -77,6 +79,7 @@ void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind,
   Agent& one = members_[who];
   one.goal = one.avatar.body;  // until it is known
   one.goal_floor = one.avatar.floor;
+  one.exhibit.reset();
   one.seeks = place;
   one.place = none;
   one.kind = kind;
@@ -103,7 +106,7 @@ void Crowd::replan() noexcept {
     if (one.seeks)
       seek(who, *one.seeks, one.kind, one.permissions);
     else
-      send(who, one.goal_floor, *one.goal, one.kind, one.permissions);
+      send(who, one.goal_floor, *one.goal, one.kind, one.permissions, one.exhibit);
     one.replans = true;
   }
 }
@@ -324,6 +327,7 @@ void Crowd::go_on(std::uint32_t who) noexcept {
   plan::WalkOrder order;
   order.goal = one.goal;
   order.goal_floor = one.goal_floor;
+  order.exhibit = one.exhibit;
   if (one.place == none) order.seeks = one.seeks;
   order.kind = one.kind;
   order.permissions = one.permissions;

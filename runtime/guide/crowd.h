@@ -18,8 +18,9 @@ struct Agent {
   bool is_here = false;           ///< It appears once there is room for it.
   std::optional<Placement> goal;  ///< Where it is sent; empty: it stands, or stops.
   std::uint32_t goal_floor = 0;
-  std::optional<PlaceKind> seeks{};  ///< It was sent to the nearest place of that kind, ...
-  std::uint32_t place = none;        ///< ... which is this one, once that is known.
+  std::optional<std::uint32_t> exhibit{};  ///< It was sent to see that.
+  std::optional<PlaceKind> seeks{};        ///< It was sent to the nearest place of that kind, ...
+  std::uint32_t place = none;              ///< ... which is this one, once that is known.
   RouteKind kind = RouteKind::Shortest;
   path::Permissions permissions{};
   double rank = 0;  ///< Whose wish is more urgent may ask others to make room.
@@ -74,9 +75,11 @@ class Crowd {
   void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
-  /// Who is on a connection between two floors comes out first.
+  /// Who is on a connection between two floors comes out first. `exhibit`: what one sees from the
+  /// goal; while it is closed there is no way.
   void send(std::uint32_t who, std::uint32_t floor, const Placement& goal, RouteKind kind,
-            const path::Permissions& permissions = {}) noexcept;
+            const path::Permissions& permissions = {},
+            std::optional<std::uint32_t> exhibit = {}) noexcept;
   /// To the nearest place of that kind.
   void seek(std::uint32_t who, PlaceKind place, RouteKind kind,
             const path::Permissions& permissions = {}) noexcept;

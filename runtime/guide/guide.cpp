@@ -241,6 +241,11 @@ void Guide::take_answers() noexcept {
   }
 }
 
+void Guide::heed_closures() noexcept {
+  crowd_.replan();
+  for (Session& session : sessions_) session.heed_closures();
+}
+
 // What time brings.
 
 void Guide::step(Seconds dt) noexcept {

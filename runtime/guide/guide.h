@@ -78,8 +78,9 @@ class Guide {
   /// take_pieces() gives after that step have to be applied before it is drawn.
   const scene::DrawList& draw_list() noexcept;
 
-  /// Something has been closed or opened: whoever is under way looks for a new way.
-  void replan() noexcept { crowd_.replan(); }
+  /// Something has been closed or opened: whoever is under way looks for a new way, and what is on
+  /// the glass says so.
+  void heed_closures() noexcept;
   /// The screen has another size: a view is laid out for it.
   void resize(const interface::ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.

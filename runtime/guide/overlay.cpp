@@ -132,6 +132,68 @@ void make_way(const interface::View& view, std::size_t sign,
   label.rect = place;
 }
 
+/// Steps about a gallery's name, nearest first, in heights of it.
+constexpr auto about_name = [] {
+  constexpr int across = 4, up = 5;  // either way
+  std::array<std::array<float, 2>, (2 * across + 1) * (2 * up + 1)> steps{};
+  std::size_t count = 0;
+  for (int x = -across; x <= across; ++x)
+    for (int y = -up; y <= up; ++y)
+      steps[count++] = {0.8F * static_cast<float>(x), 0.5F * static_cast<float>(y)};
+  std::ranges::sort(steps, {}, [](const auto& s) { return s[0] * s[0] + s[1] * s[1]; });
+  return steps;
+}();
+
+float shared_area(const scene::Rect& a, const scene::Rect& b) noexcept {
+  const float width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
+  const float height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+  return std::max(width, 0.0F) * std::max(height, 0.0F);
+}
+
+/// Where the middle of a gallery's name may be: about where the gallery is seen.
+scene::Rect seen_gallery(const scene::CameraView& camera, const interface::FloorLabel& name,
+                         float height) noexcept {
+  float left = 1, right = 0, top = 1, bottom = 0;
+  for (const Vec2 corner :
+       {name.least, name.most, Vec2{name.least.x, name.most.y}, Vec2{name.most.x, name.least.y}}) {
+    const auto at = scene::project(camera, to_world(corner, height));
+    if (!at) continue;
+    left = std::min(left, at->x);
+    right = std::max(right, at->x);
+    top = std::min(top, at->y);
+    bottom = std::max(bottom, at->y);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+/// Moves a gallery's name, within the gallery, to where it covers no number and no name before it,
+/// and is in the picture; or where least of it does not.
+void find_room(const interface::View& view, std::size_t name, const scene::Rect& gallery,
+               std::span<interface::FloorLabel> labels) noexcept {
+  interface::FloorLabel& label = labels[name];
+  const scene::Rect place = label.rect;
+  const scene::Rect ground = ground_of(view, label);
+  const float line_x = ground.height * view.pixel_height / view.pixel_width;
+  constexpr float free = 1e-6F;  // of the screen
+  float least = 1e9F;
+  for (const auto& [x, y] : about_name) {
+    const scene::Rect here{ground.x + x * line_x, ground.y + y * ground.height, ground.width,
+                           ground.height};
+    const bool is_moved = x != 0 || y != 0;
+    if (is_moved && !scene::contains(gallery, here.x + here.width / 2, here.y + here.height / 2))
+      continue;
+    float covered = here.width * here.height - shared_area(here, view.free);
+    for (std::size_t i = 0; i < labels.size() && covered < least; ++i)
+      if (i != name && labels[i].rect.width > 0 &&
+          (labels[i].on_disc || (is_name(labels[i]) && i < name)))
+        covered += shared_area(here, ground_of(view, labels[i]));
+    if (covered >= least) continue;
+    least = covered;
+    label.rect = {place.x + x * line_x, place.y + y * ground.height, place.width, place.height};
+    if (least <= free) return;
+  }
+}
+
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
@@ -167,6 +229,11 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
         label.rect = around(at->x, at->y, label.width_px / view->pixel_width,
                             label.height_px / view->pixel_height);
     }
+    for (std::size_t i = 0; i < view->labels.size(); ++i)
+      if (is_name(view->labels[i]) && view->labels[i].rect.width > 0)
+        find_room(*view, i,
+                  seen_gallery(camera, view->labels[i], floor_height + view->labels[i].height),
+                  view->labels);
     for (std::size_t i = 0; i < view->labels.size(); ++i)
       if (view->labels[i].is_sign && view->labels[i].rect.width > 0)
         make_way(*view, i, view->labels);

@@ -180,7 +180,8 @@ void Session::lead(const Errand& errand) noexcept {
     return context_.crowd.seek(*guide_, *errand.seeks, errand.route, errand.permissions);
   const auto goal = interface::goal_of(context_.museum, state_);
   if (goal)
-    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions);
+    context_.crowd.send(*guide_, goal->floor, goal->standing, errand.route, errand.permissions,
+                        errand.exhibit);
 }
 
 void Session::order(const Errand& errand) noexcept {
@@ -230,8 +231,15 @@ void Session::request_view() noexcept {
 bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   if (view->request != last_request_) return false;  // the visitor has gone on
   awaiting_view_ = false;
+  state_.own_tour = view->state.own_tour;  // the worker has put it in order
   overlay_.enter(std::move(view));
   return true;
+}
+
+void Session::heed_closures() noexcept {
+  interface::order_anew(state_.own_tour);
+  set_out();
+  request_view();
 }
 
 /// The crowd has been told about the guide's way.

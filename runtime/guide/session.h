@@ -60,6 +60,9 @@ class Session {
   /// Goes to another state without a touch or a key.
   void show(const interface::InterfaceState& state) noexcept;
   void request_view() noexcept;
+  /// Something has been closed or opened: the view says so, and whoever was told that there is no
+  /// way is led if there is one now.
+  void heed_closures() noexcept;
   /// Takes the planner's answer. True where the view is now on the glass.
   bool take_view(std::unique_ptr<interface::View> view) noexcept;
   /// Called after the crowd's step. `absent_after`: seconds without a touch or a key after which

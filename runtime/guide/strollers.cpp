@@ -111,12 +111,13 @@ void Strollers::choose(Stroller& stroller, Crowd& crowd) const noexcept {
       return crowd.send(stroller.who, floor, {roads.position[node], heading}, RouteKind::Skeleton);
     }
     if (museum_.exhibits.empty()) continue;
-    const Exhibit& exhibit = museum_.exhibits[static_cast<std::size_t>(
-        random(stroller) * static_cast<double>(museum_.exhibits.size()))];
+    const auto chosen =
+        static_cast<std::uint32_t>(random(stroller) * static_cast<double>(museum_.exhibits.size()));
+    const Exhibit& exhibit = museum_.exhibits[chosen];
     if (!may_go_to(exhibit.floor, crowd[stroller.who], crowd, stroller) ||
         is_taken(exhibit.floor, exhibit.viewing_point.position))
       continue;
-    return crowd.send(stroller.who, exhibit.floor, exhibit.viewing_point, kind);
+    return crowd.send(stroller.who, exhibit.floor, exhibit.viewing_point, kind, {}, chosen);
   }
   stroller.looks = false;  // everything is taken: it looks on
 }

@@ -44,10 +44,22 @@ void go_to_place(InterfaceState& state, std::uint32_t place) noexcept {
   follow_guide(state, is_there);
 }
 
-void show_list(InterfaceState& state, bool of_places) noexcept {
+void show_list(InterfaceState& state, Listed what) noexcept {
   state.screen = state.seat && !state.look ? Screen::Picking : Screen::Choosing;
-  state.lists_places = of_places;
+  state.lists = what;
   state.page = 0;
+}
+
+/// Who is on the way to it goes there all the same, on no tour.
+void discard(InterfaceState& state, std::uint32_t exhibit) noexcept {
+  const std::size_t place = place_in(state.own_tour, exhibit);
+  take_from(state.own_tour, exhibit);
+  if (state.tour && state.tour->tour == TourWalk::own) {
+    if (place == state.tour->stop) state.tour.reset();
+    if (state.tour && place < state.tour->stop) --state.tour->stop;
+  }
+  if (state.own_tour.count == 0 && state.lists == Listed::OwnTour)
+    show_list(state, Listed::Exhibits);
 }
 
 /// A seat whose visitor has left.
@@ -65,7 +77,7 @@ InterfaceState vacated(const InterfaceState& state) noexcept {
 InterfaceState after(InterfaceState state, Action action) noexcept {
   switch (action.kind) {
     case Action::Kind::Begin:
-      show_list(state, false);
+      show_list(state, Listed::Exhibits);
       break;
     case Action::Kind::Pick:
       if ((state.taken >> action.argument & 1U) != 0) break;
@@ -74,10 +86,19 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.page = 0;
       break;
     case Action::Kind::ShowExhibits:
-      show_list(state, false);
+      show_list(state, Listed::Exhibits);
       break;
     case Action::Kind::ShowPlaces:
-      show_list(state, true);
+      show_list(state, Listed::Places);
+      break;
+    case Action::Kind::Collect:
+      add_to(state.own_tour, action.argument);
+      break;
+    case Action::Kind::Discard:
+      discard(state, action.argument);
+      break;
+    case Action::Kind::ShowOwnTour:
+      show_list(state, state.own_tour.count == 0 ? Listed::Exhibits : Listed::OwnTour);
       break;
     case Action::Kind::Choose:
     case Action::Kind::FollowTour:
@@ -103,9 +124,11 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
     case Action::Kind::AvoidSteps:
       state.ways.step_free = action.argument != 0;
+      order_anew(state.own_tour);
       break;
     case Action::Kind::AvoidEscalators:
       state.ways.no_escalators = action.argument != 0;
+      order_anew(state.own_tour);
       break;
     case Action::Kind::Return:
       if (!has_goal(state)) {
@@ -116,14 +139,15 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
     case Action::Kind::Stop:
       forget_goal(state);
-      show_list(state, false);
+      show_list(state, Listed::Exhibits);
       break;
     case Action::Kind::Home:
       if (state.seat) return vacated(state);
       forget_goal(state);
       state.floor.reset();
       state.ways = {};
-      show_list(state, false);
+      state.own_tour = {};
+      show_list(state, Listed::Exhibits);
       state.screen = Screen::Welcome;
       break;
   }

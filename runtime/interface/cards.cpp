@@ -153,20 +153,23 @@ Corner draw_corner(Sheet& sheet, const PixelBox& content) {
 float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::string_view> names) {
   const Measures& m = sheet.measures();
   const float top = content.bottom() - m.touch, gap = std::round(m.unit);
-  const auto is_there = [&](std::string_view name) { return sheet.control(name) >= 0; };
-  const auto count = static_cast<float>(std::ranges::count_if(names, is_there));
+  std::vector<std::int32_t> there;
+  for (const std::string_view name : names)
+    if (const std::int32_t control = sheet.control(name); control >= 0) there.push_back(control);
+  const auto count = static_cast<float>(there.size());
   const float width = std::floor((content.width + gap) / count - gap);
+  const TextStyle word = sheet.row_style(there, width);
+  const std::int32_t stop = sheet.control("stop");
   float x = content.x;
-  for (const std::string_view name : names) {
-    if (!is_there(name)) continue;
-    sheet.button(sheet.control(name), {x, top, width, m.touch},
-                 name == "stop" ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft);
+  for (const std::int32_t control : there) {
+    sheet.button(control, {x, top, width, m.touch},
+                 control == stop ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft, word);
     x += width + gap;
   }
   return top;
 }
 
-/// An exhibit's number, or how long a tour is, and what it is called.
+/// An exhibit's number, or how long a tour is, and what it is called; and that it is closed.
 std::string row_text(const Sheet& sheet, const Control& control) {
   std::string title(sheet.local(control.label));
   if (control.action.kind == Action::Kind::Seek) return title;
@@ -175,7 +178,9 @@ std::string row_text(const Sheet& sheet, const Control& control) {
                                  ? tour_line(sheet, *tour)
                                  : number_in(sheet.museum(), sheet.request().state.language,
                                              static_cast<long>(control.action.argument) + 1);
-  return before + "  " + title;
+  const std::string closed =
+      tour == nullptr ? closed_line(sheet, control.action.argument) : std::string();
+  return before + "  " + title + (closed.empty() ? "" : "  ·  ") + closed;
 }
 
 void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
@@ -286,7 +291,7 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
-  const bool of_places = sheet.request().state.lists_places;
+  const bool of_places = sheet.request().state.lists == Listed::Places;
   const float width = content.width - draw_corner(sheet, content).width;
   sheet.piece(sheet.fitted(style, sheet.word(of_places ? "places_title" : "choose_title"), width),
               content.x, content.y, width, Align::Start, sheet.theme().ink);

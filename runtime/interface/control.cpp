@@ -34,6 +34,27 @@ Control tour_control(const Museum& museum, std::uint32_t index, const InterfaceS
           .rect = {}};
 }
 
+/// The visitor's own tour in the list.
+Control own_tour_control(const Museum& museum) {
+  Control control = button(museum, "own-tour", "own_tour", {Action::Kind::ShowOwnTour});
+  control.role = Role::ListItem;
+  return control;
+}
+
+/// Puts an exhibit into the visitor's own tour, or takes it out.
+Control collect_control(const Museum& museum, std::uint32_t exhibit, const InterfaceState& state) {
+  const bool is_in = place_in(state.own_tour, exhibit) != state.own_tour.count;
+  const bool lists_it = state.screen == Screen::Choosing && state.lists == Listed::OwnTour;
+  const std::string_view key = !is_in     ? "own_tour_add"
+                               : lists_it ? "own_tour_remove"
+                                          : "own_tour_added";
+  Control control = button(museum, "collect:" + museum.exhibits[exhibit].id, key,
+                           {is_in ? Action::Kind::Discard : Action::Kind::Collect, exhibit});
+  control.selected = is_in && !lists_it;
+  control.enabled = is_in || !state.own_tour.is_full();
+  return control;
+}
+
 /// A kind of place in the list.
 Control kind_control(const Museum& museum, PlaceKind kind, const InterfaceState& state) {
   Control control = button(museum, "place:" + std::string(info_of(kind).name), word_of(kind),
@@ -56,9 +77,10 @@ Control place_spot(const Museum& museum, std::uint32_t index, const InterfaceSta
 
 /// To the tour's next stop, where there is one.
 std::optional<Action> to_next_stop(const Museum& museum, const InterfaceState& state) {
-  const std::optional<TourWalk> next = next_stop(museum, state.tour);
+  const std::optional<TourWalk> next = next_stop(museum, state.own_tour, state.tour);
   if (!next) return {};
-  return Action{Action::Kind::FollowTour, museum.tours[next->tour].exhibits[next->stop], *next};
+  const std::uint32_t exhibit = stops_of(museum, state.own_tour, next)->exhibits[next->stop];
+  return Action{Action::Kind::FollowTour, exhibit, *next};
 }
 
 void add_skip(const ControlRequest& request, std::vector<Control>& out) {
@@ -111,27 +133,47 @@ void add_looks(const ControlRequest& request, std::vector<Control>& out) {
   }
 }
 
-/// How long the list is: tours and exhibits, or kinds of places.
+/// The visitor's own tour heads the list of exhibits as soon as there is one; not on a card, which
+/// has no room for it.
+std::uint32_t own_tours(const InterfaceState& state) noexcept {
+  return state.own_tour.count > 0 && !state.seat ? 1 : 0;
+}
+
+/// How long the list is: tours and exhibits, kinds of places, or the stops of the visitor's tour.
 std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noexcept {
-  if (!state.lists_places)
-    return static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
   const auto is_there = [&](const PlaceKindInfo& info) { return has_place(museum, info.kind); };
-  return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
+  switch (state.lists) {
+    case Listed::Exhibits:
+      return own_tours(state) +
+             static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
+    case Listed::Places:
+      return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
+    case Listed::OwnTour:
+      break;
+  }
+  return state.own_tour.count;
+}
+
+Control list_item(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
+  const auto exhibit = [&](std::uint32_t i) {
+    return exhibit_control(museum, i, Role::ListItem, state);
+  };
+  if (state.lists == Listed::Places)
+    return kind_control(museum, kinds_of_places(museum)[index], state);
+  if (state.lists == Listed::OwnTour) return exhibit(state.own_tour.exhibit[index]);
+  if (index < own_tours(state)) return own_tour_control(museum);
+  index -= own_tours(state);
+  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
+  return index < tours ? tour_control(museum, index, state) : exhibit(index - tours);
 }
 
 void add_list(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   const std::uint32_t pages = page_count(museum, state, per_page);
   const std::uint32_t page = std::min(state.page, pages - 1);
-  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
   const std::uint32_t begin = page * per_page;
   const std::uint32_t end = std::min(begin + per_page, list_length(museum, state));
-  const std::vector<PlaceKind> kinds =
-      state.lists_places ? kinds_of_places(museum) : std::vector<PlaceKind>();
-  for (std::uint32_t i = begin; i < end; ++i)
-    out.push_back(state.lists_places ? kind_control(museum, kinds[i], state)
-                  : i < tours        ? tour_control(museum, i, state)
-                                     : exhibit_control(museum, i - tours, Role::ListItem, state));
+  for (std::uint32_t i = begin; i < end; ++i) out.push_back(list_item(museum, i, state));
   if (pages == 1) return;
 
   Control previous = button(museum, "page:previous", "page_previous",
@@ -198,11 +240,31 @@ void add_back(const ControlRequest& request, std::string_view home_key, std::vec
                                                : "back_to_place";
   out.push_back(button(request.museum, "back", key, {Action::Kind::Return}));
 }
+/// Of the visitor's own tour; and what leads back to the exhibits.
+void add_start(const ControlRequest& request, std::vector<Control>& out) {
+  const OwnTour& tour = request.state.own_tour;
+  Control start = button(request.museum, "start-tour", "own_tour_start",
+                         {Action::Kind::FollowTour, tour.exhibit[0], {TourWalk::own, 0}});
+  start.enabled = tour.is_ordered && tour.count > 0;
+  out.push_back(std::move(start));
+  out.push_back(button(request.museum, "choose", "own_tour_more", {Action::Kind::ShowExhibits}));
+}
+/// What collects the exhibits of the list.
+void add_collects(const ControlRequest& request, std::vector<Control>& out) {
+  const std::size_t listed = out.size();
+  for (std::size_t i = 0; i < listed; ++i)
+    if (out[i].role == Role::ListItem && out[i].action.kind == Action::Kind::Choose)
+      out.push_back(collect_control(request.museum, out[i].action.argument, request.state));
+}
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
   add_floors(request, out);
-  add_routes(request, out);
+  if (request.state.lists == Listed::OwnTour)
+    add_start(request, out);
+  else
+    add_routes(request, out);
   add_back(request, "home", out);
+  add_collects(request, out);  // last, so that keys come to the exhibits soon
 }
 void add_choosing_on_card(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
@@ -215,8 +277,15 @@ void add_walking_on_card(const ControlRequest& request, std::vector<Control>& ou
   add_skip(request, out);
   add_choose(request, out);
 }
+/// Of the exhibit that the visitor goes to, or is at.
+void add_collect(const ControlRequest& request, std::vector<Control>& out) {
+  const InterfaceState& state = request.state;
+  if (!state.exhibit || *state.exhibit >= request.museum.exhibits.size()) return;
+  out.push_back(collect_control(request.museum, *state.exhibit, state));
+}
 void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   add_walking_on_card(request, out);
+  if (!to_next_stop(request.museum, request.state)) add_collect(request, out);
   add_home(request, "home", out);
 }
 void add_arrived_on_card(const ControlRequest& request, std::vector<Control>& out) {
@@ -229,11 +298,17 @@ void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
   if (!add_next(request, out) && state.exhibit)
     for (const std::uint32_t next : neighbours(museum, *state.exhibit, suggestion_count))
       out.push_back(exhibit_control(museum, next, Role::ListItem, state));
+  add_collect(request, out);
   add_choose(request, out);
   add_home(request, "home", out);
 }
 
 }  // namespace
+
+bool is_collect(const Control& control) noexcept {
+  return control.action.kind == Action::Kind::Collect ||
+         control.action.kind == Action::Kind::Discard;
+}
 
 LocalText word_in_all(const Museum& museum, std::string_view key) {
   LocalText label;

@@ -35,13 +35,20 @@ enum class Glass : std::uint8_t {
   TurnedAway,  ///< Shared and full; somebody has just asked for a seat in vain.
 };
 
+/// What the list of the choosing screen holds.
+enum class Listed : std::uint8_t {
+  Exhibits,  ///< Below the tours.
+  Places,
+  OwnTour,  ///< What the visitor has collected, in the order of the walk.
+};
+
 /// The part of the guide's state that decides which controls there are and what they say. The rest
 /// (where the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
   Screen screen = Screen::Welcome;
   std::uint32_t language = 0;            ///< Index into Museum::languages.
   std::uint32_t page = 0;                ///< Of the list, on the choosing screen.
-  bool lists_places = false;             ///< That list is of places, and not of exhibits.
+  Listed lists = Listed::Exhibits;       ///< What that list holds.
   std::optional<std::uint32_t> floor{};  ///< That is seen from above; none: the kiosk's.
   /// Where the visitor is going or has arrived: an exhibit or a place.
   std::optional<std::uint32_t> exhibit{};
@@ -58,6 +65,7 @@ struct InterfaceState {
   std::optional<std::uint32_t> look{};  ///< Index into `looks`: the guide that was picked.
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
+  OwnTour own_tour{};                   ///< What they have collected; until they leave.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -79,6 +87,9 @@ struct Action {
     AvoidEscalators,  ///< The same of escalators.
     ShowExhibits,     ///< The list again; the walk goes on.
     ShowPlaces,       ///< The list of places; the walk goes on.
+    Collect,          ///< Exhibit `argument` into the visitor's own tour.
+    Discard,          ///< Out of it again.
+    ShowOwnTour,      ///< The list of what is in it; the walk goes on.
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
@@ -101,9 +112,9 @@ enum class Role : std::uint8_t {
 /// Something a visitor can press. One list per view: drawing, touch, keypad, scripted visits and
 /// tests all read it.
 struct Control {
-  /// Stable, the same in every language: `exhibit:ID`, `place:KIND`, `tour:ID`, `next`,
-  /// `route:shortest`, `language:TAG`, `home`... A spot bears its exhibit's name; a list item of
-  /// that name, where there is one, comes first. A place on the model is `spot:ID`.
+  /// Stable, the same in every language: `exhibit:ID`, `collect:ID`, `place:KIND`, `tour:ID`,
+  /// `next`, `route:shortest`, `language:TAG`, `home`... A spot bears its exhibit's name; a list
+  /// item of that name, where there is one, comes first. A place on the model is `spot:ID`.
   std::string name;
   Role role = Role::Button;
   LocalText label;
@@ -113,6 +124,9 @@ struct Control {
   scene::Rect
       rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
 };
+
+/// Does it put an exhibit into the visitor's own tour, or take it out?
+bool is_collect(const Control& control) noexcept;
 
 /// The controls of a state in focus order, without their rectangles. `per_page` is how many
 /// exhibits a page of the list shows. What is on every screen follows what is the screen's own;

@@ -49,7 +49,7 @@ void add_helps(const ControlRequest& request, std::vector<Control>& out) {
     out.push_back(std::move(toilets));
   }
   if (state.screen == Screen::Picking) return;  // first of all, by whom they are led
-  const bool lists_places = state.screen == Screen::Choosing && state.lists_places;
+  const bool lists_places = state.screen == Screen::Choosing && state.lists == Listed::Places;
   out.push_back(lists_places ? button(museum, "exhibits", "exhibits", {Action::Kind::ShowExhibits})
                              : button(museum, "places", "places", {Action::Kind::ShowPlaces}));
 }
@@ -78,10 +78,13 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   sheet.shadow(board, 2 * m.unit, 0.12F);
   sheet.fill(board, sheet.theme().paper, m.corner);
   // From the end: what is on every screen stays in its place.
+  std::vector<std::int32_t> controls;
+  for (const auto& one : shown) controls.push_back(one.first);
+  const TextStyle word = sheet.signed_row_style(controls, each);
   PixelBox cell{board.right() - gap - each, board.bottom() - gap - m.touch, each, m.touch};
   float left = columns;
   for (auto one = shown.rbegin(); one != shown.rend(); ++one) {
-    sheet.signed_button(one->first, one->second, cell);
+    sheet.signed_button(one->first, one->second, cell, word);
     cell.x -= each + gap;
     if (--left > 0) continue;
     left = columns;

@@ -65,11 +65,18 @@ void add_floor_labels(Sheet& sheet) {
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 500;
     const TextPiece name = sheet.fitted(style, sheet.local(room.title), 1e4F);
-    view.labels.push_back({.position = room.label,
-                           .texture = name.texture,
-                           .width_px = name.width,
-                           .height_px = name.height,
-                           .rect = {}});
+    FloorLabel label{.position = room.label,
+                     .texture = name.texture,
+                     .width_px = name.width,
+                     .height_px = name.height,
+                     .least = room.label,
+                     .most = room.label,
+                     .rect = {}};
+    for (const Vec2& corner : room.outline) {
+      label.least = glm::min(label.least, corner);
+      label.most = glm::max(label.most, corner);
+    }
+    view.labels.push_back(label);
   }
   for (std::size_t i = 0; i < view.controls.size(); ++i) {
     const Control& control = view.controls[i];
@@ -152,7 +159,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
 }
 
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces) {
+                                PieceCache& pieces, const Closures& closed) {
   auto view = std::make_unique<View>();
   view->request = request.id;
   view->part = request.part;
@@ -166,7 +173,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
 
-  Sheet sheet(museum, request, pieces, *view);
+  Sheet sheet(museum, request, pieces, closed, *view);
   view->accent =
       request.state.look ? scene::trail_colour(*request.state.look) : sheet.theme().invitation;
   if (request.state.glass != Glass::Whole) {

@@ -6,6 +6,7 @@
 #include "runtime/interface/measures.h"
 #include "runtime/interface/piece_cache.h"
 #include "runtime/interface/view.h"
+#include "runtime/model/closures.h"
 #include "runtime/model/museum.h"
 #include "runtime/path/way.h"
 
@@ -13,7 +14,16 @@ namespace docent::interface {
 
 /// Why there is no way, though there would be one if something were not closed, or if steps or
 /// escalators were allowed.
-enum class Hindrance : std::uint8_t { Door, Stairs, Escalator, Lift, Ramp, Steps, Escalators };
+enum class Hindrance : std::uint8_t {
+  Door,
+  Stairs,
+  Escalator,
+  Lift,
+  Ramp,
+  Steps,
+  Escalators,
+  Exhibit,  ///< It is closed itself, or with its room.
+};
 
 /// The key of the interface's word that says so; {floor} in it is the floor that cannot be reached.
 std::string_view hindrance_word(Hindrance hindrance) noexcept;
@@ -40,9 +50,10 @@ struct ViewRequest {
 /// Lays out one view: what it says, and where everything lies on the glass. On the glass of one
 /// visitor there is one panel: in landscape at the side where lines of text begin (so Arabic is the
 /// mirror image), in portrait along the lower edge. Pure but for the pieces it adds to the cache;
-/// runs on the worker.
+/// runs on the worker. `closed`: what is so just
+/// now; its exhibits say so, and until when.
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces);
+                                PieceCache& pieces, const Closures& closed = {});
 
 /// How many exhibits a page of the list shows on such a screen.
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;

@@ -148,7 +148,9 @@ float draw_floors(Sheet& sheet, const PixelBox& free) {
 const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept {
   const bool begins = control.role == Role::ListItem &&
                       control.action.kind == Action::Kind::FollowTour && control.name != "next";
-  return begins ? tour_of(sheet.museum(), control.action.stop) : nullptr;
+  const auto& tours = sheet.museum().tours;
+  const std::uint32_t tour = control.action.stop.tour;
+  return begins && tour < tours.size() ? &tours[tour] : nullptr;
 }
 
 std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room) {
@@ -162,14 +164,35 @@ std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t ro
   return line;
 }
 
-/// Its number, its gallery, and its floor where that is another.
+std::string closed_line(const Sheet& sheet, std::uint32_t exhibit) {
+  const ClosedExhibit* closed = closed_exhibit(sheet.closed(), exhibit);
+  if (closed == nullptr) return {};
+  if (!closed->until) return std::string(sheet.word("closed_now"));
+  return filled_in(sheet.word("closed_until"), "when",
+                   moment_in(sheet.museum(), sheet.request().state.language, *closed->until,
+                             sheet.closed().day));
+}
+
+/// Its number, its gallery, and its floor where that is another; or that it is closed.
 std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
   const Museum& museum = sheet.museum();
   const Exhibit& exhibit = museum.exhibits[index];
   std::string line =
       number_in(museum, sheet.request().state.language, static_cast<long>(index) + 1);
-  const std::string where = where_line(sheet, exhibit.floor, exhibit.room);
-  if (!where.empty()) line.append(between).append(where);
+  const std::string closed = closed_line(sheet, index);
+  const std::string after =
+      closed.empty() ? where_line(sheet, exhibit.floor, exhibit.room) : closed;
+  if (!after.empty()) line.append(between).append(after);
+  return line;
+}
+
+std::string own_tour_line(const Sheet& sheet) {
+  const InterfaceState& state = sheet.request().state;
+  const OwnTour& tour = state.own_tour;
+  std::string line = filled_in(sheet.word("own_tour_stops"), "n",
+                               number_in(sheet.museum(), state.language, tour.count));
+  if (tour.is_ordered && tour.seconds > 0)
+    line.append(between).append(time_in(sheet.museum(), state.language, tour.seconds));
   return line;
 }
 
@@ -194,19 +217,24 @@ std::string kind_line(const Sheet& sheet, PlaceKind kind) {
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
   const InterfaceState& state = sheet.request().state;
   const Museum& museum = sheet.museum();
-  const Tour* tour = tour_of(museum, state.tour);
-  if (tour == nullptr) return box;
+  const std::optional<TourStops> tour = stops_of(museum, state.own_tour, state.tour);
+  if (!tour) return box;
   const auto number = [&](std::size_t n) {
     return number_in(museum, state.language, static_cast<long>(n));
   };
   std::string line = filled_in(sheet.word("page_of"), "n", number(state.tour->stop + 1));
   line = filled_in(line, "total", number(tour->exhibits.size()));
-  const bool is_over = state.arrived && !next_stop(museum, state.tour);
-  const std::string time =
-      time_in(museum, state.language, seconds_left(museum, state.tour, state.arrived));
-  line = std::string(sheet.local(tour->title)) + "  ·  " + line + "  ·  " +
-         (is_over ? std::string(sheet.word("tour_done"))
-                  : filled_in(sheet.word("tour_left"), "time", time));
+  const bool is_over = state.arrived && !next_stop(museum, state.own_tour, state.tour);
+  const double left = seconds_left(museum, state.own_tour, state.tour, state.arrived);
+  const std::string_view title = state.tour->tour == TourWalk::own
+                                     ? sheet.word("own_tour")
+                                     : sheet.local(museum.tours[state.tour->tour].title);
+  line = std::string(title).append(between) + line;
+  if (is_over)
+    line.append(between).append(sheet.word("tour_done"));
+  else if (left > 0)
+    line.append(between).append(
+        filled_in(sheet.word("tour_left"), "time", time_in(museum, state.language, left)));
   const float bottom = sheet.piece(sheet.fitted(sheet.style(Letters::Small, 2), line, box.width),
                                    box.x, box.y, box.width, Align::Start, sheet.theme().quiet_ink) +
                        sheet.measures().unit;
@@ -218,8 +246,11 @@ void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
   if (action.kind == Action::Kind::Seek)
     return draw_sign(sheet, static_cast<PlaceKind>(action.argument), box, control);
+  const std::uint32_t exhibit = action.kind == Action::Kind::ShowOwnTour
+                                    ? sheet.request().state.own_tour.exhibit[0]
+                                    : action.argument;
   sheet.fill(box, sheet.theme().plaster, m.corner, control);
-  sheet.image(box, sheet.museum().exhibits[action.argument].image, m.corner, control);
+  sheet.image(box, sheet.museum().exhibits[exhibit].image, m.corner, control);
 }
 
 void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control) {
@@ -232,9 +263,22 @@ void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t c
 std::string line_of(const Sheet& sheet, const Control& control) {
   if (control.action.kind == Action::Kind::Seek)
     return kind_line(sheet, static_cast<PlaceKind>(control.action.argument));
+  if (control.action.kind == Action::Kind::ShowOwnTour) return own_tour_line(sheet);
   const Tour* tour = begun_tour(sheet, control);
   return tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, control.action.argument);
 }
+
+namespace {
+
+/// To an exhibit that cannot be seen just now. A tour that begins with one can be begun.
+bool leads_to_closed(const Sheet& sheet, const Control& control) noexcept {
+  const bool is_exhibit =
+      control.action.kind == Action::Kind::Choose ||
+      (control.action.kind == Action::Kind::FollowTour && begun_tour(sheet, control) == nullptr);
+  return is_exhibit && closed_exhibit(sheet.closed(), control.action.argument) != nullptr;
+}
+
+}  // namespace
 
 void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (control < 0) return;
@@ -248,13 +292,28 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
   TextStyle title_style = sheet.style(Letters::Label);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
-  const TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
+  TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
   const std::string line = line_of(sheet, it);
   TextStyle room_style = sheet.style(Letters::Small);
   room_style.line_height = title_style.line_height;
-  const TextPiece second = sheet.fitted(room_style, line, width);
+  TextPiece second = sheet.fitted(room_style, line, width);
+  const auto shrink_to = [&](float share) {
+    title_style.size = std::floor(share * title_style.size);
+    room_style.size = std::floor(share * room_style.size);
+    title = sheet.fitted(title_style, sheet.local(it.label), width);
+    second = sheet.fitted(room_style, line, width);
+  };
+  if (title.cut) {  // in two lines, as large as there is room for
+    title_style.max_lines = 2;
+    const float whole = (2 * title_style.size + room_style.size) * title_style.line_height;
+    shrink_to(std::min(0.7F, box.height / whole));
+  }
+  if (const float whole = title.height + second.height; whole > box.height)
+    shrink_to(box.height / whole);
   const float top = box.y + (box.height - title.height - second.height) / 2;
-  sheet.piece(title, x, top, width, Align::Start, sheet.theme().ink, control);
+  const bool is_closed = leads_to_closed(sheet, it);
+  sheet.piece(title, x, top, width, Align::Start,
+              is_closed ? sheet.theme().quiet_ink : sheet.theme().ink, control);
   sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
 }
 

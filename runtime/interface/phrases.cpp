@@ -23,6 +23,35 @@ std::string_view character(std::string_view text, std::size_t index) noexcept {
   return text.substr(begin, end - begin);
 }
 
+namespace chr = std::chrono;
+
+/// A time of day, by the clock of a language.
+std::string clock_in(const Museum& museum, std::uint32_t language, chr::minutes since_midnight) {
+  constexpr chr::hours noon{12};
+  if (since_midnight == noon) return std::string(word(museum, language, "noon"));
+  const auto number = [&](long n) { return number_in(museum, language, n); };
+  const long hour = chr::floor<chr::hours>(since_midnight).count();
+  const long minute = since_midnight.count() % 60;
+  std::string text(word(museum, language, minute == 0 ? "clock_hour" : "clock"));
+  text = filled_in(text, "hour", number((hour + 11) % 12 + 1));
+  text = filled_in(text, "hour_of_day", number(hour));
+  text = filled_in(text, "minute", number(minute / 10) + number(minute % 10));
+  return filled_in(text, "half",
+                   word(museum, language, since_midnight < noon ? "before_noon" : "after_noon"));
+}
+
+/// A day of the calendar.
+std::string date_in(const Museum& museum, std::uint32_t language, chr::local_days day,
+                    std::optional<chr::local_days> today) {
+  const chr::year_month_day date(day);
+  const bool is_this_year = today && chr::year_month_day(*today).year() == date.year();
+  const std::string month = fmt::format("month_{}", static_cast<unsigned>(date.month()));
+  std::string text(word(museum, language, is_this_year ? "date" : "date_of_year"));
+  text = filled_in(text, "day", number_in(museum, language, static_cast<unsigned>(date.day())));
+  text = filled_in(text, "month", word(museum, language, month));
+  return filled_in(text, "year", number_in(museum, language, static_cast<int>(date.year())));
+}
+
 }  // namespace
 
 std::string filled_in(std::string_view text, std::string_view name, std::string_view value) {
@@ -60,6 +89,22 @@ std::string time_in(const Museum& museum, std::uint32_t language, double seconds
                                : minutes <= 10 ? "time_few"
                                                : "time_many";
   return filled_in(word(museum, language, key), "n", number_in(museum, language, minutes));
+}
+
+std::string moment_in(const Museum& museum, std::uint32_t language, LocalMinute moment,
+                      std::optional<chr::local_days> today) {
+  constexpr chr::days one{1}, week{7};
+  const auto day = chr::floor<chr::days>(moment);
+  const chr::minutes since_midnight = moment - day;
+  if (!today || day < *today || day >= *today + week) return date_in(museum, language, day, today);
+  if (day == *today) return clock_in(museum, language, since_midnight);
+  const std::string name = day == *today + one
+                               ? "tomorrow"
+                               : fmt::format("weekday_{}", chr::weekday(day).iso_encoding());
+  const std::string_view on = word(museum, language, name);
+  if (since_midnight == chr::minutes(0)) return std::string(on);
+  const std::string text = filled_in(word(museum, language, "day_and_clock"), "day", on);
+  return filled_in(text, "clock", clock_in(museum, language, since_midnight));
 }
 
 }  // namespace docent::interface

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "runtime/model/hours/opening_hours.h"
 #include "runtime/model/museum.h"
 
 namespace docent::interface {
@@ -20,5 +23,10 @@ std::string distance_in(const Museum& museum, std::uint32_t language, double met
 /// "about a minute": rounded so that nobody waits longer than promised, with the plural forms that
 /// the languages of the world distinguish for such numbers (one, two, few, many).
 std::string time_in(const Museum& museum, std::uint32_t language, double seconds);
+
+/// "5 p.m.", "tomorrow, 10 a.m.", "Friday, 10 a.m.": a moment to come, as short as it can be said
+/// today; by its date, "3 December", where that is a week off, or nobody knows what day it is.
+std::string moment_in(const Museum& museum, std::uint32_t language, LocalMinute moment,
+                      std::optional<std::chrono::local_days> today);
 
 }  // namespace docent::interface

@@ -1,5 +1,6 @@
 /// What stands on the panel of each screen.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/interface/goal.h"
@@ -51,6 +52,55 @@ std::string no_way_text(const Sheet& sheet, const RouteSummary& summary) {
                    title.empty() ? std::string_view(floor.plan.short_name) : title);
 }
 
+/// What is said where the visitor is not led to what they have chosen: its name, that it is closed
+/// and until when, and why there is no way.
+struct Refusal {
+  std::string title, closed, why;
+};
+Refusal refusal_of(const Sheet& sheet, const RouteSummary& summary) {
+  Refusal refusal{.title = goal_title(sheet), .closed = {}, .why = no_way_text(sheet, summary)};
+  const std::optional<std::uint32_t> exhibit = sheet.request().state.exhibit;
+  if (summary.hindrance != Hindrance::Exhibit || !exhibit) return refusal;
+  const ClosedExhibit* closed = closed_exhibit(sheet.closed(), *exhibit);
+  refusal.closed = closed_line(sheet, *exhibit);
+  // Where it has just been opened, a way is being looked for.
+  refusal.why = closed == nullptr ? sheet.word("planning") : sheet.local(closed->reason);
+  return refusal;
+}
+
+/// Sets it as large as there is room for; returns the bottom.
+float draw_refusal(Sheet& sheet, const Refusal& refusal, const PixelBox& box, Letters title) {
+  struct Sizes {
+    Letters title, closed, why;
+  };
+  const bool on_card = title == Letters::Lead;
+  const std::array sizes{
+      Sizes{title, on_card ? Letters::Body : Letters::Lead, Letters::Body},
+      Sizes{on_card ? Letters::Label : Letters::Heading, Letters::Body, Letters::Body},
+      Sizes{Letters::Label, Letters::Body, Letters::Small},
+      Sizes{Letters::Small, Letters::Small, Letters::Small}};
+  const auto set = [&](Letters letters, const std::string& text, float lines) {
+    const auto most = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 6.0F));
+    return text.empty() ? TextPiece{} : sheet.fitted(sheet.style(letters, most), text, box.width);
+  };
+  for (const Sizes& size : sizes) {
+    const bool is_last = &size == &sizes.back();
+    const TextPiece name = set(size.title, refusal.title, is_last ? 1 : 2);
+    const TextPiece closed = set(size.closed, refusal.closed, 2);
+    const float room = box.height - name.height - closed.height;
+    const TextStyle style = sheet.style(size.why);
+    const float lines = std::floor(room / (style.size * style.line_height));
+    const TextPiece why = set(size.why, refusal.why, is_last ? lines : 6);
+    if (!is_last && why.height > room) continue;
+    float y = sheet.piece(name, box.x, box.y, box.width, Align::Start, sheet.theme().ink);
+    y = sheet.piece(closed, box.x, y, box.width, Align::Start, sheet.theme().ink);
+    return is_last && lines < 1
+               ? y
+               : sheet.piece(why, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
+  }
+  return box.y;
+}
+
 }  // namespace
 
 std::string_view hindrance_word(Hindrance hindrance) noexcept {
@@ -69,6 +119,8 @@ std::string_view hindrance_word(Hindrance hindrance) noexcept {
       return "only_steps";
     case Hindrance::Escalators:
       return "only_escalators";
+    case Hindrance::Exhibit:
+      return "closed_now";
   }
   return "no_way";
 }
@@ -98,8 +150,10 @@ std::string goal_title(const Sheet& sheet) {
 }
 
 std::string goal_text(const Sheet& sheet) {
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
-    return std::string(sheet.local(exhibit->text));
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
+    const std::string closed = closed_line(sheet, *sheet.request().state.exhibit);
+    return closed + (closed.empty() ? "" : "\n") + std::string(sheet.local(exhibit->text));
+  }
   const Museum& museum = sheet.museum();
   const std::optional<Goal> goal = goal_of(museum, sheet.request().state);
   if (!goal) return {};
@@ -120,6 +174,9 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   const Measures& m = sheet.measures();
   const std::string title_text = goal_title(sheet);
   if (title_text.empty()) return box.y;
+  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
+  if (route_summary && route_summary->status != path::RouteStatus::Ok)
+    return draw_refusal(sheet, refusal_of(sheet, *route_summary), box, title) + m.gap;
   TextStyle style = sheet.style(Letters::Lead);
   style.tabular = true;
   const float line = std::ceil(style.size * style.line_height);
@@ -135,14 +192,12 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
   y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
 
-  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
-  if (route_summary && route_summary->status == path::RouteStatus::Ok) {
-    prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
-    return y + line + m.gap;
-  }
-  const std::string text =
-      route_summary ? no_way_text(sheet, *route_summary) : std::string(sheet.word("planning"));
-  return sheet.text(Letters::Body, text, box.x, y, box.width, sheet.theme().quiet_ink, 3) + m.gap;
+  if (!route_summary)
+    return sheet.text(Letters::Body, sheet.word("planning"), box.x, y, box.width,
+                      sheet.theme().quiet_ink, 3) +
+           m.gap;
+  prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
+  return y + line + m.gap;
 }
 
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
@@ -167,13 +222,70 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
                Sheet::Emphasis::Strong);
 }
 
+namespace {
+
+std::string_view title_of(Listed lists) noexcept {
+  switch (lists) {
+    case Listed::Exhibits:
+      break;
+    case Listed::Places:
+      return "places_title";
+    case Listed::OwnTour:
+      return "own_tour";
+  }
+  return "choose_title";
+}
+
+/// What puts an exhibit into the visitor's own tour, or takes it out; -1 where nothing does.
+std::int32_t collect_of(Sheet& sheet, std::optional<std::uint32_t> exhibit) {
+  const auto& controls = sheet.view().controls;
+  const auto found = std::ranges::find_if(controls, [&](const Control& control) {
+    return is_collect(control) && control.action.argument == exhibit;
+  });
+  return found == controls.end() ? -1 : static_cast<std::int32_t>(found - controls.begin());
+}
+
+/// An item of the list, and what collects it where that is an exhibit.
+void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  const std::int32_t collect =
+      action.kind == Action::Kind::Choose ? collect_of(sheet, action.argument) : -1;
+  if (collect < 0) return draw_card(sheet, control, box);
+  const float width = std::round(
+      std::max(m.touch, std::min(12 * m.unit * sheet.request().shape.text_scale, box.width / 4)));
+  const float gap = std::round(m.unit);
+  draw_card(sheet, control, {box.x, box.y, box.width - width - gap, box.height});
+  sheet.quiet_button(collect, {box.right() - width, box.y, width, box.height});
+}
+
+/// To begin the visitor's own tour, and to put more into it.
+void draw_start(Sheet& sheet, const PixelBox& row) {
+  const float half = std::floor((row.width - sheet.measures().gap) / 2);
+  const std::array buttons{sheet.control("start-tour"), sheet.control("choose")};
+  const TextStyle word = sheet.row_style(buttons, half);
+  sheet.button(buttons[0], {row.x, row.y, half, row.height}, Sheet::Emphasis::Strong, word);
+  sheet.button(buttons[1], {row.right() - half, row.y, half, row.height}, Sheet::Emphasis::Soft,
+               word);
+}
+
+}  // namespace
+
 void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const ListShape list = list_shape(sheet.request().shape);
   const std::uint32_t per_page = list.columns * list.rows;
-  const bool of_places = sheet.request().state.lists_places;
-  sheet.text(Letters::Heading, sheet.word(of_places ? "places_title" : "choose_title"), content.x,
-             content.y, content.width, sheet.theme().ink);
+  const Listed lists = sheet.request().state.lists;
+  const TextPiece heading =
+      sheet.fitted(sheet.style(Letters::Heading), sheet.word(title_of(lists)), content.width);
+  sheet.piece(heading, content.x, content.y, content.width, Align::Start, sheet.theme().ink);
+  if (lists == Listed::OwnTour) {
+    const float width = content.width - heading.width - 2 * m.gap;
+    const TextPiece line =
+        sheet.fitted(sheet.style(Letters::Small, 2), own_tour_line(sheet), width);
+    sheet.piece(line, content.right() - width, content.y + (heading.height - line.height) / 2,
+                width, Align::End, sheet.theme().quiet_ink);
+  }
 
   const float column_gap = 2 * m.gap;
   const auto columns = static_cast<float>(list.columns);
@@ -184,17 +296,20 @@ void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
     const std::uint32_t in_column = shown / list.rows;
     const auto column = static_cast<float>(in_column);
     const auto row = static_cast<float>(shown % list.rows);
-    draw_card(sheet, static_cast<std::int32_t>(i),
-              {content.x + column * (width + column_gap),
-               content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
-               list.row_height});
+    draw_list_item(sheet, static_cast<std::int32_t>(i),
+                   {content.x + column * (width + column_gap),
+                    content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
+                    list.row_height});
     ++shown;
   }
 
   const bool can_go_back = sheet.control("back") >= 0;
   const float foot = draw_foot(sheet, content, can_go_back ? "back" : "home");
   const float routes = foot - m.gap - m.touch;
-  draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
+  if (lists == Listed::OwnTour)
+    draw_start(sheet, {content.x, routes, content.width, m.touch});
+  else
+    draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
 
   const std::uint32_t pages = page_count(sheet.museum(), sheet.request().state, per_page);
   if (pages == 1) return;
@@ -223,15 +338,18 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
 
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
-  const std::int32_t skip = sheet.control("skip");
-  const float shares = skip < 0 ? 2 : 3;
+  const std::int32_t skip = sheet.control("skip"),
+                     collect = collect_of(sheet, sheet.request().state.exhibit);
+  const std::int32_t middle = skip < 0 ? collect : skip;
+  const float shares = middle < 0 ? 2 : 3;
   const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
-  sheet.button(sheet.control("stop"), {content.x, buttons, share, m.touch},
-               Sheet::Emphasis::Strong);
-  if (skip >= 0)
-    sheet.button(skip, {content.x + share + m.gap, buttons, share, m.touch}, Sheet::Emphasis::Soft);
-  sheet.button(sheet.control("choose"), {content.right() - share, buttons, share, m.touch},
-               Sheet::Emphasis::Soft);
+  const std::array row{sheet.control("stop"), middle, sheet.control("choose")};
+  const TextStyle word = sheet.row_style(row, share);
+  sheet.button(row[0], {content.x, buttons, share, m.touch}, Sheet::Emphasis::Strong, word);
+  sheet.button(middle, {content.x + share + m.gap, buttons, share, m.touch},
+               middle == skip ? Sheet::Emphasis::Soft : Sheet::Emphasis::Plain, word);
+  sheet.button(row[2], {content.right() - share, buttons, share, m.touch}, Sheet::Emphasis::Soft,
+               word);
 
   const float routes_height = 3 * m.touch + 2 * std::round(m.unit);
   const float routes_top = bottom - m.gap - routes_height;
@@ -242,6 +360,7 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
 
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
+  first.height = end - first.y;
   first = draw_tour_progress(sheet, first);
   const float y = draw_invitation(sheet, first, Letters::Title);
   if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});
@@ -257,8 +376,13 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
   const float row = list_shape(sheet.request().shape).row_height;
   float bottom = foot - m.gap - m.touch;
-  sheet.button(sheet.control("choose"), {second.x, bottom, second.width, m.touch},
-               Sheet::Emphasis::Soft);
+  const std::int32_t collect = collect_of(sheet, sheet.request().state.exhibit);
+  const float share = collect < 0 ? second.width : std::floor((second.width - m.gap) / 2);
+  const std::array pair{collect, sheet.control("choose")};
+  const TextStyle word = sheet.row_style(pair, share);
+  sheet.button(pair[0], {second.x, bottom, share, m.touch}, Sheet::Emphasis::Plain, word);
+  sheet.button(pair[1], {second.right() - share, bottom, share, m.touch}, Sheet::Emphasis::Soft,
+               word);
 
   std::vector<std::int32_t> cards;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
@@ -279,21 +403,31 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   bottom -= m.gap;
   second = draw_tour_progress(sheet, second);
 
-  // The words come first; the picture takes what they leave.
+  // The words come first; the picture takes what they leave. Where there is hardly any room, the
+  // name is said, and smaller.
   const float text_width = second.width;
-  const TextPiece title = sheet.fitted(sheet.style(Letters::Title, 2), title_text, text_width);
   TextStyle body_style = sheet.style(Letters::Body);
   const float line = body_style.size * body_style.line_height;
   const float least_picture = landscape ? 30 * m.unit : 0;
-  const float room_for_text = bottom - second.y - title.height - m.gap - least_picture;
-  body_style.max_lines =
-      static_cast<std::uint16_t>(std::clamp(std::floor(room_for_text / line), 1.0F, 40.0F));
-  const TextPiece body = sheet.fitted(body_style, goal_text(sheet), text_width);
+  TextPiece title;
+  float room = 0;
+  for (const auto& [letters, lines] :
+       {std::pair{Letters::Title, 2}, std::pair{Letters::Heading, 2}, std::pair{Letters::Label, 1},
+        std::pair{Letters::Small, 1}}) {
+    title = sheet.fitted(sheet.style(letters, static_cast<std::uint16_t>(lines)), title_text,
+                         text_width);
+    room = bottom - second.y - title.height - m.gap;
+    if (room >= line) break;
+  }
+  const float lines = std::floor((room - least_picture) / line);
+  body_style.max_lines = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 40.0F));
+  const TextPiece body =
+      room < line ? TextPiece{} : sheet.fitted(body_style, goal_text(sheet), text_width);
 
   float y = second.y;
   if (landscape) {
-    const float room = bottom - second.y - title.height - body.height - 2 * m.gap;
-    y += draw_goal(sheet, {content.x, y, content.width, std::max(room, 0.0F)}) + m.gap;
+    const float left = room - body.height - m.gap;
+    if (left > 0) y += draw_goal(sheet, {content.x, y, content.width, left}) + m.gap;
   } else {
     draw_goal(sheet, {first.x, first.y, first.width, foot - m.gap - first.y});
   }

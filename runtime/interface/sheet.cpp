@@ -49,10 +49,12 @@ void mirror(scene::Rect& rect, const scene::Rect& all) noexcept {
 
 }  // namespace
 
-Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view)
+Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
+             const Closures& closed, View& view)
     : museum_(museum),
       request_(request),
       pieces_(pieces),
+      closed_(closed),
       view_(view),
       measures_(measures_of(request.shape)),
       width_(static_cast<float>(request.shape.width)),
@@ -180,6 +182,11 @@ void Sheet::place(std::int32_t control, const PixelBox& box) {
 }
 
 void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis) {
+  button(control, box, emphasis, row_style(std::span(&control, 1), box.width));
+}
+
+void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis,
+                   const TextStyle& word) {
   if (control < 0) return;
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
@@ -188,10 +195,24 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
     fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
   scene::Colour colour = strong ? theme_.paper : theme_.ink;
   if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
-  const float pad = measures_.unit * 1.5F;
-  const TextPiece label = whole_word(local(it.label), box.width - 2 * pad);
+  const float pad = button_pad(), width = box.width - 2 * pad;
+  const TextPiece label = set(word, local(it.label), width);
+  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, width, Align::Centre, colour,
+        control);
+}
+
+void Sheet::quiet_button(std::int32_t control, const PixelBox& box) {
+  place(control, box);
+  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
+  const std::string_view text = local(it.label);
+  TextStyle look = style(Letters::Small, text.find(' ') == std::string_view::npos ? 1 : 2);
+  look.line_height = right_to_left_ ? 1.35F : 1.15F;
+  const float pad = std::round(measures_.unit / 2);
+  const TextPiece label = fitted(look, text, box.width - 2 * pad);
+  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
   piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
-        Align::Centre, colour, control);
+        Align::Centre, it.enabled ? ink : scene::with_opacity(ink, 0.35F), control);
 }
 
 void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
@@ -203,26 +224,38 @@ void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
         control);
 }
 
-void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& box) {
+void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& box,
+                          const TextStyle& word) {
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
   if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
-  const float side = std::round(0.62F * measures_.touch), pad = measures_.unit;
+  const float side = sign_side(), pad = measures_.unit;
   const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
   pictogram(what, {box.x + pad, box.y, side, box.height}, ink, control);
   const float x = box.x + side + 2 * pad, width = box.right() - pad - x;
-  const TextPiece label = whole_word(local(it.label), width);
+  const TextPiece label = set(word, local(it.label), width);
   piece(label, x, box.y + (box.height - label.height) / 2, width, Align::Start, ink, control);
 }
 
-TextPiece Sheet::whole_word(std::string_view text, float width) {
-  TextStyle look = style(Letters::Label);
-  const TextPiece label = fitted(look, text, width);
-  if (!label.cut) return label;
-  look.max_lines = 2;
-  look.line_height = 1.1F;
-  look.size = std::round(look.size * 0.8F);
-  return fitted(look, text, width);
+TextPiece Sheet::set(const TextStyle& style, std::string_view text, float width) {
+  return pieces_.text(style, text, static_cast<std::uint32_t>(std::max(1.0F, std::floor(width))));
+}
+
+TextStyle Sheet::word_style(std::span<const std::int32_t> controls, float width) {
+  const TextStyle whole = style(Letters::Label);
+  TextStyle look = whole;
+  const auto fits = [&](std::int32_t control) {
+    return control < 0 ||
+           !set(look, local(view_.controls[static_cast<std::size_t>(control)].label), width).cut;
+  };
+  for (const std::uint16_t lines : {std::uint16_t{1}, std::uint16_t{2}})
+    for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
+      look.max_lines = lines;
+      look.line_height = lines == 1 ? whole.line_height : 1.1F;
+      look.size = std::round(whole.size * scale * (lines == 1 ? 1 : 0.8F));
+      if (std::ranges::all_of(controls, fits)) return look;
+    }
+  return look;
 }
 
 void Sheet::draw_panel(const PixelBox& box) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -40,12 +41,14 @@ struct PixelBox {
 /// finish() mirrors it for those that do not. Coordinates are pixels of the screen.
 class Sheet {
  public:
-  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces, View& view);
+  Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
+        const Closures& closed, View& view);
 
   const Measures& measures() const noexcept { return measures_; }
   const scene::Theme& theme() const noexcept { return theme_; }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
+  const Closures& closed() const noexcept { return closed_; }
   View& view() noexcept { return view_; }
 
   /// Index of the control of that name; -1 where this view has none. List items before spots.
@@ -76,6 +79,16 @@ class Sheet {
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
+  /// The same with its word in letters that suit a whole row.
+  void button(std::int32_t control, const PixelBox& box, Emphasis emphasis, const TextStyle& word);
+  /// The letters in which the words of all these buttons fit: in one line, or smaller in two.
+  /// `width`: of a button. Controls that are not there do not count.
+  TextStyle row_style(std::span<const std::int32_t> controls, float width) {
+    return word_style(controls, width - 2 * button_pad());
+  }
+  /// A button without a ground, its word small and in two lines where it must be; what is selected
+  /// has a ground.
+  void quiet_button(std::int32_t control, const PixelBox& box);
   /// A pictogram of so many pixels, to be drawn elsewhere.
   TextPiece sign(Pictogram what, float side) {
     return pieces_.pictogram(what, static_cast<std::uint32_t>(std::max(1.0F, std::round(side))));
@@ -83,8 +96,12 @@ class Sheet {
   /// A pictogram in the middle of a box, as large as the smaller side.
   void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                  std::int32_t control = -1);
-  /// A button with a pictogram before its word.
-  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box);
+  /// A button with a pictogram before its word, and the letters for a row of them.
+  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box,
+                     const TextStyle& word);
+  TextStyle signed_row_style(std::span<const std::int32_t> controls, float width) {
+    return word_style(controls, width - 3 * measures_.unit - sign_side());
+  }
 
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
@@ -101,12 +118,15 @@ class Sheet {
 
  private:
   void add(scene::Quad quad, std::int32_t control);
-  /// A control's word in one line, or smaller in two.
-  TextPiece whole_word(std::string_view text, float width);
+  TextStyle word_style(std::span<const std::int32_t> controls, float width);
+  TextPiece set(const TextStyle& style, std::string_view text, float width);
+  float button_pad() const noexcept { return 1.5F * measures_.unit; }
+  float sign_side() const noexcept { return std::round(0.62F * measures_.touch); }
 
   const Museum& museum_;
   const ViewRequest& request_;
   PieceCache& pieces_;
+  const Closures& closed_;
   View& view_;
   Measures measures_;
   scene::Theme theme_;
@@ -141,6 +161,8 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
 /// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
 /// box below that line.
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);
+/// How many stops the visitor's own tour has, and how long it takes, once that is known.
+std::string own_tour_line(const Sheet& sheet);
 /// What stands below the name of a tour in a list: "Tour, about 12 minutes".
 std::string tour_line(const Sheet& sheet, const Tour& tour);
 /// The tour that a control of the list begins; null where it is no tour.
@@ -150,10 +172,13 @@ const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 /// The same, where it is a place, and what it is called, whatever it is.
 std::optional<PlaceKind> chosen_kind(const Sheet& sheet) noexcept;
 std::string goal_title(const Sheet& sheet);
-/// What is told of it on arrival: an exhibit's text, where a place is.
+/// What is told of it on arrival: an exhibit's text, and that it has been closed since; where a
+/// place is.
 std::string goal_text(const Sheet& sheet);
 /// The exhibit's picture, or the place's pictogram, as large as fits; returns its height.
 float draw_goal(Sheet& sheet, const PixelBox& box);
+/// "Closed until 5 p.m."; empty where the exhibit can be seen.
+std::string closed_line(const Sheet& sheet, std::uint32_t exhibit);
 /// A room, and its floor where that is not the kiosk's.
 std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room);
 

@@ -28,11 +28,15 @@ bool leads_away(const Action& action) noexcept {
          action.kind == Action::Kind::Seek || action.kind == Action::Kind::GoToPlace;
 }
 
+bool loses_tour(const InterfaceState& state, const Action& action) noexcept {
+  return action.kind == Action::Kind::Home && state.own_tour.count > 0;
+}
+
 /// Which touches a search may use.
 enum class Reach : std::uint8_t {
-  Panel,     ///< The panel's controls, without sending the guide anywhere on the way.
+  Panel,     ///< The panel's controls, without sending the guide anywhere or collecting anything.
   Model,     ///< Also exhibits on the model.
-  Anything,  ///< Also setting out, where the wanted control is only there while walking.
+  Anything,  ///< Also setting out and collecting, where only that leads to the wanted control.
 };
 
 /// Breadth first over the control graph, so the answer has the fewest touches.
@@ -47,8 +51,9 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
       if (!control.enabled || (control.role == Role::Spot && reach == Reach::Panel)) continue;
       const bool found = control.name == name;
       const InterfaceState state = after(reached[at].state, control.action);
-      const bool sets_out = leads_away(control.action);
-      if (!found && sets_out && reach != Reach::Anything) continue;
+      const bool changes_more = leads_away(control.action) || is_collect(control) ||
+                                loses_tour(reached[at].state, control.action);
+      if (!found && changes_more && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
         continue;
@@ -93,11 +98,14 @@ bool is_control_name(const Museum& museum, std::string_view name) {
     InterfaceState above;
     above.screen = Screen::Choosing;
     above.floor = floor;
-    for (const bool of_places : {false, true}) {
-      above.lists_places = of_places;
+    for (const Listed what : {Listed::Exhibits, Listed::Places}) {
+      above.lists = what;
       if (has_it(above)) return true;
     }
   }
+  for (const Exhibit& exhibit : museum.exhibits)
+    if (name == "collect:" + exhibit.id) return true;
+  if (name == "own-tour" || name == "start-tour") return !museum.exhibits.empty();
   for (const PlaceKind kind : kinds_of_places(museum))
     if (name == "place:" + std::string(info_of(kind).name)) return true;
   InterfaceState picking;

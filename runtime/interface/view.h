@@ -41,7 +41,9 @@ struct FloorLabel {
   std::int32_t control = -1;  ///< The spot that it marks; -1: none.
   bool on_disc = false;       ///< Drawn on a small disc.
   bool is_sign = false;       ///< A place's pictogram, on a dark tile; makes way for other labels.
-  scene::Rect rect;           ///< Screen frame: where it is seen now; follows the camera.
+  /// Floor frame: the corners between which a gallery's name stays when it makes way.
+  Vec2 least{}, most{};
+  scene::Rect rect;  ///< Screen frame: where it is seen now; follows the camera.
 };
 
 /// One of several prepared texts: shown while at most `metres` of the way remain.

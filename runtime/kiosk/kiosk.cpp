@@ -277,13 +277,14 @@ Result<void> Kiosk::frame() {
   return rehearsal_.record(time_, guide(), edges_.headless);
 }
 
-/// Who is under way asks for a new way when something has been closed or opened.
+/// Who is under way asks for a new way when something has been closed or opened, and the glass says
+/// so.
 void Kiosk::heed_closures() {
   for (const std::filesystem::path& file : rehearsal_.take_todays())
     exhibition_->today->take_up(file);
   if (exhibition_->today->changes() == closures_) return;
   closures_ = exhibition_->today->changes();
-  guide().replan();
+  guide().heed_closures();
 }
 
 FrameFacts Kiosk::facts_of_frame(guide::Seconds passed) noexcept {

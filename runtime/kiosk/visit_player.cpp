@@ -117,7 +117,8 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .message = fmt::format("no screen of this museum has a control '@{}'", command.name),
            .hint = fmt::format(
                "names are @exhibit:ID, @place:KIND, @spot:ID, @tour:ID, @route:{}, @language:TAG, "
-               "@toilets, @places, @exhibits, @step-free, @no-escalators, @home, @stop, @begin, "
+               "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
+               "@no-escalators, @home, @stop, @begin, "
                "@choose, @back and @look:NAME",
                fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});
   return mistakes;

@@ -21,6 +21,13 @@ bool has(const std::vector<std::uint32_t>& ascending, std::uint32_t value) {
 
 }  // namespace
 
+const ClosedExhibit* closed_exhibit(const Closures& closures, std::uint32_t exhibit) noexcept {
+  const auto found =
+      std::ranges::lower_bound(closures.exhibits, exhibit, {}, &ClosedExhibit::exhibit);
+  const bool is_closed = found != closures.exhibits.end() && found->exhibit == exhibit;
+  return is_closed ? &*found : nullptr;
+}
+
 ClosureRules::Sides rooms_beside(const Museum& museum, std::uint32_t floor, const Door& door) {
   constexpr double step = 0.05, thickest_wall = 1;  // metres
   ClosureRules::Sides sides{{none, none}};
@@ -97,13 +104,18 @@ Closures ClosureRules::at(std::optional<LocalMinute> at, const Today& today) con
       if (leads_to_closed || state(doors_[floor][i], at, today)) closed.push_back(i);
     }
   }
-  for (std::uint32_t i = 0; i < exhibits_.size(); ++i)
-    if (has(closures.rooms, museum_.exhibits[i].room) || state(exhibits_[i], at, today))
-      closures.exhibits.push_back(i);
+  for (std::uint32_t i = 0; i < exhibits_.size(); ++i) {
+    const std::optional<ClosedUntil> closed = exhibit(i, at, today);
+    if (!closed) continue;
+    const LocalText* reason = closed->reason;
+    closures.exhibits.push_back({i, closed->until, reason != nullptr ? *reason : LocalText{}});
+    if (at && closed->until) closures.day = std::chrono::floor<std::chrono::days>(*at);
+  }
   return closures;
 }
 
-std::optional<ClosedUntil> ClosureRules::exhibit(std::uint32_t exhibit, LocalMinute at,
+std::optional<ClosedUntil> ClosureRules::exhibit(std::uint32_t exhibit,
+                                                 std::optional<LocalMinute> at,
                                                  const Today& today) const {
   const std::uint32_t room = museum_.exhibits[exhibit].room;
   const auto by_room = room < rooms_.size() ? state(rooms_[room], at, today) : std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,15 +14,31 @@
 
 namespace docent {
 
+/// An exhibit that cannot be seen, as visitors are told.
+struct ClosedExhibit {
+  std::uint32_t exhibit = 0;           ///< Index into Museum::exhibits.
+  std::optional<LocalMinute> until{};  ///< None: nobody knows.
+  LocalText reason{};                  ///< Empty where staff say none.
+
+  bool operator==(const ClosedExhibit&) const = default;
+};
+
 /// What of a museum is closed at a moment: for good, by hours and live, all in one. Indices,
 /// ascending. A closed room's doors and exhibits are closed with it.
 struct Closures {
   /// By floor: indices into its plan's doors, without those that are walls of the plan already.
   std::vector<std::vector<std::uint32_t>> doors;
-  std::vector<std::uint32_t> rooms, connections, exhibits;
+  std::vector<std::uint32_t> rooms, connections;
+  std::vector<ClosedExhibit> exhibits;
+  /// The moment's, where an exhibit opens again some day: "tomorrow" is told from it. None without
+  /// a clock.
+  std::optional<std::chrono::local_days> day{};
 
   bool operator==(const Closures&) const = default;
 };
+
+/// Null where the exhibit can be seen.
+const ClosedExhibit* closed_exhibit(const Closures& closures, std::uint32_t exhibit) noexcept;
 
 /// Until when something is closed, and why.
 struct ClosedUntil {
@@ -37,8 +54,8 @@ class ClosureRules {
   /// `at`: in the museum's time; none: what hours close is open, and what is closed live is closed.
   Closures at(std::optional<LocalMinute> at, const Today& today) const;
 
-  /// None where the exhibit can be seen.
-  std::optional<ClosedUntil> exhibit(std::uint32_t exhibit, LocalMinute at,
+  /// None where the exhibit can be seen. `at`: as above.
+  std::optional<ClosedUntil> exhibit(std::uint32_t exhibit, std::optional<LocalMinute> at,
                                      const Today& today) const;
 
   /// The rooms on the two sides of a door; `none` where there is none.

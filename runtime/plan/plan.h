@@ -52,6 +52,8 @@ struct WalkOrder {
   std::optional<std::uint32_t> goal_floor{};  ///< Where the goal is; empty: on `floor`.
   /// Instead of the goal, which is then anything: the nearest place of that kind, on any floor.
   std::optional<PlaceKind> seeks{};
+  /// The goal is where one stands to see that: no way leads there while it is closed.
+  std::optional<std::uint32_t> exhibit{};
   path::Permissions permissions{};  ///< Of the connections to other floors.
   Placement start;                  ///< Where the avatar stands if no plan is in progress.
   /// The plan in progress and the frame of its walk from which the new one takes over. Whoever asks

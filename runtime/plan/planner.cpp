@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/model/last_catch.h"
+#include "runtime/plan/order_own_tour.h"
 
 namespace docent::plan {
 namespace {
@@ -35,6 +36,19 @@ std::vector<std::shared_ptr<const path::FloorMap>> maps_of(const Museum& museum)
   return maps;
 }
 
+/// Does it ask for a way to what is closed? Who is on a way already is told by being asked anew.
+bool is_refused(const WalkOrder& order, const Closures& closed) noexcept {
+  return order.exhibit && !order.continues && closed_exhibit(closed, *order.exhibit) != nullptr;
+}
+
+std::unique_ptr<Plan> refusal_of(const WalkOrder& order) {
+  auto plan = std::make_unique<Plan>();
+  plan->order = order;
+  plan->status = path::RouteStatus::GoalBlocked;
+  plan->hindrance = interface::Hindrance::Exhibit;
+  return plan;
+}
+
 }  // namespace
 
 Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_t avatars,
@@ -44,6 +58,7 @@ Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_
       maps_(maps_of(museum)),
       cache_(std::move(makers), first_piece_of(museum), piece_budget),
       building_(museum, maps_),
+      closed_(std::make_shared<const Closures>()),
       traffic_(museum.floors.size()),
       rides_(museum, walking()),
       orders_(avatars),
@@ -74,6 +89,11 @@ void Planner::ask(const interface::ViewRequest& request) noexcept {
   if (request.part >= requests_.size()) return;
   requests_[request.part].put(request);
   announce(orders_.size() + request.part);
+}
+
+void Planner::close(const Closures& closures) {
+  closed_.store(std::make_shared<const Closures>(closures));
+  building_.close(building_.closure(closures));
 }
 
 void Planner::wait() const noexcept {
@@ -111,6 +131,7 @@ Traffic& Planner::traffic_on(std::uint32_t floor) {
 
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
+  if (is_refused(order, *closed_.load())) return send(plans_, refusal_of(order), stop_);
   Traffic& here = traffic_on(order.floor);
   if (!order.ride) return send(plans_, here.plan(order), stop_);
   const Connection& connection = museum_.connections[order.ride->connection];
@@ -118,8 +139,11 @@ void Planner::answer(const WalkOrder& order) {
   send(plans_, rides_.plan(order, here, there), stop_);
 }
 
-void Planner::answer(const interface::ViewRequest& request) {
-  std::unique_ptr<interface::View> view = interface::make_view(museum_, request, cache_);
+void Planner::answer(const interface::ViewRequest& asked) {
+  interface::ViewRequest request = asked;
+  if (!request.state.own_tour.is_ordered) order_own_tour(museum_, building_, request.state);
+  std::unique_ptr<interface::View> view =
+      interface::make_view(museum_, request, cache_, *closed_.load());
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
   if (request.state.screen == interface::Screen::Welcome) cache_.rest();

@@ -39,6 +39,7 @@ class Planner {
   void ask(const interface::ViewRequest& request) noexcept;
 
   std::unique_ptr<Plan> take_plan() noexcept { return plans_.take(); }
+  /// Its state is the one asked about, with the visitor's own tour in order.
   std::unique_ptr<interface::View> take_view() noexcept { return views_.take(); }
   /// Changes of texture memory, to be applied in this order before the views that need them.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return pieces_.take(); }
@@ -49,8 +50,9 @@ class Planner {
   /// How many avatars there may be.
   std::size_t avatars() const noexcept { return orders_.size(); }
   const std::vector<std::shared_ptr<const path::FloorMap>>& maps() const noexcept { return maps_; }
-  /// From now on that is closed for all who walk. Any thread but the frame's: it takes a while.
-  void close(const Closures& closures) { building_.close(building_.closure(closures)); }
+  /// From now on that is closed for all who walk, and views made from now on say so. Any thread but
+  /// the frame's: it takes a while.
+  void close(const Closures& closures);
 
  private:
   /// More than there are avatars and parts: nobody empties the queues during wait().
@@ -69,6 +71,7 @@ class Planner {
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
   interface::PieceCache cache_;                              ///< Used by the worker only.
   path::BuildingMap building_;                               ///< Of all floors.
+  std::atomic<std::shared_ptr<const Closures>> closed_;      ///< Just now; never null.
   std::vector<std::unique_ptr<Traffic>> traffic_;            ///< Per floor, made when it is needed.
   Rides rides_;
   std::vector<TripleBuffer<WalkOrder>> orders_;                 ///< Per avatar.

@@ -35,7 +35,8 @@ TEST_P(SampleMuseum, LeadsBetweenAllExhibitsWithoutTouchingAWall) {
 
 INSTANTIATE_TEST_SUITE_P(EachKind, SampleMuseum,
                          testing::Values(RouteKind::Shortest, RouteKind::Skeleton,
-                                         RouteKind::Offset));
+                                         RouteKind::Offset),
+                         [](const auto& each) { return std::string(info_of(each.param).name); });
 
 }  // namespace
 }  // namespace docent::test

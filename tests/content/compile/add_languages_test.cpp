@@ -63,7 +63,7 @@ TEST(AddLanguages, WantsEveryWordOfALanguageThatIsNotShipped) {
   EXPECT_EQ(code("unknown-key")->line, 4U);
   EXPECT_EQ(code("unknown-key")->column, 1U);
   ASSERT_NE(code("missing-translation"), told.end());
-  EXPECT_THAT(code("missing-translation")->hint, HasSubstr("translate from 'en': all_taken = "));
+  EXPECT_THAT(code("missing-translation")->hint, HasSubstr("translate from 'en': after_noon = "));
 }
 
 TEST(AddLanguages, LooksAtTheWordsThemselves) {
@@ -95,6 +95,14 @@ TEST(AddLanguages, LooksAtTheWordsThemselves) {
     EXPECT_GT(told[0].line, 0U);
     EXPECT_NE(told[0].hint, "");
   }
+}
+
+TEST(AddLanguages, TakesAClockOfTwentyFourHoursForOneOfTwiceTwelve) {
+  const MuseumFolder museum;
+  museum.write("words/en.toml", own_english);
+  museum.replace("words/en.toml", "begin = \"Begin here\"", "clock = \"{hour_of_day}.{minute}\"");
+
+  EXPECT_TRUE(added(museum).told.empty());
 }
 
 TEST(AddLanguages, ReadsWordsWhoseHeadingWasForgotten) {

@@ -46,6 +46,10 @@ class Session {
   void key(input::Key key) {
     guide_.touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = key});
   }
+  void close(const Closures& closures) {
+    planner_.close(closures);
+    guide_.heed_closures();
+  }
   Guide& guide() { return guide_; }
 
  private:
@@ -382,6 +386,55 @@ TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
   }
 }
 
+bool are_apart(const scene::Rect& a, const scene::Rect& b) {
+  return a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height ||
+         b.y >= a.y + a.height;
+}
+
+TEST(Guide, ShowsNoNameOfAGalleryUnderANumberNorUnderAnother) {
+  Session session;
+  session.tap("begin");
+  session.run(2);
+  for (const std::uint32_t floor : {0U, 1U, 2U}) {
+    session.tap("floor:" + museum().floors[floor].plan.name);
+    session.run(1.5);
+    const auto& labels = session.guide().view()->labels;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i].control >= 0 || labels[i].rect.width <= 0) continue;
+      for (std::size_t j = 0; j < labels.size(); ++j)
+        EXPECT_TRUE(i == j || labels[j].is_sign || labels[j].rect.width <= 0 ||
+                    are_apart(labels[i].rect, labels[j].rect))
+            << floor << ": " << i << ", " << j;
+    }
+  }
+}
+
+TEST(Guide, LeadsThroughTheTourThatAVisitorPutsTogether) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  for (const std::uint32_t i : {2U, 0U, 1U}) session.tap("collect:" + museum().exhibits[i].id);
+  session.run(0.5);
+
+  EXPECT_TRUE(session.guide().state().own_tour.is_ordered) << "the worker has ordered it";
+  EXPECT_GT(session.guide().state().own_tour.seconds, 3 * 30);
+  EXPECT_TRUE(session.guide().shows_its_state());
+
+  session.tap("own-tour");
+  session.run(0.5);
+  session.tap("start-tour");
+  session.run(1);
+
+  const interface::InterfaceState& state = session.guide().state();
+  EXPECT_EQ(state.exhibit, state.own_tour.exhibit[0]);
+  EXPECT_EQ(state.tour, (interface::TourWalk{interface::TourWalk::own, 0}));
+  EXPECT_FALSE(session.guide().view()->remaining.empty());
+
+  session.tap("home");
+
+  EXPECT_EQ(session.guide().state().own_tour, interface::OwnTour{});
+}
+
 TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
   Session session;
   session.tap("begin");
@@ -529,6 +582,49 @@ TEST(Guide, DoesTheSameTwice) {
   EXPECT_EQ(std::memcmp(a.palette.data(), b.palette.data(), a.palette.size() * sizeof(Mat4)), 0);
   EXPECT_EQ(a.camera.view, b.camera.view);
   EXPECT_EQ(a.quads.size(), b.quads.size());
+}
+
+TEST(Guide, SaysThatAnExhibitIsClosedAndLeadsThereOnceItIsOpen) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  Closures closed;
+  closed.doors.resize(museum().floors.size());
+  closed.exhibits = {{0}};
+  session.close(closed);
+  session.run(0.5);
+
+  session.tap(first_exhibit());
+  session.run(1);
+
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
+  EXPECT_TRUE(session.guide().view()->remaining.empty()) << "there is no way";
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+
+  closed.exhibits.clear();
+  session.close(closed);
+  session.run(1);
+
+  EXPECT_FALSE(session.guide().view()->remaining.empty());
+  EXPECT_NE(session.guide().state_of(0), AvatarState::Idle) << "it turns, or walks";
+}
+
+TEST(Guide, StopsOnItsWayToAnExhibitThatIsClosedAndSaysSo) {
+  Session session;
+  session.tap("begin");
+  session.run(0.5);
+  session.tap(first_exhibit());
+  session.run(3);
+  ASSERT_EQ(session.guide().state_of(0), AvatarState::Walk);
+  Closures closed;
+  closed.doors.resize(museum().floors.size());
+  closed.exhibits = {{0}};
+
+  session.close(closed);
+  session.run(4);
+
+  EXPECT_EQ(session.guide().state_of(0), AvatarState::Idle);
+  EXPECT_FALSE(session.guide().state().arrived);
 }
 
 }  // namespace

@@ -190,7 +190,7 @@ TEST(Places, ToiletsAreOneTouchAwayFromEveryScreenAndCard) {
       for (const bool on_card : {false, true}) {
         InterfaceState state;
         state.screen = screen;
-        state.lists_places = of_places;
+        state.lists = of_places ? Listed::Places : Listed::Exhibits;
         if (on_card) {
           if (screen == Screen::Welcome) continue;  // nobody is there
           state.glass = Glass::Busy;

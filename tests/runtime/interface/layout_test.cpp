@@ -1,5 +1,6 @@
 #include "runtime/interface/layout.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -12,6 +13,10 @@
 
 namespace docent::interface {
 namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 
 /// Letters as boxes of six tenths of their size: layout without fonts, quick enough for properties.
 TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
@@ -70,7 +75,10 @@ ViewRequest any_request() {
     request.state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
     request.state.seeks = PlaceKind::Toilets;
   }
-  request.state.lists_places = *rc::gen::arbitrary<bool>();
+  request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::OwnTour);
+  for (auto collected = *rc::gen::inRange(request.state.lists == Listed::OwnTour ? 1 : 0, 20);
+       collected > 0; --collected)
+    add_to(request.state.own_tour, static_cast<std::uint32_t>(collected));
   request.state.page = *rc::gen::inRange(0U, 2U);
   request.state.kind =
       *rc::gen::element(RouteKind::Shortest, RouteKind::Skeleton, RouteKind::Offset);
@@ -249,6 +257,59 @@ TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
       RC_ASSERT(std::abs(a.rect.x - (2 * card.x + card.width - e.rect.x - e.rect.width)) < 1e-5F);
     }
   }));
+}
+
+/// All that is written on the glass.
+std::vector<std::string> texts_of(const ViewRequest& request, const Closures& closed) {
+  std::vector<std::string> texts;
+  const SetText note = [&](const TextStyle& style, std::string_view text, std::uint32_t width) {
+    texts.emplace_back(text);
+    return boxes(style, text, width);
+  };
+  PieceCache cache({note, plain}, 1, 1 << 20);
+  make_view(museum(), request, cache, closed);
+  return texts;
+}
+
+/// The first exhibit, until five in the afternoon.
+Closures first_closed() {
+  const std::chrono::local_days day = std::chrono::local_days(std::chrono::year(2026) / 11 / 26);
+  Closures closed;
+  closed.exhibits = {{0, day + std::chrono::hours(17), {{"en", "It is cleaned."}}}};
+  closed.day = day;
+  return closed;
+}
+
+TEST(AClosedExhibit, SaysUntilWhenInTheListAndOnACard) {
+  ViewRequest request;
+  request.state.screen = Screen::Choosing;
+  request.state.page = static_cast<std::uint32_t>(museum().tours.size()) /
+                       exhibits_per_page(request.shape, request.state);
+
+  EXPECT_THAT(texts_of(request, first_closed()), Contains(HasSubstr("Closed until 5 p.m.")));
+  EXPECT_THAT(texts_of(request, {}), Not(Contains(HasSubstr("Closed"))));
+
+  request.shape = {.width = 3840, .height = 2160, .diagonal_inches = 65};
+  request.state.seats = 4;
+  request.state.seat = 1;
+  request.state.glass = Glass::Busy;
+  request.state.page = 0;
+
+  EXPECT_THAT(texts_of(request, first_closed()), Contains(HasSubstr("Closed until 5 p.m.")));
+}
+
+TEST(AClosedExhibit, SaysWhyWhereItIsChosenAllTheSame) {
+  ViewRequest request;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 0;
+  request.route_summary =
+      RouteSummary{.status = path::RouteStatus::GoalBlocked, .hindrance = Hindrance::Exhibit};
+
+  const std::vector<std::string> texts = texts_of(request, first_closed());
+
+  EXPECT_THAT(texts, Contains("Closed until 5 p.m."));
+  EXPECT_THAT(texts, Contains("It is cleaned."));
+  EXPECT_THAT(texts_of(request, {}), Not(Contains(HasSubstr("Closed")))) << "it has just opened";
 }
 
 TEST(Layout, CountsTheRemainingMetresDownToNearlyThere) {

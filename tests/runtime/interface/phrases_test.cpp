@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "tests/support/sample_museum.h"
 
 namespace docent::interface {
@@ -32,6 +34,48 @@ TEST(Phrases, RoundTimesAsPeopleSayThem) {
   EXPECT_EQ(time_in(museum, 0, 30), "about half a minute");
   EXPECT_EQ(time_in(museum, 0, 55), "about a minute");
   EXPECT_EQ(time_in(museum, 0, 200), "about 3 minutes");
+}
+
+namespace chr = std::chrono;
+
+/// A Thursday.
+constexpr chr::local_days thursday = chr::local_days(chr::year(2026) / 11 / 26);
+
+/// In English, Chinese and Arabic.
+std::array<std::string, 3> said(LocalMinute moment, std::optional<chr::local_days> day = thursday) {
+  const Museum museum = test::sample_museum_without_walls();
+  return {moment_in(museum, 0, moment, day), moment_in(museum, 1, moment, day),
+          moment_in(museum, 2, moment, day)};
+}
+
+TEST(Phrases, SayTimesOfDayByTheClockOfTheLanguage) {
+  using Said = std::array<std::string, 3>;
+
+  EXPECT_EQ(said(thursday + chr::hours(17)), (Said{"5 p.m.", "下午 5 点", "٥ مساءً"}));
+  EXPECT_EQ(said(thursday + chr::hours(9) + chr::minutes(5)),
+            (Said{"9:05 a.m.", "上午 9:05", "٩:٠٥ صباحًا"}));
+  EXPECT_EQ(said(thursday + chr::hours(12)), (Said{"noon", "中午", "الظهر"}));
+  EXPECT_EQ(said(thursday + chr::minutes(30))[0], "12:30 a.m.");
+}
+
+TEST(Phrases, SayDaysToComeAsShortAsIsClear) {
+  const auto ten_on = [](int days) { return thursday + chr::days(days) + chr::hours(10); };
+
+  EXPECT_EQ(said(ten_on(1))[0], "tomorrow, 10 a.m.");
+  EXPECT_EQ(said(ten_on(2))[1], "星期六 上午 10 点");
+  EXPECT_EQ(said(ten_on(6))[2], "يوم الأربعاء، ١٠ صباحًا");
+  EXPECT_EQ(said(ten_on(7))[0], "3 December") << "another Thursday";
+  EXPECT_EQ(said(thursday + chr::days(3))[0], "Sunday") << "from midnight on";
+  EXPECT_EQ(said(ten_on(8))[1], "12 月 4 日");
+  EXPECT_EQ(said(ten_on(60))[0], "25 January 2027") << "of another year";
+  EXPECT_EQ(said(ten_on(0), {})[0], "26 November 2026") << "without a clock";
+}
+
+TEST(Phrases, SayTheHoursOfADayAsOneCountsThemThere) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.languages[0].words["clock"] = "{hour_of_day}.{minute} Uhr";
+
+  EXPECT_EQ(moment_in(museum, 0, thursday + chr::minutes(17 * 60 + 30), thursday), "17.30 Uhr");
 }
 
 TEST(Phrases, FillInEveryHole) {

@@ -91,11 +91,11 @@ TEST_F(ATourOnTheGlass, EndsWhenTheVisitorGoesElsewhere) {
 TEST_F(ATourOnTheGlass, SaysHowLongItStillTakes) {
   const double look = museum_.exhibits[tour().exhibits.front()].looking_seconds;
 
-  EXPECT_DOUBLE_EQ(seconds_left(museum_, TourWalk{0, 0}, false), 700);
-  EXPECT_DOUBLE_EQ(seconds_left(museum_, TourWalk{0, 0}, true), 660);
-  EXPECT_DOUBLE_EQ(seconds_left(museum_, TourWalk{0, 1}, false), 660 - look);
-  EXPECT_DOUBLE_EQ(seconds_left(museum_, TourWalk{0, last}, true), 60);
-  EXPECT_DOUBLE_EQ(seconds_left(museum_, TourWalk{9, 0}, true), 0) << "there is no such tour";
+  EXPECT_DOUBLE_EQ(seconds_left(museum_, {}, TourWalk{0, 0}, false), 700);
+  EXPECT_DOUBLE_EQ(seconds_left(museum_, {}, TourWalk{0, 0}, true), 660);
+  EXPECT_DOUBLE_EQ(seconds_left(museum_, {}, TourWalk{0, 1}, false), 660 - look);
+  EXPECT_DOUBLE_EQ(seconds_left(museum_, {}, TourWalk{0, last}, true), 60);
+  EXPECT_DOUBLE_EQ(seconds_left(museum_, {}, TourWalk{9, 0}, true), 0) << "there is no such tour";
 }
 
 TEST_F(ATourOnTheGlass, IsThreeTouchesAwayAtMost) {

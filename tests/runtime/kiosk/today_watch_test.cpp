@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <mutex>
 #include <sstream>
 #include <thread>
 
@@ -70,6 +71,33 @@ TEST_F(AHallWithTwoDoors, ClosesWithinASecondWhatTodaySays) {
   std::this_thread::sleep_for(std::chrono::seconds(1));
 
   EXPECT_EQ(length(building, museum_), open);
+}
+
+TEST_F(AHallWithTwoDoors, TellsWhichExhibitsAreClosedAndWhyAndThatTheyAreOpenAgain) {
+  std::mutex mutex;
+  Closures closed;
+  TodayWatch watch(
+      museum_,
+      [&](const Closures& now) {
+        const std::lock_guard lock(mutex);
+        closed = now;
+      },
+      today(), false);
+  const auto exhibits = [&] {
+    const std::lock_guard lock(mutex);
+    return closed.exhibits;
+  };
+
+  write_today("[[closed]]\nroom = \"east\"\nreason.en = \"Painters\"\n");
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+
+  EXPECT_EQ(exhibits(), (std::vector{ClosedExhibit{0, {}, {{"en", "Painters"}}}}));
+
+  std::filesystem::remove(today());
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+
+  EXPECT_TRUE(exhibits().empty());
+  EXPECT_EQ(watch.changes(), 2U);
 }
 
 /// Plays a visit and gives the places of the guide, frame by frame.

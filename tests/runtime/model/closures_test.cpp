@@ -10,6 +10,7 @@ namespace {
 
 namespace chr = std::chrono;
 using testing::ElementsAre;
+using testing::Field;
 using testing::IsEmpty;
 
 /// Two rooms side by side with a door between them and one to the outside in the east; a vase in
@@ -56,7 +57,7 @@ TEST(Closures, OfARoomCloseItsDoorsAndWhatIsInIt) {
   const Closures east = rules.at(at(12), closing(Closable::Room, "east"));
   EXPECT_THAT(east.rooms, ElementsAre(1));
   EXPECT_THAT(east.doors[0], ElementsAre(0, 1));
-  EXPECT_THAT(east.exhibits, ElementsAre(0));
+  EXPECT_THAT(east.exhibits, ElementsAre(Field(&ClosedExhibit::exhibit, 0)));
   const Closures west = rules.at(at(12), closing(Closable::Room, "west"));
   EXPECT_THAT(west.doors[0], ElementsAre(0));
   EXPECT_THAT(west.exhibits, IsEmpty());
@@ -79,7 +80,7 @@ TEST(Closures, ForGoodLeaveOutDoorsThatAreWallsAlready) {
   const ClosureRules rules(museum);
 
   EXPECT_THAT(rules.at(at(12), {}).doors[0], IsEmpty());
-  EXPECT_THAT(rules.at({}, {}).exhibits, ElementsAre(0));
+  EXPECT_THAT(rules.at({}, {}).exhibits, ElementsAre(ClosedExhibit{0}));
   EXPECT_EQ(rules.exhibit(0, at(12), {})->until, std::nullopt);
 }
 
@@ -97,6 +98,22 @@ TEST(Closures, OfAnExhibitSayUntilWhenAndWhy) {
   EXPECT_EQ(closed->until, at(34)) << "at eight in the evening its hours are over";
   EXPECT_EQ(closed->reason->at("en"), "It is cleaned");
   EXPECT_EQ(rules.exhibit(0, at(12), closing(Closable::Room, "east", at(16)))->until, at(16));
+}
+
+TEST(Closures, SayOfEachExhibitUntilWhenAndWhyAndOnWhichDayThatIsSaid) {
+  const Museum museum = two_rooms();
+  const ClosureRules rules(museum);
+  Today today = closing(Closable::Room, "east", at(15));
+  today.closed[0].reason["en"] = "The floor is mended";
+
+  const Closures closed = rules.at(at(12), today);
+
+  EXPECT_THAT(closed.exhibits,
+              ElementsAre(ClosedExhibit{0, at(15), {{"en", "The floor is mended"}}}));
+  EXPECT_EQ(closed.day, chr::floor<chr::days>(at(12)));
+  EXPECT_EQ(closed_exhibit(closed, 0), closed.exhibits.data());
+  EXPECT_EQ(closed_exhibit(rules.at(at(15), today), 0), nullptr);
+  EXPECT_EQ(rules.at({}, today).day, std::nullopt) << "without a clock";
 }
 
 TEST(RoomsBeside, AreThoseThatADoorLeadsTo) {
