@@ -24,8 +24,9 @@ std::array<Girth, 8> girths_of(const BodyShape& body) {
 
 }  // namespace
 
-BodyShape body_of(Stance stance) {
+BodyShape body_of(const Figure& figure, Stance stance) {
   BodyShape body;
+  body.figure = figure;
   body.stance = std::move(stance);
   const LimbPoints& left = body.limb(Side::Left);
   const LimbPoints& right = body.limb(Side::Right);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "content/avatar/distance_field.h"
+#include "content/avatar/figure.h"
 #include "content/avatar/stance.h"
 
 namespace docent::avatar {
@@ -18,6 +19,7 @@ struct Girth {
 /// The person inside the stance: where the head is and how large, how wide the shoulders are, and
 /// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
 struct BodyShape {
+  Figure figure;
   Stance stance;
   float scale = 1;   ///< Stature over the 1.70 m of the person that the body*.cpp measure.
   Vec3 skull{};      ///< Middle of the head, between chin and crown.
@@ -30,7 +32,7 @@ struct BodyShape {
   const LimbPoints& limb(Side side) const { return stance.limb[static_cast<std::size_t>(side)]; }
 };
 
-BodyShape body_of(Stance stance);
+BodyShape body_of(const Figure& figure, Stance stance);
 
 // What follows are the solids as distance fields (distance_field.h): metres from `p` to the
 // surface, negative inside. `p` is in the model frame.
@@ -43,12 +45,6 @@ float coat_sleeve(const BodyShape& body, Vec3 p, Side side);
 float coat_solid(const BodyShape& body, Vec3 p);
 /// One trouser leg.
 float trouser_leg(const BodyShape& body, Vec3 p, Side side);
-/// Head and neck without hair.
-float head_and_neck(const BodyShape& body, Vec3 p);
-/// Hair on the head; the brows are apart.
-float hair(const BodyShape& body, Vec3 p);
-float brows(const BodyShape& body, Vec3 p);
-float eyes(const BodyShape& body, Vec3 p);
 /// One hand, a little curled, thumb forward.
 float hand(const BodyShape& body, Vec3 p, Side side);
 float shoe(const BodyShape& body, Vec3 p, Side side);

@@ -1,5 +1,9 @@
 #include "content/avatar/layers.h"
 
+#include "content/avatar/hair.h"
+#include "content/avatar/head.h"
+#include "content/avatar/simplify.h"
+
 // Measures with `s` are metres on a person of 1.70 m, shaped for this avatar; `s` scales them.
 
 namespace docent::avatar {
@@ -133,39 +137,59 @@ void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
                   body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
   const Box3 head_neck{{head.low.x, body.neck_base.y - 0.12F * s, head.low.z - 0.02F * s},
                        head.high};
+  const Box3 hair_box{
+      body.skull - Vec3{0.14F, body.figure.hair == Hair::Long ? 0.33F : 0.13F, 0.17F} * s,
+      head.high + Vec3{0.03F, 0.02F, 0.03F} * s};
   const Vec3 eye_line = body.skull + Vec3{0, 0.012F, 0.075F} * s;
   const Box3 face = box_around(eye_line, eye_line, 0.056F * s);
   layers.push_back({.material = Material::Skin,
                     .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return head_and_neck(body, p); },
                     .box = head_neck,
-                    .cell = 0.0062F * s,
-                    .error = 0.0004F * s,
+                    .cell = 0.0017F * s,
+                    .error = 0.0006F * s,
+                    .triangles = 4200,
+                    .lens = [&body](Vec3 p) { return magnified_face(body, p); },
                     .covered =
                         [&body, s](Vec3 p) {
                           return std::min(hair(body, p), coat_trunk(body, p, -0.02F * s));
                         }});
-  layers.push_back({.material = Material::Hair,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return hair(body, p); },
-                    .box = head,
-                    .cell = 0.0095F * s,
-                    .error = 0.0007F * s,
-                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
-  layers.push_back({.material = Material::Hair,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return brows(body, p); },
-                    .box = face,
-                    .cell = 0.0034F * s,
-                    .error = 0.0004F * s,
-                    .covered = {}});
-  layers.push_back({.material = Material::Eye,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return eyes(body, p); },
-                    .box = face,
-                    .cell = 0.0036F * s,
-                    .error = 0.0003F * s,
-                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  if (has_hair(body.figure))
+    layers.push_back({.material = Material::Hair,
+                      .region = BodyRegion::Head,
+                      .solid = [&body](Vec3 p) { return hair(body, p); },
+                      .box = hair_box,
+                      .cell = 0.0026F * s,
+                      .error = 0.0010F * s,
+                      .triangles = 2200,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  if (body.figure.face.beard > 0)
+    layers.push_back({.material = Material::Hair,
+                      .region = BodyRegion::Head,
+                      .solid = [&body](Vec3 p) { return beard(body, p); },
+                      .box = {body.skull + Vec3{-0.09F, -0.19F, -0.01F} * s,
+                              body.skull + Vec3{0.09F, 0.02F, 0.13F} * s},
+                      .cell = 0.0028F * s,
+                      .error = 0.0010F * s,
+                      .triangles = 2200,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  const auto of_face = [&](Material material, auto solid, Box3 box, float cell,
+                           std::size_t triangles) {
+    layers.push_back({.material = material,
+                      .region = BodyRegion::Head,
+                      .solid = [&body, solid](Vec3 p) { return solid(body, p); },
+                      .box = box,
+                      .cell = cell * s,
+                      .triangles = triangles,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  };
+  of_face(Material::Hair, brows, face, 0.0014F, 160);
+  of_face(Material::White, eye_whites, face, 0.0018F, 160);
+  of_face(Material::Eye, irises, face, 0.0009F, 120);
+  of_face(Material::Lips, lips,
+          box_around(body.skull + Vec3{-0.027F, -0.074F, 0.08F} * s,
+                     body.skull + Vec3{0.027F, -0.054F, 0.08F} * s, 0.014F * s),
+          0.0011F, 260);
 }
 
 void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
@@ -225,8 +249,9 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                     .solid = [&body, side](Vec3 p) { return hand(body, p, side); },
                     .box = box_around(limb.wrist - limb.hand_axis * 0.06F * s,
                                       limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),
-                    .cell = 0.0058F * s,
-                    .error = 0.0006F * s,
+                    .cell = 0.0034F * s,
+                    .error = 0.0010F * s,
+                    .triangles = 760,
                     .covered = [&body, side](Vec3 p) { return coat_sleeve(body, p, side); }});
   layers.push_back({.material = Material::Trousers,
                     .region = leg,
@@ -234,6 +259,7 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                     .box = box_around(limb.hip, limb.ankle, 0.13F * s),
                     .cell = 0.022F * s,
                     .error = 0.0012F * s,
+                    .lens = wavy(0.05F * s, 0.0012F * s),
                     // Above this the coat is never lifted.
                     .covered = [&body, s](Vec3 p) { return body.hem + 0.14F * s - p.y; }});
   layers.push_back({.material = Material::Shoes,
