@@ -16,6 +16,19 @@ struct Girth {
   float middle = 0;      ///< z of its centre.
 };
 
+/// How a garment is cut: metres on a person of 1.70 m.
+struct Cut {
+  float hem = 0.06F;        ///< Of the lower edge over the knees.
+  float flare = 1;          ///< Of the lower edge's girth.
+  float folds = 0;          ///< How deep the skirt's folds are.
+  float sleeve = 0.94F;     ///< Share of the forearm that sleeves cover.
+  float cuff = 0.040F;      ///< Radius of a sleeve's end.
+  float neckline = 0.235F;  ///< How far below the shoulders it is open.
+  bool lapels = true;
+  bool pockets = true;
+};
+Cut cut_of(Garment garment);
+
 /// The person inside the stance: where the head is and how large, how wide the shoulders are, and
 /// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
 struct BodyShape {
@@ -25,7 +38,8 @@ struct BodyShape {
   Vec3 skull{};      ///< Middle of the head, between chin and crown.
   Vec3 neck_base{};  ///< Where the neck leaves the shoulders.
   float hip_height = 0, shoulder_height = 0;
-  float shoulder_half = 0;        ///< Half the distance between the shoulder joints.
+  float shoulder_half = 0;  ///< Half the distance between the shoulder joints.
+  Cut cut{};
   float hem = 0;                  ///< Height of the coat's lower edge.
   std::array<Girth, 8> girths{};  ///< Of the coat, from hem to neck.
 

@@ -66,7 +66,8 @@ constexpr std::array<Mark, 10> short_line{{{0.0F, 0.0730F},
 
 /// Down and back at the sides, straight down behind.
 float combed_down(Vec3 half) {
-  return (around_back(half) * 0.085F - 0.35F * half.y * smoothstep(-0.09F, 0.02F, half.z)) / 0.0165F;
+  return (around_back(half) * 0.085F - 0.35F * half.y * smoothstep(-0.09F, 0.02F, half.z)) /
+         0.0165F;
 }
 
 float short_hair(const HeadFrame& head) {
@@ -78,11 +79,13 @@ float short_hair(const HeadFrame& head) {
   const float top = smoothstep(0.050F, 0.085F, p.y);
   const float front = smoothstep(-0.02F, 0.07F, p.z);
   const float across = (p.z * 0.80F + std::abs(from_part) * 0.55F + p.y * 0.20F) / 0.0185F;
-  const float lying = glm::mix(locks(combed_down(head.half)), locks(across), smoothstep(0.050F, 0.072F, p.y));
-  const float groove = glm::mix(1.0F, smoothstep(-0.004F, 0.012F, std::abs(from_part)), 0.55F * top);
+  const float lying =
+      glm::mix(locks(combed_down(head.half)), locks(across), smoothstep(0.050F, 0.072F, p.y));
+  const float groove =
+      glm::mix(1.0F, smoothstep(-0.004F, 0.012F, std::abs(from_part)), 0.55F * top);
   const float swept = 1 - smoothstep(0.0F, 0.05F, std::max(from_part, -0.4F * from_part));
-  const float full = 0.0080F + top * (0.009F + 0.012F * front * swept) -
-                     0.0045F * smoothstep(0.01F, -0.07F, p.y);
+  const float full =
+      0.0080F + top * (0.009F + 0.012F * front * swept) - 0.0045F * smoothstep(0.01F, -0.07F, p.y);
   const float d = cranium(p) - grown(above, full * groove, 0.020F) -
                   0.0045F * (lying - 0.6F) * smoothstep(0.0F, 0.02F, above);
   return std::max(d, -above);
@@ -109,11 +112,13 @@ float bun(const HeadFrame& head) {
   const Vec3 top = glm::cross(axis, side);
   const float turn = std::atan2(glm::dot(q, side), glm::dot(q, top));
   const float thick = grown(above, 0.0110F, 0.022F);
-  float d = cranium(p) - thick - 0.0042F * (locks(turn * 3.5F + 0.5F) - 0.6F) * smoothstep(0.0F, 0.02F, above);
+  float d = cranium(p) - thick -
+            0.0042F * (locks(turn * 3.5F + 0.5F) - 0.6F) * smoothstep(0.0F, 0.02F, above);
   d = std::max(d, -above);
   const Vec3 k = p - knot;
   const float wound = std::atan2(k.y, k.x) * 0.64F + glm::length(Vec3{k.x, k.y, 0}) / 0.017F;
-  const float ball = ellipsoid(p, knot, {0.0370F, 0.0355F, 0.0300F}) - 0.0038F * (locks(wound) - 0.6F);
+  const float ball =
+      ellipsoid(p, knot, {0.0370F, 0.0355F, 0.0300F}) - 0.0038F * (locks(wound) - 0.6F);
   return join(d, ball, 0.010F);
 }
 
@@ -130,11 +135,15 @@ constexpr std::array<Mark, 8> curly_line{{{0.0F, 0.0700F},
 float curls(const HeadFrame& head) {
   const Vec3 p = head.p;
   const float above = 0.75F * (p.y - at_direction(curly_line, around_head(head.half)));
-  const Vec3 w = p / 0.0062F + 0.8F * Vec3{std::sin(p.y / 0.017F), std::sin(p.z / 0.019F), std::sin(p.x / 0.016F)};
-  const float bulbs = std::sin(w.x * 0.55F) * std::sin(w.y * 0.60F) + std::sin(w.y * 0.47F + 1) * std::sin(w.z * 0.52F) +
+  const Vec3 w = p / 0.0062F + 0.8F * Vec3{std::sin(p.y / 0.017F), std::sin(p.z / 0.019F),
+                                           std::sin(p.x / 0.016F)};
+  const float bulbs = std::sin(w.x * 0.55F) * std::sin(w.y * 0.60F) +
+                      std::sin(w.y * 0.47F + 1) * std::sin(w.z * 0.52F) +
                       std::sin(w.z * 0.58F) * std::sin(w.x * 0.50F + 2);
-  const float full = 0.030F + 0.012F * smoothstep(0.0F, 0.1F, p.y) - 0.010F * smoothstep(0.0F, -0.06F, p.y);
-  const float d = ellipsoid(p, {0, 0.0235F, -0.012F}, Vec3{0.0745F, 0.090F, 0.094F} + grown(above, full, 0.030F)) -
+  const float full =
+      0.030F + 0.012F * smoothstep(0.0F, 0.1F, p.y) - 0.010F * smoothstep(0.0F, -0.06F, p.y);
+  const float d = ellipsoid(p, {0, 0.0235F, -0.012F},
+                            Vec3{0.0745F, 0.090F, 0.094F} + grown(above, full, 0.030F)) -
                   0.0044F * bulbs * smoothstep(0.0F, 0.02F, above);
   return std::max(0.75F * d, -above);
 }
@@ -155,16 +164,21 @@ float long_hair(const HeadFrame& head) {
   // Locks fall from the parting outwards and back, then down.
   const float fan = (0.75F * p.z + 0.55F * p.y) / 0.0200F;
   const float flow = (around_back(head.half) * 0.075F + 0.006F * std::sin(p.y / 0.030F)) / 0.0200F;
-  const float lying = glm::mix(locks(flow), locks(fan), smoothstep(-0.03F, 0.05F, p.z) * smoothstep(0.01F, 0.05F, p.y));
-  const float full = (0.0150F + 0.008F * smoothstep(0.07F, 0.0F, p.y)) * glm::mix(1.0F, parting, 0.5F * smoothstep(0.04F, 0.08F, p.y));
-  float d = cranium(p) - grown(above, full, 0.034F) - 0.0045F * (lying - 0.6F) * smoothstep(0.010F, 0.05F, above);
+  const float lying = glm::mix(locks(flow), locks(fan),
+                               smoothstep(-0.03F, 0.05F, p.z) * smoothstep(0.01F, 0.05F, p.y));
+  const float full = (0.0150F + 0.008F * smoothstep(0.07F, 0.0F, p.y)) *
+                     glm::mix(1.0F, parting, 0.5F * smoothstep(0.04F, 0.08F, p.y));
+  float d = cranium(p) - grown(above, full, 0.034F) -
+            0.0045F * (lying - 0.6F) * smoothstep(0.010F, 0.05F, above);
   d = std::max(d, -above);
   // Below the ears it hangs as a sheet that follows neck and back, and ends in points.
   const float drop = std::max(-p.y, 0.0F);
   const float middle = -0.040F - 0.060F * smoothstep(0.08F, 0.24F, drop);
-  const float wide = 0.0860F + 0.014F * smoothstep(0.02F, 0.14F, drop) - 0.022F * smoothstep(0.18F, 0.34F, drop);
+  const float wide =
+      0.0860F + 0.014F * smoothstep(0.02F, 0.14F, drop) - 0.022F * smoothstep(0.18F, 0.34F, drop);
   const float deep = 0.0620F - 0.026F * smoothstep(0.06F, 0.20F, drop);
-  const float k = std::sqrt((p.x / wide) * (p.x / wide) + ((p.z - middle) / deep) * ((p.z - middle) / deep));
+  const float k =
+      std::sqrt((p.x / wide) * (p.x / wide) + ((p.z - middle) / deep) * ((p.z - middle) / deep));
   const float turn = std::atan2(p.x, middle - p.z);
   const float wave = locks(turn * 2.6F + 0.35F * std::sin(p.y / 0.045F + 20 * p.x) + 0.5F);
   float sheet = 0.8F * ((k - 1) * 0.5F * (wide + deep) - 0.0060F * (wave - 0.6F));
@@ -222,18 +236,23 @@ float beard(const BodyShape& body, Vec3 at) {
                                       {1.28F, 0.0100F}}};
   const float around = around_head(p);
   const float under = 0.8F * (at_direction(line, around) - p.y);
-  const float thick = grown(under, 0.0060F + 0.35F * length * smoothstep(-0.06F, -0.11F, p.y), 0.012F);
+  const float thick =
+      grown(under, 0.0060F + 0.35F * length * smoothstep(-0.06F, -0.11F, p.y), 0.012F);
   const float skin = face(body, at) / head.s;
   float d = skin - thick;
-  const float tuft = tapered_capsule(p, {0, -0.096F, 0.062F}, {0, -0.106F - length, 0.064F}, 0.034F, 0.014F);
+  const float tuft =
+      tapered_capsule(p, {0, -0.096F, 0.062F}, {0, -0.106F - length, 0.064F}, 0.034F, 0.014F);
   d = join(d, tuft, 0.018F);
-  const float comb = locks((head.p.x * (1 - 1.8F * (p.y + 0.09F)) + 0.10F * (p.z - 0.05F)) / 0.0105F + 0.5F);
+  const float comb =
+      locks((head.p.x * (1 - 1.8F * (p.y + 0.09F)) + 0.10F * (p.z - 0.05F)) / 0.0105F + 0.5F);
   d -= 0.0026F * (comb - 0.6F);
   const float back = p.z < 0.004F ? 0.004F - p.z : p.z - 1;
   d = std::max({d, -under, back, -0.16F - p.y});
-  const float moustache = join(
-      tapered_capsule(p, {0.0040F, -0.0505F, 0.0900F}, {0.0180F, -0.0560F, 0.0835F}, 0.0058F, 0.0050F),
-      tapered_capsule(p, {0.0180F, -0.0560F, 0.0835F}, {0.0295F, -0.0700F, 0.0720F}, 0.0050F, 0.0040F), 0.004F);
+  const float moustache = join(tapered_capsule(p, {0.0040F, -0.0505F, 0.0900F},
+                                               {0.0180F, -0.0560F, 0.0835F}, 0.0058F, 0.0050F),
+                               tapered_capsule(p, {0.0180F, -0.0560F, 0.0835F},
+                                               {0.0295F, -0.0700F, 0.0720F}, 0.0050F, 0.0040F),
+                               0.004F);
   const float hairs = 0.0014F * (locks((p.x + 0.6F * p.y) / 0.0075F) - 0.6F);
   return join(d, moustache - hairs, 0.004F) * head.s;
 }

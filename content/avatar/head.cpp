@@ -34,17 +34,15 @@ float face_mass(const Face& face, Vec3 p) {
   d = join(d, cheek, 0.034F);
   const float muzzle = ellipsoid(p, {0, -0.0575F, 0.0470F}, {0.0335F, 0.0330F, 0.0395F});
   d = join(d, muzzle, 0.018F);
-  const float chin =
-      ellipsoid(p, {0, -0.0985F, 0.0665F}, Vec3{0.0195F * j, 0.0148F, 0.0178F});
+  const float chin = ellipsoid(p, {0, -0.0985F, 0.0665F}, Vec3{0.0195F * j, 0.0148F, 0.0178F});
   return join(d, chin, 0.014F);
 }
 
 float brow_and_sockets(const Face& face, Vec3 p, float d) {
-  const float ridge = tapered_capsule(p, {0.007F, 0.0205F, 0.0785F}, {0.0440F, 0.0225F, 0.0585F},
-                                      0.0080F, 0.0085F);
+  const float ridge =
+      tapered_capsule(p, {0.007F, 0.0205F, 0.0785F}, {0.0440F, 0.0225F, 0.0585F}, 0.0080F, 0.0085F);
   d = join(d, ridge - 0.0012F * (face.brow - 1), 0.018F);
-  const float socket =
-      ellipsoid(p, {0.0315F, 0.0010F, 0.0910F}, {0.0190F, 0.0118F, 0.0135F});
+  const float socket = ellipsoid(p, {0.0315F, 0.0010F, 0.0910F}, {0.0190F, 0.0118F, 0.0135F});
   d = carve(d, socket, 0.014F);
   // Between the inner corner of the eye and the root of the nose it is deepest.
   return carve(d, sphere(p, {0.0155F, 0.0055F, 0.0875F}, 0.0065F), 0.010F);
@@ -54,20 +52,20 @@ float nose(const Face& face, Vec3 p, float d) {
   const float n = face.nose;
   const auto down = [n](float y) { return 0.010F + (y - 0.010F) * (0.6F + 0.4F * n); };
   const float tip_z = 0.0775F + 0.0215F * n;
-  const float bridge = tapered_capsule(p, {0, 0.0120F, 0.0770F}, {0, down(-0.0255F), tip_z - 0.002F},
-                                       0.0058F, 0.0070F);
-  const float body = tapered_capsule(p, {0, 0.0060F, 0.0690F}, {0, down(-0.0330F), 0.0820F}, 0.0080F,
-                                     0.0125F * n);
+  const float bridge = tapered_capsule(p, {0, 0.0120F, 0.0770F},
+                                       {0, down(-0.0255F), tip_z - 0.002F}, 0.0058F, 0.0070F);
+  const float body =
+      tapered_capsule(p, {0, 0.0060F, 0.0690F}, {0, down(-0.0330F), 0.0820F}, 0.0080F, 0.0125F * n);
   d = join(join(d, body, 0.014F), bridge, 0.012F);
   d = join(d, sphere(p, {0, down(-0.0315F), tip_z}, 0.0088F), 0.007F);
-  const float wing = ellipsoid(p, {0.0108F * n, down(-0.0355F), 0.0880F},
-                               Vec3{0.0066F, 0.0064F, 0.0090F} * n);
+  const float wing =
+      ellipsoid(p, {0.0108F * n, down(-0.0355F), 0.0880F}, Vec3{0.0066F, 0.0064F, 0.0090F} * n);
   d = join(d, wing, 0.0055F);
   const float columella = tapered_capsule(p, {0, down(-0.0365F), tip_z - 0.001F},
                                           {0, down(-0.0420F), 0.0850F}, 0.0042F, 0.0050F);
   d = join(d, columella, 0.004F);
-  const float nostril = ellipsoid(p, {0.0066F * n, down(-0.0425F), 0.0925F},
-                                  Vec3{0.0030F, 0.0036F, 0.0056F} * n);
+  const float nostril =
+      ellipsoid(p, {0.0066F * n, down(-0.0425F), 0.0925F}, Vec3{0.0030F, 0.0036F, 0.0056F} * n);
   d = carve(d, nostril, 0.0022F);
   // The crease that sets the wing off the cheek.
   const float crease = tapered_capsule(p, {0.0178F * n, down(-0.0300F), 0.0845F},
@@ -81,12 +79,12 @@ float around_the_mouth(const Face& face, Vec3 p, float d) {
   d = carve(d, philtrum, 0.004F);
   const float corner = sphere(p, {0.0270F, -0.0640F, 0.0800F}, 0.0040F);
   d = carve(d, corner, 0.008F);
-  const float below = tapered_capsule(p, {0, -0.0820F, 0.0915F}, {0.0140F, -0.0820F, 0.0860F},
-                                      0.0055F, 0.0040F);
+  const float below =
+      tapered_capsule(p, {0, -0.0820F, 0.0915F}, {0.0140F, -0.0820F, 0.0860F}, 0.0055F, 0.0040F);
   d = carve(d, below, 0.009F);
   if (face.age > 0) {
-    const float fold = tapered_capsule(p, {0.0195F, -0.0370F, 0.0840F}, {0.0315F, -0.0640F, 0.0760F},
-                                       0.0016F, 0.0012F);
+    const float fold = tapered_capsule(p, {0.0195F, -0.0370F, 0.0840F},
+                                       {0.0315F, -0.0640F, 0.0760F}, 0.0016F, 0.0012F);
     d = carve(d, fold - 0.0012F * face.age, 0.008F);
     const float bag = tapered_capsule(p, {0.0220F, -0.0140F, 0.0810F}, {0.0400F, -0.0150F, 0.0760F},
                                       0.0012F, 0.0012F);
@@ -140,11 +138,14 @@ float ear(Vec3 p) {
   const float antihelix = std::max(rim_at(0.0090F, 0.0024F, 0.0026F), -0.004F - u);
   float d = join(plate, helix, 0.003F);
   d = join(d, antihelix, 0.003F);
-  const float bowl = ellipsoid({u, v, w}, {-0.0025F, -0.0040F, 0.0040F}, {0.0072F, 0.0105F, 0.0048F});
+  const float bowl =
+      ellipsoid({u, v, w}, {-0.0025F, -0.0040F, 0.0040F}, {0.0072F, 0.0105F, 0.0048F});
   d = carve(d, bowl, 0.003F);
-  const float tragus = ellipsoid({u, v, w}, {-0.0118F, -0.0040F, 0.0018F}, {0.0040F, 0.0066F, 0.0040F});
+  const float tragus =
+      ellipsoid({u, v, w}, {-0.0118F, -0.0040F, 0.0018F}, {0.0040F, 0.0066F, 0.0040F});
   d = join(d, tragus, 0.004F);
-  return join(d, ellipsoid({u, v, w}, {-0.0040F, -0.0255F, 0.0010F}, {0.0072F, 0.0075F, 0.0036F}), 0.004F);
+  return join(d, ellipsoid({u, v, w}, {-0.0040F, -0.0255F, 0.0010F}, {0.0072F, 0.0075F, 0.0036F}),
+              0.004F);
 }
 
 float face_of(const Face& face, Vec3 p) {
@@ -185,7 +186,9 @@ float neck(const BodyShape& body, Vec3 at) {
   const float girth = body.figure.build.neck;
   const Vec3 q{std::abs(at.x), at.y, at.z};
   const auto on_skull = [&](float x, float y, float z) { return body.skull + Vec3{x, y, z} * s; };
-  const auto on_base = [&](float x, float y, float z) { return body.neck_base + Vec3{x, y, z} * s; };
+  const auto on_base = [&](float x, float y, float z) {
+    return body.neck_base + Vec3{x, y, z} * s;
+  };
   float d = tapered_capsule(q, on_base(0, -0.050F, -0.004F), on_skull(0, -0.050F, -0.022F),
                             0.054F * girth * s, 0.0465F * girth * s);
   // From behind the ear to the pit of the neck, and the slope of the trapezius.
@@ -199,8 +202,9 @@ float neck(const BodyShape& body, Vec3 at) {
   const float pit = sphere(q, on_base(0, -0.026F, 0.071F), 0.009F * s);
   d = carve(d, pit, 0.012F * s);
   const float chest = ellipsoid(q, on_base(0, -0.100F, 0.004F), Vec3{0.130F, 0.085F, 0.066F} * s);
-  const float collarbone = tapered_capsule(q, on_base(0.016F, -0.036F, 0.056F),
-                                           on_base(0.105F, -0.020F, 0.010F), 0.0075F * s, 0.0070F * s);
+  const float collarbone =
+      tapered_capsule(q, on_base(0.016F, -0.036F, 0.056F), on_base(0.105F, -0.020F, 0.010F),
+                      0.0075F * s, 0.0070F * s);
   return join(join(d, chest, 0.03F * s), collarbone, 0.012F * s);
 }
 
@@ -209,13 +213,13 @@ float lips(const BodyShape& body, Vec3 at) {
   const float full = body.figure.face.lips;
   const Vec3 p = head.half;
   const Vec3 corner{0.0245F, -0.0632F, 0.0770F};
-  const float upper = join(
-      tapered_capsule(p, {0.0045F, -0.0585F, 0.0880F}, corner, 0.0036F * full, 0.0012F),
-      sphere(p, {0, -0.0597F, 0.0885F}, 0.0034F * full), 0.003F);
-  const float lower = join(
-      tapered_capsule(p, {0.0050F, -0.0695F, 0.0862F}, corner + Vec3{-0.002F, -0.0005F, 0},
-                      0.0047F * full, 0.0012F),
-      sphere(p, {0, -0.0697F, 0.0868F}, 0.0046F * full), 0.004F);
+  const float upper =
+      join(tapered_capsule(p, {0.0045F, -0.0585F, 0.0880F}, corner, 0.0036F * full, 0.0012F),
+           sphere(p, {0, -0.0597F, 0.0885F}, 0.0034F * full), 0.003F);
+  const float lower =
+      join(tapered_capsule(p, {0.0050F, -0.0695F, 0.0862F}, corner + Vec3{-0.002F, -0.0005F, 0},
+                           0.0047F * full, 0.0012F),
+           sphere(p, {0, -0.0697F, 0.0868F}, 0.0046F * full), 0.004F);
   return std::min(upper, lower) * head.s;
 }
 
@@ -257,7 +261,9 @@ float irises(const BodyShape& body, Vec3 at) {
   const Vec3 gaze = eye_middle + Vec3{-0.0006F, -0.0004F, 0.0052F};
   return meet(sphere(head.half, gaze, 0.0079F),
               std::sqrt((head.half.x - gaze.x) * (head.half.x - gaze.x) +
-                        (head.half.y - gaze.y) * (head.half.y - gaze.y)) - 0.0057F, 0.001F) *
+                        (head.half.y - gaze.y) * (head.half.y - gaze.y)) -
+                  0.0057F,
+              0.001F) *
          head.s;
 }
 

@@ -33,7 +33,7 @@ std::function<Vec3(Vec3)> wavy(float edge, float error) {
 }
 
 void simplify(TriangleSurface& surface, const SimplifyLimits& limits) {
-  if (surface.indices.empty()) return;
+  if (surface.indices.size() <= 3 * limits.triangles) return drop_unused(surface);
   std::vector<Vec3> place = surface.position;
   if (limits.lens)
     for (Vec3& p : place) p = limits.lens(p);

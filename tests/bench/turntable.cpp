@@ -4,8 +4,8 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 #include <CLI/CLI.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "content/avatar/avatar.h"
 #include "content/gait/gait.h"
@@ -181,8 +181,7 @@ int run(int argc, char** argv) {
     model.look = figure;
     model.palette.assign(model.mesh.inverse_bind.size(), Mat4(1));
     if (options.frame >= 0)
-      model.palette =
-          posed(model.mesh, skeleton, clip, static_cast<std::size_t>(options.frame));
+      model.palette = posed(model.mesh, skeleton, clip, static_cast<std::size_t>(options.frame));
     fmt::print("figure {}: {} triangles, {} vertices\n", figure, model.mesh.indices.size() / 3,
                model.mesh.vertices.size());
     studio.put(model);
