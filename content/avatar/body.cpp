@@ -41,7 +41,10 @@ Cut cut_of(Garment garment) {
               .cuff = 0.040F,
               .neckline = 0.12F,
               .lapels = false,
-              .pockets = false};
+              .pockets = false,
+              .buttons = false,
+              .bare_legs = true,
+              .legs = 0.78F};
     case Garment::Kurta:
       return {.hem = 0.02F,
               .flare = 0.98F,
@@ -57,7 +60,8 @@ Cut cut_of(Garment garment) {
               .cuff = 0.066F,
               .neckline = 0.05F,
               .lapels = false,
-              .pockets = false};
+              .pockets = false,
+              .buttons = false};
     case Garment::Jacket:
       return {.hem = 0.34F, .flare = 0.97F};
     case Garment::Cardigan:
@@ -71,7 +75,9 @@ Cut cut_of(Garment garment) {
               .cuff = 0.047F,
               .neckline = 0.10F,
               .lapels = false,
-              .pockets = false};
+              .pockets = false,
+              .buttons = false,
+              .legs = 0.84F};
   }
   return {};
 }

@@ -26,6 +26,9 @@ struct Cut {
   float neckline = 0.235F;  ///< How far below the shoulders it is open.
   bool lapels = true;
   bool pockets = true;
+  bool buttons = true;
+  bool bare_legs = false;
+  float legs = 1;  ///< Share of the width of ordinary trousers.
 };
 Cut cut_of(Garment garment);
 

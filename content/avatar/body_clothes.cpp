@@ -93,18 +93,20 @@ float coat_solid(const BodyShape& body, Vec3 p) {
 
 float trouser_leg(const BodyShape& body, Vec3 p, Side side) {
   const float s = body.scale;
+  const float w = s * body.cut.legs;
   const LimbPoints& limb = body.limb(side);
   const Vec3 hem = limb.ankle + Vec3{0, -0.030F, -0.004F} * s;
   const float thigh =
-      tapered_capsule(p, limb.hip + Vec3{0, -0.02F, 0} * s, limb.knee, 0.080F * s, 0.062F * s);
-  const float shin = tapered_capsule(p, limb.knee, hem, 0.062F * s, 0.055F * s);
+      tapered_capsule(p, limb.hip + Vec3{0, -0.02F, 0} * s, limb.knee, 0.080F * s, 0.062F * w);
+  const float shin = tapered_capsule(p, limb.knee, hem, 0.062F * w, 0.055F * w * w / s);
   // It breaks over the shoe, and is creased in front.
   const float rise = (p.y - limb.ankle.y) / s;
   const float broken = 0.0045F * s * std::sin((rise + 0.5F * (p.z - limb.ankle.z) / s) / 0.0125F) *
                        smoothstep(0.16F, 0.02F, rise);
   const float off = (p.x - glm::mix(hem.x, limb.knee.x, std::clamp(rise / 0.4F, 0.0F, 1.0F))) / s;
   const float crease = p.z > limb.ankle.z ? 0.005F * s * std::exp(-off * off / 0.0002F) : 0.0F;
-  const float leg = join(thigh, shin, 0.02F * s) - broken - crease;
+  float leg = join(thigh, shin, 0.02F * s);
+  if (!body.cut.bare_legs) leg -= broken + crease;
   return meet(leg, hem.y - 0.008F * s - p.y, 0.01F * s);
 }
 

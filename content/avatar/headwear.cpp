@@ -15,7 +15,8 @@ float fold(float c) {
 /// Wound round the head; the windings cross above the forehead.
 float turban(Vec3 p, Vec3 half) {
   const float winding = fold((p.y - 0.55F * half.x + 0.20F * p.z) / 0.026F);
-  const float wound = ellipsoid(p, {0, 0.060F, -0.012F}, {0.102F, 0.076F, 0.116F}) - 0.007F * (winding - 0.5F);
+  const float wound =
+      ellipsoid(p, {0, 0.060F, -0.012F}, {0.102F, 0.076F, 0.116F}) - 0.007F * (winding - 0.5F);
   const float edge = p.y - 0.052F - 0.34F * (p.z - 0.05F) + 0.25F * half.x;
   return meet(0.8F * wound, -0.9F * edge, 0.012F);
 }
@@ -32,7 +33,8 @@ float cap(Vec3 p) {
   const float crown = meet(oval(q, 0.086F + wide, 0.106F + wide),
                            std::max(q.y - 0.052F - 0.10F * q.z, 0.012F - q.y), 0.012F);
   const Vec3 v = p - Vec3{0, 0.058F - 0.42F * (p.z - 0.08F), 0.050F};
-  const float visor = std::max({oval(v, 0.074F, 0.088F), std::abs(v.y) - 0.0035F, -0.030F - v.z + 0.06F});
+  const float visor =
+      std::max({oval(v, 0.074F, 0.088F), std::abs(v.y) - 0.0035F, -0.030F - v.z + 0.06F});
   return std::min(join(band, crown, 0.004F), visor);
 }
 
@@ -40,12 +42,15 @@ float cap(Vec3 p) {
 float scarf(Vec3 p, Vec3 half) {
   const float crease = fold((p.y + 0.30F * p.x + 0.35F * p.z) / 0.034F);
   float d = ellipsoid(p, {0, 0.018F, -0.014F}, {0.089F, 0.108F, 0.108F});
-  const float neck = tapered_capsule(p, {0, -0.050F, -0.014F}, {0, -0.180F, -0.014F}, 0.078F, 0.098F);
+  const float neck =
+      tapered_capsule(p, {0, -0.050F, -0.014F}, {0, -0.180F, -0.014F}, 0.078F, 0.098F);
   d = join(d, neck - 0.006F * (crease - 0.5F), 0.045F);
-  const float drape = ellipsoid(p, {0, -0.210F, -0.006F}, {0.165F, 0.075F, 0.112F}) - 0.006F * (crease - 0.5F);
+  const float drape =
+      ellipsoid(p, {0, -0.210F, -0.006F}, {0.165F, 0.075F, 0.112F}) - 0.006F * (crease - 0.5F);
   d = join(d, drape, 0.05F);
   const Vec3 f = half - Vec3{0, -0.018F, 0};
-  const float oval = (std::sqrt((f.x / 0.061F) * (f.x / 0.061F) + (f.y / 0.086F) * (f.y / 0.086F)) - 1) * 0.07F;
+  const float oval =
+      (std::sqrt((f.x / 0.061F) * (f.x / 0.061F) + (f.y / 0.086F) * (f.y / 0.086F)) - 1) * 0.07F;
   return carve(0.85F * d, std::max(oval, 0.015F - p.z), 0.008F);
 }
 

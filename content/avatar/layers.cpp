@@ -101,13 +101,16 @@ struct CoatEdges {
       d = std::min(d, meet(std::max(flat, -p.z), on_coat - raised * s, 0.003F * s));
     };
     const float waist = body.hip_height + 0.40F * (body.shoulder_height - body.hip_height);
+    const auto belt = [&](float half) {
+      d = std::min(d, meet(std::abs(p.y - waist) - half * s, coat_trunk(body, p, 0) - 0.006F * s,
+                           0.004F * s));
+    };
     if (body.cut.pockets) patch(0.105F, body.hip_height + 0.035F * s, 0.052F, 0.020F, 0.006F);
     if (body.figure.garment == Garment::Uniform) {
       patch(0.085F, body.shoulder_height - 0.115F * s, 0.036F, 0.016F, 0.006F);
-      d = std::min(d, meet(std::abs(p.y - waist) - 0.020F * s, on_coat - 0.006F * s, 0.003F * s));
+      belt(0.020F);
     }
-    if (body.figure.garment == Garment::Dress)
-      d = std::min(d, meet(std::abs(p.y - waist) - 0.024F * s, on_coat - 0.006F * s, 0.006F * s));
+    if (body.figure.garment == Garment::Dress) belt(0.024F);
     return d;
   }
 
@@ -172,7 +175,7 @@ void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
                     .box = head_neck,
                     .cell = 0.0017F * s,
                     .error = 0.0016F * s,
-                    .triangles = 3500,
+                    .triangles = 3000,
                     .lens = [&body](Vec3 p) { return magnified_face(body, p); },
                     .covered =
                         [&body, s](Vec3 p) {
@@ -242,7 +245,7 @@ void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
                     .box = {{-reach, hem, -0.28F * s}, {reach, top, 0.32F * s}},
                     .cell = 0.0085F * s,
                     .error = 0.0042F * s,
-                    .triangles = 3200,
+                    .triangles = 2700,
                     .lens = wavy(0.06F * s, 0.0012F * s),
                     .covered = {}});
   layers.push_back(
@@ -252,17 +255,18 @@ void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
        .box = {{-0.19F * s, hem, body.neck_base.z - 0.12F * s}, {0.19F * s, top, 0.30F * s}},
        .cell = 0.0058F * s,
        .error = 0.0031F * s,
-       .triangles = 1300,
+       .triangles = 1100,
        .covered = whole});
   const Buttons buttons(body, neckline);
-  layers.push_back({.material = Material::Trousers,
-                    .region = BodyRegion::Coat,
-                    .solid = buttons,
-                    .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
-                    .cell = 0.0042F * s,
-                    .error = 0.0013F * s,
-                    .triangles = 240,
-                    .covered = whole});
+  if (body.cut.buttons)
+    layers.push_back({.material = Material::Trousers,
+                      .region = BodyRegion::Coat,
+                      .solid = buttons,
+                      .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
+                      .cell = 0.0042F * s,
+                      .error = 0.0013F * s,
+                      .triangles = 240,
+                      .covered = whole});
   const Box3 chest{{-0.12F * s, neckline.bottom - 0.02F * s, neckline.front - 0.08F * s},
                    {0.12F * s, neckline.top + 0.04F * s, neckline.front + 0.20F * s}};
   layers.push_back({.material = Material::Shirt,
@@ -292,9 +296,9 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                                       limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),
                     .cell = 0.0034F * s,
                     .error = 0.0026F * s,
-                    .triangles = 760,
+                    .triangles = 700,
                     .covered = [&body, side](Vec3 p) { return coat_sleeve(body, p, side); }});
-  layers.push_back({.material = Material::Trousers,
+  layers.push_back({.material = body.cut.bare_legs ? Material::Skin : Material::Trousers,
                     .region = leg,
                     .solid = [&body, side](Vec3 p) { return trouser_leg(body, p, side); },
                     .box = box_around(limb.hip, limb.ankle, 0.13F * s),
