@@ -1,6 +1,7 @@
 #include "content/avatar/avatar.h"
 
 #include <algorithm>
+#include <span>
 
 #include <glm/matrix.hpp>
 
@@ -8,56 +9,55 @@
 #include "content/avatar/occlusion.h"
 #include "content/avatar/simplify.h"
 #include "content/content_error.h"
+#include "content/parallel.h"
 
 namespace docent::avatar {
 namespace {
 
-/// Longest edge that simplification may make, in cells.
-constexpr float longest_edge = 3.2F;
 /// Triangles are left out where all three corners lie this deep under another layer, metres.
 constexpr float covered_depth = 0.006F;
 /// No body of ordinary stature is larger than that, metres.
 constexpr float most_extent = 5;
 
+/// Leaves out the triangles that lie deep under another layer.
+void leave_out_covered(const Layer& layer, TriangleSurface& surface) {
+  if (!layer.covered) return;
+  std::vector<bool> hidden(surface.position.size());
+  for (std::size_t v = 0; v < hidden.size(); ++v)
+    hidden[v] = layer.covered(surface.position[v]) < -covered_depth;
+  std::vector<std::uint32_t> seen;
+  for (std::size_t k = 0; k < surface.indices.size(); k += 3) {
+    const auto corners = std::span(surface.indices).subspan(k, 3);
+    if (!std::ranges::all_of(corners, [&](std::uint32_t v) { return hidden[v]; }))
+      seen.insert(seen.end(), corners.begin(), corners.end());
+  }
+  surface.indices = std::move(seen);
+}
+
 /// Appends the visible part of a layer's surface to the mesh.
 void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& occlusion,
                SkinnedMesh& mesh) {
   TriangleSurface surface = polygonise(layer.solid, layer.box, layer.cell);
-  simplify(surface, {.error = layer.error, .edge = longest_edge * layer.cell});
-  std::vector<bool> hidden(surface.position.size(), false);
-  if (layer.covered)
-    for (std::size_t v = 0; v < hidden.size(); ++v)
-      hidden[v] = layer.covered(surface.position[v]) < -covered_depth;
-
-  constexpr std::uint32_t unused = 0xFFFFFFFF;
-  std::vector<std::uint32_t> moved_to(surface.position.size(), unused);
-  const auto vertex = [&](std::uint32_t v) {
-    if (moved_to[v] == unused) {
-      moved_to[v] = static_cast<std::uint32_t>(mesh.vertices.size());
-      const Vec3 normal = gradient_of(layer.solid, surface.position[v], 0.35F * layer.cell);
-      const JointShares shares = weights.at(surface.position[v], layer.region);
-      mesh.vertices.push_back({.position = surface.position[v],
-                               .normal = normal,
-                               .joint = shares.joint,
-                               .weight = shares.weight,
-                               .material = layer.material,
-                               .occlusion = occlusion.at(surface.position[v], normal)});
-    }
-    return moved_to[v];
-  };
-  for (std::size_t k = 0; k < surface.indices.size(); k += 3) {
-    const std::uint32_t a = surface.indices[k];
-    const std::uint32_t b = surface.indices[k + 1];
-    const std::uint32_t c = surface.indices[k + 2];
-    if (hidden[a] && hidden[b] && hidden[c]) continue;
-    for (const std::uint32_t corner : {a, b, c}) mesh.indices.push_back(vertex(corner));
+  leave_out_covered(layer, surface);
+  simplify(surface, {.triangles = layer.triangles, .error = layer.error, .lens = layer.lens});
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vec3& place : surface.position) {
+    const Vec3 normal = gradient_of(layer.solid, place, 0.5F * layer.cell);
+    const JointShares shares = weights.at(place, layer.region);
+    mesh.vertices.push_back({.position = place,
+                             .normal = normal,
+                             .joint = shares.joint,
+                             .weight = shares.weight,
+                             .material = layer.material,
+                             .occlusion = occlusion.at(layer, place, normal)});
   }
+  for (const std::uint32_t v : surface.indices) mesh.indices.push_back(first + v);
 }
 
 }  // namespace
 
-SkinnedMesh make_avatar(const Skeleton& skeleton) {
-  const BodyShape body = body_of(stand_at_ease(skeleton));
+SkinnedMesh make_avatar(const Skeleton& skeleton, const Figure& figure) {
+  const BodyShape body = body_of(figure, stand_at_ease(skeleton));
   const SkinWeights weights(skeleton, body);
   const std::vector<Layer> layers = layers_of(body);
 
@@ -77,8 +77,23 @@ SkinnedMesh make_avatar(const Skeleton& skeleton) {
 
   SkinnedMesh mesh;
   for (const Layer& layer : layers) add_layer(layer, weights, occlusion, mesh);
+  mesh.figure_end.push_back(static_cast<std::uint32_t>(mesh.indices.size()));
   for (const Mat4& world : body.stance.world) mesh.inverse_bind.push_back(glm::inverse(world));
   return mesh;
+}
+
+SkinnedMesh make_avatars(const Skeleton& skeleton, unsigned jobs) {
+  std::array<SkinnedMesh, figures.size()> made;
+  content::for_each_index(made.size(), jobs,
+                          [&](std::size_t i) { made[i] = make_avatar(skeleton, figures[i]); });
+  SkinnedMesh all = std::move(made[0]);
+  for (const SkinnedMesh& one : std::span(made).subspan(1)) {
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), one.vertices.begin(), one.vertices.end());
+    for (const std::uint32_t v : one.indices) all.indices.push_back(first + v);
+    all.figure_end.push_back(static_cast<std::uint32_t>(all.indices.size()));
+  }
+  return all;
 }
 
 }  // namespace docent::avatar

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "content/avatar/figure.h"
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/model/motion/skinned_mesh.h"
 
@@ -17,6 +18,9 @@ namespace docent::avatar {
 /// are made as ever, world[j] * inverse_bind[j].
 ///
 /// The same skeleton gives the same mesh. Takes about a third of a second.
-SkinnedMesh make_avatar(const Skeleton& skeleton);
+SkinnedMesh make_avatar(const Skeleton& skeleton, const Figure& figure);
+
+/// All `figures` in one mesh, in their order, made on up to `jobs` threads.
+SkinnedMesh make_avatars(const Skeleton& skeleton, unsigned jobs);
 
 }  // namespace docent::avatar

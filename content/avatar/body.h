@@ -3,6 +3,7 @@
 #include <array>
 
 #include "content/avatar/distance_field.h"
+#include "content/avatar/figure.h"
 #include "content/avatar/stance.h"
 
 namespace docent::avatar {
@@ -15,22 +16,40 @@ struct Girth {
   float middle = 0;      ///< z of its centre.
 };
 
+/// How a garment is cut: metres on a person of 1.70 m.
+struct Cut {
+  float hem = 0.06F;        ///< Of the lower edge over the knees.
+  float flare = 1;          ///< Of the lower edge's girth.
+  float folds = 0;          ///< How deep the skirt's folds are.
+  float sleeve = 0.94F;     ///< Share of the forearm that sleeves cover.
+  float cuff = 0.040F;      ///< Radius of a sleeve's end.
+  float neckline = 0.235F;  ///< How far below the shoulders it is open.
+  bool lapels = true;
+  bool pockets = true;
+  bool buttons = true;
+  bool bare_legs = false;
+  float legs = 1;  ///< Share of the width of ordinary trousers.
+};
+Cut cut_of(Garment garment);
+
 /// The person inside the stance: where the head is and how large, how wide the shoulders are, and
 /// the solids from which clothes are cut. Model frame, metres; x = 0 is the plane of symmetry.
 struct BodyShape {
+  Figure figure;
   Stance stance;
   float scale = 1;   ///< Stature over the 1.70 m of the person that the body*.cpp measure.
   Vec3 skull{};      ///< Middle of the head, between chin and crown.
   Vec3 neck_base{};  ///< Where the neck leaves the shoulders.
   float hip_height = 0, shoulder_height = 0;
-  float shoulder_half = 0;        ///< Half the distance between the shoulder joints.
+  float shoulder_half = 0;  ///< Half the distance between the shoulder joints.
+  Cut cut{};
   float hem = 0;                  ///< Height of the coat's lower edge.
   std::array<Girth, 8> girths{};  ///< Of the coat, from hem to neck.
 
   const LimbPoints& limb(Side side) const { return stance.limb[static_cast<std::size_t>(side)]; }
 };
 
-BodyShape body_of(Stance stance);
+BodyShape body_of(const Figure& figure, Stance stance);
 
 // What follows are the solids as distance fields (distance_field.h): metres from `p` to the
 // surface, negative inside. `p` is in the model frame.
@@ -43,12 +62,6 @@ float coat_sleeve(const BodyShape& body, Vec3 p, Side side);
 float coat_solid(const BodyShape& body, Vec3 p);
 /// One trouser leg.
 float trouser_leg(const BodyShape& body, Vec3 p, Side side);
-/// Head and neck without hair.
-float head_and_neck(const BodyShape& body, Vec3 p);
-/// Hair on the head; the brows are apart.
-float hair(const BodyShape& body, Vec3 p);
-float brows(const BodyShape& body, Vec3 p);
-float eyes(const BodyShape& body, Vec3 p);
 /// One hand, a little curled, thumb forward.
 float hand(const BodyShape& body, Vec3 p, Side side);
 float shoe(const BodyShape& body, Vec3 p, Side side);

@@ -32,17 +32,17 @@ HandFrame hand_frame(const BodyShape& body, Side side) {
 struct Finger {
   float across, knuckle, length, radius, curl, spread;
 };
-constexpr std::array<Finger, 4> fingers{{{0.030F, 0.092F, 0.073F, 0.0092F, 0.22F, 0.05F},
-                                         {0.010F, 0.096F, 0.080F, 0.0094F, 0.27F, 0.01F},
-                                         {-0.010F, 0.093F, 0.074F, 0.0090F, 0.33F, -0.02F},
-                                         {-0.029F, 0.086F, 0.058F, 0.0080F, 0.38F, -0.06F}}};
+constexpr std::array<Finger, 4> fingers{{{0.028F, 0.092F, 0.073F, 0.0090F, 0.30F, 0.02F},
+                                         {0.010F, 0.096F, 0.080F, 0.0092F, 0.36F, 0.00F},
+                                         {-0.010F, 0.093F, 0.074F, 0.0088F, 0.42F, -0.01F},
+                                         {-0.027F, 0.086F, 0.058F, 0.0078F, 0.48F, -0.03F}}};
 
 float finger_distance(const HandFrame& frame, Vec3 p, const Finger& finger) {
   constexpr std::array<float, 3> bone{0.45F, 0.31F, 0.24F};
   float along = finger.knuckle;
   float inward = 0.002F;
   float across = finger.across;
-  float bend = 0.12F;
+  float bend = 0.14F;
   float radius = finger.radius;
   float d = 1;
   for (const float share : bone) {
@@ -70,8 +70,13 @@ float hand(const BodyShape& body, Vec3 p, Side side) {
   const float wrist = tapered_capsule(p, frame.at(-0.05F, 0, 0), frame.at(0.015F, 0.001F, 0),
                                       0.027F * s, 0.0245F * s);
   const glm::mat3 axes(frame.thumb, frame.down, frame.palm);
-  const float back = rounded_box(p, frame.at(0.055F, 0.001F, 0.001F), axes,
-                                 Vec3{0.0395F, 0.045F, 0.0135F} * s, 0.0125F * s);
+  // The palm is a fan, narrow at the wrist, arched over the knuckles.
+  const Vec3 off = (p - frame.wrist) / s;
+  const float along = glm::dot(off, frame.down);
+  const float narrow = 1 - 0.26F * smoothstep(0.085F, 0.015F, along);
+  const Vec3 fanned = p + frame.thumb * (glm::dot(off, frame.thumb) * (1 / narrow - 1) * s);
+  const float back = 0.8F * rounded_box(fanned, frame.at(0.053F, 0.001F, 0.001F), axes,
+                                        Vec3{0.0375F, 0.047F, 0.0130F} * s, 0.0125F * s);
   const float ball = tapered_capsule(p, frame.at(0.022F, 0.020F, 0.008F),
                                      frame.at(0.055F, 0.034F, 0.013F), 0.017F * s, 0.0125F * s);
   float d = join(join(wrist, back, 0.03F * s), ball, 0.015F * s);

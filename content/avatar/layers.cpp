@@ -1,5 +1,10 @@
 #include "content/avatar/layers.h"
 
+#include "content/avatar/hair.h"
+#include "content/avatar/head.h"
+#include "content/avatar/headwear.h"
+#include "content/avatar/simplify.h"
+
 // Measures with `s` are metres on a person of 1.70 m, shaped for this avatar; `s` scales them.
 
 namespace docent::avatar {
@@ -14,9 +19,9 @@ struct Neckline {
   float bottom, top, slope, front;
 
   explicit Neckline(const BodyShape& body)
-      : bottom{body.shoulder_height - 0.235F * body.scale},
+      : bottom{body.shoulder_height - body.cut.neckline * body.scale},
         top{body.shoulder_height + 0.05F * body.scale},
-        slope{0.27F},
+        slope{0.065F / (body.cut.neckline + 0.05F)},
         front{body.neck_base.z + 0.005F * body.scale} {}
 
   float half_width(float height) const { return slope * (height - bottom); }
@@ -86,10 +91,36 @@ struct CoatEdges {
     return meet(std::max(strip, ends), on_coat - raised, 0.003F * s);
   }
 
+  /// Pockets' flaps, a uniform's belt and shoulder straps, a dress's sash.
+  float details(Vec3 p, float on_coat) const {
+    const float s = body.scale;
+    float d = 1;
+    const auto patch = [&](float x, float y, float half_x, float half_y, float raised) {
+      const float flat =
+          std::max(std::abs(std::abs(p.x) - x * s) - half_x * s, std::abs(p.y - y) - half_y * s);
+      d = std::min(d, meet(std::max(flat, -p.z), on_coat - raised * s, 0.003F * s));
+    };
+    const float waist = body.hip_height + 0.40F * (body.shoulder_height - body.hip_height);
+    const auto belt = [&](float half) {
+      d = std::min(d, meet(std::abs(p.y - waist) - half * s, coat_trunk(body, p, 0) - 0.006F * s,
+                           0.004F * s));
+    };
+    if (body.cut.pockets) patch(0.105F, body.hip_height + 0.035F * s, 0.052F, 0.020F, 0.006F);
+    if (body.figure.garment == Garment::Uniform) {
+      patch(0.085F, body.shoulder_height - 0.115F * s, 0.036F, 0.016F, 0.006F);
+      belt(0.020F);
+    }
+    if (body.figure.garment == Garment::Dress) belt(0.024F);
+    return d;
+  }
+
   float operator()(Vec3 p) const {
     const float s = body.scale;
     const float on_coat = coat_solid(body, p);
-    const float edges = join(lapel(p, on_coat), collar(p), 0.01F * s);
+    if (!body.cut.lapels)
+      return std::min(carve(collar(p), neckline.wedge(p), 0.006F * s), details(p, on_coat));
+    const float edges =
+        std::min(join(lapel(p, on_coat), collar(p), 0.01F * s), details(p, on_coat));
     return std::min(carve(edges, neckline.wedge(p), 0.006F * s), closure(p, on_coat));
   }
 };
@@ -133,39 +164,72 @@ void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
                   body.skull + Vec3{0.11F, 0.16F, 0.14F} * s};
   const Box3 head_neck{{head.low.x, body.neck_base.y - 0.12F * s, head.low.z - 0.02F * s},
                        head.high};
+  const Box3 hair_box{
+      body.skull - Vec3{0.14F, body.figure.hair == Hair::Long ? 0.33F : 0.13F, 0.17F} * s,
+      head.high + Vec3{0.03F, 0.02F, 0.03F} * s};
   const Vec3 eye_line = body.skull + Vec3{0, 0.012F, 0.075F} * s;
   const Box3 face = box_around(eye_line, eye_line, 0.056F * s);
   layers.push_back({.material = Material::Skin,
                     .region = BodyRegion::Head,
                     .solid = [&body](Vec3 p) { return head_and_neck(body, p); },
                     .box = head_neck,
-                    .cell = 0.0062F * s,
-                    .error = 0.0004F * s,
+                    .cell = 0.0017F * s,
+                    .error = 0.0016F * s,
+                    .triangles = 3000,
+                    .lens = [&body](Vec3 p) { return magnified_face(body, p); },
                     .covered =
                         [&body, s](Vec3 p) {
-                          return std::min(hair(body, p), coat_trunk(body, p, -0.02F * s));
+                          return std::min({hair(body, p), headwear(body, p), beard(body, p),
+                                           coat_trunk(body, p, -0.02F * s)});
                         }});
-  layers.push_back({.material = Material::Hair,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return hair(body, p); },
-                    .box = head,
-                    .cell = 0.0095F * s,
-                    .error = 0.0007F * s,
-                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
-  layers.push_back({.material = Material::Hair,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return brows(body, p); },
-                    .box = face,
-                    .cell = 0.0034F * s,
-                    .error = 0.0004F * s,
-                    .covered = {}});
-  layers.push_back({.material = Material::Eye,
-                    .region = BodyRegion::Head,
-                    .solid = [&body](Vec3 p) { return eyes(body, p); },
-                    .box = face,
-                    .cell = 0.0036F * s,
-                    .error = 0.0003F * s,
-                    .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  if (has_hair(body.figure))
+    layers.push_back({.material = Material::Hair,
+                      .region = BodyRegion::Head,
+                      .solid = [&body](Vec3 p) { return hair(body, p); },
+                      .box = hair_box,
+                      .cell = 0.0026F * s,
+                      .error = 0.0026F * s,
+                      .triangles = 2000,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  if (body.figure.headwear != Headwear::None)
+    layers.push_back(
+        {.material = body.figure.headwear == Headwear::Cap ? Material::Coat : Material::Second,
+         .region = BodyRegion::Head,
+         .solid = [&body](Vec3 p) { return headwear(body, p); },
+         .box = {body.skull + Vec3{-0.19F, -0.30F, -0.15F} * s,
+                 body.skull + Vec3{0.19F, 0.16F, 0.17F} * s},
+         .cell = 0.0040F * s,
+         .error = 0.0031F * s,
+         .triangles = 1200,
+         .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  if (body.figure.face.beard > 0)
+    layers.push_back({.material = Material::Hair,
+                      .region = BodyRegion::Head,
+                      .solid = [&body](Vec3 p) { return beard(body, p); },
+                      .box = {body.skull + Vec3{-0.09F, -0.19F, -0.01F} * s,
+                              body.skull + Vec3{0.09F, 0.02F, 0.13F} * s},
+                      .cell = 0.0028F * s,
+                      .error = 0.0026F * s,
+                      .triangles = 2000,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  const auto of_face = [&](Material material, auto solid, Box3 box, float cell,
+                           std::size_t triangles) {
+    layers.push_back({.material = material,
+                      .region = BodyRegion::Head,
+                      .solid = [&body, solid](Vec3 p) { return solid(body, p); },
+                      .box = box,
+                      .cell = cell * s,
+                      .error = 0.0015F * s,
+                      .triangles = triangles,
+                      .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  };
+  of_face(Material::Hair, brows, face, 0.0014F, 160);
+  of_face(Material::White, eye_whites, face, 0.0018F, 160);
+  of_face(Material::Eye, irises, face, 0.0009F, 120);
+  of_face(Material::Lips, lips,
+          box_around(body.skull + Vec3{-0.027F, -0.074F, 0.08F} * s,
+                     body.skull + Vec3{0.027F, -0.054F, 0.08F} * s, 0.014F * s),
+          0.0011F, 260);
 }
 
 void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
@@ -179,25 +243,30 @@ void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
                     .region = BodyRegion::Coat,
                     .solid = whole,
                     .box = {{-reach, hem, -0.28F * s}, {reach, top, 0.32F * s}},
-                    .cell = 0.0165F * s,
-                    .error = 0.0009F * s,
+                    .cell = 0.0085F * s,
+                    .error = 0.0042F * s,
+                    .triangles = 2700,
+                    .lens = wavy(0.06F * s, 0.0012F * s),
                     .covered = {}});
   layers.push_back(
       {.material = Material::Coat,
        .region = BodyRegion::Coat,
        .solid = CoatEdges(body, neckline),
        .box = {{-0.19F * s, hem, body.neck_base.z - 0.12F * s}, {0.19F * s, top, 0.30F * s}},
-       .cell = 0.0085F * s,
-       .error = 0.0007F * s,
+       .cell = 0.0058F * s,
+       .error = 0.0031F * s,
+       .triangles = 1100,
        .covered = whole});
   const Buttons buttons(body, neckline);
-  layers.push_back({.material = Material::Trousers,
-                    .region = BodyRegion::Coat,
-                    .solid = buttons,
-                    .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
-                    .cell = 0.0052F * s,
-                    .error = 0.0005F * s,
-                    .covered = whole});
+  if (body.cut.buttons)
+    layers.push_back({.material = Material::Trousers,
+                      .region = BodyRegion::Coat,
+                      .solid = buttons,
+                      .box = box_around(buttons.place.front(), buttons.place.back(), 0.02F * s),
+                      .cell = 0.0042F * s,
+                      .error = 0.0013F * s,
+                      .triangles = 240,
+                      .covered = whole});
   const Box3 chest{{-0.12F * s, neckline.bottom - 0.02F * s, neckline.front - 0.08F * s},
                    {0.12F * s, neckline.top + 0.04F * s, neckline.front + 0.20F * s}};
   layers.push_back({.material = Material::Shirt,
@@ -211,7 +280,7 @@ void add_coat_layers(const BodyShape& body, std::vector<Layer>& layers) {
                         },
                     .box = chest,
                     .cell = 0.0085F * s,
-                    .error = 0.0007F * s,
+                    .error = 0.0018F * s,
                     .covered = whole});
 }
 
@@ -225,15 +294,18 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                     .solid = [&body, side](Vec3 p) { return hand(body, p, side); },
                     .box = box_around(limb.wrist - limb.hand_axis * 0.06F * s,
                                       limb.wrist + limb.hand_axis * 0.18F * s, 0.075F * s),
-                    .cell = 0.0058F * s,
-                    .error = 0.0006F * s,
+                    .cell = 0.0034F * s,
+                    .error = 0.0026F * s,
+                    .triangles = 700,
                     .covered = [&body, side](Vec3 p) { return coat_sleeve(body, p, side); }});
-  layers.push_back({.material = Material::Trousers,
+  layers.push_back({.material = body.cut.bare_legs ? Material::Skin : Material::Trousers,
                     .region = leg,
                     .solid = [&body, side](Vec3 p) { return trouser_leg(body, p, side); },
                     .box = box_around(limb.hip, limb.ankle, 0.13F * s),
-                    .cell = 0.022F * s,
-                    .error = 0.0012F * s,
+                    .cell = 0.0075F * s,
+                    .error = 0.0042F * s,
+                    .triangles = 560,
+                    .lens = wavy(0.05F * s, 0.0012F * s),
                     // Above this the coat is never lifted.
                     .covered = [&body, s](Vec3 p) { return body.hem + 0.14F * s - p.y; }});
   layers.push_back({.material = Material::Shoes,
@@ -241,8 +313,9 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                     .solid = [&body, side](Vec3 p) { return shoe(body, p, side); },
                     .box = box_around({limb.ankle.x, 0, limb.ankle.z},
                                       limb.toe + limb.foot_forward * 0.06F * s, 0.12F * s),
-                    .cell = 0.0105F * s,
-                    .error = 0.0008F * s,
+                    .cell = 0.0050F * s,
+                    .error = 0.0031F * s,
+                    .triangles = 420,
                     .covered = [&body, side](Vec3 p) { return trouser_leg(body, p, side); }});
 }
 

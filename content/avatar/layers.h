@@ -13,13 +13,17 @@ namespace docent::avatar {
 struct Layer {
   Material material = Material::Coat;
   BodyRegion region = BodyRegion::Coat;
-  DistanceField solid;
+  DistanceField solid{};
   Box3 box{};
-  float cell = 0.02F;    ///< Metres: the finest detail.
-  float error = 0.001F;  ///< Metres that simplification may take off or put on.
+  float cell = 0.02F;           ///< Metres: the finest detail.
+  float error = 0.0005F;        ///< Metres that simplification may take off or put on.
+  std::size_t triangles = 500;  ///< That simplification leaves, unless the error allows more.
+  /// How simplification sees a place: it keeps what is magnified finer, and divides what is bent.
+  /// May be empty.
+  std::function<Vec3(Vec3)> lens{};
   /// A solid of the layers above this one: what lies deep inside it is covered and left out. May be
   /// empty.
-  DistanceField covered;
+  DistanceField covered{};
 };
 
 /// All layers of a body, which must outlive them.

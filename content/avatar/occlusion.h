@@ -16,7 +16,8 @@ class Occlusion {
   Occlusion(const std::vector<Layer>& layers, const Box3& box, float cell);
 
   /// 255 where all of it is seen; 64 where nothing is, since creases never go quite black.
-  std::uint8_t at(Vec3 p, Vec3 normal) const;
+  /// Fine creases of the layer itself, which the grid is too coarse for, count too.
+  std::uint8_t at(const Layer& layer, Vec3 p, Vec3 normal) const;
 
  private:
   float distance(Vec3 p) const;

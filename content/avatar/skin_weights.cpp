@@ -133,12 +133,17 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
 
   // The front is pushed by the thigh that comes forward; the back hangs freely and follows less.
   const float drop = body_.hip_height + 0.02F * s - p.y;
-  const float follows = 0.62F + 0.34F * smoothstep(-0.11F * s, 0.09F * s, p.z);
+  const float follows = 0.82F + 0.16F * smoothstep(-0.11F * s, 0.09F * s, p.z);
   const float skirt = follows * smoothstep(-0.02F * s, 0.23F * s, drop);
   // Front and back panels, across the middle, go with both legs.
   const float left = smoothstep(-0.10F * s, 0.10F * s, p.x);
-  shares[thigh_[0]] += trunk * (1 - cap) * skirt * left;
-  shares[thigh_[1]] += trunk * (1 - cap) * skirt * (1 - left);
+  // What hangs below the knees goes with the shins, though not as far.
+  const float below_knee = 0.75F * smoothstep(0.04F * s, -0.14F * s, p.y - limb.knee.y);
+  for (const auto& [leg, part] : {std::pair{0U, left}, std::pair{1U, 1 - left}}) {
+    const float share = trunk * (1 - cap) * skirt * part;
+    shares[thigh_[leg]] += share * (1 - below_knee);
+    shares[leg_[leg][1].joint] += share * below_knee;
+  }
   add_chain(spine_, p, trunk * (1 - cap) * (1 - skirt), shares);
 }
 

@@ -43,7 +43,7 @@ CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_fol
       compiled.motion.foresight = foresee(compiled.motion, jobs);
     }
     const auto stage = progress.start("avatar");
-    compiled.mesh = avatar::make_avatar(compiled.motion.skeleton);
+    compiled.mesh = avatar::make_avatars(compiled.motion.skeleton, jobs);
   } catch (const content::ContentError& error) {
     compiled.problems.push_back(content::to_diagnostic(error));
   }

@@ -37,45 +37,13 @@ constexpr std::array crowd_shares{1.0F, 0.8F, 0.65F, 0.55F, 0.45F};
 constexpr std::size_t most_triangles = 80'000;
 
 // Parts of a look in look.glsl.
-constexpr std::size_t second_part = 7, build_part = 8, bands_part = 9, parts_of_look = 11;
+constexpr std::size_t build_part = 10, parts_of_look = 11;
 static_assert(scene::looks.size() * parts_of_look == 132);
-static_assert(static_cast<std::size_t>(Material::Count) == second_part);
+static_assert(static_cast<std::size_t>(Material::Count) == build_part);
 
 Vec4 matte(std::uint32_t hex, float shine = 0) noexcept {
   const scene::Colour c = scene::srgb(hex);
   return {c.r, c.g, c.b, shine};
-}
-
-/// Two sets of bands on the front view of the modelled body, x and y in metres: a share w of every
-/// period, in which (x, y) . (place) + z grows by one, round its middle. Where both sets lie the
-/// coat has its second colour.
-struct Cloth {
-  Vec4 one{0}, other{0};
-};
-
-Cloth cloth_of(scene::CoatPattern pattern) noexcept {
-  constexpr float far = 4;  // metres: a period of which a body sees one band only
-  constexpr Vec4 everywhere{0, 0, 0.5F, 1};
-  switch (pattern) {
-    case scene::CoatPattern::Hoops:
-      return {{0, 1 / 0.19F, 0.2F, 0.3F}, everywhere};
-    case scene::CoatPattern::Stripes:
-      return {{1 / 0.075F, 0, 0, 0.34F}, everywhere};
-    case scene::CoatPattern::Yoke:
-      return {{0, 1 / far, 0.25F - 1.235F / far, 0.5F}, everywhere};
-    case scene::CoatPattern::Skirt:
-      return {{0, 1 / far, 0.75F - 0.86F / far, 0.5F}, everywhere};
-    case scene::CoatPattern::Sash:
-      return {{1.35F / far, -1 / far, 0.5F + 1.16F / far, 0.17F / far},
-              {1 / far, 0, 0.5F, 0.38F / far}};
-    case scene::CoatPattern::Diamonds:
-      return {{1 / 0.13F, 1 / 0.19F, 0.3F, 0.45F}, {1 / 0.13F, -1 / 0.19F, 0.3F, 0.45F}};
-    case scene::CoatPattern::Checks:
-      return {{0, 1 / 0.15F, 0, 0.5F}, {1 / 0.15F, 0, 0, 0.5F}};
-    case scene::CoatPattern::Plain:
-      break;
-  }
-  return {};
 }
 
 std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
@@ -90,16 +58,21 @@ std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   at(Material::Shoes) = matte(look.shoes, 0.06F);
   at(Material::Shirt) = matte(look.shirt);
   at(Material::Eye) = matte(0x241E1B, 0.6F);
-  parts[second_part] = matte(look.second, look.hair_length);
-  parts[build_part] = {look.height, look.shoulders, look.hips, look.hair_volume};
-  const Cloth cloth = cloth_of(look.pattern);
-  parts[bands_part] = cloth.one;
-  parts[bands_part + 1] = cloth.other;
+  at(Material::White) = matte(0xDDD5C8, 0.1F);
+  at(Material::Lips) = at(Material::Skin) * Vec4(0.74F, 0.58F, 0.57F, 3);
+  at(Material::Second) = matte(look.second, 0.01F);
+  parts[build_part] = {look.height, 0, 0, 0};
   return parts;
 }
 
 std::size_t joints_of(const Body& body) noexcept {
   return std::min(body.joints, most_joints);
+}
+
+/// Which of the bodies it wears.
+std::uint32_t figure_of(const scene::AvatarDraw& avatar, const Body& body) noexcept {
+  const scene::Look& look = scene::looks[avatar.look % scene::looks.size()];
+  return look.figure % static_cast<std::uint32_t>(body.figure.size());
 }
 
 /// Middle and half size, in clip space, of the tile of the atlas that the avatar in this place has.
@@ -203,8 +176,8 @@ Result<void> AvatarPass::compile() {
   shadow_ = std::move(*shadow);
   soften_ = std::move(*soften);
   decal_ = std::move(*decal);
-  at_ = {body_["record_size"], body_["stature"],       shadow_["record_size"],
-         shadow_["stature"],   soften_["record_size"], decal_["record_size"]};
+  at_ = {body_["record_size"], shadow_["record_size"], soften_["record_size"],
+         decal_["record_size"]};
 
   no_attributes_ = make_vertex_array();
   std::vector<Vec4> parts;
@@ -253,6 +226,7 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
     constexpr SceneBuffer::Rows nowhere{2, -2};
     seen_[seen_count_++] = {
         .avatar = static_cast<std::uint32_t>(a),
+        .figure = figure_of(list.avatars[a], *worn_),
         .pixels = sees_body ? scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F) : 0,
         .window = window,
         .body = sees_body ? body.rows() : nowhere,
@@ -261,8 +235,8 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
   choose_levels();
   std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_),
             [](const Seen& a, const Seen& b) {
-              return std::tie(a.level, a.body.low, a.avatar) <
-                     std::tie(b.level, b.body.low, b.avatar);
+              return std::tie(a.level, a.figure, a.body.low, a.avatar) <
+                     std::tie(b.level, b.figure, b.body.low, b.avatar);
             });
 }
 
@@ -274,7 +248,7 @@ void AvatarPass::choose_levels() noexcept {
       seen.level = static_cast<std::uint32_t>(std::ranges::count_if(
           scene::coarse_levels,
           [&](const scene::Coarseness& coarse) { return pixels < coarse.height; }));
-      triangles += static_cast<std::size_t>(worn_->level[seen.level].size) / 3;
+      triangles += static_cast<std::size_t>(worn_->figure[seen.figure][seen.level].size) / 3;
     }
     if (triangles <= most_triangles) return;
   }
@@ -325,8 +299,8 @@ void AvatarPass::send(const scene::DrawList& list) noexcept {
   if (glUnmapBuffer(GL_UNIFORM_BUFFER) == GL_FALSE) seen_count_ = 0;  // lost, as ES allows
 }
 
-/// Calls `draw` for runs of avatars of one level whose `part` reaches into the rows, each run
-/// bound.
+/// Calls `draw` for runs of avatars of one body and level whose `part` reaches into the rows, each
+/// run bound.
 template <typename Draw>
 void AvatarPass::draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* part,
                               Draw draw) const noexcept {
@@ -338,19 +312,20 @@ void AvatarPass::draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* 
     if (!is_in(seen_[first])) continue;
     std::size_t end = first + 1;
     while (end < seen_count_ && end - first < most && seen_[end].level == seen_[first].level &&
-           is_in(seen_[end]))
+           seen_[end].figure == seen_[first].figure && is_in(seen_[end]))
       ++end;
     glBindBufferRange(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Avatars), records_.get(),
                       static_cast<GLintptr>(first * record_size_ * sizeof(Vec4)), block_bytes);
-    draw(seen_[first].level, static_cast<GLsizei>(end - first));
+    draw(seen_[first], static_cast<GLsizei>(end - first));
     first = end - 1;
   }
 }
 
-void AvatarPass::draw_level(std::uint32_t level, GLsizei instances) const noexcept {
+void AvatarPass::draw_level(const Seen& one, std::uint32_t level,
+                            GLsizei instances) const noexcept {
   const std::size_t bytes =
       worn_->index_type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
-  const scene::BodyLevels::Run& run = worn_->level[level];
+  const scene::BodyLevels::Run& run = worn_->figure[one.figure][level];
   glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(run.size), worn_->index_type,
                           buffer_offset(run.first * bytes), instances);
 }
@@ -365,10 +340,10 @@ void AvatarPass::draw_shadow_atlas() const noexcept {
   glClear(GL_COLOR_BUFFER_BIT);
   shadow_.use();
   glUniform1i(at_.shadow_record_size, static_cast<GLint>(record_size_));
-  glUniform1f(at_.shadow_stature, worn_->stature);
   glBindVertexArray(worn_->array.get());
-  draw_batches({-1, 1}, &Seen::shadow, [&](std::uint32_t level, GLsizei instances) {
-    draw_level(std::min<std::uint32_t>(level + 2, scene::BodyLevels::count - 1), instances);
+  draw_batches({-1, 1}, &Seen::shadow, [&](const Seen& one, GLsizei instances) {
+    draw_level(one, std::min<std::uint32_t>(one.level + 2, scene::BodyLevels::count - 1),
+               instances);
   });
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), atlas_.get());
   glGenerateMipmap(GL_TEXTURE_2D);
@@ -380,7 +355,7 @@ void AvatarPass::soften_shadows() const noexcept {
   soften_.use();
   glUniform1i(at_.soften_record_size, static_cast<GLint>(record_size_));
   glBindVertexArray(no_attributes_.get());
-  draw_batches({-1, 1}, &Seen::shadow, [&](std::uint32_t, GLsizei instances) {
+  draw_batches({-1, 1}, &Seen::shadow, [&](const Seen&, GLsizei instances) {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
   });
   bind_texture(static_cast<GLuint>(Unit::ShadowAtlas), soft_atlas_.get());
@@ -389,7 +364,7 @@ void AvatarPass::soften_shadows() const noexcept {
 void AvatarPass::prepare(const scene::DrawList& list, const Body& body, Vec3 sun,
                          PixelSize picture) noexcept {
   seen_count_ = 0;
-  if (body.level[0].size == 0) return;
+  if (body.figure.empty()) return;
   worn_ = &body;
   record_size_ = (first_matrix_row + 3 * joints_of(body) + alignment - 1) / alignment * alignment;
   choose(list, sun, picture);
@@ -404,10 +379,9 @@ void AvatarPass::draw_bodies(SceneBuffer::Rows rows) const noexcept {
   if (seen_count_ == 0) return;
   body_.use();
   glUniform1i(at_.body_record_size, static_cast<GLint>(record_size_));
-  glUniform1f(at_.body_stature, worn_->stature);
   glBindVertexArray(worn_->array.get());
   draw_batches(rows, &Seen::body,
-               [&](std::uint32_t level, GLsizei instances) { draw_level(level, instances); });
+               [&](const Seen& one, GLsizei instances) { draw_level(one, one.level, instances); });
 }
 
 void AvatarPass::draw_shadows(SceneBuffer::Rows rows) const noexcept {
@@ -415,7 +389,7 @@ void AvatarPass::draw_shadows(SceneBuffer::Rows rows) const noexcept {
   decal_.use();
   glUniform1i(at_.decal_record_size, static_cast<GLint>(record_size_));
   glBindVertexArray(no_attributes_.get());
-  draw_batches(rows, &Seen::shadow, [&](std::uint32_t, GLsizei instances) {
+  draw_batches(rows, &Seen::shadow, [&](const Seen&, GLsizei instances) {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
   });
 }

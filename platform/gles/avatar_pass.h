@@ -9,8 +9,8 @@
 
 namespace docent::gles {
 
-/// Draws the avatars and their shadows on the floor: an instance each, in batches of as many as one
-/// uniform block holds, and with fewer triangles the smaller they appear.
+/// Draws the avatars and their shadows on the floor: an instance each, in batches of those of one
+/// body, as many as one uniform block holds, and with fewer triangles the smaller they appear.
 class AvatarPass {
  public:
   /// More avatars than this are not drawn.
@@ -30,6 +30,7 @@ class AvatarPass {
   /// An avatar in the picture.
   struct Seen {
     std::uint32_t avatar = 0;  ///< Of the draw list.
+    std::uint32_t figure = 0;  ///< Of the body.
     std::uint32_t level = 0;
     float pixels = 0;                ///< How tall the body appears; 0: only its shadow does.
     Vec4 window{};                   ///< Square about its shadow: world x, z, half a side.
@@ -45,7 +46,7 @@ class AvatarPass {
   template <typename Draw>
   void draw_batches(SceneBuffer::Rows rows, SceneBuffer::Rows Seen::* part,
                     Draw draw) const noexcept;
-  void draw_level(std::uint32_t level, GLsizei instances) const noexcept;
+  void draw_level(const Seen& one, std::uint32_t level, GLsizei instances) const noexcept;
 
   GlBuffer records_, looks_;
   GlVertexArray no_attributes_;
@@ -58,8 +59,7 @@ class AvatarPass {
   std::size_t seen_count_ = 0;
   Program body_, shadow_, soften_, decal_;
   struct {
-    GLint body_record_size, body_stature, shadow_record_size, shadow_stature, soften_record_size,
-        decal_record_size;
+    GLint body_record_size, shadow_record_size, soften_record_size, decal_record_size;
   } at_{};
 };
 

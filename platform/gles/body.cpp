@@ -34,8 +34,7 @@ void upload_indices(const std::vector<Index>& indices) noexcept {
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   Body body;
   body.joints = mesh.inverse_bind.size();
-  body.stature = scene::stature_of(mesh);
-  body.level = levels.run;
+  body.figure = levels.figure;
   body.array = make_vertex_array();
   glBindVertexArray(body.array.get());
   body.vertices = make_buffer();

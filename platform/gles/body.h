@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "platform/gles/gl_names.h"
 #include "runtime/model/motion/skinned_mesh.h"
@@ -9,14 +9,13 @@
 
 namespace docent::gles {
 
-/// The body that every avatar wears, in texture memory.
+/// The bodies that avatars wear, in texture memory.
 struct Body {
   GlBuffer vertices, indices;
   GlVertexArray array;
-  std::array<scene::BodyLevels::Run, scene::BodyLevels::count> level{};  ///< Of the indices.
+  std::vector<scene::BodyLevels::Levels> figure;  ///< Of the indices, one a body.
   GLenum index_type = GL_UNSIGNED_SHORT;
   std::size_t joints = 0;
-  float stature = 1;  ///< Metres.
 };
 /// `levels`: of that mesh.
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels);

@@ -32,13 +32,15 @@ std::uint32_t nearest_to_middle(const SkinnedMesh& mesh,
       ->second;
 }
 
-/// For each vertex the one that stands for it.
-std::vector<std::uint32_t> clustered(const SkinnedMesh& mesh, float side) {
+/// For each vertex of the triangles the one that stands for it.
+std::vector<std::uint32_t> clustered(const SkinnedMesh& mesh,
+                                     std::span<const std::uint32_t> indices, float side) {
   std::vector<std::pair<Cell, std::uint32_t>> sorted;
-  sorted.reserve(mesh.vertices.size());
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-    sorted.emplace_back(cell_of(mesh.vertices[v], side), v);
+  sorted.reserve(indices.size());
+  for (const std::uint32_t v : indices) sorted.emplace_back(cell_of(mesh.vertices[v], side), v);
   std::ranges::sort(sorted);
+  const auto again = std::ranges::unique(sorted);
+  sorted.erase(again.begin(), again.end());
 
   std::vector<std::uint32_t> stands_for(mesh.vertices.size());
   for (auto first = sorted.begin(); first != sorted.end();) {
@@ -53,12 +55,16 @@ std::vector<std::uint32_t> clustered(const SkinnedMesh& mesh, float side) {
 }  // namespace
 
 std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell) {
-  const std::vector<std::uint32_t> stands_for = clustered(mesh, cell);
+  return coarser(mesh, mesh.indices, cell);
+}
+
+std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, std::span<const std::uint32_t> indices,
+                                   float cell) {
+  const std::vector<std::uint32_t> stands_for = clustered(mesh, indices, cell);
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+  for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
     std::array<std::uint32_t, 3> t{};
-    for (std::size_t corner = 0; corner < 3; ++corner)
-      t[corner] = stands_for[mesh.indices[k + corner]];
+    for (std::size_t corner = 0; corner < 3; ++corner) t[corner] = stands_for[indices[k + corner]];
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
     std::ranges::rotate(t, std::ranges::min_element(t));
     triangles.push_back(t);
@@ -68,10 +74,10 @@ std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell) {
   const auto twice = std::ranges::unique(triangles);
   triangles.erase(twice.begin(), twice.end());
 
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * triangles.size());
-  for (const auto& t : triangles) indices.insert(indices.end(), t.begin(), t.end());
-  return indices;
+  std::vector<std::uint32_t> coarse;
+  coarse.reserve(3 * triangles.size());
+  for (const auto& t : triangles) coarse.insert(coarse.end(), t.begin(), t.end());
+  return coarse;
 }
 
 float stature_of(const SkinnedMesh& mesh) noexcept {
@@ -82,15 +88,22 @@ float stature_of(const SkinnedMesh& mesh) noexcept {
 
 BodyLevels levels_of(const SkinnedMesh& mesh) {
   BodyLevels levels;
-  const auto add = [&](std::size_t level, const std::vector<std::uint32_t>& indices) {
-    levels.run[level] = {static_cast<std::uint32_t>(levels.indices.size()),
-                         static_cast<std::uint32_t>(indices.size())};
+  const auto add = [&](std::span<const std::uint32_t> indices) {
+    const BodyLevels::Run run{static_cast<std::uint32_t>(levels.indices.size()),
+                              static_cast<std::uint32_t>(indices.size())};
     levels.indices.insert(levels.indices.end(), indices.begin(), indices.end());
+    return run;
   };
-  add(0, mesh.indices);
   const float scale = stature_of(mesh) / modelled_stature;
-  for (std::size_t i = 0; i < coarse_levels.size(); ++i)
-    add(i + 1, coarser(mesh, coarse_levels[i].cell * scale));
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : mesh.figure_end) {
+    const auto body = std::span(mesh.indices).subspan(begin, end - begin);
+    BodyLevels::Levels& level = levels.figure.emplace_back();
+    level[0] = add(body);
+    for (std::size_t i = 0; i < coarse_levels.size(); ++i)
+      level[i + 1] = add(coarser(mesh, body, coarse_levels[i].cell * scale));
+    begin = end;
+  }
   return levels;
 }
 

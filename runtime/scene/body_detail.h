@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/model/motion/skinned_mesh.h"
@@ -14,6 +15,9 @@ namespace docent::scene {
 /// that thereby lose their area are left out. Edges move by less than a cell's diagonal, so a body
 /// whose pixels are larger than that looks the same. The same mesh gives the same triangles.
 std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, float cell);
+/// Likewise, of one run of the mesh's indices and the vertices that it uses.
+std::vector<std::uint32_t> coarser(const SkinnedMesh& mesh, std::span<const std::uint32_t> indices,
+                                   float cell);
 
 /// Below this height on the screen, in pixels, a body is drawn from cells of this size, in metres
 /// of a body of 1.7 m: about two pixels.
@@ -26,7 +30,8 @@ inline constexpr std::array<Coarseness, 4> coarse_levels{
 /// Height of a body's highest vertex, in metres; a little where there is none.
 float stature_of(const SkinnedMesh& mesh) noexcept;
 
-/// A body's triangles in all levels of detail, the finest first, all on its own vertices.
+/// The triangles of a mesh's bodies in all levels of detail, the finest first, all on its own
+/// vertices.
 struct BodyLevels {
   static constexpr std::size_t count = 1 + coarse_levels.size();
   /// A level's part of the indices.
@@ -34,7 +39,8 @@ struct BodyLevels {
     std::uint32_t first = 0, size = 0;
   };
   std::vector<std::uint32_t> indices;
-  std::array<Run, count> run{};
+  using Levels = std::array<Run, count>;
+  std::vector<Levels> figure;  ///< One a body.
 };
 /// Takes tens of milliseconds.
 BodyLevels levels_of(const SkinnedMesh& mesh);

@@ -23,13 +23,15 @@ enum class CoatPattern : std::uint8_t {
 
 /// How one avatar is told from another. Colours are sRGB, 0xRRGGBB.
 ///
-/// Neither build nor height moves a foot: bodies are widened above the ankles only and stretched
-/// upright from the floor, so that a planted sole stays where the walk has planted it.
+/// Height moves no foot: bodies are stretched upright from the floor, so that a planted sole stays
+/// where the walk has planted it. The pattern, the girths and the hair are those of the guide's
+/// pictogram on a card; the body itself is modelled (content/avatar).
 struct Look {
   std::string_view name;               ///< Stable, the same in every language.
   std::uint32_t coat = 0, second = 0;  ///< `second` is the pattern's colour.
   CoatPattern pattern = CoatPattern::Plain;
   std::uint32_t trousers = 0, shoes = 0, shirt = 0, hair = 0, skin = 0;
+  std::uint32_t figure = 0;       ///< Whose body: of those in the database, in turn.
   float height = 1;               ///< Share of the skeleton's height; the stride stays.
   float shoulders = 1, hips = 1;  ///< Shares of the mesh's width and depth there.
   float hair_volume = 0;          ///< Metres that the hair stands out further.
@@ -50,7 +52,8 @@ inline constexpr std::array<Look, 12> looks{{
      .shoes = 0x2A2420,
      .shirt = 0xF0EADD,
      .hair = 0x2E2420,
-     .skin = 0xC99A7C},
+     .skin = 0xC99A7C,
+     .figure = 0},
     {.name = "vermilion",
      .coat = 0xDC4522,
      .second = 0x5E1B14,
@@ -60,6 +63,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF0EADD,
      .hair = 0xA5622F,
      .skin = 0xE3BFA5,
+     .figure = 1,
      .height = 1.05F,
      .shoulders = 0.97F,
      .hips = 0.90F},
@@ -72,6 +76,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF6F0E0,
      .hair = 0x1C1714,
      .skin = 0x8A5E44,
+     .figure = 2,
      .height = 0.95F,
      .shoulders = 0.96F,
      .hips = 1.10F,
@@ -85,6 +90,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF0EADD,
      .hair = 0xB9B2A6,
      .skin = 0xDDB497,
+     .figure = 3,
      .height = 1.03F,
      .shoulders = 1.13F,
      .hips = 1.04F},
@@ -97,6 +103,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF6F0E0,
      .hair = 0x1C1714,
      .skin = 0x6F4630,
+     .figure = 4,
      .height = 1.01F,
      .shoulders = 1.03F,
      .hips = 0.92F,
@@ -110,6 +117,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF6F0E0,
      .hair = 0xD9B46A,
      .skin = 0xE8C6AE,
+     .figure = 5,
      .height = 0.94F,
      .shoulders = 0.94F,
      .hips = 1.04F,
@@ -124,6 +132,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0x35322F,
      .hair = 0x4A2E20,
      .skin = 0xB98467,
+     .figure = 6,
      .height = 0.98F,
      .shoulders = 1.16F,
      .hips = 1.18F},
@@ -136,6 +145,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xF0EADD,
      .hair = 0x2B211E,
      .skin = 0xD2A584,
+     .figure = 7,
      .height = 0.97F,
      .shoulders = 1.02F,
      .hips = 1.14F,
@@ -149,6 +159,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xD9D2C4,
      .hair = 0x4A3A2E,
      .skin = 0xB98467,
+     .figure = 4,
      .height = 1.02F},
     {.name = "sand",
      .coat = 0xB4A792,
@@ -159,6 +170,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xE6DFD1,
      .hair = 0x6F5A45,
      .skin = 0xDDB497,
+     .figure = 5,
      .height = 0.95F,
      .shoulders = 0.96F,
      .hips = 1.06F,
@@ -171,6 +183,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xCFC8BA,
      .hair = 0x231D1A,
      .skin = 0x8A5E44,
+     .figure = 0,
      .height = 1.04F,
      .shoulders = 1.08F,
      .hips = 1.02F},
@@ -183,6 +196,7 @@ inline constexpr std::array<Look, 12> looks{{
      .shirt = 0xDDD5C6,
      .hair = 0x9A948B,
      .skin = 0xE3BFA5,
+     .figure = 6,
      .height = 0.98F,
      .shoulders = 1.08F,
      .hips = 1.14F},

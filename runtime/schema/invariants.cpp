@@ -362,6 +362,12 @@ bool keeps(const MotionGraph& graph) {
          keeps(graph.foresight, graph.transitions.size());
 }
 
+/// Do these cut `indices` into runs of whole triangles?
+bool are_ends(const std::vector<std::uint32_t>& ends, std::size_t indices) {
+  return !ends.empty() && ends.back() == indices && std::ranges::is_sorted(ends) &&
+         std::ranges::all_of(ends, [](std::uint32_t end) { return end % 3 == 0; });
+}
+
 bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
   const auto sound_matrix = [](const Mat4& m) {
     return finite(Vec3(m[0])) && finite(Vec3(m[1])) && finite(Vec3(m[2])) && finite(Vec3(m[3]));
@@ -370,8 +376,9 @@ bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
     return finite(v.position) && finite(v.normal) && exists(v.material, Material::Count) &&
            std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < joints; });
   };
-  if (mesh.vertices.empty()) return mesh.indices.empty();
-  return joints <= most_joints && mesh.inverse_bind.size() == joints &&
+  if (mesh.vertices.empty()) return mesh.indices.empty() && mesh.figure_end.empty();
+  return are_ends(mesh.figure_end, mesh.indices.size()) && joints <= most_joints &&
+         mesh.inverse_bind.size() == joints &&
          std::ranges::all_of(mesh.inverse_bind, sound_matrix) &&
          std::ranges::all_of(mesh.vertices, sound_vertex) &&
          are_triangles(mesh.indices, mesh.vertices.size());

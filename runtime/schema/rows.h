@@ -223,6 +223,7 @@ void columns(auto& row, MaybeConst<Foresight> auto& foresight) {
 void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
   row("vertex", mesh.vertices);
   row("triangle", mesh.indices);
+  row("figure_end", mesh.figure_end);
   row("inverse_bind", mesh.inverse_bind);
 }
 

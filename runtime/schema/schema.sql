@@ -258,5 +258,6 @@ CREATE TABLE avatar (           -- one row
   id INTEGER PRIMARY KEY,
   vertex BLOB NOT NULL,         -- SkinnedVertex
   triangle BLOB NOT NULL,       -- u32
+  figure_end BLOB NOT NULL,     -- u32, one a body: past its last of `triangle`
   inverse_bind BLOB NOT NULL    -- Mat4, one a joint
 );

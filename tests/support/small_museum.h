@@ -141,6 +141,7 @@ inline Museum small_museum() {
                                  .material = Material::Coat,
                                  .occlusion = 100}},
                    .indices = {0, 0, 0},
+                   .figure_end = {3},
                    .inverse_bind = {Mat4(1), Mat4(2)}};
   return museum;
 }

@@ -9,7 +9,19 @@
 namespace docent {
 
 /// What a vertex of the avatar is made of; the renderer gives each a colour and roughness.
-enum class Material : std::uint8_t { Skin, Hair, Coat, Trousers, Shoes, Shirt, Eye, Count };
+enum class Material : std::uint8_t {
+  Skin,
+  Hair,
+  Coat,
+  Trousers,
+  Shoes,
+  Shirt,
+  Eye,
+  White,
+  Lips,
+  Second,
+  Count
+};
 
 /// A vertex of the avatar in the rest pose of its skeleton (model frame, metres).
 struct SkinnedVertex {
@@ -21,11 +33,13 @@ struct SkinnedVertex {
   std::uint8_t occlusion = 255;  ///< Share of open space about it, of 255; 0: wholly enclosed.
 };
 
-/// The avatar's body, bound to a skeleton of at most 64 joints. Triangles are counter-clockwise
-/// seen from outside.
+/// The avatars' bodies, bound to one skeleton of at most 64 joints, one after another: who walks in
+/// which is a matter of looks (runtime/scene/look.h). Triangles are counter-clockwise seen from
+/// outside, and none joins vertices of two bodies.
 struct SkinnedMesh {
   std::vector<SkinnedVertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> figure_end;  ///< Of each body: how many indices end with it.
   std::vector<Mat4> inverse_bind;  ///< One per joint: model frame to joint frame in the rest pose.
 };
 

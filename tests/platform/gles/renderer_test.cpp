@@ -88,6 +88,7 @@ SkinnedMesh box_body() {
       }
       for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + i);
     }
+  mesh.figure_end.push_back(static_cast<std::uint32_t>(mesh.indices.size()));
   return mesh;
 }
 

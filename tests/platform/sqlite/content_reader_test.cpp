@@ -229,6 +229,7 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
        }},
       {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 2; }},
       {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
+      {"avatar", [](Museum& m) { m.avatar.figure_end.back() = 6; }},
       {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
       {"avatar",
        [](Museum& m) {
