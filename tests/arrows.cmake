@@ -68,7 +68,7 @@ room(content/import USES ${model} platform platform/file content LIBRARIES expat
 room(content/floor USES ${model} content content/import LIBRARIES fmt/ CGAL/)
 room(content/motion USES ${model} runtime/motion content content/import LIBRARIES fmt/)
 room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
-room(content/avatar USES ${model} content LIBRARIES glm/)
+room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)

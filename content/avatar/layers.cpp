@@ -288,6 +288,8 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
   const float s = body.scale;
   const LimbPoints& limb = body.limb(side);
   const bool left = side == Side::Left;
+  // A robe reaches so far down that the shins stay inside it.
+  const float lifted = body.cut.hem < -0.2F ? 0.01F : 0.14F;
   const BodyRegion leg = left ? BodyRegion::LeftLeg : BodyRegion::RightLeg;
   layers.push_back({.material = Material::Skin,
                     .region = left ? BodyRegion::LeftHand : BodyRegion::RightHand,
@@ -307,7 +309,7 @@ void add_limb_layers(const BodyShape& body, Side side, std::vector<Layer>& layer
                     .triangles = 560,
                     .lens = wavy(0.05F * s, 0.0012F * s),
                     // Above this the coat is never lifted.
-                    .covered = [&body, s](Vec3 p) { return body.hem + 0.14F * s - p.y; }});
+                    .covered = [&body, s, lifted](Vec3 p) { return body.hem + lifted * s - p.y; }});
   layers.push_back({.material = Material::Shoes,
                     .region = leg,
                     .solid = [&body, side](Vec3 p) { return shoe(body, p, side); },

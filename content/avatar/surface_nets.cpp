@@ -95,7 +95,7 @@ Vec3 pulled_onto(const DistanceField& field, Vec3 p, float cell) {
   const Vec3 start = p;
   for (int step = 0; step < 3; ++step) {
     const float off = field(p);
-    if (std::abs(off) < 0.02F * cell) break;
+    if (std::abs(off) < 0.004F * cell) break;
     const float h = 0.2F * cell;
     const Vec3 slope{field(p + Vec3{h, 0, 0}) - field(p - Vec3{h, 0, 0}),
                      field(p + Vec3{0, h, 0}) - field(p - Vec3{0, h, 0}),
