@@ -1,26 +1,71 @@
 #include "platform/gles/body.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace docent::gles {
 namespace {
 
-void describe_skinned_vertices() noexcept {
-  constexpr auto stride = static_cast<GLsizei>(sizeof(SkinnedVertex));
+/// A vertex as it lies in texture memory, in little more than half of the room.
+struct DrawnVertex {
+  std::array<std::int16_t, 3> position{};  ///< In 32,767ths of `reach`.
+  Material material = Material::Skin;
+  std::uint8_t occlusion = 255;
+  std::uint32_t normal = 0;  ///< Three tens of bits, as OpenGL has them.
+  std::array<std::uint8_t, 4> joint{}, weight{};
+};
+static_assert(sizeof(DrawnVertex) == 20);
+
+/// Metres from the origin, along an axis, that a body has its vertices in; skin.glsl has it too.
+/// The steps are an eighth of a millimetre.
+constexpr float reach = 4;
+
+std::int32_t whole(float share, float most) noexcept {
+  return static_cast<std::int32_t>(std::lround(std::clamp(share, -1.0F, 1.0F) * most));
+}
+
+std::uint32_t packed_normal(Vec3 normal) noexcept {
+  const auto bits = [&](float part) {
+    return static_cast<std::uint32_t>(whole(part, 511)) & 0x3FFU;
+  };
+  return bits(normal.x) | bits(normal.y) << 10U | bits(normal.z) << 20U;
+}
+
+std::vector<DrawnVertex> drawn_vertices(const std::vector<SkinnedVertex>& vertices) {
+  std::vector<DrawnVertex> drawn;
+  drawn.reserve(vertices.size());
+  for (const SkinnedVertex& v : vertices) {
+    const auto place = [](float metres) {
+      return static_cast<std::int16_t>(whole(metres / reach, 32767));
+    };
+    drawn.push_back({.position = {place(v.position.x), place(v.position.y), place(v.position.z)},
+                     .material = v.material,
+                     .occlusion = v.occlusion,
+                     .normal = packed_normal(v.normal),
+                     .joint = v.joint,
+                     .weight = v.weight});
+  }
+  return drawn;
+}
+
+void describe_drawn_vertices() noexcept {
+  constexpr auto stride = static_cast<GLsizei>(sizeof(DrawnVertex));
   for (GLuint i = 0; i < 6; ++i) glEnableVertexAttribArray(i);
-  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, position)));
-  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, normal)));
+  glVertexAttribPointer(0, 3, GL_SHORT, GL_TRUE, stride,
+                        buffer_offset(offsetof(DrawnVertex, position)));
+  glVertexAttribPointer(1, 4, GL_INT_2_10_10_10_REV, GL_TRUE, stride,
+                        buffer_offset(offsetof(DrawnVertex, normal)));
   glVertexAttribIPointer(2, 4, GL_UNSIGNED_BYTE, stride,
-                         buffer_offset(offsetof(SkinnedVertex, joint)));
+                         buffer_offset(offsetof(DrawnVertex, joint)));
   glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, weight)));
+                        buffer_offset(offsetof(DrawnVertex, weight)));
   glVertexAttribIPointer(4, 1, GL_UNSIGNED_BYTE, stride,
-                         buffer_offset(offsetof(SkinnedVertex, material)));
+                         buffer_offset(offsetof(DrawnVertex, material)));
   glVertexAttribPointer(5, 1, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                        buffer_offset(offsetof(SkinnedVertex, occlusion)));
+                        buffer_offset(offsetof(DrawnVertex, occlusion)));
 }
 
 template <typename Index>
@@ -39,10 +84,10 @@ Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   glBindVertexArray(body.array.get());
   body.vertices = make_buffer();
   glBindBuffer(GL_ARRAY_BUFFER, body.vertices.get());
-  glBufferData(GL_ARRAY_BUFFER,
-               static_cast<GLsizeiptr>(mesh.vertices.size() * sizeof(SkinnedVertex)),
-               mesh.vertices.data(), GL_STATIC_DRAW);
-  describe_skinned_vertices();
+  const std::vector<DrawnVertex> drawn = drawn_vertices(mesh.vertices);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(drawn.size() * sizeof(DrawnVertex)),
+               drawn.data(), GL_STATIC_DRAW);
+  describe_drawn_vertices();
   body.indices = make_buffer();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, body.indices.get());
   if (mesh.vertices.size() <= 0x10000) {

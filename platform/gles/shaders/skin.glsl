@@ -1,10 +1,11 @@
 // A batch of avatars, an instance each, and what they look like (AvatarPass fills both blocks).
-layout(location = 0) in vec3 position;
+layout(location = 0) in vec3 position;   // in parts of `reach`
 layout(location = 1) in vec3 normal_in;
 layout(location = 2) in uvec4 joint;
 layout(location = 3) in vec4 weight;
 layout(location = 4) in uint material;
 layout(location = 5) in float occlusion;
+const float reach = 4.0;  // metres, as body.cpp has it
 uniform int record_size;  // vec4s of an avatar in `record`
 
 struct Skinned {
@@ -21,7 +22,7 @@ Skinned skin(int avatar, float height) {
     y += weight[k] * record[row + 1];
     z += weight[k] * record[row + 2];
   }
-  vec4 h = vec4(position, 1.0);
+  vec4 h = vec4(position * reach, 1.0);
   Skinned it;
   it.place = vec3(dot(x, h), dot(y, h), dot(z, h));
   it.normal = vec3(dot(x.xyz, normal_in), dot(y.xyz, normal_in), dot(z.xyz, normal_in));
