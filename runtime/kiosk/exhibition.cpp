@@ -106,11 +106,15 @@ bool upload_building(Exhibition& exhibition, std::uint32_t floor) {
 
 /// What is only drawn has a copy in texture memory, from there on.
 void forget_what_is_uploaded(Exhibition& exhibition) {
-  exhibition.scenery_pictures = {};
+  exhibition.scenery_pictures.clear();
   exhibition.body_levels = {};
-  exhibition.museum.scenery = {};
-  exhibition.museum.avatar.vertices = {};
-  exhibition.museum.avatar.indices = {};
+  exhibition.museum.scenery.clear();
+  // Whole, because a vector that is given an empty list keeps its memory.
+  SkinnedMesh& body = exhibition.museum.avatar;
+  body = SkinnedMesh{.vertices = {},
+                     .indices = {},
+                     .figure_end = {},
+                     .inverse_bind = std::move(body.inverse_bind)};
 }
 
 }  // namespace
