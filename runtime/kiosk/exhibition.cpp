@@ -196,6 +196,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       selection.today, selection.is_simulated);
   exhibition->body_levels = scene::levels_of(kept.avatar);
   for (std::future<void>& made : pictures_made) made.get();
+  give_back_freed_memory();  // What the making took, as long as another museum is shown beside it.
   return exhibition;
 }
 

@@ -12,7 +12,7 @@ from picture import Picture, read_png
 
 TITLE = "Museum of the Three Rivers"
 OTHER_TITLES = ("Museum of the Four Rivers", "Museum of the Five Rivers")
-STICK_MIB = 48
+SPARE_ON_A_STICK = 16 << 20  # bytes
 SAME_PANEL = 0.03  # the mean difference of a channel: of one museum 0.002, of two with other titles from 0.12
 BEFORE_PARTITION = 1 << 20  # bytes
 
@@ -67,7 +67,7 @@ class Releases:
         shutil.copytree(site, folder)
         partition.write_bytes(b"")
         with partition.open("r+b") as file:
-            file.truncate(STICK_MIB << 20)
+            file.truncate(sum(each.stat().st_size for each in folder.rglob("*") if each.is_file()) + SPARE_ON_A_STICK)
         subprocess.run(["mkfs.vfat", partition], check=True, stdout=subprocess.DEVNULL)
         subprocess.run(["mcopy", "-s", "-i", partition, folder, "::docent"], check=True)
         stick.write_bytes(bytes(BEFORE_PARTITION) + partition.read_bytes())
