@@ -26,8 +26,8 @@ enum Purpose : std::uint32_t {
 };
 
 constexpr double degree = 0.017453292519943295;
-/// Standard deviations: shares of swing and bend (of recorded walks 8 to 14 %), else radians.
 constexpr double farthest_off = 1.8;  ///< Standard deviations.
+/// Standard deviations: shares of swing and bend (of recorded walks 8 to 14 %), else radians.
 constexpr double chest_facing = 2.1 * degree, chest_tilt = 1.3 * degree, chest_side = 0.8 * degree,
                  head_facing = 2.2 * degree, head_tilt = 1.3 * degree, arm_swing = 0.17,
                  arm_hang = 3.8 * degree, arm_bend = 0.24, arm_aside = 1.9 * degree;

@@ -9,33 +9,30 @@
 
 namespace docent::scene {
 
-/// What a coat is made of besides its own colour, so that two guides are told apart in grey too.
-enum class CoatPattern : std::uint8_t {
-  Plain,
-  Hoops,    ///< Broad bands round body and sleeves.
-  Stripes,  ///< Upright.
-  Yoke,     ///< Shoulders and upper sleeves.
-  Skirt,    ///< All below the hips.
-  Sash,     ///< A band from the left shoulder to the right hip.
-  Diamonds,
-  Checks,
+/// What a head shows from afar: hair, or what is worn. No two guides have the same, so that they
+/// are told apart without any colour.
+enum class Crown : std::uint8_t { Short, Bun, Curls, Long, Bald, Turban, Cap, Scarf };
+
+/// A body (content/avatar) as a pictogram tells it, in shares of its height.
+struct Outline {
+  Crown crown = Crown::Short;
+  bool beard = false, bare_legs = false;
+  float hem = 0.34F;    ///< Where the garment ends above the floor...
+  float flare = 1;      ///< ... and how wide it is there, beside the shoulders.
+  float shoulders = 1;  ///< Beside those of an ordinary guide.
 };
 
 /// How one avatar is told from another. Colours are sRGB, 0xRRGGBB.
 ///
 /// Height moves no foot: bodies are stretched upright from the floor, so that a planted sole stays
-/// where the walk has planted it. The pattern, the girths and the hair are those of the guide's
-/// pictogram on a card; the body itself is modelled (content/avatar).
+/// where the walk has planted it.
 struct Look {
   std::string_view name;               ///< Stable, the same in every language.
-  std::uint32_t coat = 0, second = 0;  ///< `second` is the pattern's colour.
-  CoatPattern pattern = CoatPattern::Plain;
+  std::uint32_t coat = 0, second = 0;  ///< `second` is a turban's or scarf's colour.
   std::uint32_t trousers = 0, shoes = 0, shirt = 0, hair = 0, skin = 0;
-  std::uint32_t figure = 0;       ///< Whose body: of those in the database, in turn.
-  float height = 1;               ///< Share of the skeleton's height; the stride stays.
-  float shoulders = 1, hips = 1;  ///< Shares of the mesh's width and depth there.
-  float hair_volume = 0;          ///< Metres that the hair stands out further.
-  float hair_length = 0;          ///< Metres that it hangs down further behind.
+  std::uint32_t figure = 0;  ///< Whose body: of those in the database, in turn.
+  float height = 1;          ///< Share of the skeleton's height; the stride stays.
+  Outline outline{};
 };
 
 /// How many of `looks` are for guides: each in one saturated colour, which its trail has too. They
@@ -57,7 +54,6 @@ inline constexpr std::array<Look, 12> looks{{
     {.name = "vermilion",
      .coat = 0xDC4522,
      .second = 0x5E1B14,
-     .pattern = CoatPattern::Hoops,
      .trousers = 0x3B4048,
      .shoes = 0x2A2420,
      .shirt = 0xF0EADD,
@@ -65,12 +61,11 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0xE3BFA5,
      .figure = 1,
      .height = 1.05F,
-     .shoulders = 0.97F,
-     .hips = 0.90F},
+     .outline =
+         {.crown = Crown::Bun, .bare_legs = true, .hem = 0.27F, .flare = 1.2F, .shoulders = 0.93F}},
     {.name = "saffron",
      .coat = 0xF4A827,
      .second = 0x3A2C28,
-     .pattern = CoatPattern::Skirt,
      .trousers = 0x3A2C28,
      .shoes = 0x6B2A20,
      .shirt = 0xF6F0E0,
@@ -78,13 +73,10 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0x8A5E44,
      .figure = 2,
      .height = 0.95F,
-     .shoulders = 0.96F,
-     .hips = 1.10F,
-     .hair_length = 0.13F},
+     .outline = {.crown = Crown::Turban, .beard = true, .hem = 0.33F}},
     {.name = "navy",
      .coat = 0x223276,
      .second = 0xE8E2D2,
-     .pattern = CoatPattern::Sash,
      .trousers = 0x8A867D,
      .shoes = 0x2A2420,
      .shirt = 0xF0EADD,
@@ -92,12 +84,10 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0xDDB497,
      .figure = 3,
      .height = 1.03F,
-     .shoulders = 1.13F,
-     .hips = 1.04F},
+     .outline = {.crown = Crown::Cap, .hem = 0.45F, .shoulders = 1.1F}},
     {.name = "sky",
      .coat = 0x71A8F8,
      .second = 0x2E5FA8,
-     .pattern = CoatPattern::Stripes,
      .trousers = 0xE7E0D0,
      .shoes = 0xF0EADD,
      .shirt = 0xF6F0E0,
@@ -105,13 +95,10 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0x6F4630,
      .figure = 4,
      .height = 1.01F,
-     .shoulders = 1.03F,
-     .hips = 0.92F,
-     .hair_volume = 0.035F},
+     .outline = {.crown = Crown::Curls, .hem = 0.44F}},
     {.name = "rose",
      .coat = 0xECA0CC,
      .second = 0xA33A68,
-     .pattern = CoatPattern::Diamonds,
      .trousers = 0x5B4A55,
      .shoes = 0xA33A68,
      .shirt = 0xF6F0E0,
@@ -119,14 +106,10 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0xE8C6AE,
      .figure = 5,
      .height = 0.94F,
-     .shoulders = 0.94F,
-     .hips = 1.04F,
-     .hair_volume = 0.008F,
-     .hair_length = 0.17F},
+     .outline = {.crown = Crown::Long, .hem = 0.40F, .flare = 1.15F, .shoulders = 0.92F}},
     {.name = "ivory",
      .coat = 0xF0ECDE,
      .second = 0x35322F,
-     .pattern = CoatPattern::Yoke,
      .trousers = 0xA58F6E,
      .shoes = 0x6A4B34,
      .shirt = 0x35322F,
@@ -134,12 +117,11 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0xB98467,
      .figure = 6,
      .height = 0.98F,
-     .shoulders = 1.16F,
-     .hips = 1.18F},
+     .outline =
+         {.crown = Crown::Bald, .beard = true, .hem = 0.40F, .flare = 1.1F, .shoulders = 1.12F}},
     {.name = "plum",
      .coat = 0x701438,
      .second = 0xC98AA0,
-     .pattern = CoatPattern::Checks,
      .trousers = 0x2B2427,
      .shoes = 0x2A2420,
      .shirt = 0xF0EADD,
@@ -147,10 +129,7 @@ inline constexpr std::array<Look, 12> looks{{
      .skin = 0xD2A584,
      .figure = 7,
      .height = 0.97F,
-     .shoulders = 1.02F,
-     .hips = 1.14F,
-     .hair_volume = 0.018F,
-     .hair_length = 0.05F},
+     .outline = {.crown = Crown::Scarf, .hem = 0.05F, .flare = 1.25F, .shoulders = 0.95F}},
     {.name = "stone",
      .coat = 0x8C8578,
      .second = 0x8C8578,
@@ -164,17 +143,13 @@ inline constexpr std::array<Look, 12> looks{{
     {.name = "sand",
      .coat = 0xB4A792,
      .second = 0x6A6259,
-     .pattern = CoatPattern::Skirt,
      .trousers = 0x6A6259,
      .shoes = 0x463C34,
      .shirt = 0xE6DFD1,
      .hair = 0x6F5A45,
      .skin = 0xDDB497,
      .figure = 5,
-     .height = 0.95F,
-     .shoulders = 0.96F,
-     .hips = 1.06F,
-     .hair_length = 0.12F},
+     .height = 0.95F},
     {.name = "slate",
      .coat = 0x6F6F6A,
      .second = 0x6F6F6A,
@@ -184,22 +159,17 @@ inline constexpr std::array<Look, 12> looks{{
      .hair = 0x231D1A,
      .skin = 0x8A5E44,
      .figure = 0,
-     .height = 1.04F,
-     .shoulders = 1.08F,
-     .hips = 1.02F},
+     .height = 1.04F},
     {.name = "clay",
      .coat = 0xA08E7A,
      .second = 0x777066,
-     .pattern = CoatPattern::Yoke,
      .trousers = 0x777066,
      .shoes = 0x4A4139,
      .shirt = 0xDDD5C6,
      .hair = 0x9A948B,
      .skin = 0xE3BFA5,
      .figure = 6,
-     .height = 0.98F,
-     .shoulders = 1.08F,
-     .hips = 1.14F},
+     .height = 0.98F},
 }};
 
 /// A guide's trail bears the colour of its coat.

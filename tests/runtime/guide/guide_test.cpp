@@ -361,6 +361,11 @@ TEST(Guide, ComesToTheHelpsLastByKeys) {
   EXPECT_EQ(session.guide().state().seeks, PlaceKind::Toilets);
 }
 
+bool are_apart(const scene::Rect& a, const scene::Rect& b) {
+  return a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height ||
+         b.y >= a.y + a.height;
+}
+
 TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
   Session session;
   session.tap("begin");
@@ -375,20 +380,12 @@ TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
       ++signs;
       for (const interface::FloorLabel& other : view.labels) {
         if (&other == &sign) continue;
-        const bool apart = sign.rect.x >= other.rect.x + other.rect.width ||
-                           other.rect.x >= sign.rect.x + sign.rect.width ||
-                           sign.rect.y >= other.rect.y + other.rect.height ||
-                           other.rect.y >= sign.rect.y + sign.rect.height;
-        EXPECT_TRUE(apart) << view.controls[static_cast<std::size_t>(sign.control)].name;
+        EXPECT_TRUE(are_apart(sign.rect, other.rect))
+            << view.controls[static_cast<std::size_t>(sign.control)].name;
       }
     }
     EXPECT_GE(signs, 3U);
   }
-}
-
-bool are_apart(const scene::Rect& a, const scene::Rect& b) {
-  return a.x >= b.x + b.width || b.x >= a.x + a.width || a.y >= b.y + b.height ||
-         b.y >= a.y + a.height;
 }
 
 TEST(Guide, ShowsNoNameOfAGalleryUnderANumberNorUnderAnother) {
