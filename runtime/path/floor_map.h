@@ -44,9 +44,14 @@ class FloorMap {
 
   /// From now on these doors are closed; null: none is. Ways that are asked for hold to it.
   void close(std::shared_ptr<const ClosedDoors> doors) const noexcept {
+    const bool is_any = doors != nullptr;
     closed_.store(std::move(doors));
+    is_any_closed_.store(is_any, std::memory_order_release);
   }
-  std::shared_ptr<const ClosedDoors> closed() const noexcept { return closed_.load(); }
+  std::shared_ptr<const ClosedDoors> closed() const noexcept {
+    if (!is_any_closed_.load(std::memory_order_acquire)) return {};
+    return closed_.load();
+  }
 
  private:
   const Floor& floor_;
@@ -58,6 +63,7 @@ class FloorMap {
                                             ///< the wall that begins there.
   RadiusMaps shortest_ways_;
   mutable std::atomic<std::shared_ptr<const ClosedDoors>> closed_;
+  mutable std::atomic<bool> is_any_closed_{false};  ///< Asked first: `closed_` is slow to load.
 };
 
 }  // namespace docent::path

@@ -29,9 +29,10 @@ RadiusMaps::RadiusMaps(const Floor& floor, const TangentSearchMap& search)
     const TangentGraph& graph = floor.tangent_graphs[i];
     const HubLabels& labels = floor.hub_labels[i];
     precomputed_.push_back({graph.radius, nullptr});
-    if (can_meet(graph, labels))
-      precomputed_.back().map =
-          std::make_shared<const ShortestWayMap>(floor.plan, floor.sight, graph, labels, search);
+    if (!can_meet(graph, labels)) continue;
+    of_classes_.push_back(
+        std::make_unique<const ShortestWayMap>(floor.plan, floor.sight, graph, labels, search));
+    precomputed_.back().map = {std::shared_ptr<const void>{}, of_classes_.back().get()};
   }
 }
 

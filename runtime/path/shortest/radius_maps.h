@@ -42,7 +42,8 @@ class RadiusMaps {
     double radius;
     std::shared_ptr<const ShortestWayMap> map;
   };
-  std::vector<Known> precomputed_;
+  std::vector<std::unique_ptr<const ShortestWayMap>> of_classes_;
+  std::vector<Known> precomputed_;   ///< Own nothing, so that nobody counts who uses them.
   mutable std::mutex mutex_;         ///< Of the next two.
   mutable std::vector<Known> made_;  ///< Oldest first.
   mutable std::optional<double> wanted_;

@@ -14,6 +14,30 @@
 #include "runtime/path/shortest/make_tangent_graph.h"
 
 namespace docent::path {
+/// Inlined where candidates are listed: handed over in memory, a tangent costs as much again.
+[[gnu::always_inline]] inline std::optional<EndTangent> ShortestWayMap::tangent_to(
+    std::uint32_t side, Vec2 point) const noexcept {
+  const ArcOfEnds& arc = arc_[side / 2];
+  const double sign = side % 2 == 0 ? 1 : -1;
+  const Vec2 between = arc.centre - point;
+  const double squared = dot(between, between);
+  if (graph_.radius == 0) {
+    // The direction from the corner to where it is touched, not yet of unit length.
+    const Vec2 out = -sign * left_of(between);
+    const double slack = same_angle * (std::abs(between.x) + std::abs(between.y));
+    if (cross(arc.begin, out) < -slack || cross(out, arc.end) < -slack) return {};
+    return EndTangent{side, std::sqrt(squared), arc.centre};
+  }
+  const double distance = std::sqrt(squared);
+  if (rolling_ > distance + 2 * walls_.slack()) return {};
+  const double length = std::sqrt(std::max(0.0, squared - rolling_ * rolling_));
+  // The unit vector to the centre, turned away from the circle's side.
+  const Vec2 direction = (length * between - sign * rolling_ * left_of(between)) / squared;
+  const Vec2 out = -sign * left_of(direction);
+  if (cross(arc.begin, out) < -same_angle || cross(out, arc.end) < -same_angle) return {};
+  return EndTangent{side, length, arc.centre + rolling_ * out};
+}
+
 namespace {
 
 /// A tangent that a way of the query begins or ends with, or some more of its way. Costs are in the
@@ -135,15 +159,14 @@ class Query {
     work_.bends.clear();
     for (const std::uint32_t side : about_from)
       if (const auto tangent = map_.tangent_to(side, from_)) {
-        work_.from.push_back({*tangent});
+        work_.from.emplace_back(*tangent);
         map_.prefetch_candidate(side);
       }
     work_.to.clear();
     // Turning along the other side begins where this side ends.
     for (const std::uint32_t back : about_to)
       if (const auto tangent = map_.tangent_to(back, to_)) {
-        work_.to.push_back({*tangent});
-        work_.to.back().tangent.side = back ^ 1U;
+        work_.to.emplace_back(EndTangent{back ^ 1U, tangent->length, tangent->touch});
         map_.prefetch_candidate(back ^ 1U);
       }
   }
@@ -512,29 +535,6 @@ std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noe
   if (!cell) return {};
   return std::span(cell_side_)
       .subspan(cell_first_[*cell], cell_first_[*cell + 1] - cell_first_[*cell]);
-}
-
-std::optional<EndTangent> ShortestWayMap::tangent_to(std::uint32_t side,
-                                                     Vec2 point) const noexcept {
-  const ArcOfEnds& arc = arc_[side / 2];
-  const double sign = side % 2 == 0 ? 1 : -1;
-  const Vec2 between = arc.centre - point;
-  const double squared = dot(between, between);
-  if (graph_.radius == 0) {
-    // The direction from the corner to where it is touched, not yet of unit length.
-    const Vec2 out = -sign * left_of(between);
-    const double slack = same_angle * (std::abs(between.x) + std::abs(between.y));
-    if (cross(arc.begin, out) < -slack || cross(out, arc.end) < -slack) return {};
-    return EndTangent{side, std::sqrt(squared), arc.centre};
-  }
-  const double distance = std::sqrt(squared);
-  if (rolling_ > distance + 2 * walls_.slack()) return {};
-  const double length = std::sqrt(std::max(0.0, squared - rolling_ * rolling_));
-  // The unit vector to the centre, turned away from the circle's side.
-  const Vec2 direction = (length * between - sign * rolling_ * left_of(between)) / squared;
-  const Vec2 out = -sign * left_of(direction);
-  if (cross(arc.begin, out) < -same_angle || cross(out, arc.end) < -same_angle) return {};
-  return EndTangent{side, length, arc.centre + rolling_ * out};
 }
 
 double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {
