@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "runtime/path/closure/closed_doors.h"
 #include "runtime/path/floor_map.h"
@@ -33,12 +35,20 @@ Way find_shortest(const FloorMap& map, const RouteQuery& query) {
     return ((ways && ways->surely_has_room(point)) || map.has_room(point, query.radius)) &&
            leaves_room(query, point);
   };
+  const auto search = [&] {
+    return search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
+  };
   if (!has_room(query.from)) return {.status = RouteStatus::StartBlocked};
-  if (!has_room(query.to)) return {.status = RouteStatus::GoalBlocked};
-  Way way = ways ? shortest_way(*ways, query.from, query.to)
-                 : search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
-  if (ways && is_in_doubt(query, way))
-    way = search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
+  std::optional<Way> straight;
+  if (ways) straight = straight_way(*ways, query.from, query.to);
+  // What a point sees of the interior is inside. (Nothing is in the way to what is no point.)
+  const bool is_seen = straight && query.radius == 0 && std::isfinite(straight->length);
+  if (is_seen ? !leaves_room(query, query.to) : !has_room(query.to))
+    return {.status = RouteStatus::GoalBlocked};
+  Way way = straight ? *std::move(straight)
+            : ways   ? bent_way(*ways, query.from, query.to)
+                     : search();
+  if (ways && is_in_doubt(query, way)) way = search();
   if (way.status != RouteStatus::Ok || way.points.size() > 2) return way;
   way.clearance_min = query.radius;
   if (query.tell_clearance)

@@ -122,12 +122,7 @@ class Query {
         work_(workspace()) {}
 
   Way run() {
-    const auto about_from = map_.sides_about(from_), about_to = map_.sides_about(to_);
-    __builtin_prefetch(about_from.data());
-    __builtin_prefetch(about_to.data());
-    if (map_.walls().segment_clear(from_, to_))
-      return {RouteStatus::Ok, glm::length(to_ - from_), 0, {from_, to_}};
-    list_candidates(about_from, about_to);
+    list_candidates(map_.sides_about(from_), map_.sides_about(to_));
     bound(work_.from, work_.to);
     bound(work_.to, work_.from);
     for (;;) {
@@ -546,7 +541,14 @@ double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {
   return arc.begin_angle + (turn < -std::numbers::pi / 2 ? turn + 2 * std::numbers::pi : turn);
 }
 
-Way shortest_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {
+std::optional<Way> straight_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {
+  __builtin_prefetch(map.sides_about(from).data());  // for a bent one
+  __builtin_prefetch(map.sides_about(to).data());
+  if (!map.walls().segment_clear(from, to)) return {};
+  return Way{RouteStatus::Ok, glm::length(to - from), 0, {from, to}};
+}
+
+Way bent_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {
   return Query(map, from, to).run();
 }
 
