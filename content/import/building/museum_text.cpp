@@ -31,6 +31,9 @@ std::string in_quotes(std::string_view text) {
   return quote + '"';
 }
 
+/// Metres: three digits after the point are written.
+constexpr double written_to = 0.001;
+
 std::string number(double value) {
   std::string text = fmt::format("{:.3f}", value);
   while (text.ends_with('0')) text.pop_back();
@@ -49,6 +52,15 @@ std::string ring_text(const BuildingRing& ring) {
     text += point(ring[i]);
   }
   return text + "]";
+}
+
+/// A room's outline as its plan has it. Of one that crosses itself the largest part, on the grid of
+/// what is written.
+BuildingRing outline_of(const ImportedRoom& room) {
+  const BuildingRing& drawn = room.rings.front();
+  if (!crosses_itself(drawn)) return drawn;
+  const auto parts = polygons_of(on_grid(shape_of({&drawn, 1}), written_to));
+  return parts.empty() ? drawn : parts.front().front();
 }
 
 /// Letters, digits and hyphens; the letters of western languages lose what is above them.
@@ -345,7 +357,7 @@ class MuseumWriter {
       line("floor = {}", in_quotes(level.name));
       write_titles(room.titles, name);
       line("label = {}", point(point_in(room, laid_.levels[index])));
-      line("outline = {}", ring_text(room.rings.front()));
+      line("outline = {}", ring_text(outline_of(room)));
     }
   }
 

@@ -37,12 +37,17 @@ Shape taken(GEOSGeometry* geometry) {
   return Shape(geometry == nullptr ? nothing() : geometry);
 }
 
-/// One ring's inside, whatever way it crosses itself.
-Shape ring_shape(const BuildingRing& ring) {
+/// One ring's inside as it is drawn.
+Shape drawn_shape(const BuildingRing& ring) {
   if (ring.size() < 3) return {};
   GEOSGeometry* line = GEOSGeom_createLinearRing_r(context(), sequence(ring, true));
   if (line == nullptr) return {};
-  Shape drawn = taken(GEOSGeom_createPolygon_r(context(), line, nullptr, 0));
+  return taken(GEOSGeom_createPolygon_r(context(), line, nullptr, 0));
+}
+
+/// One ring's inside, whatever way it crosses itself.
+Shape ring_shape(const BuildingRing& ring) {
+  Shape drawn = drawn_shape(ring);
   if (GEOSisValid_r(context(), drawn.get()) == 1) return drawn;
   return taken(GEOSBuffer_r(context(), taken(GEOSMakeValid_r(context(), drawn.get())).get(), 0, 8));
 }
@@ -129,6 +134,10 @@ Box Shape::bounds() const {
   GEOSGeom_getXMax_r(context(), geometry_, &box.high.x);
   GEOSGeom_getYMax_r(context(), geometry_, &box.high.y);
   return box;
+}
+
+bool crosses_itself(const BuildingRing& ring) {
+  return GEOSisValid_r(context(), drawn_shape(ring).get()) != 1;
 }
 
 Shape shape_of(std::span<const BuildingRing> rings) {

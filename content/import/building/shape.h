@@ -39,6 +39,8 @@ class Shape {
 
 /// The inside of the first ring without that of the others. Rings may cross themselves.
 Shape shape_of(std::span<const BuildingRing> rings);
+/// Do sides of the ring cross or touch that are no neighbours?
+bool crosses_itself(const BuildingRing& ring);
 /// What is nearer to the line than that; its ends are cut square, `overhang` beyond the line.
 enum class LineEnds { Flat, Square };
 Shape shape_about(std::span<const Vec2> line, double half_width, LineEnds ends);

@@ -110,6 +110,20 @@ TEST(Import, AgainKeepsWhatStaffWroteAndSaysSo) {
   EXPECT_THAT(again.err, HasSubstr("kept"));
 }
 
+/// Two of the reference data's schools have such rooms, traced by hand.
+TEST(Import, OfARoomWhoseOutlineCrossesItselfWritesItsLargestPart) {
+  const Import it;
+  it.write("plan.geojson", R"({"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"indoor": "room", "level": "0", "name": "Bow"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[6,0],[6,5],[-1,5],[0,5.5],[0,0]]]}}]})");
+  ASSERT_EQ(it.import().exit_code, 0);
+
+  const ProgramRun compiled = it.compile();
+
+  EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  EXPECT_THAT(text_of(it.museum() / "museum.toml"),
+              testing::AllOf(HasSubstr("[6, 5]"), testing::Not(HasSubstr("[-1, 5]"))));
+}
+
 /// Such as a station's platforms and doors: the file is no mistake, and holds no museum.
 TEST(Import, OfAPlanWithoutRoomsSaysSoAndWritesNothing) {
   const Import it;
