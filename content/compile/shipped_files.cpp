@@ -29,7 +29,7 @@ fs::path shipped_clips() {
 
 fs::path shipped_words(const std::string& language) {
   const std::string file = language + ".toml";
-  return installed_or(share_folder() / "words" / file, fs::path("config/museum/words") / file);
+  return installed_or(share_folder() / "words" / file, fs::path("config/words") / file);
 }
 
 }  // namespace docent::compile

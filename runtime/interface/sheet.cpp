@@ -37,6 +37,16 @@ float optical_scale(std::string_view language) noexcept {
   return 1;
 }
 
+/// Letters with marks above and below need more room between lines.
+bool is_tall(std::string_view language) noexcept {
+  return language.starts_with("hi") || language.starts_with("th");
+}
+
+/// Lines are broken inside what looks like one long word.
+bool is_without_spaces(std::string_view language) noexcept {
+  return language.starts_with("ja") || language.starts_with("zh") || language.starts_with("th");
+}
+
 std::string_view tag_of(const Museum& museum, std::uint32_t language) noexcept {
   return language < museum.languages.size() ? std::string_view(museum.languages[language].tag)
                                             : std::string_view("en");
@@ -86,7 +96,7 @@ TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept 
   style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
                           optical_scale(language) * request_.shape.text_scale * letters_);
   style.line_height = serif ? 1.2F : 1.4F;
-  if (right_to_left_) style.line_height = serif ? 1.45F : 1.7F;
+  if (right_to_left_ || is_tall(language)) style.line_height = serif ? 1.45F : 1.7F;
   style.max_lines = max_lines;
   style.right_to_left = right_to_left_;
   style.language = language;
@@ -206,7 +216,9 @@ void Sheet::quiet_button(std::int32_t control, const PixelBox& box) {
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
   if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
   const std::string_view text = local(it.label);
-  TextStyle look = style(Letters::Small, text.find(' ') == std::string_view::npos ? 1 : 2);
+  TextStyle look = style(Letters::Small);
+  if (text.find(' ') != std::string_view::npos || is_without_spaces(look.language))
+    look.max_lines = 2;
   look.line_height = right_to_left_ ? 1.35F : 1.15F;
   const float pad = std::round(measures_.unit / 2);
   const TextPiece label = fitted(look, text, box.width - 2 * pad);

@@ -12,7 +12,7 @@ struct Entry {
   std::string_view english;
 };
 
-/// By StaffWord. The English is that of config/museum/words/en.toml, for museums that were compiled
+/// By StaffWord. The English is that of config/words/en.toml, for museums that were compiled
 /// before there were such words.
 constexpr std::array<Entry, staff_words_count> entries{{
     {"staff_title", "For staff"},

@@ -30,8 +30,8 @@ constexpr PixelSize size{960, 540};
 Museum speaking_museum() {
   Museum museum;
   for (const char* tag : {"en", "zh", "ar"}) {
-    const auto file = config::load_words(
-        source_dir() / "config/museum/words" / (std::string(tag) + ".toml"), tag);
+    const auto file =
+        config::load_words(source_dir() / "config/words" / (std::string(tag) + ".toml"), tag);
     Language& language = museum.languages.emplace_back();
     language.tag = tag;
     language.right_to_left = file.value->direction.value == "right-to-left";

@@ -22,9 +22,11 @@ inline Museum sample_museum_without_walls() {
   Museum museum;
   museum.title = texts(config.museum.title);
   museum.welcome = texts(config.museum.welcome);
-  for (const config::WordsFile& file : config.words) {
+  for (const std::string& tag : config.languages) {
+    const config::WordsFile file =
+        config::load_words(source_dir() / "config/words" / (tag + ".toml"), tag).value.value();
     Language language;
-    language.tag = file.tag;
+    language.tag = tag;
     language.name = file.name.value;
     language.right_to_left = file.direction.value == "right-to-left";
     for (const auto& [key, value] : file.words.value) language.words[key] = value.value;

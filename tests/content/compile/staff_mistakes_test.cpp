@@ -642,10 +642,8 @@ const std::vector<Mistake>& mistakes() {
         "hint: say it in words"}},
       {"APlaceholderOfAnotherName",
        [](const MuseumFolder& m) {
-         m.write("words/en.toml",
-                 test::text_of(test::source_dir() / "config/museum/words/en.toml"));
-         m.write("words/ar.toml",
-                 test::text_of(test::source_dir() / "config/museum/words/ar.toml"));
+         m.write("words/en.toml", test::text_of(test::source_dir() / "config/words/en.toml"));
+         m.write("words/ar.toml", test::text_of(test::source_dir() / "config/words/ar.toml"));
          m.replace("words/en.toml", "distance = \"{n} m\"", "distance = \"{m} m\"");
        },
        1,

@@ -14,8 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 Language shipped(const std::string& tag) {
-  const auto file =
-      config::load_words(test::source_dir() / "config/museum/words" / (tag + ".toml"), tag);
+  const auto file = config::load_words(test::source_dir() / "config/words" / (tag + ".toml"), tag);
   Language language{.tag = tag, .name = tag, .right_to_left = false, .words = {}};
   if (!file.value) return language;
   language.right_to_left = file.value->direction.value == "right-to-left";
