@@ -62,6 +62,14 @@ void discard(InterfaceState& state, std::uint32_t exhibit) noexcept {
     show_list(state, Listed::Exhibits);
 }
 
+/// Whoever has chosen it from the list goes on where they were.
+void speak(InterfaceState& state, std::uint32_t language) noexcept {
+  state.language = language;
+  if (state.screen != Screen::Choosing || state.lists != Listed::Languages) return;
+  show_list(state, Listed::Exhibits);
+  if (has_goal(state)) state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+}
+
 /// A seat whose visitor has left.
 InterfaceState vacated(const InterfaceState& state) noexcept {
   InterfaceState vacant;
@@ -91,6 +99,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::ShowPlaces:
       show_list(state, Listed::Places);
       break;
+    case Action::Kind::ShowLanguages:
+      show_list(state, Listed::Languages);
+      break;
     case Action::Kind::Collect:
       add_to(state.own_tour, action.argument);
       break;
@@ -117,7 +128,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.floor = action.argument;
       break;
     case Action::Kind::Speak:
-      state.language = action.argument;
+      speak(state, action.argument);
       break;
     case Action::Kind::TakeRoute:
       state.kind = static_cast<RouteKind>(action.argument);

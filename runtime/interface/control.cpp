@@ -99,20 +99,37 @@ bool add_next(const ControlRequest& request, std::vector<Control>& out) {
   return true;
 }
 
+/// Each language is named in itself, whoever reads it.
+LocalText name_of_language(const Museum& museum, std::uint32_t language) {
+  LocalText name;
+  for (const Language& reader : museum.languages)
+    name[reader.tag] = museum.languages[language].name;
+  return name;
+}
+
+Control language_control(const Museum& museum, std::uint32_t language, Role role,
+                         const InterfaceState& state) {
+  return {.name = "language:" + museum.languages[language].tag,
+          .role = role,
+          .label = name_of_language(museum, language),
+          .action = {Action::Kind::Speak, language},
+          .selected = state.language == language,
+          .rect = {}};
+}
+
 void add_languages(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
-  if (museum.languages.size() < 2) return;
-  for (std::uint32_t i = 0; i < museum.languages.size(); ++i) {
-    Control control{.name = "language:" + museum.languages[i].tag,
-                    .role = Role::Choice,
-                    .label = {},
-                    .action = {Action::Kind::Speak, i},
-                    .selected = state.language == i,
-                    .rect = {}};
-    for (const Language& reader : museum.languages)  // each language is named in itself
-      control.label[reader.tag] = museum.languages[i].name;
-    out.push_back(std::move(control));
+  const auto count = static_cast<std::uint32_t>(museum.languages.size());
+  if (count < 2) return;
+  if (count > most_languages_beside && state.screen != Screen::Welcome && !state.seat) {
+    out.push_back({.name = "languages",
+                   .label = name_of_language(museum, std::min(state.language, count - 1)),
+                   .action = {Action::Kind::ShowLanguages},
+                   .rect = {}});
+    return;
   }
+  for (std::uint32_t i = 0; i < count; ++i)
+    out.push_back(language_control(museum, i, Role::Choice, state));
 }
 
 void add_routes(const ControlRequest& request, std::vector<Control>& out) {
@@ -148,6 +165,8 @@ std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noe
              static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
     case Listed::Places:
       return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
+    case Listed::Languages:
+      return static_cast<std::uint32_t>(museum.languages.size());
     case Listed::OwnTour:
       break;
   }
@@ -160,6 +179,8 @@ Control list_item(const Museum& museum, std::uint32_t index, const InterfaceStat
   };
   if (state.lists == Listed::Places)
     return kind_control(museum, kinds_of_places(museum)[index], state);
+  if (state.lists == Listed::Languages)
+    return language_control(museum, index, Role::ListItem, state);
   if (state.lists == Listed::OwnTour) return exhibit(state.own_tour.exhibit[index]);
   if (index < own_tours(state)) return own_tour_control(museum);
   index -= own_tours(state);

@@ -39,7 +39,8 @@ enum class Glass : std::uint8_t {
 enum class Listed : std::uint8_t {
   Exhibits,  ///< Below the tours.
   Places,
-  OwnTour,  ///< What the visitor has collected, in the order of the walk.
+  OwnTour,    ///< What the visitor has collected, in the order of the walk.
+  Languages,  ///< Where there are too many to stand beside each other.
 };
 
 /// The part of the guide's state that decides which controls there are and what they say. The rest
@@ -87,6 +88,7 @@ struct Action {
     AvoidEscalators,  ///< The same of escalators.
     ShowExhibits,     ///< The list again; the walk goes on.
     ShowPlaces,       ///< The list of places; the walk goes on.
+    ShowLanguages,    ///< The list of languages; the walk goes on.
     Collect,          ///< Exhibit `argument` into the visitor's own tour.
     Discard,          ///< Out of it again.
     ShowOwnTour,      ///< The list of what is in it; the walk goes on.
@@ -124,6 +126,10 @@ struct Control {
   scene::Rect
       rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
 };
+
+/// So many languages have room for their names beside each other, on every screen. More are on the
+/// welcome screen, in rows, and behind one button.
+inline constexpr std::size_t most_languages_beside = 5;
 
 /// Does it put an exhibit into the visitor's own tour, or take it out?
 bool is_collect(const Control& control) noexcept;

@@ -75,39 +75,72 @@ TextPiece language_name(Sheet& sheet, const Control& control, float width) {
   return sheet.fitted(style, sheet.local(control.label), width);
 }
 
+std::vector<std::int32_t> languages_of(Sheet& sheet) {
+  std::vector<std::int32_t> controls;
+  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
+    const Control& it = sheet.view().controls[i];
+    if (it.action.kind == Action::Kind::Speak && it.role == Role::Choice)
+      controls.push_back(static_cast<std::int32_t>(i));
+  }
+  return controls;
+}
+
 }  // namespace
+
+void draw_language(Sheet& sheet, std::int32_t control, const PixelBox& box, Align align) {
+  const Measures& m = sheet.measures();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  sheet.place(control, box);
+  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  const PixelBox inside = align == Align::Centre ? box.inset(m.unit / 2) : box.inset(m.unit);
+  const TextPiece name = language_name(sheet, it, inside.width);
+  sheet.piece(name, inside.x, box.y + (box.height - name.height) / 2, inside.width, align,
+              it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, control);
+}
 
 /// Languages side by side, each as wide as its name; in equal shares where that is too much.
 void draw_languages(Sheet& sheet, const PixelBox& box) {
   const Measures& m = sheet.measures();
-  std::vector<std::int32_t> controls;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
-    if (sheet.view().controls[i].action.kind == Action::Kind::Speak)
-      controls.push_back(static_cast<std::int32_t>(i));
+  if (const std::int32_t list = sheet.control("languages"); list >= 0)
+    return sheet.signed_button(list, Pictogram::Languages, box, sheet.style(Letters::Label));
+  const std::vector<std::int32_t> controls = languages_of(sheet);
   if (controls.empty()) return;
 
-  const auto of = [&](std::int32_t i) -> const Control& {
-    return sheet.view().controls[static_cast<std::size_t>(i)];
-  };
-  const float pad = m.unit;
   std::vector<float> widths;
   float whole = 0;
   for (const std::int32_t i : controls) {
-    widths.push_back(std::max(m.touch, language_name(sheet, of(i), box.width).width + 2 * pad));
+    const Control& it = sheet.view().controls[static_cast<std::size_t>(i)];
+    widths.push_back(std::max(m.touch, language_name(sheet, it, box.width).width + 2 * m.unit));
     whole += widths.back() + m.unit;
   }
   const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
   float x = box.x;
   for (std::size_t n = 0; n < controls.size(); ++n) {
-    const Control& it = of(controls[n]);
     const PixelBox cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
     x = cell.right() + m.unit;
-    sheet.place(controls[n], cell);
-    if (it.selected) sheet.fill(cell, sheet.theme().plaster, m.corner, controls[n]);
-    const TextPiece name = language_name(sheet, it, cell.width - pad);
-    sheet.piece(name, cell.x, cell.y + (cell.height - name.height) / 2, cell.width, Align::Centre,
-                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, controls[n]);
+    draw_language(sheet, controls[n], cell, Align::Centre);
   }
+}
+
+float draw_language_rows(Sheet& sheet, const PixelBox& content) {
+  const Measures& m = sheet.measures();
+  const std::vector<std::int32_t> controls = languages_of(sheet);
+  const auto count = static_cast<float>(controls.size());
+  constexpr float least = 17;  // units
+  const float fitting =
+      std::floor(content.width / (least * m.unit * sheet.request().shape.text_scale));
+  const float columns = std::clamp(fitting, 1.0F, std::max(1.0F, count));
+  const float gap = m.unit, rows = std::ceil(count / columns);
+  const float width = std::floor((content.width - (columns - 1) * gap) / columns);
+  const float top = content.bottom() - rows * (m.touch + gap) + gap;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    const auto n = static_cast<float>(i);
+    const float row = std::floor(n / columns), column = n - row * columns;
+    draw_language(sheet, controls[i],
+                  {content.x + column * (width + gap), top + row * (m.touch + gap), width, m.touch},
+                  Align::Centre);
+  }
+  return top;
 }
 
 float draw_floors(Sheet& sheet, const PixelBox& free) {

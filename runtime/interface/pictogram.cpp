@@ -294,6 +294,17 @@ Shapes shapes_of(Pictogram what) {
         shapes.push_back(shape);
       return shapes;
     }
+    case Pictogram::Languages:  // a globe
+      return {ring(12, 12, 9, 1.7F),
+              line(3, 12, 21, 12, 1.5F),
+              line(12, 3, 8.7F, 7.4F, 1.5F),
+              line(8.7F, 7.4F, 7.7F, 12, 1.5F),
+              line(7.7F, 12, 8.7F, 16.6F, 1.5F),
+              line(8.7F, 16.6F, 12, 21, 1.5F),
+              line(12, 3, 15.3F, 7.4F, 1.5F),
+              line(15.3F, 7.4F, 16.3F, 12, 1.5F),
+              line(16.3F, 12, 15.3F, 16.6F, 1.5F),
+              line(15.3F, 16.6F, 12, 21, 1.5F)};
     case Pictogram::Count:
       return {};
   }

@@ -14,6 +14,7 @@ enum class Pictogram : std::uint8_t {
   Places,
   StepFree,
   NoEscalators,
+  Languages,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -203,7 +203,8 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Museum& museum = sheet.museum();
-  const float foot = draw_foot(sheet, content, "");
+  const bool in_rows = museum.languages.size() > most_languages_beside;
+  const float foot = in_rows ? draw_language_rows(sheet, content) : draw_foot(sheet, content, "");
 
   const bool landscape = is_landscape(sheet.request().shape);
   float y = content.y;
@@ -232,6 +233,8 @@ std::string_view title_of(Listed lists) noexcept {
       return "places_title";
     case Listed::OwnTour:
       return "own_tour";
+    case Listed::Languages:
+      return "languages_title";
   }
   return "choose_title";
 }
@@ -249,6 +252,7 @@ std::int32_t collect_of(Sheet& sheet, std::optional<std::uint32_t> exhibit) {
 void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  if (action.kind == Action::Kind::Speak) return draw_language(sheet, control, box, Align::Start);
   const std::int32_t collect =
       action.kind == Action::Kind::Choose ? collect_of(sheet, action.argument) : -1;
   if (collect < 0) return draw_card(sheet, control, box);

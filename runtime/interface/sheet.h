@@ -212,8 +212,11 @@ float draw_floors(Sheet& sheet, const PixelBox& free);
 /// What helps on every screen, on a strip at the model's lower edge; returns its height, with the
 /// gap below it.
 float draw_helps(Sheet& sheet, const PixelBox& free);
-/// Languages in a row.
+/// Languages in a row, or what leads to the list of them; in as many rows as they take, from the
+/// content's bottom up, whose top is returned; and one of them.
 void draw_languages(Sheet& sheet, const PixelBox& box);
+float draw_language_rows(Sheet& sheet, const PixelBox& content);
+void draw_language(Sheet& sheet, std::int32_t control, const PixelBox& box, Align align);
 /// Languages at the start and the given button at the end of the lowest row; returns its top.
 float draw_foot(Sheet& sheet, const PixelBox& content, std::string_view button_name);
 

@@ -105,6 +105,7 @@ bool is_control_name(const Museum& museum, std::string_view name) {
   }
   for (const Exhibit& exhibit : museum.exhibits)
     if (name == "collect:" + exhibit.id) return true;
+  if (name == "languages") return museum.languages.size() > most_languages_beside;
   if (name == "own-tour" || name == "start-tour") return !museum.exhibits.empty();
   for (const PlaceKind kind : kinds_of_places(museum))
     if (name == "place:" + std::string(info_of(kind).name)) return true;

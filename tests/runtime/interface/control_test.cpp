@@ -268,6 +268,53 @@ TEST(WaysWithoutSteps, AreAskedForUntilTheVisitorSaysOtherwiseOrLeaves) {
   EXPECT_EQ(after(state, {Action::Kind::Home}).ways, path::Permissions{});
 }
 
+/// A museum that speaks so many languages.
+Museum museum_of_languages(std::size_t count) {
+  Museum museum = test::sample_museum_without_walls();
+  while (museum.languages.size() < count) {
+    Language more = museum.languages[0];
+    more.tag = "x-" + std::to_string(museum.languages.size());
+    more.name = "Language " + std::to_string(museum.languages.size());
+    museum.languages.push_back(std::move(more));
+  }
+  return museum;
+}
+
+TEST(Languages, OfWhichThereAreTooManyForARowAreInAListAndAllOnTheWelcomeScreen) {
+  const Museum museum = museum_of_languages(12);
+  const auto names = [&](const InterfaceState& state) {
+    std::set<std::string> found;
+    for (const Control& control : controls_of(museum, state, 8)) found.insert(control.name);
+    return found;
+  };
+  InterfaceState state;
+  EXPECT_TRUE(names(state).contains("language:x-11"));
+
+  state.screen = Screen::Walking;
+  state.exhibit = 0;
+  EXPECT_FALSE(names(state).contains("language:x-11"));
+  ASSERT_TRUE(names(state).contains("languages"));
+
+  state = after(state, {Action::Kind::ShowLanguages});
+  EXPECT_EQ(state.screen, Screen::Choosing);
+  EXPECT_TRUE(names(state).contains("language:en"));
+
+  state = after(state, {Action::Kind::Speak, 3});
+  EXPECT_EQ(state.screen, Screen::Walking) << "and the walk goes on";
+  EXPECT_EQ(state.language, 3U);
+}
+
+TEST(Languages, AreThreeTouchesAwayFromEveryScreenHoweverMany) {
+  const Museum museum = museum_of_languages(16);
+  for (const Screen screen :
+       {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived}) {
+    InterfaceState state;
+    state.screen = screen;
+    if (screen == Screen::Walking || screen == Screen::Arrived) state.exhibit = 0;
+    EXPECT_FALSE(touches_to(museum, state, 8, "language:x-15").empty()) << static_cast<int>(screen);
+  }
+}
+
 TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<RouteKindInfo> kinds(route_kinds.begin(), route_kinds.end());
