@@ -75,10 +75,10 @@ room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
-       content/motion content/avatar content/scenery
+       content/motion content/avatar content/character content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/signature platform/sqlite platform/terminal content content/import
+  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/image platform/signature platform/sqlite platform/terminal content content/import
        content/motion content/character content/draw content/write content/compile
   LIBRARIES fmt/ nlohmann/)
 

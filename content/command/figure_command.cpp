@@ -10,9 +10,10 @@
 #include "content/character/character.h"
 #include "content/character/fit.h"
 #include "content/command/commands.h"
-#include "content/command/stopwatch.h"
+#include "content/compile/own_figure.h"
 #include "content/content_error.h"
 #include "content/import/gltf/read_model.h"
+#include "platform/image/image.h"
 
 namespace docent::command {
 namespace {
@@ -77,6 +78,11 @@ int run_figure(const FigureOptions& options) {
   const character::Character it = read(options);
   const character::Measures m = character::measure(it);
   tell_notes(it.notes, options);
+  if (!options.sheet.empty()) {
+    const Result<void> written = image::write_png(options.sheet, compile::draw_own_figure(it));
+    if (!written)
+      throw content::to_content_error(written.error(), options.sheet, "cannot-write");
+  }
   fmt::print("{}\n", options.json ? facts_of(it, m).dump(-1, ' ', false,
                                                          nlohmann::json::error_handler_t::replace)
                                   : sentence_of(it, m));
