@@ -116,7 +116,13 @@ Vec3 hand_direction(const Standing& s, bool is_left) {
 struct Alignment {
   std::vector<Quat> turn;
   std::vector<Vec3> place;
+  std::vector<glm::mat3> stretch;  ///< Along the bone, before the turn.
 };
+
+glm::mat3 stretch_along(Vec3 way, float by) {
+  const Vec3 d = glm::normalize(way);
+  return glm::mat3{1} + (by - 1) * glm::outerProduct(d, d);
+}
 
 Alignment align(const Character& character, const Measures& m, const Fit& fit) {
   const Skeleton& skeleton = fit.skeleton;
@@ -124,6 +130,7 @@ Alignment align(const Character& character, const Measures& m, const Fit& fit) {
   const std::size_t joints = skeleton.joint.size();
   Alignment alignment;
   alignment.turn.assign(joints, Quat{1, 0, 0, 0});
+  alignment.stretch.assign(joints, glm::mat3{1});
   std::vector<std::optional<Vec3>> place(joints);
   const auto own_turn = [&](std::size_t j) { return glm::quat_cast(glm::mat3(stance.world[j])); };
 
@@ -137,10 +144,15 @@ Alignment align(const Character& character, const Measures& m, const Fit& fit) {
     return Vec3(stance.world[index_of(skeleton[to])][3] -
                 stance.world[index_of(skeleton[from])][3]);
   };
-  for (const LimbBone& limb : limb_bones)
-    take(limb.part, limb.bone,
-         shortest_turn(s.at_bind(limb.bone_end) - s.at_bind(limb.bone),
-                       stance_way(limb.part, limb.end)));
+  for (const LimbBone& limb : limb_bones) {
+    const Vec3 way = s.at_bind(limb.bone_end) - s.at_bind(limb.bone);
+    take(limb.part, limb.bone, shortest_turn(way, stance_way(limb.part, limb.end)));
+    const bool is_thigh = limb.part == BodyPart::LeftHip || limb.part == BodyPart::RightHip;
+    const bool is_shin = limb.part == BodyPart::LeftKnee || limb.part == BodyPart::RightKnee;
+    if (is_thigh || is_shin)
+      alignment.stretch[index_of(skeleton[limb.part])] =
+          stretch_along(way, is_thigh ? fit.thigh : fit.shin);
+  }
   for (const bool is_left : {true, false}) {
     using enum HumanBone;
     const BodyPart wrist = is_left ? BodyPart::LeftWrist : BodyPart::RightWrist;
@@ -226,7 +238,7 @@ SkinnedMesh bind_body(const Character& character, const Measures& m, const Fit& 
   mesh.colour = character.body.colour;
   const Alignment alignment = align(character, m, fit);
   for (std::size_t j = 0; j < fit.skeleton.joint.size(); ++j)
-    mesh.inverse_bind.push_back(glm::mat4_cast(alignment.turn[j]) *
+    mesh.inverse_bind.push_back(glm::mat4_cast(alignment.turn[j]) * Mat4(alignment.stretch[j]) *
                                 glm::translate(Mat4{1}, -alignment.place[j]));
   return mesh;
 }

@@ -13,6 +13,11 @@ namespace docent::character {
 namespace {
 
 constexpr float tallest = 2.1F, smallest = 0.5F, usual = 1.75F;
+/// Where a ball joint rests above the ground at least, metres of a body with an adult's legs.
+/// By how much of the leg's length a knee may be higher or lower than the recorded one: beyond it
+/// both legs of a stride would not reach the ground at once, so the bones are stretched.
+constexpr float knee_freedom = 0.03F;
+constexpr float lowest_toe = 0.004F;
 
 struct SideBones {
   HumanBone upper_leg, lower_leg, foot, toes, upper_arm, lower_arm, hand, middle, index;
@@ -229,7 +234,21 @@ Fit fit_skeleton(const Skeleton& recorded, const Measures& m, float toe_rest) {
   Fit fit;
   fit.legs = (m.thigh + m.shin) / (length(BodyPart::LeftHip, BodyPart::LeftKnee) +
                                    length(BodyPart::LeftKnee, BodyPart::LeftAnkle));
-  fit.toe_rest = std::clamp(fit.legs * toe_rest, 0.05F * m.ankle, 0.8F * m.ankle);
+  // The foot turns about its ball as the recorded one does, or hips would rise and sink with it.
+  const Vec3 old_step = old[joint(BodyPart::LeftToe)] - old[joint(BodyPart::LeftAnkle)];
+  const float drop = std::min(-fit.legs * old_step.y, m.ankle - lowest_toe * fit.legs);
+  fit.toe_rest = m.ankle - drop;
+  const float old_share = length(BodyPart::LeftHip, BodyPart::LeftKnee) /
+                          (length(BodyPart::LeftHip, BodyPart::LeftKnee) +
+                           length(BodyPart::LeftKnee, BodyPart::LeftAnkle));
+  const float leg = m.thigh + m.shin;
+  const float thigh = leg * std::clamp(m.thigh / leg, old_share - knee_freedom,
+                                       old_share + knee_freedom);
+  fit.thigh = thigh / m.thigh;
+  fit.shin = (leg - thigh) / m.shin;
+  fit.pelvis = std::clamp(0.5F * fit.legs * length(BodyPart::LeftHip, BodyPart::RightHip) /
+                              std::max(m.hip_half, 1e-3F),
+                          0.1F, 1.2F);
   fit.ankle = m.ankle;
   fit.recorded_ankle = old[joint(BodyPart::LeftAnkle)].y - old[joint(BodyPart::LeftToe)].y + toe_rest;
 
@@ -261,12 +280,12 @@ Fit fit_skeleton(const Skeleton& recorded, const Measures& m, float toe_rest) {
       put(to, places.new_place(joint(from)) + long_ * way);
     };
     put(side.hip, {x * m.hip_half, m.hip, 0});
-    aim(side.hip, side.knee, m.thigh);
-    aim(side.knee, side.ankle, m.shin);
+    aim(side.hip, side.knee, fit.thigh * m.thigh);
+    aim(side.knee, side.ankle, fit.shin * m.shin);
     const Vec3 old_foot = old[joint(side.toe)] - old[joint(side.ankle)];
     const Vec3 forward = direction(Vec3{0}, Vec3(old_foot.x, 0, old_foot.z), Vec3(0, 0, 1));
-    put(side.toe, places.new_place(joint(side.ankle)) + m.foot * forward -
-                      Vec3(0, m.ankle - fit.toe_rest, 0));
+    put(side.toe, places.new_place(joint(side.ankle)) +
+                      fit.legs * std::hypot(old_foot.x, old_foot.z) * forward - Vec3(0, drop, 0));
     if (recorded[side.clavicle] != JointIndex::None) {
       const Vec3 off = old[joint(side.clavicle)] - old[joint(BodyPart::Neck)];
       put(side.clavicle, m.neck + Vec3(across * off.x, trunk * off.y, trunk * off.z));

@@ -37,6 +37,10 @@ struct Fit {
   float legs = 1;              ///< Share of the recorded leg's length.
   float recorded_ankle = 0, ankle = 0;  ///< Heights of an ankle over a flat sole.
   float toe_rest = 0;          ///< Where the character's toe joint rests, metres.
+  /// What of the recorded pelvis' roll and twist is kept: wide hips on short legs would lift the
+  /// feet with them.
+  float pelvis = 1;
+  float thigh = 1, shin = 1;   ///< Lengths beside the character's own.
 };
 /// ContentError (`incomplete-skeleton`) where the recording's skeleton lacks a part of the body.
 Fit fit_skeleton(const Skeleton& recorded, const Measures& measures, float toe_rest);

@@ -10,7 +10,6 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "runtime/motion/leg.h"
-#include "runtime/motion/replant.h"
 
 namespace docent::character {
 namespace {
@@ -24,59 +23,208 @@ bool is_planted(const FootPlants& plants, Side side) {
   return side == Side::Left ? plants.left : plants.right;
 }
 
-/// Where one foot is to be, frame by frame: still while it is planted, and off its own way by a
-/// smooth bridge between two plants.
-std::vector<motion::Foot> planted_feet(const std::vector<motion::Foot>& feet,
-                                       const std::vector<FootPlants>& plants, Side side,
-                                       float rest) {
-  const std::size_t frames = feet.size();
-  std::vector<std::optional<Vec3>> off(frames);
-  for (std::size_t begin = 0; begin < frames;) {
-    if (!is_planted(plants[begin], side)) {
-      ++begin;
-      continue;
+/// A stretch of frames in which a foot is planted.
+struct Plant {
+  Side side;
+  std::size_t begin = 0, end = 0;
+  Vec3 place{0};  ///< Of the toe joint.
+};
+
+std::vector<Plant> plants_of(const MotionClip& clip, float rest) {
+  std::vector<Plant> plants;
+  for (const Side side : both_sides)
+    for (std::size_t f = 0; f < clip.plants.size();) {
+      std::size_t end = f;
+      while (end < clip.plants.size() && is_planted(clip.plants[end], side)) ++end;
+      if (end > f) plants.push_back({.side = side, .begin = f, .end = end, .place = {0, rest, 0}});
+      f = std::max(end, f + 1);
     }
-    std::size_t end = begin;
-    Vec3 sum{0};
-    while (end < frames && is_planted(plants[end], side)) sum += feet[end++].toe;
-    Vec3 place = sum / static_cast<float>(end - begin);
-    place.y = rest;
-    for (std::size_t f = begin; f < end; ++f) off[f] = place - feet[f].toe;
-    begin = end;
+  std::ranges::stable_sort(plants, {}, &Plant::begin);
+  return plants;
+}
+
+float smooth_step(float share) {
+  const float t = std::clamp(share, 0.0F, 1.0F);
+  return t * t * (3 - 2 * t);
+}
+
+/// How both feet of a body lie by the recorded rotations alone.
+struct Feet {
+  std::array<std::vector<motion::Foot>, 2> foot;
+  std::array<std::vector<Vec3>, 2> ankle;
+
+  Vec3 toe(Side side, std::size_t frame) const {
+    return foot[docent::index_of(side)][frame].toe;
   }
-  std::vector<motion::Foot> out = feet;
+};
+
+Feet feet_of(const Skeleton& skeleton, const motion::Legs& legs, MotionClip& clip) {
+  Feet feet;
+  for (const Side side : both_sides)
+    for (std::size_t f = 0; f < clip.root.size(); ++f) {
+      const motion::Foot foot = motion::foot_of(skeleton, legs[side], pose_at(clip, f));
+      feet.foot[docent::index_of(side)].push_back(foot);
+      feet.ankle[docent::index_of(side)].push_back(motion::ankle_of(legs[side], foot));
+    }
+  return feet;
+}
+
+/// Where each plant is: each step begins where the body, carried by the foot before it, puts it.
+void lay_out(const Feet& feet, std::vector<Plant>& plants) {
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    Plant& plant = plants[i];
+    Vec3 sum{0};
+    float count = 0;
+    const Plant* before = nullptr;
+    for (std::size_t k = 0; k < i; ++k)
+      if (plants[k].side != plant.side && (before == nullptr || plants[k].end > before->end))
+        before = &plants[k];
+    if (before != nullptr) {
+      // Carried to its last frame where the two do not meet.
+      const std::size_t end = std::max(std::min(before->end, plant.end), plant.begin + 1);
+      for (std::size_t f = plant.begin; f < end; ++f) {
+        const std::size_t carried = std::min(f, before->end - 1);
+        sum += feet.toe(plant.side, f) + before->place - feet.toe(before->side, carried);
+        ++count;
+      }
+    } else {
+      for (std::size_t f = plant.begin; f < plant.end; ++f, ++count)
+        sum += feet.toe(plant.side, f);
+    }
+    plant.place.x = sum.x / count;
+    plant.place.z = sum.z / count;
+  }
+}
+
+/// How far the hips must move for planted feet to stay: what carries the weight decides, and
+/// hands over while both feet are down.
+std::vector<Vec3> carried(const Feet& feet, const std::vector<Plant>& plants, std::size_t frames,
+                          double rate) {
+  const auto ramp = static_cast<float>(std::max(0.12 * rate, 1.0));
+  std::vector<Vec3> off(frames, Vec3{0});
+  std::vector<float> weight(frames, 0);
+  for (const Plant& plant : plants)
+    for (std::size_t f = plant.begin; f < plant.end; ++f) {
+      // A clip's ends cut plants short, and are not where weight passes on.
+      const float since = plant.begin == 0 ? ramp : static_cast<float>(f - plant.begin) + 0.5F;
+      const float left = plant.end == frames ? ramp : static_cast<float>(plant.end - f) - 0.5F;
+      const float share = std::max(smooth_step(std::min(since, left) / ramp), 1e-4F);
+      off[f] += share * (plant.place - feet.toe(plant.side, f));
+      weight[f] += share;
+    }
   std::optional<std::size_t> before;
   for (std::size_t f = 0; f <= frames; ++f) {
-    if (f < frames && !off[f]) continue;
-    if (f < frames) out[f].toe += *off[f];
+    if (f < frames && weight[f] == 0) continue;
+    if (f < frames) off[f] /= weight[f];
     const std::size_t first = before ? *before + 1 : 0;
     for (std::size_t g = first; g < f; ++g) {
-      const Vec3 from = before ? *off[*before] : f < frames ? *off[f] : Vec3{0};
-      const Vec3 to = f < frames ? *off[f] : from;
-      const float share =
-          static_cast<float>(g + 1 - first) / static_cast<float>(f + 1 - first);
-      out[g].toe += glm::mix(from, to, share * share * (3 - 2 * share));
+      const Vec3 from = before ? off[*before] : f < frames ? off[f] : Vec3{0};
+      const Vec3 to = f < frames ? off[f] : from;
+      off[g] = glm::mix(from, to,
+                        smooth_step(static_cast<float>(g + 1 - first) /
+                                    static_cast<float>(f + 1 - first)));
     }
     before = f;
+  }
+  return off;
+}
+
+/// What a foot is turned, and its ankle moved, beyond the recording.
+struct Correction {
+  Quat turn{1, 0, 0, 0};
+  Vec3 shift{0};
+};
+
+Quat shortest_arc(Vec3 from, Vec3 to) {
+  from = glm::normalize(from);
+  to = glm::normalize(to);
+  const Vec3 axis = glm::cross(from, to);
+  return glm::normalize(Quat{1 + glm::dot(from, to), axis.x, axis.y, axis.z});
+}
+
+/// A planted foot turns about its ankle towards its place; only what is then missing beyond a few
+/// millimetres moves the leg.
+Correction correct(Vec3 ankle, Vec3 toe, Vec3 place) {
+  constexpr float slack = 0.003F;
+  const Vec3 foot = toe - ankle, wanted = place - ankle;
+  const float length = glm::length(foot), distance = glm::length(wanted);
+  if (length < 1e-4F || distance < 1e-4F) return {};
+  const float missing = distance - length;
+  const float moved = std::abs(missing) <= slack ? 0 : missing - std::copysign(slack, missing);
+  return {.turn = shortest_arc(foot, wanted), .shift = moved / distance * wanted};
+}
+
+/// The corrections of one foot: while it is planted, and fading out of and into plants.
+std::vector<Correction> corrections(const Feet& feet, const std::vector<Plant>& plants,
+                                    const std::vector<Vec3>& carried_by, Side side, double rate) {
+  const std::size_t frames = carried_by.size();
+  const auto fade = static_cast<float>(std::max(0.15 * rate, 1.0));
+  std::vector<Correction> out(frames);
+  std::vector<const Plant*> own;
+  for (const Plant& plant : plants)
+    if (plant.side == side) own.push_back(&plant);
+  for (const Plant* plant : own)
+    for (std::size_t f = plant->begin; f < plant->end; ++f)
+      out[f] = correct(feet.ankle[docent::index_of(side)][f] + carried_by[f],
+                       feet.toe(side, f) + carried_by[f], plant->place);
+  const auto add = [&](std::size_t f, const Correction& end, float share) {
+    out[f].turn = glm::normalize(glm::slerp(Quat{1, 0, 0, 0}, end.turn, share) * out[f].turn);
+    out[f].shift += share * end.shift;
+  };
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const std::size_t next = i + 1 < own.size() ? own[i + 1]->begin : frames;
+    const std::size_t last = i == 0 ? 0 : own[i - 1]->end;
+    for (std::size_t f = own[i]->end; f < next; ++f)
+      add(f, out[own[i]->end - 1],
+          1 - smooth_step(static_cast<float>(f + 1 - own[i]->end) / fade));
+    for (std::size_t f = last; f < own[i]->begin; ++f)
+      add(f, out[own[i]->begin], 1 - smooth_step(static_cast<float>(own[i]->begin - f) / fade));
   }
   return out;
 }
 
-/// A smooth upper bound of values that must not be fallen short of.
-std::vector<float> smooth_bound(const std::vector<float>& value, std::size_t reach) {
-  const std::size_t count = value.size();
-  std::vector<float> most(count), mean(count);
-  for (std::size_t f = 0; f < count; ++f) {
-    const std::size_t low = f < reach ? 0 : f - reach, high = std::min(f + reach, count - 1);
-    for (std::size_t g = low; g <= high; ++g) most[f] = std::max(most[f], value[g]);
+/// Smooths by the gait's rhythm: a mean over about a stride, twice.
+std::vector<float> over_a_stride(std::vector<float> value, double rate) {
+  const auto reach = static_cast<std::size_t>(std::max(0.27 * rate, 1.0));
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<float> mean(value.size());
+    for (std::size_t f = 0; f < value.size(); ++f) {
+      const std::size_t near = std::min({reach, f, value.size() - 1 - f});
+      float sum = 0;
+      for (std::size_t g = f - near; g <= f + near; ++g) sum += value[g];
+      mean[f] = sum / static_cast<float>(2 * near + 1);
+    }
+    value = std::move(mean);
   }
-  for (std::size_t f = 0; f < count; ++f) {
-    const std::size_t low = f < reach ? 0 : f - reach, high = std::min(f + reach, count - 1);
-    float sum = 0;
-    for (std::size_t g = low; g <= high; ++g) sum += most[g];
-    mean[f] = sum / static_cast<float>(high - low + 1);
+  return value;
+}
+
+/// Keeps so much of the pelvis' roll and twist about where the body heads. What hangs on it keeps
+/// its directions in the world.
+void calm_pelvis(const Skeleton& skeleton, float keep, MotionClip& clip) {
+  if (std::abs(keep - 1) < 0.01F || clip.root.empty()) return;
+  std::vector<float> heading;
+  for (std::size_t f = 0; f < clip.root.size(); ++f) {
+    const Vec3 left = clip.rotation[f * clip.joint_count] * Vec3(1, 0, 0);
+    float angle = std::atan2(-left.z, left.x);
+    if (f > 0)
+      angle += 2 * std::numbers::pi_v<float> *
+               std::round((heading.back() - angle) / (2 * std::numbers::pi_v<float>));
+    heading.push_back(angle);
   }
-  return mean;
+  heading = over_a_stride(std::move(heading), clip.frame_rate);
+  for (std::size_t f = 0; f < clip.root.size(); ++f) {
+    Quat* local = &clip.rotation[f * clip.joint_count];
+    const Quat ahead = glm::angleAxis(heading[f], Vec3(0, 1, 0));
+    const Vec3 left = glm::inverse(ahead) * (local[0] * Vec3(1, 0, 0));
+    const Vec3 calm = glm::normalize(Vec3(left.x, keep * left.y, keep * left.z));
+    const Quat turned =
+        glm::normalize(ahead * shortest_arc(left, calm) * glm::inverse(ahead) * local[0]);
+    const Quat back = glm::inverse(turned) * local[0];
+    local[0] = turned;
+    for (std::size_t j = 1; j < clip.joint_count; ++j)
+      if (skeleton.joint[j].parent == JointIndex{0}) local[j] = glm::normalize(back * local[j]);
+  }
 }
 
 void spread_arms(const Skeleton& skeleton, float spread, MotionClip& clip) {
@@ -95,40 +243,39 @@ void spread_arms(const Skeleton& skeleton, float spread, MotionClip& clip) {
 
 }  // namespace
 
-MotionClip retarget(const Skeleton& recorded, const Fit& fit, const MotionClip& clip,
-                    float spread) {
+MotionClip retarget(const Fit& fit, const MotionClip& clip, float spread) {
   MotionClip out = clip;
   for (Vec3& root : out.root)
     root = {fit.legs * root.x, fit.legs * (root.y - fit.recorded_ankle) + fit.ankle,
             fit.legs * root.z};
   spread_arms(fit.skeleton, spread, out);
-  const auto legs = motion::find_legs(fit.skeleton), old_legs = motion::find_legs(recorded);
-  if (!legs || !old_legs || out.plants.size() != out.root.size()) return out;
+  calm_pelvis(fit.skeleton, fit.pelvis, out);
+  const auto legs = motion::find_legs(fit.skeleton);
+  const std::size_t frames = out.root.size();
+  if (!legs || out.plants.size() != frames) return out;
 
-  std::array<std::vector<motion::Foot>, 2> feet;
-  std::vector<float> drop(out.root.size());
-  const float lowest = 0.5F * fit.toe_rest;
-  for (const Side side : both_sides) {
-    const motion::Leg& leg = (*legs)[side];
-    std::vector<motion::Foot>& own = feet[docent::index_of(side)];
-    for (std::size_t f = 0; f < out.root.size(); ++f)
-      own.push_back(motion::foot_of(fit.skeleton, leg, pose_at(out, f)));
-    own = planted_feet(own, out.plants, side, fit.toe_rest);
-    for (std::size_t f = 0; f < own.size(); ++f) {
-      own[f].toe.y = std::max(own[f].toe.y, lowest);
-      constexpr float straight = 0.998F;
-      drop[f] = std::max(
-          drop[f], motion::drop_into_reach(motion::hip_of(fit.skeleton, leg, pose_at(out, f)),
-                                           motion::ankle_of(leg, own[f]), straight * leg.length));
-    }
-  }
-  const auto reach = static_cast<std::size_t>(std::max(0.06 * out.frame_rate, 1.0));
-  const std::vector<float> lower = smooth_bound(drop, reach);
-  for (std::size_t f = 0; f < out.root.size(); ++f) {
-    out.root[f].y -= lower[f];
+  const Feet feet = feet_of(fit.skeleton, *legs, out);
+  std::vector<Plant> plants = plants_of(out, fit.toe_rest);
+  lay_out(feet, plants);
+  const std::vector<Vec3> moved = carried(feet, plants, frames, out.frame_rate);
+  std::array<std::vector<Correction>, 2> corrected;
+  for (const Side side : both_sides)
+    corrected[docent::index_of(side)] =
+        corrections(feet, plants, moved, side, out.frame_rate);
+  const float lowest = 0.25F * fit.toe_rest;
+  for (std::size_t f = 0; f < frames; ++f) {
+    out.root[f] += moved[f];
     motion::PoseView pose = pose_at(out, f);
-    for (const Side side : both_sides)
-      motion::place_foot(fit.skeleton, (*legs)[side], feet[docent::index_of(side)][f], pose);
+    for (const Side side : both_sides) {
+      const std::size_t i = docent::index_of(side);
+      const Correction& by = corrected[i][f];
+      motion::Foot foot = feet.foot[i][f];
+      const Vec3 ankle = feet.ankle[i][f] + moved[f] + by.shift;
+      foot.toe = ankle + by.turn * (foot.toe - feet.ankle[i][f]);
+      foot.rotation = glm::normalize(by.turn * foot.rotation);
+      foot.toe.y = std::max(foot.toe.y, lowest);
+      motion::place_foot(fit.skeleton, (*legs)[side], foot, pose);
+    }
   }
   return out;
 }
@@ -257,14 +404,14 @@ float depth_in_trunk(const Skeleton& skeleton, const SkinnedMesh& body, const Mo
   return depth_of(skeleton, Trunk(skeleton, body), body, clip, 1);
 }
 
-float spread_for(const Skeleton& recorded, const Fit& fit, const SkinnedMesh& body,
+float spread_for(const Fit& fit, const SkinnedMesh& body,
                  std::span<const MotionClip* const> clips) {
   const Trunk trunk(fit.skeleton, body);
-  constexpr float step = std::numbers::pi_v<float> / 180, most = 35 * step;
+  constexpr float step = std::numbers::pi_v<float> / 180, most = 60 * step;
   float spread = 0;
   for (const MotionClip* clip : clips) {
     constexpr std::size_t every = 4;
-    MotionClip moved = retarget(recorded, fit, *clip, spread);
+    MotionClip moved = retarget(fit, *clip, spread);
     while (spread < most &&
            depth_of(fit.skeleton, trunk, body, moved, every) > -0.01F) {
       spread += step;

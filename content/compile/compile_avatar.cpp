@@ -43,7 +43,7 @@ CompiledAvatar compile_avatar(const AvatarSources& sources,
           .transitions = {}, .enrichment = enrichment, .jobs = jobs};
       if (own)
         options.give_to_other = [&](Skeleton& skeleton, auto& clips) {
-          own->take(skeleton, clips, jobs);
+          return own->take(skeleton, clips, jobs);
         };
       compiled.motion =
           motion::offline::compile_motion(sources.clip_folders, options, compiled.problems);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <string>
@@ -40,6 +41,14 @@ double stand_on_ground(const Skeleton& skeleton, std::vector<motion::offline::So
   return rest;
 }
 
+/// Are these the proportions of an adult, whom our own bodies are modelled on?
+bool is_like_ours(const character::Measures& m, const character::Fit& fit) {
+  constexpr float usual_toe = 0.025F;
+  const float hips = m.hip / m.crown, shoulders = m.shoulder.y / m.crown;
+  return hips > 0.46F && hips < 0.60F && shoulders > 0.74F && shoulders < 0.88F &&
+         m.crown > 1.3F && std::abs(fit.toe_rest - usual_toe * fit.legs) < 0.015F;
+}
+
 }  // namespace
 
 OwnFigure::OwnFigure(const std::filesystem::path& model, std::vector<Diagnostic>& problems)
@@ -54,7 +63,7 @@ OwnFigure::OwnFigure(const std::filesystem::path& model, std::vector<Diagnostic>
                     measures_.height / measures_.scale, measures_.height)));
 }
 
-void OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceClip>& clips,
+double OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceClip>& clips,
                      unsigned jobs) {
   const double rest = stand_on_ground(skeleton, clips, jobs);
   const character::Fit fit =
@@ -62,25 +71,23 @@ void OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceClip
   body_ = character::bind_body(character_, measures_, fit);
   std::vector<const MotionClip*> walks;
   for (const motion::offline::SourceClip& source : clips) walks.push_back(&source.clip);
-  const float spread = character::spread_for(skeleton, fit, body_, walks);
+  const float spread = character::spread_for(fit, body_, walks);
   if (spread > 0)
     problems_.push_back(note(character_.file,
                              fmt::format("its arms are held {:.0f} degrees further out, so that "
                                          "they are free of its trunk",
                                          spread * 180 / std::numbers::pi)));
   content::for_each_index(clips.size(), jobs, [&](std::size_t c) {
-    clips[c].clip = character::retarget(skeleton, fit, clips[c].clip, spread);
+    clips[c].clip = character::retarget(fit, clips[c].clip, spread);
   });
   skeleton = fit.skeleton;
+  is_like_ours_ = is_like_ours(measures_, fit);
+  return fit.toe_rest;
 }
 
 SkinnedMesh OwnFigure::among_others(const Skeleton& skeleton, unsigned jobs) const {
-  SkinnedMesh all;
-  try {
-    all = avatar::make_avatars(skeleton, jobs);
-  } catch (const content::ContentError&) {
-    return body_;  // nobody of ours has such a body, so strollers look like the guide
-  }
+  if (!is_like_ours_) return body_;  // so strollers look like the guide
+  SkinnedMesh all = avatar::make_avatars(skeleton, jobs);
   const std::vector<Mat4> ours = all.inverse_bind;
   for (std::size_t f = 1; f < all.figure_end.size(); ++f)
     all.inverse_bind.insert(all.inverse_bind.end(), ours.begin(), ours.end());
@@ -110,9 +117,9 @@ Pixels draw_own_figure(const character::Character& character) {
   const auto walk = std::ranges::find(clips, "walk", [](const auto& c) { return c.clip.name; });
   const MotionClip& shown = (walk == clips.end() ? clips.front() : *walk).clip;
   const MotionClip* one = &shown;
-  const float spread = character::spread_for(skeleton, fit, body, {&one, 1});
+  const float spread = character::spread_for(fit, body, {&one, 1});
   return character::draw_sheet(fit.skeleton, body,
-                               character::retarget(skeleton, fit, shown, spread));
+                               character::retarget(fit, shown, spread));
 }
 
 }  // namespace docent::compile

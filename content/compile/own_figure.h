@@ -16,8 +16,9 @@ class OwnFigure {
   /// ContentError where the model cannot be used; what is lost or was mended goes to `problems`.
   OwnFigure(const std::filesystem::path& model, std::vector<Diagnostic>& problems);
 
-  /// Gives the clips and their skeleton the character's measures.
-  void take(Skeleton& skeleton, std::vector<motion::offline::SourceClip>& clips, unsigned jobs);
+  /// Gives the clips and their skeleton the character's measures; the height at which its toe
+  /// joints rest, metres.
+  double take(Skeleton& skeleton, std::vector<motion::offline::SourceClip>& clips, unsigned jobs);
 
   /// All bodies: ours for strollers, where such a body can be made, and the character, the last.
   SkinnedMesh among_others(const Skeleton& skeleton, unsigned jobs) const;
@@ -26,6 +27,7 @@ class OwnFigure {
   character::Character character_;
   character::Measures measures_;
   SkinnedMesh body_;
+  bool is_like_ours_ = false;  ///< Our own people can have such a body.
   std::vector<Diagnostic>& problems_;
 };
 

@@ -130,9 +130,9 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
   }
   leave_joints_out(skeleton, sources, folders.front().string(), problems);
   sources = cut_takes(skeleton, std::move(sources), problems);
-  if (options.give_to_other) options.give_to_other(skeleton, sources);
-  return make_motion_graph(skeleton, std::move(sources), folders.front().string(), options,
-                           problems);
+  MotionOptions used = options;
+  if (options.give_to_other) used.toe_rest = options.give_to_other(skeleton, sources);
+  return make_motion_graph(skeleton, std::move(sources), folders.front().string(), used, problems);
 }
 
 MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,

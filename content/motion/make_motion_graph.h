@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,11 @@ struct MotionOptions {
   TransitionOptions transitions{};
   Enrichment enrichment{};
   unsigned jobs = 1;  ///< Threads. The result is the same for any number.
-  /// Gives the recordings to another body, before anything is found in them. May be empty.
-  std::function<void(Skeleton& skeleton, std::vector<SourceClip>& sources)> give_to_other{};
+  /// Gives the recordings to another body, before anything is found in them, and says at which
+  /// height, metres, its toe joints rest. May be empty.
+  std::function<double(Skeleton& skeleton, std::vector<SourceClip>& sources)> give_to_other{};
+  /// Where that is known; else it is judged by the recordings.
+  std::optional<double> toe_rest{};
 };
 
 /// Makes a motion graph of clips that share a skeleton and a frame rate: levels their ground, finds
