@@ -31,36 +31,56 @@ struct Slot {
 Slot slot_of(HumanBone bone, const BoneMap& bones) {
   using enum HumanBone;
   switch (bone) {
-    case Hips: return {BodyPart::Hips, BodyPart::Hips};
+    case Hips:
+      return {BodyPart::Hips, BodyPart::Hips};
     case Spine:
       // A trunk of one bone bends where the chest does.
-      return bones.has(Chest) || bones.has(UpperChest)
-                 ? Slot{BodyPart::Spine, BodyPart::Chest}
-                 : Slot{BodyPart::Chest, BodyPart::Spine};
+      return bones.has(Chest) || bones.has(UpperChest) ? Slot{BodyPart::Spine, BodyPart::Chest}
+                                                       : Slot{BodyPart::Chest, BodyPart::Spine};
     case Chest:
-    case UpperChest: return {BodyPart::Chest, BodyPart::Spine};
-    case Neck: return {BodyPart::Neck, BodyPart::Head};
+    case UpperChest:
+      return {BodyPart::Chest, BodyPart::Spine};
+    case Neck:
+      return {BodyPart::Neck, BodyPart::Head};
     case Head:
     case LeftEye:
     case RightEye:
-    case Jaw: return {BodyPart::Head, BodyPart::Neck};
-    case LeftUpperLeg: return {BodyPart::LeftHip, BodyPart::LeftHip};
-    case LeftLowerLeg: return {BodyPart::LeftKnee, BodyPart::LeftKnee};
-    case LeftFoot: return {BodyPart::LeftAnkle, BodyPart::LeftAnkle};
-    case LeftToes: return {BodyPart::LeftToe, BodyPart::LeftAnkle};
-    case RightUpperLeg: return {BodyPart::RightHip, BodyPart::RightHip};
-    case RightLowerLeg: return {BodyPart::RightKnee, BodyPart::RightKnee};
-    case RightFoot: return {BodyPart::RightAnkle, BodyPart::RightAnkle};
-    case RightToes: return {BodyPart::RightToe, BodyPart::RightAnkle};
-    case LeftShoulder: return {BodyPart::LeftClavicle, BodyPart::Chest};
-    case LeftUpperArm: return {BodyPart::LeftShoulder, BodyPart::LeftShoulder};
-    case LeftLowerArm: return {BodyPart::LeftElbow, BodyPart::LeftElbow};
-    case LeftHand: return {BodyPart::LeftWrist, BodyPart::LeftWrist};
-    case RightShoulder: return {BodyPart::RightClavicle, BodyPart::Chest};
-    case RightUpperArm: return {BodyPart::RightShoulder, BodyPart::RightShoulder};
-    case RightLowerArm: return {BodyPart::RightElbow, BodyPart::RightElbow};
-    case RightHand: return {BodyPart::RightWrist, BodyPart::RightWrist};
-    default: break;
+    case Jaw:
+      return {BodyPart::Head, BodyPart::Neck};
+    case LeftUpperLeg:
+      return {BodyPart::LeftHip, BodyPart::LeftHip};
+    case LeftLowerLeg:
+      return {BodyPart::LeftKnee, BodyPart::LeftKnee};
+    case LeftFoot:
+      return {BodyPart::LeftAnkle, BodyPart::LeftAnkle};
+    case LeftToes:
+      return {BodyPart::LeftToe, BodyPart::LeftAnkle};
+    case RightUpperLeg:
+      return {BodyPart::RightHip, BodyPart::RightHip};
+    case RightLowerLeg:
+      return {BodyPart::RightKnee, BodyPart::RightKnee};
+    case RightFoot:
+      return {BodyPart::RightAnkle, BodyPart::RightAnkle};
+    case RightToes:
+      return {BodyPart::RightToe, BodyPart::RightAnkle};
+    case LeftShoulder:
+      return {BodyPart::LeftClavicle, BodyPart::Chest};
+    case LeftUpperArm:
+      return {BodyPart::LeftShoulder, BodyPart::LeftShoulder};
+    case LeftLowerArm:
+      return {BodyPart::LeftElbow, BodyPart::LeftElbow};
+    case LeftHand:
+      return {BodyPart::LeftWrist, BodyPart::LeftWrist};
+    case RightShoulder:
+      return {BodyPart::RightClavicle, BodyPart::Chest};
+    case RightUpperArm:
+      return {BodyPart::RightShoulder, BodyPart::RightShoulder};
+    case RightLowerArm:
+      return {BodyPart::RightElbow, BodyPart::RightElbow};
+    case RightHand:
+      return {BodyPart::RightWrist, BodyPart::RightWrist};
+    default:
+      break;
   }
   const bool is_left = bone_names[index_of(bone)].starts_with("left");
   return is_left ? Slot{BodyPart::LeftWrist, BodyPart::LeftWrist}
@@ -68,8 +88,8 @@ Slot slot_of(HumanBone bone, const BoneMap& bones) {
 }
 
 std::size_t joint_of(const Skeleton& skeleton, Slot slot) {
-  const JointIndex joint = skeleton[slot.part] != JointIndex::None ? skeleton[slot.part]
-                                                                   : skeleton[slot.otherwise];
+  const JointIndex joint =
+      skeleton[slot.part] != JointIndex::None ? skeleton[slot.part] : skeleton[slot.otherwise];
   return joint == JointIndex::None ? 0 : index_of(joint);
 }
 
@@ -101,11 +121,10 @@ Vec3 hand_direction(const Standing& s, bool is_left) {
   using enum HumanBone;
   const Vec3 hand = s.at_bind(is_left ? LeftHand : RightHand);
   Vec3 sum{0};
-  for (const HumanBone finger :
-       is_left ? std::array{LeftIndexProximal, LeftMiddleProximal, LeftRingProximal,
-                            LeftLittleProximal}
-               : std::array{RightIndexProximal, RightMiddleProximal, RightRingProximal,
-                            RightLittleProximal})
+  for (const HumanBone finger : is_left ? std::array{LeftIndexProximal, LeftMiddleProximal,
+                                                     LeftRingProximal, LeftLittleProximal}
+                                        : std::array{RightIndexProximal, RightMiddleProximal,
+                                                     RightRingProximal, RightLittleProximal})
     if (s.bones.has(finger)) sum += s.at_bind(finger) - hand;
   const Vec3 forearm = hand - s.at_bind(is_left ? LeftLowerArm : RightLowerArm);
   return glm::length(sum) > 0.05F * glm::length(forearm) ? sum : forearm;
@@ -175,9 +194,8 @@ Alignment align(const Character& character, const Measures& m, const Fit& fit) {
     take(ankle, foot, yaw);
     const std::size_t t = index_of(skeleton[toe]);
     alignment.turn[t] = glm::inverse(own_turn(t)) * yaw;
-    place[t] = s.bones.has(toes)
-                   ? m.place(s.at_bind(toes))
-                   : m.place(s.at_bind(foot)) + m.foot * glm::normalize(modelled);
+    place[t] = s.bones.has(toes) ? m.place(s.at_bind(toes))
+                                 : m.place(s.at_bind(foot)) + m.foot * glm::normalize(modelled);
   }
   // The rest of the body stands in the stance as it does at rest: joints lie where they were put.
   const float sole = stance.world[index_of(skeleton[BodyPart::LeftHip])][3].y - m.hip;
@@ -190,7 +208,8 @@ struct JointWeights {
   std::array<std::uint8_t, 4> joint{}, weight{};
 };
 
-JointWeights weights_of(const BoneShares& shares, const std::array<std::uint8_t, bone_count>& joint) {
+JointWeights weights_of(const BoneShares& shares,
+                        const std::array<std::uint8_t, bone_count>& joint) {
   std::vector<std::pair<float, std::uint8_t>> parts;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!(shares.share[k] > 0)) continue;
@@ -221,8 +240,8 @@ JointWeights weights_of(const BoneShares& shares, const std::array<std::uint8_t,
 SkinnedMesh bind_body(const Character& character, const Measures& m, const Fit& fit) {
   std::array<std::uint8_t, bone_count> joint{};
   for (std::size_t b = 0; b < bone_count; ++b)
-    joint[b] = static_cast<std::uint8_t>(joint_of(
-        fit.skeleton, slot_of(static_cast<HumanBone>(b), character.standing.bones)));
+    joint[b] = static_cast<std::uint8_t>(
+        joint_of(fit.skeleton, slot_of(static_cast<HumanBone>(b), character.standing.bones)));
 
   SkinnedMesh mesh;
   for (const SurfaceVertex& v : character.body.surface.vertices) {

@@ -17,23 +17,23 @@ enum class Where : std::uint8_t { Middle, Left, Right };
 struct JointName {
   std::string base;
   Where side = Where::Middle;
-  int number = 0;  ///< Its last one: of "spine_02", 2.
+  int number = 0;        ///< Its last one: of "spine_02", 2.
   bool deforms = false;  ///< Rigify's mark of what moves the skin.
   bool is_control = false;
 };
 
 /// Words that say nothing of which bone it is.
-constexpr std::array noise{"mixamorig", "bip",  "bip01",     "bone", "bn",        "b",
-                           "j",         "c",    "jnt",       "jt",   "joint",     "jo",
-                           "def",       "skel", "character", "rig",  "armature",  "skeleton",
-                           "valvebiped", "bind", "cc",        "base", "deform",    "sk",
-                           "root",      "g",    "m"};
+constexpr std::array noise{
+    "mixamorig",  "bip",   "bip01", "bone", "bn",     "b",         "j",    "c",        "jnt",
+    "jt",         "joint", "jo",    "def",  "skel",   "character", "rig",  "armature", "skeleton",
+    "valvebiped", "bind",  "cc",    "base", "deform", "sk",        "root", "g",        "m"};
 /// Words of what moves bones, or of ends that are none.
-constexpr std::array controls{"ik",     "fk",   "pole",  "target", "ctrl",  "control", "controller",
-                              "mch",    "org",  "twist", "roll",   "end",   "nub",     "scale",
-                              "fake",   "slot", "tweak", "helper", "site",  "effector", "eff",
-                              "handle", "vis",  "corrective", "share", "attach", "socket", "weapon",
-                              "cloth",  "skirt", "sleeve", "hair", "sec",  "phys", "master", "parent"};
+constexpr std::array controls{"ik",         "fk",       "pole",   "target", "ctrl",   "control",
+                              "controller", "mch",      "org",    "twist",  "roll",   "end",
+                              "nub",        "scale",    "fake",   "slot",   "tweak",  "helper",
+                              "site",       "effector", "eff",    "handle", "vis",    "corrective",
+                              "share",      "attach",   "socket", "weapon", "cloth",  "skirt",
+                              "sleeve",     "hair",     "sec",    "phys",   "master", "parent"};
 
 bool is_one_of(std::string_view word, std::span<const char* const> words) {
   return std::ranges::find(words, word) != words.end();
@@ -96,7 +96,7 @@ JointName taken_apart(std::string_view name) {
 }
 
 struct Synonyms {
-  HumanBone left, right;  ///< The same where it is in the middle.
+  HumanBone left, right;                ///< The same where it is in the middle.
   std::vector<std::string_view> names;  ///< The surest first.
 };
 
@@ -114,7 +114,9 @@ const std::vector<Synonyms>& synonyms() {
        {"lowerleg", "shin", "calf", "tibia", "shank", "loleg", "leglower", "leg", "knee", "ひざ"}},
       {LeftFoot, RightFoot, {"foot", "ankle", "feet", "足首"}},
       {LeftToes, RightToes, {"toes", "toe", "toebase", "ball", "つま先"}},
-      {LeftShoulder, RightShoulder, {"clavicle", "collar", "collarbone", "clav", "scapula", "shoulder", "肩"}},
+      {LeftShoulder,
+       RightShoulder,
+       {"clavicle", "collar", "collarbone", "clav", "scapula", "shoulder", "肩"}},
       {LeftUpperArm,
        RightUpperArm,
        {"upperarm", "uparm", "shldrbend", "shldr", "humerus", "armupper", "bicep", "arm",
@@ -242,9 +244,8 @@ BoneMap bones_by_name(const import::gltf::Model& model) {
       bones[upper] = bones[shoulder];  // "LeftShoulder, LeftElbow, LeftWrist"
       bones[shoulder] = -1;
     }
-  for (const auto& [upper, lower] :
-       {std::pair{HumanBone::LeftUpperLeg, HumanBone::LeftLowerLeg},
-        {HumanBone::RightUpperLeg, HumanBone::RightLowerLeg}})
+  for (const auto& [upper, lower] : {std::pair{HumanBone::LeftUpperLeg, HumanBone::LeftLowerLeg},
+                                     {HumanBone::RightUpperLeg, HumanBone::RightLowerLeg}})
     if (bones.has(upper) && bones.has(lower) && hangs_on(model, bones[upper], bones[lower]))
       std::swap(bones[upper], bones[lower]);
   name_ends_of_spine(model, names, bones);

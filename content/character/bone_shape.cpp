@@ -58,8 +58,8 @@ std::size_t shared(const Path& a, const Path& b) {
 }
 
 struct Pair {
-  Path left, right;      ///< Below the joint that they hang on.
-  Path above;            ///< From the root to that joint.
+  Path left, right;  ///< Below the joint that they hang on.
+  Path above;        ///< From the root to that joint.
 };
 
 /// The two ends that are the most to one side and the other, mirrored about the middle, by a

@@ -19,7 +19,8 @@ constexpr double share_of_shape = 0.8;
 
 void leave_out_clear(const Colours& colours, Surface& surface) {
   std::vector<bool> is_seen(surface.vertices.size());
-  for (std::size_t v = 0; v < is_seen.size(); ++v) is_seen[v] = colours.is_seen(surface.vertices[v]);
+  for (std::size_t v = 0; v < is_seen.size(); ++v)
+    is_seen[v] = colours.is_seen(surface.vertices[v]);
   std::vector<std::uint32_t> kept;
   for (std::size_t k = 0; k + 2 < surface.indices.size(); k += 3) {
     const std::uint32_t* t = &surface.indices[k];
@@ -76,8 +77,9 @@ void weld(Surface& surface, bool by_place) {
   const std::vector<std::uint32_t> first =
       by_place ? same_place(surface.vertices)
                : first_alike<8>(surface.vertices, [](const SurfaceVertex& v) {
-                   return std::array{v.position.x, v.position.y, v.position.z,
-                                     v.uv.x,       v.uv.y,       v.tint.x + 2 * v.tint.y,
+                   return std::array{v.position.x, v.position.y,
+                                     v.position.z, v.uv.x,
+                                     v.uv.y,       v.tint.x + 2 * v.tint.y,
                                      v.tint.z,     static_cast<float>(v.material)};
                  });
   std::vector<Vec3> normal(surface.vertices.size(), Vec3{0});
@@ -111,8 +113,7 @@ std::vector<Vec3> seen_places(const std::vector<SurfaceVertex>& vertices) {
   if (count > 0) middle /= count;
   std::vector<Vec3> places;
   for (const SurfaceVertex& v : vertices)
-    places.push_back(v.position +
-                     (magnified - 1) * head_share(v) * (v.position - middle));
+    places.push_back(v.position + (magnified - 1) * head_share(v) * (v.position - middle));
   return places;
 }
 
@@ -122,12 +123,11 @@ bool simplify(Surface& surface, std::size_t triangles, bool is_sloppy) {
   const float* first = &places.front().x;
   float error = 0;
   const std::size_t size =
-      is_sloppy ? meshopt_simplifySloppy(out.data(), surface.indices.data(), surface.indices.size(),
-                                         first, places.size(), sizeof(Vec3), 3 * triangles, 1.0F,
-                                         &error)
-                : meshopt_simplify(out.data(), surface.indices.data(), surface.indices.size(),
-                                   first, places.size(), sizeof(Vec3), 3 * triangles, 0.1F, 0U,
-                                   &error);
+      is_sloppy
+          ? meshopt_simplifySloppy(out.data(), surface.indices.data(), surface.indices.size(),
+                                   first, places.size(), sizeof(Vec3), 3 * triangles, 1.0F, &error)
+          : meshopt_simplify(out.data(), surface.indices.data(), surface.indices.size(), first,
+                             places.size(), sizeof(Vec3), 3 * triangles, 0.1F, 0U, &error);
   if (size == 0) return false;
   out.resize(size);
   surface.indices = std::move(out);
@@ -153,8 +153,7 @@ SurfaceVertex between(const SurfaceVertex& a, const SurfaceVertex& b) {
   for (const BoneShares* s : {&a.shares, &b.shares})
     for (std::size_t k = 0; k < 4; ++k) {
       if (!(s->share[k] > 0)) continue;
-      const auto same =
-          std::ranges::find(all, s->bone[k], &std::pair<float, std::uint8_t>::second);
+      const auto same = std::ranges::find(all, s->bone[k], &std::pair<float, std::uint8_t>::second);
       if (same == all.end())
         all.emplace_back(0.5F * s->share[k], s->bone[k]);
       else
@@ -251,8 +250,8 @@ class Refinement {
       const auto [it, is_new] =
           middle.emplace(key, static_cast<std::uint32_t>(surface_.vertices.size()));
       if (is_new)
-        surface_.vertices.push_back(between(surface_.vertices[std::min(a, b)],
-                                            surface_.vertices[std::max(a, b)]));
+        surface_.vertices.push_back(
+            between(surface_.vertices[std::min(a, b)], surface_.vertices[std::max(a, b)]));
       return it->second;
     };
     std::vector<std::uint32_t> out;
@@ -310,9 +309,9 @@ ColouredSurface to_budget(Surface surface, const Colours& colours, std::size_t t
   const bool has_pictures = std::ranges::any_of(
       surface.vertices, [&](const SurfaceVertex& v) { return colours.has_picture(v); });
   if (surface.indices.size() > 3 * triangles) {
-    const auto shape = has_pictures ? static_cast<std::size_t>(share_of_shape *
-                                                               static_cast<double>(triangles))
-                                    : triangles;
+    const auto shape =
+        has_pictures ? static_cast<std::size_t>(share_of_shape * static_cast<double>(triangles))
+                     : triangles;
     weld(surface, false);
     // Seams of a picture hold their edges; where those alone are too many, they are let go.
     if (!simplify(surface, shape, false) && surface.indices.size() > 3 * triangles) {

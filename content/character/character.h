@@ -13,11 +13,11 @@ namespace docent::character {
 /// A museum's own character, read and checked: what can become a guide.
 struct Character {
   std::string file;
-  Standing standing;            ///< In the file's own size.
-  ColouredSurface body;         ///< In the frame of Standing, in the file's own size.
+  Standing standing;                   ///< In the file's own size.
+  ColouredSurface body;                ///< In the frame of Standing, in the file's own size.
   std::vector<std::string> bone_node;  ///< By HumanBone: the node's name; "#7" for one without.
-  Extent extent;                ///< Of all that the file shows.
-  std::size_t joints = 0;       ///< Of its skins, each once.
+  Extent extent;                       ///< Of all that the file shows.
+  std::size_t joints = 0;              ///< Of its skins, each once.
   std::size_t springs = 0;
   std::vector<std::string> expressions;
   std::vector<std::string> notes;  ///< What was mended, left out or lost: sentences.

@@ -24,16 +24,17 @@ BoneMap bones_of_vrm(const Model& model, const std::string& file) {
     if (found == bone_names.end() || bone.node < 0) continue;
     const auto same = std::ranges::find(bones.node, bone.node);
     if (same != bones.node.end())
-      refuse(file,
-             fmt::format("its humanoid bones {} and {} are the same node, {}", bone.bone,
-                         bone_names[static_cast<std::size_t>(same - bones.node.begin())],
-                         bone.node),
-             "assign the bones anew in the program that wrote it");
+      refuse(
+          file,
+          fmt::format("its humanoid bones {} and {} are the same node, {}", bone.bone,
+                      bone_names[static_cast<std::size_t>(same - bones.node.begin())], bone.node),
+          "assign the bones anew in the program that wrote it");
     bones.node[static_cast<std::size_t>(found - bone_names.begin())] = bone.node;
   }
   if (const std::string missing = missing_bones(bones); !missing.empty())
-    refuse(file, fmt::format("its VRM humanoid lacks required bones: {}", missing),
-           "assign them in the program that wrote it; what is no person can be an exhibit's object");
+    refuse(
+        file, fmt::format("its VRM humanoid lacks required bones: {}", missing),
+        "assign them in the program that wrote it; what is no person can be an exhibit's object");
   return bones;
 }
 

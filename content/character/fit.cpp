@@ -53,8 +53,7 @@ float mean_length(const Standing& s, HumanBone SideBones::* from, HumanBone Side
 /// The same place of both sides, as if it were on the left.
 Vec3 mean_place(const Standing& s, HumanBone SideBones::* bone, float middle) {
   const Vec3 left = s.at_bind(side_bones[0].*bone), right = s.at_bind(side_bones[1].*bone);
-  return {0.5F * (left.x - right.x) + middle, 0.5F * (left.y + right.y),
-          0.5F * (left.z + right.z)};
+  return {0.5F * (left.x - right.x) + middle, 0.5F * (left.y + right.y), 0.5F * (left.z + right.z)};
 }
 
 /// Height of the soles: the lowest of the feet's skin, where there is any below the ankles.
@@ -63,8 +62,7 @@ float sole_of(const Character& character, float ankle, float leg) {
   for (const SurfaceVertex& v : character.body.surface.vertices)
     if (share_of(v, is_of_foot) > 0.5F) lowest = std::min(lowest, v.position.y);
   const float usual_ankle = 0.09F * leg;
-  return lowest < ankle - 0.01F * leg && lowest > ankle - 0.6F * leg ? lowest
-                                                                     : ankle - usual_ankle;
+  return lowest < ankle - 0.01F * leg && lowest > ankle - 0.6F * leg ? lowest : ankle - usual_ankle;
 }
 
 /// From the ankle to the ball: to the toes' joint, or a share of the foot's skin before the ankle.
@@ -81,8 +79,7 @@ float foot_of(const Character& character, float leg) {
       if (share_of(v, is_of_foot) > 0.5F && std::abs(v.position.x - ankle.x) < 0.3F * leg)
         longest = std::max(longest, v.position.z - ankle.z);
   }
-  if (joints > 0.05F * leg && s.bones.has(HumanBone::LeftToes) &&
-      s.bones.has(HumanBone::RightToes))
+  if (joints > 0.05F * leg && s.bones.has(HumanBone::LeftToes) && s.bones.has(HumanBone::RightToes))
     return joints;
   return longest > 0.05F * leg ? 0.68F * longest : 0.16F * leg;
 }
@@ -158,8 +155,8 @@ constexpr std::array<SideParts, 2> side_parts{
       BodyPart::LeftToeTip, BodyPart::LeftClavicle, BodyPart::LeftShoulder, BodyPart::LeftElbow,
       BodyPart::LeftWrist, BodyPart::LeftHandTip},
      {BodyPart::RightHip, BodyPart::RightKnee, BodyPart::RightAnkle, BodyPart::RightToe,
-      BodyPart::RightToeTip, BodyPart::RightClavicle, BodyPart::RightShoulder,
-      BodyPart::RightElbow, BodyPart::RightWrist, BodyPart::RightHandTip}}};
+      BodyPart::RightToeTip, BodyPart::RightClavicle, BodyPart::RightShoulder, BodyPart::RightElbow,
+      BodyPart::RightWrist, BodyPart::RightHandTip}}};
 
 Vec3 direction(Vec3 from, Vec3 to, Vec3 otherwise) {
   const Vec3 way = to - from;
@@ -242,15 +239,16 @@ Fit fit_skeleton(const Skeleton& recorded, const Measures& m, float toe_rest) {
                           (length(BodyPart::LeftHip, BodyPart::LeftKnee) +
                            length(BodyPart::LeftKnee, BodyPart::LeftAnkle));
   const float leg = m.thigh + m.shin;
-  const float thigh = leg * std::clamp(m.thigh / leg, old_share - knee_freedom,
-                                       old_share + knee_freedom);
+  const float thigh =
+      leg * std::clamp(m.thigh / leg, old_share - knee_freedom, old_share + knee_freedom);
   fit.thigh = thigh / m.thigh;
   fit.shin = (leg - thigh) / m.shin;
-  fit.pelvis = std::clamp(0.5F * fit.legs * length(BodyPart::LeftHip, BodyPart::RightHip) /
-                              std::max(m.hip_half, 1e-3F),
-                          0.1F, 1.2F);
+  fit.pelvis = std::clamp(
+      0.5F * fit.legs * length(BodyPart::LeftHip, BodyPart::RightHip) / std::max(m.hip_half, 1e-3F),
+      0.1F, 1.2F);
   fit.ankle = m.ankle;
-  fit.recorded_ankle = old[joint(BodyPart::LeftAnkle)].y - old[joint(BodyPart::LeftToe)].y + toe_rest;
+  fit.recorded_ankle =
+      old[joint(BodyPart::LeftAnkle)].y - old[joint(BodyPart::LeftToe)].y + toe_rest;
 
   // Places of the trunk are the character's own, from the middle of its hip joints.
   Places places(recorded, fit.legs);

@@ -11,15 +11,15 @@ namespace docent::character {
 /// A character's measures as a guide: metres, mean of both sides, the middle of the hip joints at
 /// x = z = 0 and the soles at y = 0.
 struct Measures {
-  float scale = 1;       ///< Metres of the guide in one unit of the file.
-  Vec3 origin{0};        ///< Of the file, where the guide's origin is; before `scale`.
-  float height = 0;      ///< Of what is drawn.
+  float scale = 1;              ///< Metres of the guide in one unit of the file.
+  Vec3 origin{0};               ///< Of the file, where the guide's origin is; before `scale`.
+  float height = 0;             ///< Of what is drawn.
   float hip = 0, hip_half = 0;  ///< Height of the hip joints; half of the way between them.
   float thigh = 0, shin = 0, ankle = 0;  ///< Lengths; the ankle's height.
-  float foot = 0;        ///< From the ankle forward to the ball.
+  float foot = 0;                        ///< From the ankle forward to the ball.
   Vec3 shoulder{0}, neck{0}, head{0};    ///< Places; the shoulder's is the left one.
   float upper_arm = 0, forearm = 0, hand = 0;
-  float crown = 0;       ///< Height of the head's top.
+  float crown = 0;  ///< Height of the head's top.
 
   Vec3 place(Vec3 in_file) const { return scale * (in_file - origin); }
 };
@@ -34,13 +34,13 @@ Measures measure(const Character& character);
 /// rests on the ground.
 struct Fit {
   Skeleton skeleton;
-  float legs = 1;              ///< Share of the recorded leg's length.
+  float legs = 1;                       ///< Share of the recorded leg's length.
   float recorded_ankle = 0, ankle = 0;  ///< Heights of an ankle over a flat sole.
-  float toe_rest = 0;          ///< Where the character's toe joint rests, metres.
+  float toe_rest = 0;                   ///< Where the character's toe joint rests, metres.
   /// What of the recorded pelvis' roll and twist is kept: wide hips on short legs would lift the
   /// feet with them.
   float pelvis = 1;
-  float thigh = 1, shin = 1;   ///< Lengths beside the character's own.
+  float thigh = 1, shin = 1;  ///< Lengths beside the character's own.
 };
 /// ContentError (`incomplete-skeleton`) where the recording's skeleton lacks a part of the body.
 Fit fit_skeleton(const Skeleton& recorded, const Measures& measures, float toe_rest);

@@ -132,10 +132,10 @@ inline constexpr std::array<std::string_view, bone_count> bone_names{
 
 /// Without these nobody can walk. VRM requires them, and the spine, which can be done without.
 inline constexpr std::array required_bones{
-    HumanBone::Hips,          HumanBone::Head,          HumanBone::LeftUpperLeg,
-    HumanBone::LeftLowerLeg,  HumanBone::LeftFoot,      HumanBone::RightUpperLeg,
-    HumanBone::RightLowerLeg, HumanBone::RightFoot,     HumanBone::LeftUpperArm,
-    HumanBone::LeftLowerArm,  HumanBone::LeftHand,      HumanBone::RightUpperArm,
+    HumanBone::Hips,          HumanBone::Head,      HumanBone::LeftUpperLeg,
+    HumanBone::LeftLowerLeg,  HumanBone::LeftFoot,  HumanBone::RightUpperLeg,
+    HumanBone::RightLowerLeg, HumanBone::RightFoot, HumanBone::LeftUpperArm,
+    HumanBone::LeftLowerArm,  HumanBone::LeftHand,  HumanBone::RightUpperArm,
     HumanBone::RightLowerArm, HumanBone::RightHand,
 };
 

@@ -34,7 +34,8 @@ Vec3 lit(Vec3 colour, Vec3 normal) {
   const Vec3 sun = glm::normalize(Vec3(-0.5F, 0.8F, 0.7F));
   const float facing = std::max((glm::dot(normal, sun) + 0.3F) / 1.3F, 0.0F);
   const float sky = 0.5F + 0.5F * normal.y;
-  return colour * (Vec3(0.24F, 0.25F, 0.28F) * (0.5F + 0.9F * sky) + Vec3(0.82F, 0.79F, 0.72F) * facing);
+  return colour *
+         (Vec3(0.24F, 0.25F, 0.28F) * (0.5F + 0.9F * sky) + Vec3(0.82F, 0.79F, 0.72F) * facing);
 }
 
 }  // namespace
@@ -99,7 +100,8 @@ void Painting::add(const SkinnedMesh& body, std::span<const Mat4> palette, const
       normal += share * (glm::mat3(palette[v.joint[k]]) * v.normal);
     }
     const Vec3 at = seen(place - Vec3(view.middle.x, 0, view.middle.z), view.yaw);
-    Vec3 facing = seen(glm::length(normal) > 1e-6F ? glm::normalize(normal) : Vec3(0, 1, 0), view.yaw);
+    Vec3 facing =
+        seen(glm::length(normal) > 1e-6F ? glm::normalize(normal) : Vec3(0, 1, 0), view.yaw);
     if (facing.z < 0) facing.z = -0.5F * facing.z;  // the far side of cloth
     Vec3 colour{0.5F};
     if (i >= first_own) {

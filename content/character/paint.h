@@ -17,10 +17,10 @@ class Painting {
 
   /// Where a figure stands in the picture and how it is seen.
   struct View {
-    float x = 0, floor = 0;     ///< Pixels: its middle, and the floor's line.
-    float scale = 100;          ///< Pixels of a metre.
-    float yaw = 0;              ///< Radians: 0 sees its face, a quarter its left side.
-    Vec3 middle{0};             ///< World, metres: what stands at x on the floor.
+    float x = 0, floor = 0;  ///< Pixels: its middle, and the floor's line.
+    float scale = 100;       ///< Pixels of a metre.
+    float yaw = 0;           ///< Radians: 0 sees its face, a quarter its left side.
+    Vec3 middle{0};          ///< World, metres: what stands at x on the floor.
   };
   /// Paints a body of this palette (world transform times inverse bind, one a joint).
   void add(const SkinnedMesh& body, std::span<const Mat4> palette, const View& view);
@@ -30,8 +30,8 @@ class Painting {
 
  private:
   struct Corner {
-    Vec3 at;     ///< Samples; z towards the eye, metres.
-    Vec3 colour; ///< Linear, lit.
+    Vec3 at;      ///< Samples; z towards the eye, metres.
+    Vec3 colour;  ///< Linear, lit.
   };
   void fill(const Corner& a, const Corner& b, const Corner& c);
   void shade_floor(const View& view);

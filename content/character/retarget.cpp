@@ -53,9 +53,7 @@ struct Feet {
   std::array<std::vector<motion::Foot>, 2> foot;
   std::array<std::vector<Vec3>, 2> ankle;
 
-  Vec3 toe(Side side, std::size_t frame) const {
-    return foot[docent::index_of(side)][frame].toe;
-  }
+  Vec3 toe(Side side, std::size_t frame) const { return foot[docent::index_of(side)][frame].toe; }
 };
 
 Feet feet_of(const Skeleton& skeleton, const motion::Legs& legs, MotionClip& clip) {
@@ -88,8 +86,7 @@ void lay_out(const Feet& feet, std::vector<Plant>& plants) {
         ++count;
       }
     } else {
-      for (std::size_t f = plant.begin; f < plant.end; ++f, ++count)
-        sum += feet.toe(plant.side, f);
+      for (std::size_t f = plant.begin; f < plant.end; ++f, ++count) sum += feet.toe(plant.side, f);
     }
     plant.place.x = sum.x / count;
     plant.place.z = sum.z / count;
@@ -120,9 +117,9 @@ std::vector<Vec3> carried(const Feet& feet, const std::vector<Plant>& plants, st
     for (std::size_t g = first; g < f; ++g) {
       const Vec3 from = before ? off[*before] : f < frames ? off[f] : Vec3{0};
       const Vec3 to = f < frames ? off[f] : from;
-      off[g] = glm::mix(from, to,
-                        smooth_step(static_cast<float>(g + 1 - first) /
-                                    static_cast<float>(f + 1 - first)));
+      off[g] = glm::mix(
+          from, to,
+          smooth_step(static_cast<float>(g + 1 - first) / static_cast<float>(f + 1 - first)));
     }
     before = f;
   }
@@ -175,8 +172,7 @@ std::vector<Correction> corrections(const Feet& feet, const std::vector<Plant>& 
     const std::size_t next = i + 1 < own.size() ? own[i + 1]->begin : frames;
     const std::size_t last = i == 0 ? 0 : own[i - 1]->end;
     for (std::size_t f = own[i]->end; f < next; ++f)
-      add(f, out[own[i]->end - 1],
-          1 - smooth_step(static_cast<float>(f + 1 - own[i]->end) / fade));
+      add(f, out[own[i]->end - 1], 1 - smooth_step(static_cast<float>(f + 1 - own[i]->end) / fade));
     for (std::size_t f = last; f < own[i]->begin; ++f)
       add(f, out[own[i]->begin], 1 - smooth_step(static_cast<float>(own[i]->begin - f) / fade));
   }
@@ -260,8 +256,7 @@ MotionClip retarget(const Fit& fit, const MotionClip& clip, float spread) {
   const std::vector<Vec3> moved = carried(feet, plants, frames, out.frame_rate);
   std::array<std::vector<Correction>, 2> corrected;
   for (const Side side : both_sides)
-    corrected[docent::index_of(side)] =
-        corrections(feet, plants, moved, side, out.frame_rate);
+    corrected[docent::index_of(side)] = corrections(feet, plants, moved, side, out.frame_rate);
   const float lowest = 0.25F * fit.toe_rest;
   for (std::size_t f = 0; f < frames; ++f) {
     out.root[f] += moved[f];
@@ -342,7 +337,8 @@ class Trunk {
     for (std::size_t r = 0; r < count; ++r) {
       if (in[r].size() < 4) continue;
       const auto [back, front] = std::ranges::minmax(in[r], {}, [](Vec3 p) { return p.z; });
-      const Vec3 widest = *std::ranges::max_element(in[r], {}, [](Vec3 p) { return std::abs(p.x); });
+      const Vec3 widest =
+          *std::ranges::max_element(in[r], {}, [](Vec3 p) { return std::abs(p.x); });
       rings_[r] = {{std::abs(widest.x), 0.5F * (front.z - back.z)}, 0.5F * (front.z + back.z)};
     }
   }
@@ -363,14 +359,12 @@ float arm_depth(const Skeleton& skeleton, const Trunk& trunk, const SkinnedMesh&
   const Vec3 elbow = place(left ? BodyPart::LeftElbow : BodyPart::RightElbow);
   const Vec3 wrist = place(left ? BodyPart::LeftWrist : BodyPart::RightWrist);
   const BodyPart tip_part = left ? BodyPart::LeftHandTip : BodyPart::RightHandTip;
-  const Vec3 tip = skeleton[tip_part] == JointIndex::None ? wrist + 0.5F * (wrist - elbow)
-                                                          : place(tip_part);
+  const Vec3 tip =
+      skeleton[tip_part] == JointIndex::None ? wrist + 0.5F * (wrist - elbow) : place(tip_part);
   const auto into = [&](BodyPart part) {
-    const motion::JointPlace frame =
-        motion::place_of(skeleton, skeleton[part] == JointIndex::None ? JointIndex{0} : skeleton[part],
-                         pose);
-    const std::size_t j =
-        skeleton[part] == JointIndex::None ? 0 : docent::index_of(skeleton[part]);
+    const motion::JointPlace frame = motion::place_of(
+        skeleton, skeleton[part] == JointIndex::None ? JointIndex{0} : skeleton[part], pose);
+    const std::size_t j = skeleton[part] == JointIndex::None ? 0 : docent::index_of(skeleton[part]);
     // Trunk joints are bound without a turn, so going back is the place they were bound at.
     const Vec3 bound = -Vec3(body.inverse_bind[j][3]);
     return std::pair{frame, bound};
@@ -412,8 +406,7 @@ float spread_for(const Fit& fit, const SkinnedMesh& body,
   for (const MotionClip* clip : clips) {
     constexpr std::size_t every = 4;
     MotionClip moved = retarget(fit, *clip, spread);
-    while (spread < most &&
-           depth_of(fit.skeleton, trunk, body, moved, every) > -0.01F) {
+    while (spread < most && depth_of(fit.skeleton, trunk, body, moved, every) > -0.01F) {
       spread += step;
       spread_arms(fit.skeleton, step, moved);
     }

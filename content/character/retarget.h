@@ -14,8 +14,7 @@ MotionClip retarget(const Fit& fit, const MotionClip& clip, float spread = 0);
 
 /// How far the arms must be held further out, radians, so that in none of these clips an elbow, a
 /// forearm or a hand is inside the trunk; 0 for most. Never more than 60 degrees.
-float spread_for(const Fit& fit, const SkinnedMesh& body,
-                 std::span<const MotionClip* const> clips);
+float spread_for(const Fit& fit, const SkinnedMesh& body, std::span<const MotionClip* const> clips);
 
 /// The deepest that an elbow, forearm or hand is inside the trunk in a clip of the fitted skeleton,
 /// metres; 0 or less where they are free.

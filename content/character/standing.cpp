@@ -98,8 +98,8 @@ bool stands(const Body& body, Vec3 up) {
 
 /// The turn that stands the body upright and facing +z.
 std::optional<Mat4> upright(const Body& body, bool& is_turned_up) {
-  constexpr std::array<Vec3, 6> axes{
-      Vec3{0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}};
+  constexpr std::array<Vec3, 6> axes{Vec3{0, 1, 0}, {0, 0, 1}, {0, 0, -1},
+                                     {0, -1, 0},    {1, 0, 0}, {-1, 0, 0}};
   const auto up = std::ranges::find_if(axes, [&](Vec3 axis) { return stands(body, axis); });
   if (up == axes.end()) return {};
   is_turned_up = up != axes.begin();
@@ -131,7 +131,8 @@ Standing stand_up(const Model& model, const std::string& file, std::vector<std::
   if (!turn)
     throw content::ContentError(
         file, 0, 0, "not-humanoid",
-        "its bones are named as a person's are, and do not stand like one: the head is not over the "
+        "its bones are named as a person's are, and do not stand like one: the head is not over "
+        "the "
         "hips, the feet are not under them, or the hands are at the ground",
         "only what stands on two legs can be a guide; anything else can be an exhibit's object");
   if (is_turned_up) notes.emplace_back("it lay on its back or side, and was stood up");

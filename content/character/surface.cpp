@@ -37,8 +37,8 @@ class Placing {
     Mat4 blend{0};
     for (std::size_t k = 0; k < 4; ++k)
       if (const float share = primitive_.weight[vertex][static_cast<int>(k)]; share > 0)
-        blend += share * joint_[std::min<std::size_t>(primitive_.joint[vertex][k],
-                                                      joint_.size() - 1)];
+        blend +=
+            share * joint_[std::min<std::size_t>(primitive_.joint[vertex][k], joint_.size() - 1)];
     return blend;
   }
 
@@ -100,8 +100,8 @@ BoneShares merged(const std::array<std::pair<std::uint8_t, float>, 4>& parts) {
   for (const auto& [bone, share] : parts) {
     if (!(share > 0)) continue;
     const auto end = shares.bone.begin() + static_cast<std::ptrdiff_t>(count);
-    const auto at = static_cast<std::size_t>(std::find(shares.bone.begin(), end, bone) -
-                                             shares.bone.begin());
+    const auto at =
+        static_cast<std::size_t>(std::find(shares.bone.begin(), end, bone) - shares.bone.begin());
     if (at == count) shares.bone[count++] = bone;
     shares.share[at] += share;
   }
@@ -159,7 +159,8 @@ void add_primitive(const Placing& placing, const Primitive& primitive,
   }
   std::vector<std::uint32_t> indices = primitive.indices;
   if (2 * mirrored > vertices.size())
-    for (std::size_t k = 0; k + 2 < indices.size(); k += 3) std::swap(indices[k + 1], indices[k + 2]);
+    for (std::size_t k = 0; k + 2 < indices.size(); k += 3)
+      std::swap(indices[k + 1], indices[k + 2]);
 
   const auto first = static_cast<std::uint32_t>(surface.vertices.size());
   if (!primitive.normal.empty()) {
@@ -169,8 +170,8 @@ void add_primitive(const Placing& placing, const Primitive& primitive,
   }
   for (std::size_t k = 0; k + 2 < indices.size(); k += 3) {
     const Vec3 a = vertices[indices[k]].position;
-    const Vec3 across = glm::cross(vertices[indices[k + 1]].position - a,
-                                   vertices[indices[k + 2]].position - a);
+    const Vec3 across =
+        glm::cross(vertices[indices[k + 1]].position - a, vertices[indices[k + 2]].position - a);
     const float length = glm::length(across);
     for (std::size_t c = 0; c < 3; ++c) {
       SurfaceVertex corner = vertices[indices[k + c]];
@@ -199,8 +200,7 @@ Extent extent_of(const Model& model, const Standing& standing) {
   return extent;
 }
 
-Surface surface_of(const Model& model, const Standing& standing,
-                   std::vector<std::string>& notes) {
+Surface surface_of(const Model& model, const Standing& standing, std::vector<std::string>& notes) {
   const BoneOfNode bone_of(model, standing);
   const std::vector<bool> is_held = held_at_once(model, bone_of, notes);
   Surface surface;
@@ -208,15 +208,14 @@ Surface surface_of(const Model& model, const Standing& standing,
     if (is_held[entry(n)]) return;
     const std::int32_t skin = model.nodes[entry(n)].skin;
     const bool is_skinned = skin >= 0 && !primitive.joint.empty();
-    std::vector<BoneShares> shares(primitive.position.size(),
-                                   {.bone = {bone_of[n]}, .share = {1}});
+    std::vector<BoneShares> shares(primitive.position.size(), {.bone = {bone_of[n]}, .share = {1}});
     for (std::size_t v = 0; is_skinned && v < shares.size(); ++v) {
       const import::gltf::Skin& it = model.skins[entry(skin)];
       std::array<std::pair<std::uint8_t, float>, 4> parts{};
       for (std::size_t k = 0; k < 4; ++k)
-        parts[k] = {bone_of[it.joints[std::min<std::size_t>(primitive.joint[v][k],
-                                                            it.joints.size() - 1)]],
-                    primitive.weight[v][static_cast<int>(k)]};
+        parts[k] = {
+            bone_of[it.joints[std::min<std::size_t>(primitive.joint[v][k], it.joints.size() - 1)]],
+            primitive.weight[v][static_cast<int>(k)]};
       shares[v] = merged(parts);
     }
     add_primitive(Placing(model, standing.bind, n, primitive), primitive, shares, surface);

@@ -29,7 +29,8 @@ nlohmann::ordered_json facts_of(const character::Character& it, const character:
   facts["triangles_in"] = it.extent.triangles;
   facts["triangles"] = it.body.surface.indices.size() / 3;
   facts["joints"] = it.joints;
-  const double height = static_cast<double>(it.extent.high.y) - static_cast<double>(it.extent.low.y);
+  const double height =
+      static_cast<double>(it.extent.high.y) - static_cast<double>(it.extent.low.y);
   facts["height"] = std::round(height * 1e4) / 1e4;
   facts["rest_pose"] = character::name_of(it.standing.pose);
   facts["bones"] = nlohmann::ordered_json::object();
@@ -80,8 +81,7 @@ int run_figure(const FigureOptions& options) {
   tell_notes(it.notes, options);
   if (!options.sheet.empty()) {
     const Result<void> written = image::write_png(options.sheet, compile::draw_own_figure(it));
-    if (!written)
-      throw content::to_content_error(written.error(), options.sheet, "cannot-write");
+    if (!written) throw content::to_content_error(written.error(), options.sheet, "cannot-write");
   }
   fmt::print("{}\n", options.json ? facts_of(it, m).dump(-1, ' ', false,
                                                          nlohmann::json::error_handler_t::replace)

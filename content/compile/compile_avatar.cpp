@@ -30,9 +30,8 @@ void plan_avatar_stages(Progress& progress) {
   progress.plan("avatar", 15);
 }
 
-CompiledAvatar compile_avatar(const AvatarSources& sources,
-                              motion::offline::Enrichment enrichment, unsigned jobs,
-                              Progress& progress) {
+CompiledAvatar compile_avatar(const AvatarSources& sources, motion::offline::Enrichment enrichment,
+                              unsigned jobs, Progress& progress) {
   CompiledAvatar compiled;
   try {
     std::optional<OwnFigure> own;

@@ -28,8 +28,7 @@ struct AvatarSources {
 
 /// Compiles the clips of the folders, for the museum's own character where it has one. What is
 /// wrong with them is in `problems`; where any of it is an error, the rest is empty.
-CompiledAvatar compile_avatar(const AvatarSources& sources,
-                              motion::offline::Enrichment enrichment, unsigned jobs,
-                              Progress& progress);
+CompiledAvatar compile_avatar(const AvatarSources& sources, motion::offline::Enrichment enrichment,
+                              unsigned jobs, Progress& progress);
 
 }  // namespace docent::compile

@@ -45,8 +45,8 @@ double stand_on_ground(const Skeleton& skeleton, std::vector<motion::offline::So
 bool is_like_ours(const character::Measures& m, const character::Fit& fit) {
   constexpr float usual_toe = 0.025F;
   const float hips = m.hip / m.crown, shoulders = m.shoulder.y / m.crown;
-  return hips > 0.46F && hips < 0.60F && shoulders > 0.74F && shoulders < 0.88F &&
-         m.crown > 1.3F && std::abs(fit.toe_rest - usual_toe * fit.legs) < 0.015F;
+  return hips > 0.46F && hips < 0.60F && shoulders > 0.74F && shoulders < 0.88F && m.crown > 1.3F &&
+         std::abs(fit.toe_rest - usual_toe * fit.legs) < 0.015F;
 }
 
 }  // namespace
@@ -64,19 +64,18 @@ OwnFigure::OwnFigure(const std::filesystem::path& model, std::vector<Diagnostic>
 }
 
 double OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceClip>& clips,
-                     unsigned jobs) {
+                       unsigned jobs) {
   const double rest = stand_on_ground(skeleton, clips, jobs);
-  const character::Fit fit =
-      character::fit_skeleton(skeleton, measures_, static_cast<float>(rest));
+  const character::Fit fit = character::fit_skeleton(skeleton, measures_, static_cast<float>(rest));
   body_ = character::bind_body(character_, measures_, fit);
   std::vector<const MotionClip*> walks;
   for (const motion::offline::SourceClip& source : clips) walks.push_back(&source.clip);
   const float spread = character::spread_for(fit, body_, walks);
   if (spread > 0)
-    problems_.push_back(note(character_.file,
-                             fmt::format("its arms are held {:.0f} degrees further out, so that "
-                                         "they are free of its trunk",
-                                         spread * 180 / std::numbers::pi)));
+    problems_.push_back(
+        note(character_.file, fmt::format("its arms are held {:.0f} degrees further out, so that "
+                                          "they are free of its trunk",
+                                          spread * 180 / std::numbers::pi)));
   content::for_each_index(clips.size(), jobs, [&](std::size_t c) {
     clips[c].clip = character::retarget(fit, clips[c].clip, spread);
   });
@@ -111,15 +110,13 @@ Pixels draw_own_figure(const character::Character& character) {
   }
   const double rest = stand_on_ground(skeleton, clips, 1);
   const character::Measures measures = character::measure(character);
-  const character::Fit fit =
-      character::fit_skeleton(skeleton, measures, static_cast<float>(rest));
+  const character::Fit fit = character::fit_skeleton(skeleton, measures, static_cast<float>(rest));
   const SkinnedMesh body = character::bind_body(character, measures, fit);
   const auto walk = std::ranges::find(clips, "walk", [](const auto& c) { return c.clip.name; });
   const MotionClip& shown = (walk == clips.end() ? clips.front() : *walk).clip;
   const MotionClip* one = &shown;
   const float spread = character::spread_for(fit, body, {&one, 1});
-  return character::draw_sheet(fit.skeleton, body,
-                               character::retarget(fit, shown, spread));
+  return character::draw_sheet(fit.skeleton, body, character::retarget(fit, shown, spread));
 }
 
 }  // namespace docent::compile

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float body_height = 1.85F;
 constexpr float most_height = 2.15F;  // a museum's own character may be taller than our guides
-constexpr float body_reach = 0.55F;  // metres from the hips to a hand or foot, along x or z
+constexpr float body_reach = 0.55F;   // metres from the hips to a hand or foot, along x or z
 
 // A uniform block may have 16 KB in every OpenGL ES 3.0, and a range of a buffer
 // begin at a multiple of 256 bytes at worst. Both are those of avatar_record.glsl.

@@ -19,11 +19,14 @@ enum class Kind : std::uint32_t {
 std::size_t size_of(Kind kind) {
   switch (kind) {
     case Kind::Byte:
-    case Kind::UnsignedByte: return 1;
+    case Kind::UnsignedByte:
+      return 1;
     case Kind::Short:
-    case Kind::UnsignedShort: return 2;
+    case Kind::UnsignedShort:
+      return 2;
     case Kind::UnsignedInt:
-    case Kind::Float: return 4;
+    case Kind::Float:
+      return 4;
   }
   return 4;
 }
@@ -38,9 +41,11 @@ Kind kind_of(const Part& part) {
 
 std::size_t components_of(const Part& part) {
   const std::string type = part.text();
-  for (const auto& [name, components] :
-       {std::pair<std::string_view, std::size_t>{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3},
-        {"VEC4", 4}, {"MAT4", 16}})
+  for (const auto& [name, components] : {std::pair<std::string_view, std::size_t>{"SCALAR", 1},
+                                         {"VEC2", 2},
+                                         {"VEC3", 3},
+                                         {"VEC4", 4},
+                                         {"MAT4", 16}})
     if (type == name) return components;
   part.fail("is a type that is not read here");
 }
@@ -58,12 +63,18 @@ double value_at(Kind kind, bool is_normalised, const char* bytes) {
     return share > 0 ? std::max(value / most, -1.0) : value;
   };
   switch (kind) {
-    case Kind::Byte: return scaled(number_at<std::int8_t>(bytes), 127);
-    case Kind::UnsignedByte: return scaled(number_at<std::uint8_t>(bytes), 255);
-    case Kind::Short: return scaled(number_at<std::int16_t>(bytes), 32767);
-    case Kind::UnsignedShort: return scaled(number_at<std::uint16_t>(bytes), 65535);
-    case Kind::UnsignedInt: return scaled(number_at<std::uint32_t>(bytes), 4294967295.0);
-    case Kind::Float: return number_at<float>(bytes);
+    case Kind::Byte:
+      return scaled(number_at<std::int8_t>(bytes), 127);
+    case Kind::UnsignedByte:
+      return scaled(number_at<std::uint8_t>(bytes), 255);
+    case Kind::Short:
+      return scaled(number_at<std::int16_t>(bytes), 32767);
+    case Kind::UnsignedShort:
+      return scaled(number_at<std::uint16_t>(bytes), 65535);
+    case Kind::UnsignedInt:
+      return scaled(number_at<std::uint32_t>(bytes), 4294967295.0);
+    case Kind::Float:
+      return number_at<float>(bytes);
   }
   return 0;
 }
@@ -81,14 +92,14 @@ Elements elements_of(Source& source, const Part& part, std::size_t count, std::s
   const Source::View view = source.view(part["bufferView"].whole(0, UINT32_MAX));
   const std::uint64_t offset = part["byteOffset"].whole_or(0, UINT32_MAX);
   const std::size_t stride = view.stride == 0 ? size : view.stride;
-  if (stride < size)
-    part.fail(fmt::format("has elements of {} bytes, {} apart", size, stride));
+  if (stride < size) part.fail(fmt::format("has elements of {} bytes, {} apart", size, stride));
   // count <= most_corners and stride <= 256, so nothing overflows.
   const std::size_t end = count == 0 ? 0 : (count - 1) * stride + size;
   if (offset > view.bytes.size() || end > view.bytes.size() - offset)
-    part.fail(fmt::format("claims {} elements ({} bytes from {} on), and its bufferView has {} "
-                          "bytes",
-                          count, end, offset, view.bytes.size()));
+    part.fail(
+        fmt::format("claims {} elements ({} bytes from {} on), and its bufferView has {} "
+                    "bytes",
+                    count, end, offset, view.bytes.size()));
   return {view.bytes.substr(offset), stride, size};
 }
 
@@ -112,8 +123,7 @@ void for_each_element(Source& source, const Part& part, std::size_t count, std::
   const Elements value = elements_of(source, sparse["values"], replaced, size);
   for (std::size_t i = 0; i < replaced; ++i) {
     const auto place = static_cast<std::size_t>(value_at(kind, false, at.at(i)));
-    if (place >= count)
-      places.fail(fmt::format("names element {} of {}", place, count));
+    if (place >= count) places.fail(fmt::format("names element {} of {}", place, count));
     take(place, value.at(i));
   }
 }
@@ -180,9 +190,8 @@ Indices read_indices(Source& source, std::uint64_t accessor, const Part& asked_b
   for_each_element(source, layout.part, layout.count, one * layout.components,
                    [&](std::size_t place, const char* bytes) {
                      for (std::size_t c = 0; c < layout.components; ++c)
-                       indices.value[place * layout.components + c] =
-                           static_cast<std::uint32_t>(
-                               value_at(layout.kind, false, bytes + c * one));
+                       indices.value[place * layout.components + c] = static_cast<std::uint32_t>(
+                           value_at(layout.kind, false, bytes + c * one));
                    });
   return indices;
 }

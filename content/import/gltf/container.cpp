@@ -23,8 +23,7 @@ constexpr int deepest_json = 64;
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;)
-    value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+  for (std::size_t i = 4; i-- > 0;) value = value << 8U | static_cast<std::uint8_t>(bytes[at + i]);
   return value;
 }
 
@@ -80,8 +79,8 @@ Container open_glb(std::string_view bytes, const std::string& file) {
     fail(file, fmt::format("this is GLB version {}, and only 2 can be read", version));
   const std::uint32_t length = number_at(bytes, 8);
   if (length > bytes.size())
-    fail(file, fmt::format("the file is cut short: it has {} of its {} bytes", bytes.size(),
-                           length));
+    fail(file,
+         fmt::format("the file is cut short: it has {} of its {} bytes", bytes.size(), length));
   if (length < glb_header) fail(file, "this GLB says that it is shorter than its own header");
   bytes = bytes.substr(0, length);
   std::size_t at = glb_header;

@@ -23,14 +23,13 @@ void each_of(Source& source, const char* list, Check check) {
 }
 
 void check_bounds(const Part& view, const Part& buffers) {
-  const auto buffer = static_cast<std::size_t>(
-      std::max(view["buffer"].index_or_none(buffers.size(), "buffer"), 0));
+  const auto buffer =
+      static_cast<std::size_t>(std::max(view["buffer"].index_or_none(buffers.size(), "buffer"), 0));
   const std::uint64_t most = buffers.at(buffer)["byteLength"].whole(1, UINT32_MAX);
   const std::uint64_t end =
       view["byteOffset"].whole_or(0, UINT32_MAX) + view["byteLength"].whole(1, UINT32_MAX);
   const Part extensions = view["extensions"];
-  const bool is_packed =
-      extensions.is_there() && extensions["EXT_meshopt_compression"].is_there();
+  const bool is_packed = extensions.is_there() && extensions["EXT_meshopt_compression"].is_there();
   if (!is_packed && end > most)
     view.fail(fmt::format("reaches to byte {}, beyond the {} of its buffer", end, most));
 }
@@ -71,12 +70,10 @@ void look_over(Source& source) {
       if (const Part texture = part[name]; texture.is_there())
         texture["index"].index_or_none(count("textures"), "texture");
   });
-  each_of(source, "skins", [&](const Part& part) {
-    part["skeleton"].index_or_none(count("nodes"), "node");
-  });
-  each_of(source, "nodes", [&](const Part& part) {
-    part["camera"].index_or_none(count("cameras"), "camera");
-  });
+  each_of(source, "skins",
+          [&](const Part& part) { part["skeleton"].index_or_none(count("nodes"), "node"); });
+  each_of(source, "nodes",
+          [&](const Part& part) { part["camera"].index_or_none(count("cameras"), "camera"); });
   each_of(source, "meshes", [&](const Part& part) {
     const Part primitives = part["primitives"];
     if (primitives.size() == 0) primitives.fail("is empty");

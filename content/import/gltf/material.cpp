@@ -11,9 +11,12 @@ namespace {
 
 Wrap wrap_of(const Part& part) {
   switch (part.whole_or(10497, UINT32_MAX)) {
-    case 33071: return Wrap::Clamp;
-    case 33648: return Wrap::Mirror;
-    default: return Wrap::Repeat;
+    case 33071:
+      return Wrap::Clamp;
+    case 33648:
+      return Wrap::Mirror;
+    default:
+      return Wrap::Repeat;
   }
 }
 
@@ -48,8 +51,8 @@ void take_texture(Source& source, const Part& use, Material& material) {
       material.uv_offset = pair(transform["offset"], glm::vec2(0));
       material.uv_scale = pair(transform["scale"], glm::vec2(1));
       material.uv_turn = transform["rotation"].number_or(0);
-      material.uv_set = static_cast<std::uint32_t>(
-          transform["texCoord"].whole_or(material.uv_set, most_sets));
+      material.uv_set =
+          static_cast<std::uint32_t>(transform["texCoord"].whole_or(material.uv_set, most_sets));
     }
 }
 
@@ -105,9 +108,10 @@ Pixels read_image(Source& source, std::size_t index) {
   const Part part = source.root()["images"].at(index);
   const std::optional<std::string> bytes = bytes_of_image(source, part);
   if (!bytes) {
-    source.warn(fmt::format("{}: there is no file '{}' beside the model; its colour is used "
-                            "without the picture",
-                            part.name(), plain_name(part["uri"].text())));
+    source.warn(
+        fmt::format("{}: there is no file '{}' beside the model; its colour is used "
+                    "without the picture",
+                    part.name(), plain_name(part["uri"].text())));
     return {};
   }
   Result<Pixels> pixels = decode(*bytes);

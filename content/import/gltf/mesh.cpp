@@ -119,9 +119,10 @@ class PrimitiveReader {
     for (std::size_t i = 1; mode == Mode::Fan && i + 1 < list.size(); ++i)
       add(list[0], list[i], list[i + 1]);
     if (wrong > 0)
-      source_.warn(fmt::format("{}.indices names vertices that are not there; {} triangle{} left "
-                               "out",
-                               part_.name(), wrong, wrong == 1 ? " is" : "s are"));
+      source_.warn(
+          fmt::format("{}.indices names vertices that are not there; {} triangle{} left "
+                      "out",
+                      part_.name(), wrong, wrong == 1 ? " is" : "s are"));
   }
 
   void take_normals() {
@@ -140,8 +141,8 @@ class PrimitiveReader {
     if (numbers.components != 2) return;
     const float c = std::cos(material.uv_turn), s = std::sin(material.uv_turn);
     for (std::size_t i = 0; i < numbers.count; ++i) {
-      const glm::vec2 at = material.uv_scale * glm::vec2(numbers.value[2 * i],
-                                                         numbers.value[2 * i + 1]);
+      const glm::vec2 at =
+          material.uv_scale * glm::vec2(numbers.value[2 * i], numbers.value[2 * i + 1]);
       primitive_.uv.push_back(material.uv_offset +
                               glm::vec2(c * at.x + s * at.y, -s * at.x + c * at.y));
     }
@@ -184,9 +185,10 @@ class PrimitiveReader {
       primitive_.weight.push_back(total > 0 ? weight / total : Vec4{1, 0, 0, 0});
     }
     if (unbound > 0)
-      source_.warn(fmt::format("{} names joints that its skin does not have ({} times); these are "
-                               "left out",
-                               attribute("JOINTS_0").name(), unbound));
+      source_.warn(
+          fmt::format("{} names joints that its skin does not have ({} times); these are "
+                      "left out",
+                      attribute("JOINTS_0").name(), unbound));
   }
 
   Source& source_;

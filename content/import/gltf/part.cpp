@@ -47,8 +47,7 @@ std::uint64_t Part::whole(std::uint64_t least, std::uint64_t most) const {
 std::int32_t Part::index_or_none(std::size_t count, std::string_view noun) const {
   if (!is_there()) return -1;
   const std::uint64_t index = whole(0, UINT64_MAX);
-  if (index >= count)
-    fail(fmt::format("names {} {}, and the file has {}", noun, index, count));
+  if (index >= count) fail(fmt::format("names {} {}, and the file has {}", noun, index, count));
   return static_cast<std::int32_t>(index);
 }
 

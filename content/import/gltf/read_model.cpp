@@ -14,11 +14,18 @@ namespace docent::import::gltf {
 namespace {
 
 /// What a file may require of its reader; materials' extensions beyond these only look less fine.
-constexpr std::array known_extensions{
-    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
-    "KHR_texture_transform",      "KHR_lights_punctual",     "EXT_texture_webp",
-    "EXT_texture_avif",           "VRM",                     "VRMC_vrm",
-    "VRMC_springBone",            "VRMC_node_constraint",    "VRMC_springBone_extended_collider"};
+constexpr std::array known_extensions{"KHR_draco_mesh_compression",
+                                      "EXT_meshopt_compression",
+                                      "KHR_mesh_quantization",
+                                      "KHR_texture_transform",
+                                      "KHR_lights_punctual",
+                                      "EXT_texture_webp",
+                                      "EXT_texture_avif",
+                                      "VRM",
+                                      "VRMC_vrm",
+                                      "VRMC_springBone",
+                                      "VRMC_node_constraint",
+                                      "VRMC_springBone_extended_collider"};
 
 void check_extensions(const Source& source) {
   const Part required = source.root()["extensionsRequired"];
@@ -26,8 +33,7 @@ void check_extensions(const Source& source) {
     const std::string name = required.at(i).text();
     if (std::ranges::find(known_extensions, name) == known_extensions.end() &&
         !name.starts_with("KHR_materials_") && !name.starts_with("VRMC_materials_"))
-      required.at(i).fail(
-          fmt::format("is {}, which cannot be read here", plain_name(name)));
+      required.at(i).fail(fmt::format("is {}, which cannot be read here", plain_name(name)));
   }
 }
 
@@ -67,15 +73,15 @@ void read_images(Source& source, Model& model) {
   for (const Mesh& mesh : model.meshes)
     for (const Primitive& primitive : mesh.primitives) {
       if (primitive.material < 0) continue;
-      const std::int32_t image = model.materials[static_cast<std::size_t>(primitive.material)].image;
+      const std::int32_t image =
+          model.materials[static_cast<std::size_t>(primitive.material)].image;
       if (image < 0) continue;
       const auto index = static_cast<std::size_t>(image);
       if (is_read[index]) continue;
       is_read[index] = true;
       model.images[index] = read_image(source, index);
       pixels += std::size_t{model.images[index].width} * model.images[index].height;
-      if (pixels > most_pixels)
-        source.root()["images"].fail("have too many pixels in all");
+      if (pixels > most_pixels) source.root()["images"].fail("have too many pixels in all");
     }
 }
 

@@ -60,8 +60,7 @@ void read_nodes(Source& source, Model& model) {
     const Part children = part["children"];
     for (std::size_t c = 0; c < children.size(); ++c) {
       const Part child = children.at(c);
-      const auto index =
-          static_cast<std::size_t>(child.index_or_none(nodes.size(), "node"));
+      const auto index = static_cast<std::size_t>(child.index_or_none(nodes.size(), "node"));
       if (model.nodes[index].parent != none)
         child.fail(fmt::format("names node {}, which hangs on node {} already", index,
                                model.nodes[index].parent));
@@ -89,8 +88,8 @@ void put_in_order(Source& source, Model& model) {
   if (model.order.size() == model.nodes.size()) return;
   std::vector<bool> is_reached(model.nodes.size());
   for (const std::int32_t i : model.order) is_reached[static_cast<std::size_t>(i)] = true;
-  const auto lost = static_cast<std::size_t>(
-      std::ranges::find(is_reached, false) - is_reached.begin());
+  const auto lost =
+      static_cast<std::size_t>(std::ranges::find(is_reached, false) - is_reached.begin());
   source.root()["nodes"].at(lost).fail("hangs on itself: nodes form a ring");
 }
 
@@ -135,12 +134,11 @@ void read_skins(Source& source, Model& model) {
       skin.joints.push_back(joints.at(j).index_or_none(model.nodes.size(), "node"));
     skin.inverse_bind.assign(skin.joints.size(), Mat4{1});
     if (const Part matrices = part["inverseBindMatrices"]; matrices.is_there()) {
-      const Numbers numbers =
-          read_numbers(source, matrices.whole(0, UINT32_MAX), matrices);
+      const Numbers numbers = read_numbers(source, matrices.whole(0, UINT32_MAX), matrices);
       if (numbers.components != 16) matrices.fail("must be of type MAT4");
       if (numbers.count < skin.joints.size())
-        matrices.fail(fmt::format("has {} matrices for {} joints", numbers.count,
-                                  skin.joints.size()));
+        matrices.fail(
+            fmt::format("has {} matrices for {} joints", numbers.count, skin.joints.size()));
       for (std::size_t j = 0; j < skin.joints.size(); ++j)
         skin.inverse_bind[j] = glm::make_mat4(numbers.value.data() + 16 * j);
     }

@@ -109,8 +109,7 @@ std::optional<std::string> Source::bytes_of_uri(const Part& uri) {
 std::string_view Source::buffer(std::uint64_t index, const Part& asked_by) {
   const Part buffers = root()["buffers"];
   if (index >= buffers.size())
-    asked_by.fail(
-        fmt::format("names buffer {}, and the file has {}", index, buffers.size()));
+    asked_by.fail(fmt::format("names buffer {}, and the file has {}", index, buffers.size()));
   const Part part = buffers.at(index);
   const std::uint64_t length = part["byteLength"].whole(1, UINT32_MAX);
   const Part uri = part["uri"];
@@ -123,8 +122,7 @@ std::string_view Source::buffer(std::uint64_t index, const Part& asked_by) {
     auto found = buffers_.find(index);
     if (found == buffers_.end()) {
       std::optional<std::string> read = bytes_of_uri(uri);
-      if (!read)
-        uri.fail(fmt::format("names '{}', which is not there", plain_name(uri.text())));
+      if (!read) uri.fail(fmt::format("names '{}', which is not there", plain_name(uri.text())));
       found = buffers_.emplace(index, std::move(*read)).first;
     }
     bytes = found->second;
@@ -140,8 +138,8 @@ std::string_view Source::unpacked(const Part& view, const Part& packed, std::uin
   const std::uint64_t count = packed["count"].whole(1, most_corners);
   const std::uint64_t stride = packed["byteStride"].whole(1, 256);
   if (count * stride != length)
-    view.fail(fmt::format("says that it is {} bytes long, and unpacks to {}", length,
-                          count * stride));
+    view.fail(
+        fmt::format("says that it is {} bytes long, and unpacks to {}", length, count * stride));
   if (length > most_unpacked - unpacked_bytes_)
     view.fail(fmt::format("unpacks to more than {} MB in all", most_unpacked >> 20U));
   unpacked_bytes_ += length;

@@ -18,8 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Character made(const test::MadeCharacter& how) {
-  return make_character(import::gltf::parse_model(test::make_glb(how), "made.glb", {}),
-                        "made.glb");
+  return make_character(import::gltf::parse_model(test::make_glb(how), "made.glb", {}), "made.glb");
 }
 
 std::string refusal_of(const std::function<void()>& read) {
@@ -110,8 +109,8 @@ TEST(Character, OfTheReferenceDataIsWhatItsFactsSay) {
 TEST(Character, ThatIsBrokenIsRefusedWithASentence) {
   NEEDS_REFERENCE_DATA("models/broken");
   std::size_t count = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           test::reference_data() / "models/broken")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(test::reference_data() / "models/broken")) {
     const std::string kind = entry.path().extension();
     if (kind != ".gltf" && kind != ".glb" && kind != ".vrm" && kind != ".stl" && kind != ".obj" &&
         kind != ".ply")

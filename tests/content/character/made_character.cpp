@@ -18,9 +18,9 @@ struct MadeJoint {
   const char* mixamo;
   const char* vrm;
   int parent;
-  Vec3 place;     ///< World, metres.
-  Vec3 box_end;   ///< The box reaches from the joint to here...
-  Vec3 half;      ///< ... this far to the sides.
+  Vec3 place;    ///< World, metres.
+  Vec3 box_end;  ///< The box reaches from the joint to here...
+  Vec3 half;     ///< ... this far to the sides.
 };
 
 std::vector<MadeJoint> joints_of(const MadeCharacter& made) {
@@ -42,23 +42,41 @@ std::vector<MadeJoint> joints_of(const MadeCharacter& made) {
     const int first = static_cast<int>(joints.size());
     const Vec3 thin{0.05F, 0.05F, 0.05F};
     joints.push_back({left ? "LeftShoulder" : "RightShoulder",
-                      left ? "leftShoulder" : "rightShoulder", 2,
-                      {x * 0.04F, hip + 0.49F, 0}, along(0), thin});
-    joints.push_back({left ? "LeftArm" : "RightArm", left ? "leftUpperArm" : "rightUpperArm",
-                      first, along(0), along(0.28F), thin});
+                      left ? "leftShoulder" : "rightShoulder",
+                      2,
+                      {x * 0.04F, hip + 0.49F, 0},
+                      along(0),
+                      thin});
+    joints.push_back({left ? "LeftArm" : "RightArm", left ? "leftUpperArm" : "rightUpperArm", first,
+                      along(0), along(0.28F), thin});
     joints.push_back({left ? "LeftForeArm" : "RightForeArm",
                       left ? "leftLowerArm" : "rightLowerArm", first + 1, along(0.28F),
                       along(0.52F), 0.8F * thin});
     joints.push_back({left ? "LeftHand" : "RightHand", left ? "leftHand" : "rightHand", first + 2,
                       along(0.52F), along(0.68F), 0.7F * thin});
-    joints.push_back({left ? "LeftUpLeg" : "RightUpLeg", left ? "leftUpperLeg" : "rightUpperLeg",
-                      0, {x * 0.09F, hip, 0}, {x * 0.09F, knee, 0}, {0.07F, 0, 0.07F}});
-    joints.push_back({left ? "LeftLeg" : "RightLeg", left ? "leftLowerLeg" : "rightLowerLeg",
-                      first + 4, {x * 0.09F, knee, 0}, {x * 0.09F, ankle, 0}, {0.05F, 0, 0.05F}});
-    joints.push_back({left ? "LeftFoot" : "RightFoot", left ? "leftFoot" : "rightFoot", first + 5,
-                      {x * 0.09F, ankle, 0}, {x * 0.09F, 0, 0.12F}, {0.045F, 0, 0.03F}});
-    joints.push_back({left ? "LeftToeBase" : "RightToeBase", left ? "leftToes" : "rightToes",
-                      first + 6, {x * 0.09F, 0.02F, 0.12F}, {x * 0.09F, 0, 0.2F},
+    joints.push_back({left ? "LeftUpLeg" : "RightUpLeg",
+                      left ? "leftUpperLeg" : "rightUpperLeg",
+                      0,
+                      {x * 0.09F, hip, 0},
+                      {x * 0.09F, knee, 0},
+                      {0.07F, 0, 0.07F}});
+    joints.push_back({left ? "LeftLeg" : "RightLeg",
+                      left ? "leftLowerLeg" : "rightLowerLeg",
+                      first + 4,
+                      {x * 0.09F, knee, 0},
+                      {x * 0.09F, ankle, 0},
+                      {0.05F, 0, 0.05F}});
+    joints.push_back({left ? "LeftFoot" : "RightFoot",
+                      left ? "leftFoot" : "rightFoot",
+                      first + 5,
+                      {x * 0.09F, ankle, 0},
+                      {x * 0.09F, 0, 0.12F},
+                      {0.045F, 0, 0.03F}});
+    joints.push_back({left ? "LeftToeBase" : "RightToeBase",
+                      left ? "leftToes" : "rightToes",
+                      first + 6,
+                      {x * 0.09F, 0.02F, 0.12F},
+                      {x * 0.09F, 0, 0.2F},
                       {0.045F, 0.01F, 0.01F}});
   }
   return joints;
@@ -77,9 +95,9 @@ struct Bytes {
     while (data.size() % 4 != 0) data += '\0';
     views += fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}",
                          count == 0 ? "" : ",", at, numbers.size() * sizeof(Number));
-    accessors += fmt::format(
-        "{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"}}",
-        count == 0 ? "" : ",", count, component, elements, type);
+    accessors +=
+        fmt::format("{}{{\"bufferView\":{},\"componentType\":{},\"count\":{},\"type\":\"{}\"}}",
+                    count == 0 ? "" : ",", count, component, elements, type);
     ++count;
   }
 };
@@ -97,7 +115,9 @@ std::string make_glb(const MadeCharacter& made) {
   std::vector<float> position, weight, inverse_bind;
   std::vector<std::uint8_t> bound;
   std::vector<std::uint16_t> index;
-  const auto out = [&](Vec3 p) { return (made.faces_back ? Vec3{-p.x, p.y, -p.z} : p) / made.unit; };
+  const auto out = [&](Vec3 p) {
+    return (made.faces_back ? Vec3{-p.x, p.y, -p.z} : p) / made.unit;
+  };
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Vec3 low = glm::min(joints[j].place, joints[j].box_end) - joints[j].half;
     const Vec3 high = glm::max(joints[j].place, joints[j].box_end) + joints[j].half;
@@ -131,17 +151,15 @@ std::string make_glb(const MadeCharacter& made) {
     for (std::size_t c = 0; c < joints.size(); ++c)
       if (joints[c].parent == static_cast<int>(j))
         children += fmt::format("{}{}", children.empty() ? "" : ",", c);
-    const Vec3 above = joints[j].parent < 0
-                           ? Vec3{0}
-                           : joints[static_cast<std::size_t>(joints[j].parent)].place;
+    const Vec3 above =
+        joints[j].parent < 0 ? Vec3{0} : joints[static_cast<std::size_t>(joints[j].parent)].place;
     const Vec3 off = out(joints[j].place) - out(above);
-    nodes += fmt::format("{}{{{}\"translation\":[{},{},{}]{}}}", j == 0 ? "" : ",",
-                         made.has_names
-                             ? fmt::format("\"name\":\"mixamorig:{}\",", joints[j].mixamo)
-                             : std::string(),
-                         off.x, off.y, off.z,
-                         children.empty() ? std::string()
-                                          : fmt::format(",\"children\":[{}]", children));
+    nodes +=
+        fmt::format("{}{{{}\"translation\":[{},{},{}]{}}}", j == 0 ? "" : ",",
+                    made.has_names ? fmt::format("\"name\":\"mixamorig:{}\",", joints[j].mixamo)
+                                   : std::string(),
+                    off.x, off.y, off.z,
+                    children.empty() ? std::string() : fmt::format(",\"children\":[{}]", children));
     list += fmt::format("{}{}", j == 0 ? "" : ",", j);
     bones1 += fmt::format("{}\"{}\":{{\"node\":{}}}", j == 0 ? "" : ",", joints[j].vrm, j);
     bones0 += fmt::format("{}{{\"bone\":\"{}\",\"node\":{}}}", j == 0 ? "" : ",", joints[j].vrm, j);
@@ -157,10 +175,10 @@ std::string make_glb(const MadeCharacter& made) {
         R"("VRMC_springBone":{{"springs":[{{"joints":[]}}]}}}},)",
         bones1);
   if (made.is_vrm0)
-    extensions = fmt::format(
-        R"("extensions":{{"VRM":{{"humanoid":{{"humanBones":[{}]}},"blendShapeMaster":)"
-        R"({{"blendShapeGroups":[{{"name":"Blink","presetName":"blink"}}]}}}}}},)",
-        bones0);
+    extensions =
+        fmt::format(R"("extensions":{{"VRM":{{"humanoid":{{"humanBones":[{}]}},"blendShapeMaster":)"
+                    R"({{"blendShapeGroups":[{{"name":"Blink","presetName":"blink"}}]}}}}}},)",
+                    bones0);
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0"}},{}"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],)"
       R"("skins":[{{"joints":[{}],"inverseBindMatrices":4}}],"materials":[{{"pbrMetallicRoughness":)"

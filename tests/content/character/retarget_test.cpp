@@ -52,12 +52,14 @@ const Recording& recording() {
 struct Limb {
   BodyPart from, to;
 };
-constexpr std::array limbs{
-    Limb{BodyPart::LeftHip, BodyPart::LeftKnee},       Limb{BodyPart::LeftKnee, BodyPart::LeftAnkle},
-    Limb{BodyPart::RightHip, BodyPart::RightKnee},     Limb{BodyPart::RightKnee, BodyPart::RightAnkle},
-    Limb{BodyPart::LeftShoulder, BodyPart::LeftElbow}, Limb{BodyPart::LeftElbow, BodyPart::LeftWrist},
-    Limb{BodyPart::RightShoulder, BodyPart::RightElbow},
-    Limb{BodyPart::RightElbow, BodyPart::RightWrist}};
+constexpr std::array limbs{Limb{BodyPart::LeftHip, BodyPart::LeftKnee},
+                           Limb{BodyPart::LeftKnee, BodyPart::LeftAnkle},
+                           Limb{BodyPart::RightHip, BodyPart::RightKnee},
+                           Limb{BodyPart::RightKnee, BodyPart::RightAnkle},
+                           Limb{BodyPart::LeftShoulder, BodyPart::LeftElbow},
+                           Limb{BodyPart::LeftElbow, BodyPart::LeftWrist},
+                           Limb{BodyPart::RightShoulder, BodyPart::RightElbow},
+                           Limb{BodyPart::RightElbow, BodyPart::RightWrist}};
 
 Vec3 direction(const off::JointPositions& track, const Skeleton& skeleton, std::size_t frame,
                Limb limb) {
@@ -75,7 +77,7 @@ struct Judged {
 };
 
 double drift_of(const MotionClip& clip, const off::JointPositions& track, std::size_t toe,
-                bool FootPlants::*foot) {
+                bool FootPlants::* foot) {
   double worst = 0;
   for (std::size_t f = 0; f < clip.plants.size();) {
     std::size_t end = f;
@@ -108,17 +110,17 @@ Judged judge(const Character& character) {
         if (is_arm && spread > 0) continue;
         const float cosine = glm::dot(direction(track, fit.skeleton, f, limb),
                                       direction(old_track, from.skeleton, f, limb));
-        judged.limb_degrees =
-            std::max(judged.limb_degrees, std::acos(std::min(cosine, 1.0F)) * 180 / std::numbers::pi);
+        judged.limb_degrees = std::max(judged.limb_degrees,
+                                       std::acos(std::min(cosine, 1.0F)) * 180 / std::numbers::pi);
       }
       for (const BodyPart toe : {BodyPart::LeftToe, BodyPart::RightToe})
         judged.sunk = std::max<double>(
             judged.sunk, fit.toe_rest - track.at(f, docent::index_of(fit.skeleton[toe])).y);
     }
     const auto toe = [&](BodyPart part) { return docent::index_of(fit.skeleton[part]); };
-    judged.drift = std::max({judged.drift,
-                             drift_of(own, track, toe(BodyPart::LeftToe), &FootPlants::left),
-                             drift_of(own, track, toe(BodyPart::RightToe), &FootPlants::right)});
+    judged.drift =
+        std::max({judged.drift, drift_of(own, track, toe(BodyPart::LeftToe), &FootPlants::left),
+                  drift_of(own, track, toe(BodyPart::RightToe), &FootPlants::right)});
     judged.in_trunk = std::max<double>(judged.in_trunk, depth_in_trunk(fit.skeleton, body, own));
   }
   return judged;
@@ -132,8 +134,7 @@ void expect_good(const Judged& judged, double limb_degrees = 2) {
 }
 
 Character made(const test::MadeCharacter& how) {
-  return make_character(import::gltf::parse_model(test::make_glb(how), "made.glb", {}),
-                        "made.glb");
+  return make_character(import::gltf::parse_model(test::make_glb(how), "made.glb", {}), "made.glb");
 }
 
 TEST(Retarget, KeepsFeetAndLimbsOfWhoeverIsMade) {
