@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
-#include <initializer_list>
+#include <cstdlib>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,10 +24,10 @@ struct JointName {
 };
 
 /// Words that say nothing of which bone it is.
-constexpr std::array noise{
-    "mixamorig",  "bip",   "bip01", "bone", "bn",     "b",         "j",    "c",        "jnt",
-    "jt",         "joint", "jo",    "def",  "skel",   "character", "rig",  "armature", "skeleton",
-    "valvebiped", "bind",  "cc",    "base", "deform", "sk",        "root", "g",        "m"};
+constexpr std::array noise{"mixamorig", "bip",  "bip01",    "bone",     "bn",    "b",     "j",
+                           "c",         "jnt",  "jt",       "joint",    "jo",    "def",   "skel",
+                           "character", "rig",  "armature", "skeleton", "valve", "biped", "bind",
+                           "cc",        "base", "deform",   "sk",       "root",  "g",     "m"};
 /// Words of what moves bones, or of ends that are none.
 constexpr std::array controls{"ik",         "fk",       "pole",   "target", "ctrl",   "control",
                               "controller", "mch",      "org",    "twist",  "roll",   "end",
@@ -67,34 +68,6 @@ std::optional<Where> side_of(std::string_view word) {
   return {};
 }
 
-JointName taken_apart(std::string_view name) {
-  if (const std::size_t colon = name.find_last_of(":|"); colon != std::string_view::npos)
-    name.remove_prefix(colon + 1);
-  JointName joint;
-  for (std::string& word : words_of(name)) {
-    joint.deforms = joint.deforms || word == "def";
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
-      joint.number = std::atoi(word.substr(0, 6).c_str());
-      continue;
-    }
-    if (const auto side = side_of(word); side && joint.side == Where::Middle) {
-      joint.side = *side;
-      continue;
-    }
-    joint.is_control = joint.is_control || is_one_of(word, controls);
-    if (!is_one_of(word, noise)) joint.base += word;
-  }
-  for (const auto& [mark, side] : {std::pair<std::string_view, Where>{"左", Where::Left},
-                                   {"右", Where::Right},
-                                   {"left", Where::Left},
-                                   {"right", Where::Right}}) {
-    if (joint.side != Where::Middle || !joint.base.starts_with(mark)) continue;
-    joint.side = side;
-    joint.base.erase(0, mark.size());
-  }
-  return joint;
-}
-
 struct Synonyms {
   HumanBone left, right;                ///< The same where it is in the middle.
   std::vector<std::string_view> names;  ///< The surest first.
@@ -108,7 +81,7 @@ const std::vector<Synonyms>& synonyms() {
       {Neck, Neck, {"neck", "首"}},
       {LeftUpperLeg,
        RightUpperLeg,
-       {"upperleg", "upleg", "thigh", "thighbend", "femur", "legupper", "hip", "足"}},
+       {"upperleg", "upleg", "thigh", "thighbend", "femur", "legupper", "hip", "足", "leg"}},
       {LeftLowerLeg,
        RightLowerLeg,
        {"lowerleg", "shin", "calf", "tibia", "shank", "loleg", "leglower", "leg", "knee", "ひざ"}},
@@ -129,6 +102,67 @@ const std::vector<Synonyms>& synonyms() {
       {Jaw, Jaw, {"jaw"}},
   };
   return all;
+}
+
+/// "lfemur", "rhand": a side without a capital before a name that only sides have.
+void take_small_side(JointName& joint) {
+  if (joint.side != Where::Middle || joint.base.size() < 4) return;
+  const char first = joint.base.front();
+  if (first != 'l' && first != 'r') return;
+  const std::string_view rest = std::string_view(joint.base).substr(1);
+  const bool is_known = std::ranges::any_of(synonyms(), [&](const Synonyms& kind) {
+    return kind.left != kind.right && std::ranges::find(kind.names, rest) != kind.names.end();
+  });
+  if (!is_known) return;
+  joint.side = first == 'l' ? Where::Left : Where::Right;
+  joint.base.erase(0, 1);
+}
+
+/// The word that most names of a skeleton begin with, such as its character's own name; empty where
+/// there is none.
+std::string common_first_word(const import::gltf::Model& model, const std::vector<bool>& is_joint) {
+  std::map<std::string, std::size_t> count;
+  std::size_t joints = 0;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (!is_joint[i]) continue;
+    ++joints;
+    const std::vector<std::string> words = words_of(model.nodes[i].name);
+    if (words.size() > 1) ++count[words.front()];
+  }
+  for (const auto& [word, times] : count)
+    if (joints >= 12 && 10 * times > 7 * joints) return word;
+  return {};
+}
+
+JointName taken_apart(std::string_view name, std::string_view common) {
+  if (const std::size_t colon = name.find_last_of(":|"); colon != std::string_view::npos)
+    name.remove_prefix(colon + 1);
+  JointName joint;
+  std::vector<std::string> words = words_of(name);
+  if (words.size() > 1 && words.front() == common) words.erase(words.begin());
+  for (std::string& word : words) {
+    joint.deforms = joint.deforms || word == "def";
+    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
+      joint.number = std::atoi(word.substr(0, 6).c_str());
+      continue;
+    }
+    if (const auto side = side_of(word); side && joint.side == Where::Middle) {
+      joint.side = *side;
+      continue;
+    }
+    joint.is_control = joint.is_control || is_one_of(word, controls);
+    if (!is_one_of(word, noise)) joint.base += word;
+  }
+  for (const auto& [mark, side] : {std::pair<std::string_view, Where>{"左", Where::Left},
+                                   {"右", Where::Right},
+                                   {"left", Where::Left},
+                                   {"right", Where::Right}}) {
+    if (joint.side != Where::Middle || !joint.base.starts_with(mark)) continue;
+    joint.side = side;
+    joint.base.erase(0, mark.size());
+  }
+  take_small_side(joint);
+  return joint;
 }
 
 /// How well a node suits: less is better.
@@ -192,10 +226,16 @@ std::int32_t fork_of(const import::gltf::Model& model, std::int32_t a, std::int3
 /// a head is the last of the spine (Rigify's "DEF-spine.006").
 void name_ends_of_spine(const import::gltf::Model& model, const std::vector<JointName>& names,
                         BoneMap& bones) {
-  if (!bones.has(HumanBone::Hips) && bones.has(HumanBone::LeftUpperLeg) &&
-      bones.has(HumanBone::RightUpperLeg))
-    bones[HumanBone::Hips] =
+  const std::vector<bool> is_joint = skin_joints(model);
+  const auto moves_skin = [&](std::int32_t node) {
+    return node >= 0 && is_joint[static_cast<std::size_t>(node)];
+  };
+  if (bones.has(HumanBone::LeftUpperLeg) && bones.has(HumanBone::RightUpperLeg)) {
+    const std::int32_t fork =
         fork_of(model, bones[HumanBone::LeftUpperLeg], bones[HumanBone::RightUpperLeg]);
+    std::int32_t& hips = bones[HumanBone::Hips];
+    if (hips < 0 || (!moves_skin(hips) && moves_skin(fork))) hips = fork;
+  }
   if (bones.has(HumanBone::Head)) return;
   int highest = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -213,7 +253,9 @@ void name_ends_of_spine(const import::gltf::Model& model, const std::vector<Join
 BoneMap bones_by_name(const import::gltf::Model& model) {
   const std::vector<bool> is_joint = skin_joints(model);
   std::vector<JointName> names;
-  for (const import::gltf::Node& node : model.nodes) names.push_back(taken_apart(node.name));
+  const std::string common = common_first_word(model, is_joint);
+  for (const import::gltf::Node& node : model.nodes)
+    names.push_back(taken_apart(node.name, common));
 
   BoneMap bones;
   std::vector<bool> is_taken(model.nodes.size());

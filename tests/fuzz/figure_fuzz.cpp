@@ -12,8 +12,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace docent;
   try {
-    const import::gltf::Model model = import::gltf::parse_model(
-        {reinterpret_cast<const char*>(data), size}, "fuzz.glb", {});
+    const import::gltf::Model model =
+        import::gltf::parse_model({reinterpret_cast<const char*>(data), size}, "fuzz.glb", {});
     const character::Character it = character::make_character(model, "fuzz.glb");
     const character::Surface& surface = it.body.surface;
     if (surface.indices.size() > 3 * character::most_triangles) __builtin_trap();

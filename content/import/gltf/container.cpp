@@ -10,7 +10,7 @@
 namespace docent::import::gltf {
 namespace {
 
-constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr std::size_t glb_header = 12, chunk_header = 8;
 /// A model's JSON takes some ten times as much memory as text.
 constexpr std::size_t longest_json = std::size_t{64} << 20U;

@@ -80,7 +80,7 @@ std::optional<std::string> bytes_of_image(Source& source, const Part& part) {
 }
 
 Result<Pixels> decode(std::string_view bytes) {
-  constexpr std::uint32_t side = 4096;
+  constexpr std::uint32_t side = 8192;
   constexpr std::uint64_t pixels = 16'777'216;
   const auto span = std::as_bytes(std::span(bytes));
   if (bytes.size() > 12 && bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") {
@@ -114,8 +114,10 @@ Pixels read_image(Source& source, std::size_t index) {
                     part.name(), plain_name(part["uri"].text())));
     return {};
   }
+  // No vertex shows more of it than that.
+  constexpr std::uint32_t longest_side = 1024;
   Result<Pixels> pixels = decode(*bytes);
-  if (pixels) return std::move(*pixels);
+  if (pixels) return image::shrink(std::move(*pixels), longest_side);
   source.warn(fmt::format("{} cannot be shown ({}); its material's colour is used without it",
                           part.name(), pixels.error().what));
   return {};

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "content/character/find_bones.h"
 #include "content/content_error.h"
 #include "content/import/gltf/read_model.h"
 #include "platform/file/read_file.h"
@@ -75,6 +76,47 @@ TEST(Character, OfVrmFacesForwardAndKeepsItsExpressions) {
 TEST(Character, TellsAPosesFromAnother) {
   EXPECT_EQ(made({.arm_down = 40}).standing.pose, RestPose::A);
   EXPECT_EQ(made({.arm_down = 80}).standing.pose, RestPose::ArmsDown);
+}
+
+/// A model of bare nodes with these names, each on the one before.
+import::gltf::Model named(const std::vector<std::string>& names) {
+  import::gltf::Model model;
+  for (const std::string& name : names) {
+    import::gltf::Node node;
+    node.name = name;
+    node.parent = static_cast<std::int32_t>(model.nodes.size()) - 1;
+    model.nodes.push_back(node);
+    model.order.push_back(static_cast<std::int32_t>(model.nodes.size()) - 1);
+  }
+  return model;
+}
+
+std::string name_of_bone(const std::vector<std::string>& names, HumanBone bone) {
+  const std::int32_t node = bones_by_name(named(names))[bone];
+  return node < 0 ? "" : names[static_cast<std::size_t>(node)];
+}
+
+TEST(BoneNames, AreThoseOfManyPrograms) {
+  using enum HumanBone;
+  EXPECT_EQ(name_of_bone({"Bip001 L UpperArm", "Bip001 L Forearm"}, LeftLowerArm),
+            "Bip001 L Forearm");
+  EXPECT_EQ(name_of_bone({"ValveBiped.Bip01_R_Thigh", "ValveBiped.Bip01_R_Calf"}, RightUpperLeg),
+            "ValveBiped.Bip01_R_Thigh");
+  EXPECT_EQ(
+      name_of_bone({"DEF-upper_arm.L", "DEF-upper_arm.L.001", "upper_arm_fk.L"}, LeftUpperArm),
+      "DEF-upper_arm.L");
+  EXPECT_EQ(name_of_bone({"upperleg01.R", "upperleg02.R"}, RightUpperLeg), "upperleg01.R");
+  EXPECT_EQ(name_of_bone({"lThighBend", "lThighTwist", "lShin"}, LeftUpperLeg), "lThighBend");
+  EXPECT_EQ(name_of_bone({"J_Bip_C_Hips", "J_Bip_L_Foot"}, Hips), "J_Bip_C_Hips");
+  EXPECT_EQ(name_of_bone({"Left leg", "Left knee", "Left ankle"}, LeftUpperLeg), "Left leg");
+  EXPECT_EQ(name_of_bone({"Left leg", "Left knee", "Left ankle"}, LeftLowerLeg), "Left knee");
+  EXPECT_EQ(name_of_bone({"LeftShoulder", "LeftElbow", "LeftWrist"}, LeftUpperArm), "LeftShoulder");
+  EXPECT_EQ(name_of_bone({"lfemur", "ltibia", "lfoot"}, LeftLowerLeg), "ltibia");
+  EXPECT_EQ(name_of_bone({"左腕", "左ひじ", "左手首"}, LeftHand), "左手首");
+  EXPECT_EQ(name_of_bone({"upperarm_twist_01_l", "upperarm_l", "ik_hand_l", "hand_l"}, LeftHand),
+            "hand_l");
+  EXPECT_EQ(name_of_bone({"Armature|mixamorig1:RightToeBase"}, RightToes),
+            "Armature|mixamorig1:RightToeBase");
 }
 
 /// The characters of the reference data are read as was measured by hand.
