@@ -273,9 +273,9 @@ Fit fit_skeleton(const Skeleton& recorded, const Measures& m, float toe_rest) {
   const float across = m.shoulder.x / std::max(old[joint(BodyPart::LeftShoulder)].x, 1e-3F);
   for (const SideParts& side : side_parts) {
     const float x = &side == &side_parts[0] ? 1.0F : -1.0F;
-    const auto aim = [&](BodyPart from, BodyPart to, float long_) {
+    const auto aim = [&](BodyPart from, BodyPart to, float reach) {
       const Vec3 way = direction(old[joint(from)], old[joint(to)], Vec3(0, -1, 0));
-      put(to, places.new_place(joint(from)) + long_ * way);
+      put(to, places.new_place(joint(from)) + reach * way);
     };
     put(side.hip, {x * m.hip_half, m.hip, 0});
     aim(side.hip, side.knee, fit.thigh * m.thigh);
