@@ -471,6 +471,7 @@ class MuseumLoader {
     for (ExhibitSection& exhibit : config_.exhibits) check_file(exhibit.image);
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
     check_file(config_.motion.clips, Wanted::FileOrFolder);
+    check_file(config_.avatar.model);
   }
 
   /// A file that cannot be taken is told, and nobody opens it.

@@ -58,6 +58,7 @@ struct KioskSection {
 };
 struct AvatarSection {
   Located<double> radius{0.25, {}, false};  ///< Metres.
+  Located<std::string> model;               ///< A file: the museum's own character.
 };
 struct AmbientSection {
   Located<std::int64_t> count;

@@ -177,6 +177,13 @@ inline constexpr std::array avatar_fields{
                          Presence::Optional,
                          "Metres that the guide keeps from every wall; 0.25 where it is not said",
                          {0.05, 2}},
+    Field<AvatarSection>{"model",
+                         &AvatarSection::model,
+                         Presence::Optional,
+                         "A character of the museum's own that guides instead of ours: a VRM, GLB "
+                         "or glTF file of a person with a skeleton",
+                         {},
+                         Form::File},
 };
 
 inline constexpr std::array ambient_fields{

@@ -64,21 +64,22 @@ room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohman
 
 # The compiler. CGAL is a private matter of the rooms that build diagrams and triangulations.
 room(content USES ${model} platform/file)
-room(content/import USES ${model} platform platform/file content LIBRARIES expat.h fmt/ geos_c.h gif_lib.h glm/ iconv.h libheif/ nlohmann/ protozero/ pugixml toml++/ webp/ zip.h zlib.h)
+room(content/import USES ${model} platform platform/file platform/image content LIBRARIES draco/ expat.h fmt/ geos_c.h gif_lib.h glm/ iconv.h libheif/ meshoptimizer.h nlohmann/ protozero/ pugixml toml++/ webp/ zip.h zlib.h)
 room(content/floor USES ${model} content content/import LIBRARIES fmt/ CGAL/)
 room(content/motion USES ${model} runtime/motion content content/import LIBRARIES fmt/)
 room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
 room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
+room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
-       content/motion content/avatar content/scenery
+       content/motion content/avatar content/character content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/signature platform/sqlite platform/terminal content content/import
-       content/motion content/draw content/write content/compile
+  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/image platform/signature platform/sqlite platform/terminal content content/import
+       content/motion content/character content/draw content/write content/compile
   LIBRARIES fmt/ nlohmann/)
 
 # The deepest room that holds a path; empty where there is none.

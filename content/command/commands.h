@@ -19,6 +19,7 @@ terminal::Command near_command();
 terminal::Command tour_command();
 terminal::Command offset_command();
 terminal::Command show_command();
+terminal::Command figure_command();
 terminal::Command graph_command();
 terminal::Command walk_command();
 terminal::Command keygen_command();

@@ -58,18 +58,19 @@ std::vector<double> radius_classes(double body_radius, const std::vector<double>
 bool needs_avatar(const CompileOptions& options, const config::MuseumConfig* config,
                   const Report& report) {
   if (!options.with_motion) return false;
-  if (!options.clips.empty() || (config != nullptr && config->motion.clips.given)) return true;
+  if (!options.clips.empty()) return true;
+  if (config != nullptr && (config->motion.clips.given || config->avatar.model.given)) return true;
   return !options.only_check && !report.has_errors();
 }
 
 /// The avatar, compiled beside everything else where there are threads for it.
 class AvatarTask {
  public:
-  AvatarTask(const CompileOptions& options, std::vector<fs::path> folders, Progress& progress) {
+  AvatarTask(const CompileOptions& options, AvatarSources sources, Progress& progress) {
     plan_avatar_stages(progress);
     const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
-    task_ = std::async(when, [folders = std::move(folders), &options, &progress] {
-      return compile_avatar(folders, options.enrichment, options.jobs, progress);
+    task_ = std::async(when, [sources = std::move(sources), &options, &progress] {
+      return compile_avatar(sources, options.enrichment, options.jobs, progress);
     });
   }
 
@@ -93,6 +94,13 @@ std::vector<fs::path> clip_folders(const CompileOptions& options,
   return {shipped_clips()};
 }
 
+AvatarSources avatar_sources(const CompileOptions& options, const config::MuseumConfig* config) {
+  AvatarSources sources{.clip_folders = clip_folders(options, config), .model = {}};
+  if (config != nullptr && config->avatar.model.given)
+    sources.model = config->folder / config->avatar.model.value;
+  return sources;
+}
+
 /// A floor as GeoJSON files alone: a museum without exhibits.
 void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
                   Progress& progress) {
@@ -103,7 +111,7 @@ void compile_plan(const CompileOptions& options, Museum& museum, Report& report,
   if (is_drawn) progress.plan("scenery", 8);
   std::optional<AvatarTask> avatar;
   if (needs_avatar(options, nullptr, report))
-    avatar.emplace(options, clip_folders(options, nullptr), progress);
+    avatar.emplace(options, avatar_sources(options, nullptr), progress);
   museum.title["en"] = name;
   config::MuseumConfig plain;
   plain.languages = {"en"};
@@ -194,7 +202,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   if (!options.only_check) progress.plan("scenery", 40);
   std::optional<AvatarTask> avatar;
   if (needs_avatar(options, &config, report))
-    avatar.emplace(options, clip_folders(options, &config), progress);
+    avatar.emplace(options, avatar_sources(options, &config), progress);
 
   take_texts(config, museum, report);
   museum.body_radius = config.avatar.radius.value;

@@ -1,6 +1,9 @@
 #include "content/compile/compile_avatar.h"
 
+#include <optional>
+
 #include "content/avatar/avatar.h"
+#include "content/compile/own_figure.h"
 #include "content/content_error.h"
 #include "content/motion/compile_motion.h"
 #include "content/parallel.h"
@@ -27,23 +30,30 @@ void plan_avatar_stages(Progress& progress) {
   progress.plan("avatar", 15);
 }
 
-CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
-                              motion::offline::Enrichment enrichment, unsigned jobs,
-                              Progress& progress) {
+CompiledAvatar compile_avatar(const AvatarSources& sources, motion::offline::Enrichment enrichment,
+                              unsigned jobs, Progress& progress) {
   CompiledAvatar compiled;
   try {
+    std::optional<OwnFigure> own;
+    if (!sources.model.empty()) own.emplace(sources.model, compiled.problems);
     {
       const auto stage = progress.start("motion");
-      compiled.motion = motion::offline::compile_motion(
-          clip_folders, {.transitions = {}, .enrichment = enrichment, .jobs = jobs},
-          compiled.problems);
+      motion::offline::MotionOptions options{
+          .transitions = {}, .enrichment = enrichment, .jobs = jobs};
+      if (own)
+        options.give_to_other = [&](Skeleton& skeleton, auto& clips) {
+          return own->take(skeleton, clips, jobs);
+        };
+      compiled.motion =
+          motion::offline::compile_motion(sources.clip_folders, options, compiled.problems);
     }
     {
       const auto stage = progress.start("foresight");
       compiled.motion.foresight = foresee(compiled.motion, jobs);
     }
     const auto stage = progress.start("avatar");
-    compiled.mesh = avatar::make_avatars(compiled.motion.skeleton, jobs);
+    compiled.mesh = own ? own->among_others(compiled.motion.skeleton, jobs)
+                        : avatar::make_avatars(compiled.motion.skeleton, jobs);
   } catch (const content::ContentError& error) {
     compiled.problems.push_back(content::to_diagnostic(error));
   }

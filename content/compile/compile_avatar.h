@@ -20,10 +20,15 @@ struct CompiledAvatar {
 
 void plan_avatar_stages(Progress& progress);
 
-/// Compiles the clips of the folders. What is wrong with them is in `problems`; where any of it is
-/// an error, the rest is empty.
-CompiledAvatar compile_avatar(const std::vector<std::filesystem::path>& clip_folders,
-                              motion::offline::Enrichment enrichment, unsigned jobs,
-                              Progress& progress);
+/// What an avatar is made of.
+struct AvatarSources {
+  std::vector<std::filesystem::path> clip_folders;
+  std::filesystem::path model;  ///< The museum's own character; empty where ours guide.
+};
+
+/// Compiles the clips of the folders, for the museum's own character where it has one. What is
+/// wrong with them is in `problems`; where any of it is an error, the rest is empty.
+CompiledAvatar compile_avatar(const AvatarSources& sources, motion::offline::Enrichment enrichment,
+                              unsigned jobs, Progress& progress);
 
 }  // namespace docent::compile

@@ -129,8 +129,10 @@ MotionGraph compile_motion(std::span<const std::filesystem::path> folders,
     rest_upright(skeleton, clips);
   }
   leave_joints_out(skeleton, sources, folders.front().string(), problems);
-  return make_motion_graph(skeleton, cut_takes(skeleton, std::move(sources), problems),
-                           folders.front().string(), options, problems);
+  sources = cut_takes(skeleton, std::move(sources), problems);
+  MotionOptions used = options;
+  if (options.give_to_other) used.toe_rest = options.give_to_other(skeleton, sources);
+  return make_motion_graph(skeleton, std::move(sources), folders.front().string(), used, problems);
 }
 
 MotionGraph compile_motion(const std::filesystem::path& folder, const MotionOptions& options,

@@ -37,7 +37,8 @@ struct Study {
 };
 
 std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip>& sources,
-                                unsigned jobs) {
+                                const MotionOptions& options) {
+  const unsigned jobs = options.jobs;
   std::vector<Study> studies(sources.size());
   content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
@@ -50,7 +51,7 @@ std::vector<Study> study_motion(const Skeleton& skeleton, std::vector<SourceClip
   });
   std::vector<double> heights;
   for (const Study& study : studies) heights.push_back(study.planted_height);
-  const double rest = rest_height(skeleton, heights);
+  const double rest = options.toe_rest.value_or(rest_height(skeleton, heights));
   content::for_each_index(sources.size(), jobs, [&](std::size_t c) {
     MotionClip& clip = sources[c].clip;
     level_ground(rest - heights[c], clip);
@@ -146,7 +147,7 @@ void require_role(const MotionGraph& graph, ClipRole role, const std::string& fo
 MotionGraph make_motion_graph(const Skeleton& skeleton, std::vector<SourceClip> sources,
                               const std::string& folder, const MotionOptions& options,
                               std::vector<Diagnostic>& warnings) {
-  std::vector<Study> studies = study_motion(skeleton, sources, options.jobs);
+  std::vector<Study> studies = study_motion(skeleton, sources, options);
   MotionGraph graph{.skeleton = skeleton, .clips = {}, .transitions = {}};
   std::vector<std::string> files;
   StudiedClips studied = take_walking_clips(sources, studies, graph, files, warnings);

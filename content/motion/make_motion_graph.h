@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "content/motion/enrich.h"
@@ -9,17 +12,22 @@
 
 namespace docent::motion::offline {
 
-struct MotionOptions {
-  TransitionOptions transitions{};
-  Enrichment enrichment{};
-  unsigned jobs = 1;  ///< Threads. The result is the same for any number.
-};
-
 /// A clip on its way into the graph, and the file to name when something is wrong with it.
 struct SourceClip {
   MotionClip clip;
   std::string file;
   bool role_stated = false;  ///< By clips.toml; otherwise the motion decides.
+};
+
+struct MotionOptions {
+  TransitionOptions transitions{};
+  Enrichment enrichment{};
+  unsigned jobs = 1;  ///< Threads. The result is the same for any number.
+  /// Gives the recordings to another body, before anything is found in them, and says at which
+  /// height, metres, its toe joints rest. May be empty.
+  std::function<double(Skeleton& skeleton, std::vector<SourceClip>& sources)> give_to_other{};
+  /// Where that is known; else it is judged by the recordings.
+  std::optional<double> toe_rest{};
 };
 
 /// Makes a motion graph of clips that share a skeleton and a frame rate: levels their ground, finds

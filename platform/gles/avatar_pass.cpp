@@ -15,7 +15,8 @@ namespace docent::gles {
 namespace {
 
 constexpr float body_height = 1.85F;
-constexpr float body_reach = 0.55F;  // metres from the hips to a hand or foot, along x or z
+constexpr float most_height = 2.15F;  // a museum's own character may be taller than our guides
+constexpr float body_reach = 0.55F;   // metres from the hips to a hand or foot, along x or z
 
 // A uniform block may have 16 KB in every OpenGL ES 3.0, and a range of a buffer
 // begin at a multiple of 256 bytes at worst. Both are those of avatar_record.glsl.
@@ -37,8 +38,10 @@ constexpr std::array crowd_shares{1.0F, 0.8F, 0.65F, 0.55F, 0.45F};
 constexpr std::size_t most_triangles = 80'000;
 
 // Parts of a look in look.glsl.
-constexpr std::size_t build_part = 10, parts_of_look = 11;
-static_assert(scene::looks.size() * parts_of_look == 132);
+constexpr std::size_t build_part = 11, parts_of_look = 12;
+/// The look of a museum's own character, after ours: it has its own colours and height.
+constexpr std::size_t own_look = scene::looks.size();
+static_assert((own_look + 1) * parts_of_look == 156);
 static_assert(static_cast<std::size_t>(Material::Count) == build_part);
 
 Vec4 matte(std::uint32_t hex, float shine = 0) noexcept {
@@ -61,6 +64,7 @@ std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   at(Material::White) = matte(0xDDD5C8, 0.1F);
   at(Material::Lips) = at(Material::Skin) * Vec4(0.74F, 0.58F, 0.57F, 3);
   at(Material::Second) = matte(look.second, 0.01F);
+  at(Material::Own) = matte(0xFFFFFF, 0.02F);
   parts[build_part] = {look.height, 0, 0, 0};
   return parts;
 }
@@ -71,8 +75,10 @@ std::size_t joints_of(const Body& body) noexcept {
 
 /// Which of the bodies it wears.
 std::uint32_t figure_of(const scene::AvatarDraw& avatar, const Body& body) noexcept {
-  const scene::Look& look = scene::looks[avatar.look % scene::looks.size()];
-  return look.figure % static_cast<std::uint32_t>(body.figure.size());
+  return scene::body_of(avatar.look, body.figure.size(), body.has_own);
+}
+bool is_own(std::uint32_t figure, const Body& body) noexcept {
+  return body.has_own && figure + 1 == body.figure.size();
 }
 
 /// Middle and half size, in clip space, of the tile of the atlas that the avatar in this place has.
@@ -142,7 +148,7 @@ Bounds bounds_of_body(const Mat4& to_clip, Vec3 hips, float floor) noexcept {
   Bounds bounds;
   for (const float x : {-body_reach, body_reach})
     for (const float z : {-body_reach, body_reach})
-      for (const float height : {0.0F, body_height})
+      for (const float height : {0.0F, most_height})
         bounds.include(to_clip, {hips.x + x, floor + height, hips.z + z});
   return bounds;
 }
@@ -185,6 +191,8 @@ Result<void> AvatarPass::compile() {
     const auto of_look = parts_of(look);
     parts.insert(parts.end(), of_look.begin(), of_look.end());
   }
+  const auto own = parts_of({.name = {}});
+  parts.insert(parts.end(), own.begin(), own.end());
   looks_ = make_buffer();
   glBindBuffer(GL_UNIFORM_BUFFER, looks_.get());
   glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(parts.size() * sizeof(Vec4)),
@@ -270,7 +278,9 @@ void AvatarPass::write_record(const scene::DrawList& list, std::size_t place,
   const scene::AvatarDraw& avatar = list.avatars[seen.avatar];
   record[0] = Vec4(avatar.feet[0], avatar.foot_height[0]);
   record[1] = Vec4(avatar.feet[1], avatar.foot_height[1]);
-  record[2] = Vec4(avatar.centre, static_cast<float>(avatar.look % scene::looks.size()));
+  const std::size_t look =
+      is_own(seen.figure, *worn_) ? own_look : avatar.look % scene::looks.size();
+  record[2] = Vec4(avatar.centre, static_cast<float>(look));
   record[3] = seen.window;
   record[4] = tile_of(place, seen_count_);
   const std::size_t first = std::min<std::size_t>(avatar.first_matrix, list.palette.size());
@@ -380,8 +390,13 @@ void AvatarPass::draw_bodies(SceneBuffer::Rows rows) const noexcept {
   body_.use();
   glUniform1i(at_.body_record_size, static_cast<GLint>(record_size_));
   glBindVertexArray(worn_->array.get());
-  draw_batches(rows, &Seen::body,
-               [&](const Seen& one, GLsizei instances) { draw_level(one, one.level, instances); });
+  draw_batches(rows, &Seen::body, [&](const Seen& one, GLsizei instances) {
+    // A museum's own character may have cloth that is seen from both sides.
+    const bool both_sides = is_own(one.figure, *worn_);
+    if (both_sides) glDisable(GL_CULL_FACE);
+    draw_level(one, one.level, instances);
+    if (both_sides) glEnable(GL_CULL_FACE);
+  });
 }
 
 void AvatarPass::draw_shadows(SceneBuffer::Rows rows) const noexcept {

@@ -68,6 +68,28 @@ void describe_drawn_vertices() noexcept {
                         buffer_offset(offsetof(DrawnVertex, occlusion)));
 }
 
+/// Colours of all vertices, since those of one draw share their places: black but for the last.
+std::vector<std::array<std::uint8_t, 4>> drawn_colours(const SkinnedMesh& mesh) {
+  std::vector<std::array<std::uint8_t, 4>> drawn(mesh.vertices.size());
+  const std::size_t first = drawn.size() - std::min(drawn.size(), mesh.colour.size());
+  for (std::size_t v = first; v < drawn.size(); ++v) {
+    const VertexColour& c = mesh.colour[v - first];
+    drawn[v] = {c[0], c[1], c[2], 255};
+  }
+  return drawn;
+}
+
+GlBuffer upload_colours(const SkinnedMesh& mesh) {
+  GlBuffer buffer = make_buffer();
+  glBindBuffer(GL_ARRAY_BUFFER, buffer.get());
+  const auto drawn = drawn_colours(mesh);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(drawn.size() * sizeof(drawn[0])),
+               drawn.data(), GL_STATIC_DRAW);
+  glEnableVertexAttribArray(6);
+  glVertexAttribPointer(6, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, buffer_offset(0));
+  return buffer;
+}
+
 template <typename Index>
 void upload_indices(const std::vector<Index>& indices) noexcept {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(Index)),
@@ -78,7 +100,8 @@ void upload_indices(const std::vector<Index>& indices) noexcept {
 
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   Body body;
-  body.joints = mesh.inverse_bind.size();
+  body.joints = joints_of(mesh);
+  body.has_own = has_own_body(mesh);
   body.figure = levels.figure;
   body.array = make_vertex_array();
   glBindVertexArray(body.array.get());
@@ -88,6 +111,7 @@ Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(drawn.size() * sizeof(DrawnVertex)),
                drawn.data(), GL_STATIC_DRAW);
   describe_drawn_vertices();
+  if (body.has_own) body.colours = upload_colours(mesh);
   body.indices = make_buffer();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, body.indices.get());
   if (mesh.vertices.size() <= 0x10000) {

@@ -11,11 +11,12 @@ namespace docent::gles {
 
 /// The bodies that avatars wear, in texture memory.
 struct Body {
-  GlBuffer vertices, indices;
+  GlBuffer vertices, indices, colours;
   GlVertexArray array;
   std::vector<scene::BodyLevels::Levels> figure;  ///< Of the indices, one a body.
   GLenum index_type = GL_UNSIGNED_SHORT;
   std::size_t joints = 0;
+  bool has_own = false;  ///< The last body is the museum's, with a colour for each vertex.
 };
 /// `levels`: of that mesh.
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "runtime/scene/look.h"
+
 namespace docent::guide {
 namespace {
 
@@ -240,11 +242,15 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
 
 void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noexcept {
   const std::vector<Mat4>& inverse_bind = museum.avatar.inverse_bind;
-  if (avatar.world.empty() || inverse_bind.size() != avatar.world.size()) return;
+  const std::size_t joints = avatar.world.size();
+  if (joints == 0 || inverse_bind.empty() || inverse_bind.size() % joints != 0) return;
+  const std::size_t bodies = inverse_bind.size() / joints;  // more than one: each has its own
+  const std::size_t body = bodies > 1 ? scene::body_of(avatar.look, bodies, true) : 0;
   const std::size_t first = list.palette.size();
-  list.palette.resize(first + avatar.world.size());
-  motion::fill_skinning_palette(avatar.world, inverse_bind,
-                                std::span(list.palette).subspan(first, avatar.world.size()));
+  list.palette.resize(first + joints);
+  motion::fill_skinning_palette(avatar.world,
+                                std::span(inverse_bind).subspan(body * joints, joints),
+                                std::span(list.palette).subspan(first, joints));
   list.joint.resize(first + avatar.world.size());
   for (std::size_t j = 0; j < avatar.world.size(); ++j)
     list.joint[first + j] = Vec3(avatar.world[j][3]);

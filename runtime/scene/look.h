@@ -172,6 +172,16 @@ inline constexpr std::array<Look, 12> looks{{
      .height = 0.98F},
 }};
 
+/// Which of a database's bodies somebody with this look wears: guides the museum's own character
+/// where it has one, which is the last body; strollers one of ours.
+inline std::uint32_t body_of(std::size_t look, std::size_t bodies, bool has_own) noexcept {
+  const auto count = static_cast<std::uint32_t>(bodies);
+  const std::size_t index = look % looks.size();
+  if (count == 0 || (has_own && index < guide_look_count)) return count == 0 ? 0 : count - 1;
+  const std::uint32_t ours = has_own && count > 1 ? count - 1 : count;
+  return looks[index].figure % ours;
+}
+
 /// A guide's trail bears the colour of its coat.
 inline Colour trail_colour(std::size_t look) noexcept {
   return srgb(looks[look % looks.size()].coat);

@@ -376,9 +376,11 @@ bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
     return finite(v.position) && finite(v.normal) && exists(v.material, Material::Count) &&
            std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < joints; });
   };
-  if (mesh.vertices.empty()) return mesh.indices.empty() && mesh.figure_end.empty();
+  if (mesh.vertices.empty())
+    return mesh.indices.empty() && mesh.figure_end.empty() && mesh.colour.empty();
   return are_ends(mesh.figure_end, mesh.indices.size()) && joints <= most_joints &&
-         mesh.inverse_bind.size() == joints &&
+         mesh.inverse_bind.size() == joints * (has_own_body(mesh) ? mesh.figure_end.size() : 1) &&
+         mesh.colour.size() <= mesh.vertices.size() &&
          std::ranges::all_of(mesh.inverse_bind, sound_matrix) &&
          std::ranges::all_of(mesh.vertices, sound_vertex) &&
          are_triangles(mesh.indices, mesh.vertices.size());

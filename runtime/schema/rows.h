@@ -225,6 +225,7 @@ void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
   row("triangle", mesh.indices);
   row("figure_end", mesh.figure_end);
   row("inverse_bind", mesh.inverse_bind);
+  row("colour", mesh.colour);
 }
 
 /// Goes through all tables in one order. A store has

@@ -259,5 +259,6 @@ CREATE TABLE avatar (           -- one row
   vertex BLOB NOT NULL,         -- SkinnedVertex
   triangle BLOB NOT NULL,       -- u32
   figure_end BLOB NOT NULL,     -- u32, one a body: past its last of `triangle`
-  inverse_bind BLOB NOT NULL    -- Mat4, one a joint
+  inverse_bind BLOB NOT NULL,   -- Mat4, one a joint; with a museum's own body, one a body and joint
+  colour BLOB NOT NULL          -- sRGB, three bytes for each vertex of the museum's own body, which is the last; or none
 );

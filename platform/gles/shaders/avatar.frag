@@ -6,7 +6,7 @@ in vec2 light;
 out vec4 colour;
 
 void main() {
-  vec3 n = normalize(normal);
+  vec3 n = normalize(gl_FrontFacing ? normal : -normal);
   vec3 to_eye = normalize(eye.xyz - world);
   vec3 tone = base.rgb;
   const float wrap = 0.35;

@@ -4,6 +4,7 @@ out vec3 normal;
 out vec4 base;
 out vec2 light;
 const float shade_range = 2.0;
+const uint own_material = 10u;
 void main() {
   int avatar = gl_InstanceID * record_size;
   int look = look_of(avatar);
@@ -11,6 +12,7 @@ void main() {
   world = it.place;
   normal = it.normal;
   base = look_part[look + int(material)];
+  if (material == own_material) base.rgb = pow(own_colour.rgb, vec3(2.2));
   vec2 at = (world.xz - lightmap.xy) * lightmap.zw;
   vec3 share = textureLod(light_map, at, 0.0).rgb;
   // The shade of walls reaches up to a height; the sky opens as one rises above the floor.

@@ -1,8 +1,8 @@
 layout(std140) uniform Looks {
-  vec4 look_part[132];
+  vec4 look_part[156];
 };
 // A colour (w: shine) per material, then the build (x: height).
-const int parts_of_look = 11, build_part = 10;
+const int parts_of_look = 12, build_part = 11;
 int look_of(int avatar) {
   return int(record[avatar + hips].w) * parts_of_look;
 }

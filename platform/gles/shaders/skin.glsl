@@ -5,6 +5,7 @@ layout(location = 2) in uvec4 joint;
 layout(location = 3) in vec4 weight;
 layout(location = 4) in uint material;
 layout(location = 5) in float occlusion;
+layout(location = 6) in vec4 own_colour;  // sRGB; of a museum's own character
 const float reach = 4.0;  // metres, as body.cpp has it
 uniform int record_size;  // vec4s of an avatar in `record`
 

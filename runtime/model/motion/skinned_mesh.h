@@ -20,8 +20,12 @@ enum class Material : std::uint8_t {
   White,
   Lips,
   Second,
+  Own,  ///< Has its own colour (SkinnedMesh::colour).
   Count
 };
+
+/// sRGB red, green, blue.
+using VertexColour = std::array<std::uint8_t, 3>;
 
 /// A vertex of the avatar in the rest pose of its skeleton (model frame, metres).
 struct SkinnedVertex {
@@ -40,7 +44,21 @@ struct SkinnedMesh {
   std::vector<SkinnedVertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<std::uint32_t> figure_end;  ///< Of each body: how many indices end with it.
-  std::vector<Mat4> inverse_bind;  ///< One per joint: model frame to joint frame in the rest pose.
+  /// Model frame to joint frame in the rest pose, one per joint. Our bodies share their rest pose;
+  /// where there is a museum's own, each body has its own: body after body.
+  std::vector<Mat4> inverse_bind;
+  /// Of the vertices of the last body, where that is a museum's own character: one each, so that
+  /// the last vertex has the last colour. Empty where all bodies are ours.
+  std::vector<VertexColour> colour{};
 };
+
+inline bool has_own_body(const SkinnedMesh& mesh) noexcept {
+  return !mesh.colour.empty();
+}
+/// How many joints each of the bodies is bound to.
+inline std::size_t joints_of(const SkinnedMesh& mesh) noexcept {
+  return has_own_body(mesh) ? mesh.inverse_bind.size() / mesh.figure_end.size()
+                            : mesh.inverse_bind.size();
+}
 
 }  // namespace docent

@@ -231,6 +231,12 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
       {"avatar", [](Museum& m) { m.avatar.figure_end.back() = 6; }},
       {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
+      {"avatar", [](Museum& m) { m.avatar.colour.resize(m.avatar.vertices.size() + 1); }},
+      {"avatar",
+       [](Museum& m) {
+         m.avatar.colour.resize(1);
+         m.avatar.inverse_bind.push_back(Mat4(1));
+       }},
       {"avatar",
        [](Museum& m) {
          Skeleton& body = m.motion.skeleton;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "content/character/human_bone.h"
+#include "content/character/standing.h"
+#include "content/import/gltf/model.h"
+
+namespace docent::character {
+
+/// At most four bones that a vertex follows; their shares add up to 1. Those with no share are
+/// hips.
+struct BoneShares {
+  std::array<std::uint8_t, 4> bone{};  ///< HumanBone.
+  std::array<float, 4> share{};
+};
+
+/// A vertex of a character as it was modelled: the frame of Standing.
+struct SurfaceVertex {
+  Vec3 position{};
+  Vec3 normal{};
+  glm::vec2 uv{0};
+  Vec4 tint{1};  ///< The vertex's own colour, linear, with opacity.
+  std::int32_t material = import::gltf::none;
+  BoneShares shares{};
+};
+
+struct Surface {
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< Triangles, counter-clockwise seen from outside.
+};
+
+/// What the whole of a character measures at rest.
+struct Extent {
+  std::size_t triangles = 0;  ///< In the file's scene.
+  Vec3 low{0}, high{0};       ///< Of everything drawn, in the frame of Standing.
+};
+Extent extent_of(const import::gltf::Model& model, const Standing& standing);
+
+/// All triangles of the scene, bound to human bones: each joint to the nearest bone above it in
+/// the tree, or else the nearest in space. What hangs in one hand several at a time (an armoury's
+/// swords and shields) is left out, and told in `notes`.
+Surface surface_of(const import::gltf::Model& model, const Standing& standing,
+                   std::vector<std::string>& notes);
+
+}  // namespace docent::character
