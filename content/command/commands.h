@@ -21,6 +21,7 @@ terminal::Command offset_command();
 terminal::Command show_command();
 terminal::Command graph_command();
 terminal::Command walk_command();
+terminal::Command film_command();
 terminal::Command keygen_command();
 terminal::Command sign_command();
 terminal::Command verify_command();
