@@ -72,14 +72,14 @@ room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/film
-  USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image LIBRARIES fmt/ webp/)
+  USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image content/scenery LIBRARIES fmt/ webp/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
        content/motion content/avatar content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion runtime/guide runtime/scene runtime/release config platform platform/file platform/image platform/signature
+  USES ${model} runtime/schema runtime/path runtime/motion runtime/scene runtime/release config platform/file platform/image platform/signature
        platform/sqlite platform/terminal content content/import
        content/motion content/draw content/film content/write content/compile
   LIBRARIES fmt/ nlohmann/)

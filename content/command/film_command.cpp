@@ -112,9 +112,8 @@ void run_film(const FilmOptions& options) {
   check_times(options);
   const std::vector<Vec2> path = read_path(options.path);
   const Museum museum = load_or_throw(options.database);
-  film::WalkFilm film{.floor = floor_named(museum, options.floor),
-                      .look = options.look,
-                      .view = options.view};
+  film::WalkFilm film{
+      .floor = floor_named(museum, options.floor), .look = options.look, .view = options.view};
   guide::Avatar walker =
       or_throw(film::make_walker(museum, path, film), options.database, "cannot-walk");
   film = plan_film(options, walker, film, moves);
@@ -129,8 +128,8 @@ void run_film(const FilmOptions& options) {
 }  // namespace
 
 terminal::Command film_command() {
-  using terminal::Times;
   using film::View;
+  using terminal::Times;
   auto options = std::make_shared<FilmOptions>();
   return {
       .name = "film",
@@ -150,16 +149,15 @@ terminal::Command film_command() {
                                        {"kiosk", View::Kiosk}},
                                       options->view),
                "From where; kiosk: as visitors see it", Times::AtMostOnce, "kiosk"},
-              {"--look", terminal::one_of<std::uint32_t>(named_looks(), options->look),
-               "Who walks", Times::AtMostOnce, std::string(scene::looks[0].name)},
+              {"--look", terminal::one_of<std::uint32_t>(named_looks(), options->look), "Who walks",
+               Times::AtMostOnce, std::string(scene::looks[0].name)},
               {"--at", terminal::numbers("S0,S1", options->at), "From which second to which",
                Times::AtMostOnce, "the whole walk"},
               {"--frames",
-               terminal::number("N",
-                                {.of = terminal::Limits::Of::WholeNumbers,
-                                 .least = 1,
-                                 .most = most_pictures},
-                                options->frames),
+               terminal::number(
+                   "N",
+                   {.of = terminal::Limits::Of::WholeNumbers, .least = 1, .most = most_pictures},
+                   options->frames),
                "Pictures, at even times", Times::AtMostOnce, "12 on a sheet, else 20 a second"},
               {"--floor", terminal::text("NAME", options->floor), "On which floor",
                Times::AtMostOnce, "the kiosk's floor"},

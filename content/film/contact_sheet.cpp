@@ -7,8 +7,8 @@
 namespace docent::film {
 
 std::uint32_t sheet_columns(std::size_t pictures) noexcept {
-  return std::max(1U, static_cast<std::uint32_t>(
-                          std::ceil(std::sqrt(2.0 * static_cast<double>(pictures)))));
+  return std::max(
+      1U, static_cast<std::uint32_t>(std::ceil(std::sqrt(2.0 * static_cast<double>(pictures)))));
 }
 
 Pixels contact_sheet(std::span<const Pixels> pictures, std::uint32_t columns) {
@@ -25,10 +25,9 @@ Pixels contact_sheet(std::span<const Pixels> pictures, std::uint32_t columns) {
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t y = 0; y < height; ++y) {
       const std::size_t row = (i / across) * height + y;
-      std::ranges::copy(
-          std::span(pictures[i].rgba).subspan(y * row_bytes, row_bytes),
-          sheet.rgba.begin() +
-              static_cast<std::ptrdiff_t>((row * across + i % across) * row_bytes));
+      std::ranges::copy(std::span(pictures[i].rgba).subspan(y * row_bytes, row_bytes),
+                        sheet.rgba.begin() +
+                            static_cast<std::ptrdiff_t>((row * across + i % across) * row_bytes));
     }
   return sheet;
 }

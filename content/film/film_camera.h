@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "runtime/guide/avatar.h"
+#include "runtime/model/geometry/floor_plan.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::film {
@@ -13,7 +14,12 @@ enum class View : std::uint8_t { Front, Side, Back, Above, Kiosk };
 /// Which way such a camera looks along with a body that faces `heading`, radians, floor frame.
 double camera_yaw(View view, double heading) noexcept;
 
-/// The camera of a view that looks the way `yaw`; the whole body is in its picture.
-scene::CameraView camera_on(const guide::Avatar& avatar, View view, double yaw, float aspect);
+/// How steeply it looks down, radians, from `yaw`: level with the body, or so steeply that no wall
+/// of the plan, cut as the model's are, hides the feet; but at most 63 degrees.
+double camera_pitch(View view, const FloorPlan& plan, Vec2 body, double yaw) noexcept;
+
+/// The camera of a view; the whole body is in its picture. A visitor's has a pitch of its own.
+scene::CameraView camera_on(const guide::Avatar& avatar, View view, double yaw, double pitch,
+                            float aspect);
 
 }  // namespace docent::film

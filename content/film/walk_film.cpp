@@ -1,9 +1,9 @@
 #include "content/film/walk_film.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
-#include <cmath>
 #include <utility>
 
 #include "runtime/guide/stage.h"
@@ -37,19 +37,36 @@ Result<std::unique_ptr<plan::Plan>> plan_along(const Museum& museum, std::span<c
 
 /// From where the visitor of the glass sees the guide, whoever films it.
 Vec3 visitor_of(const guide::Avatar& walker) {
-  return camera_on(walker, View::Kiosk, walker.body.heading, 1).eye;
+  return camera_on(walker, View::Kiosk, walker.body.heading, 0, 1).eye;
 }
 
-/// A camera whose turns are slower than the guide's.
-struct Operator {
-  View view;
-  double yaw;
+/// A camera that turns and rises slower than the guide and the walls before it do.
+class Operator {
+ public:
+  Operator(const Museum& museum, View view, const guide::Avatar& walker)
+      : museum_(museum),
+        view_(view),
+        yaw_(camera_yaw(view, walker.body.heading)),
+        pitch_(pitch_for(walker)) {}
 
   void go_along(const guide::Avatar& walker, double seconds) {
     constexpr double time_constant = 0.6, most_rate = 1.2;  // radians a second
-    yaw = scene::turn_smoothly(yaw, camera_yaw(view, walker.body.heading), seconds, time_constant,
-                               most_rate);
+    yaw_ = scene::turn_smoothly(yaw_, camera_yaw(view_, walker.body.heading), seconds,
+                                time_constant, most_rate);
+    pitch_ = scene::turn_smoothly(pitch_, pitch_for(walker), seconds, time_constant / 2, most_rate);
   }
+  [[nodiscard]] scene::CameraView seen(const guide::Avatar& walker, float aspect) const {
+    return camera_on(walker, view_, yaw_, pitch_, aspect);
+  }
+
+ private:
+  [[nodiscard]] double pitch_for(const guide::Avatar& walker) const {
+    return camera_pitch(view_, museum_.floors[walker.shown_floor].plan, walker.body.position, yaw_);
+  }
+
+  const Museum& museum_;
+  View view_;
+  double yaw_, pitch_;
 };
 
 void fill(const Museum& museum, const guide::Avatar& walker, scene::DrawList& list) {
@@ -83,7 +100,7 @@ std::vector<Pixels> film_walk(const Museum& museum, guide::Avatar& walker, const
   scene::DrawList list;
   list.ribbons.reserve(1);
   list.ribbon_point.reserve(walker.plan->points.size() + 1);
-  Operator camera{film.view, camera_yaw(film.view, walker.body.heading)};
+  Operator camera(museum, film.view, walker);
   std::vector<Pixels> pictures;
   double time = 0;
   for (std::uint32_t i = 0; i < film.pictures; ++i) {
@@ -96,7 +113,7 @@ std::vector<Pixels> film_walk(const Museum& museum, guide::Avatar& walker, const
       time += step;
     }
     fill(museum, walker, list);
-    list.camera = camera_on(walker, film.view, camera.yaw, studio.aspect());
+    list.camera = camera.seen(walker, studio.aspect());
     pictures.push_back(studio.take(list));
   }
   return pictures;

@@ -18,7 +18,7 @@ struct WalkFilm {
   std::uint32_t floor = 0;
   std::uint32_t look = 0;  ///< Of scene::looks.
   View view = View::Kiosk;
-  double from = 0, to = 0;    ///< Seconds since it sets out.
+  double from = 0, to = 0;     ///< Seconds since it sets out.
   std::uint32_t pictures = 1;  ///< At even times from the first second to the last.
 };
 
