@@ -8,7 +8,7 @@ _docent_content() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent-content compile' | 'docent-content check' | 'docent-content import' | 'docent-content translate' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content tour' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
+    'docent-content compile' | 'docent-content check' | 'docent-content import' | 'docent-content translate' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content tour' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content walk' | 'docent-content film' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -79,6 +79,13 @@ _docent_content() {
     'docent-content walk --time-limit') :; return ;;
     'docent-content walk --start') :; return ;;
     'docent-content walk --fps') :; return ;;
+    'docent-content film --path') _docent_offer -f; return ;;
+    'docent-content film -o' | 'docent-content film --output') _docent_offer -f; return ;;
+    'docent-content film --view') _docent_offer -W 'front side back above kiosk'; return ;;
+    'docent-content film --look') _docent_offer -W 'teal vermilion saffron navy sky rose ivory plum stone sand slate clay'; return ;;
+    'docent-content film --at') :; return ;;
+    'docent-content film --frames') :; return ;;
+    'docent-content film --floor') :; return ;;
     'docent-content keygen -o' | 'docent-content keygen --output') _docent_offer -f; return ;;
     'docent-content sign --key') _docent_offer -f; return ;;
     'docent-content verify --key') _docent_offer -f; return ;;
@@ -92,7 +99,7 @@ _docent_content() {
     'docent-content release --program') :; return ;;
   esac
   case "$path" in
-    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph walk keygen sign verify release'; fi ;;
+    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph walk film keygen sign verify release'; fi ;;
     'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content import') if [[ $word == -* ]]; then _docent_offer -W '-o --output --unit --origin --level --layers --json -h --help'; else _docent_offer -f; fi ;;
@@ -108,6 +115,7 @@ _docent_content() {
     'docent-content show') if [[ $word == -* ]]; then _docent_offer -W '-o --output --layers --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content graph') if [[ $word == -* ]]; then _docent_offer -W '-o --output --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content walk') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --search --lookahead --use-rate --time-limit --start --fps --exact --raw --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content film') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --view --look --at --frames --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content keygen') if [[ $word == -* ]]; then _docent_offer -W '-o --output -h --help'; else :; fi ;;
     'docent-content sign') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;
     'docent-content verify') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;

@@ -29,9 +29,9 @@ class FilmCommand : public testing::Test {
 
   ProgramRun film(const std::filesystem::path& output, const std::string& options) const {
     return test::run_program(
-        "docent-content", fmt::format("film '{}' --path '{}' -o '{}' {}",
-                                      test::sample_database().string(), path().string(),
-                                      output.string(), options));
+        "docent-content",
+        fmt::format("film '{}' --path '{}' -o '{}' {}", test::sample_database().string(),
+                    path().string(), output.string(), options));
   }
   Pixels picture(const std::filesystem::path& file) const {
     const std::string bytes = test::text_of(file);
