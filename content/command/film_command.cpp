@@ -150,7 +150,7 @@ terminal::Command film_command() {
                                       options->view),
                "From where; kiosk: as visitors see it", Times::AtMostOnce, "kiosk"},
               {"--look", terminal::one_of<std::uint32_t>(named_looks(), options->look), "Who walks",
-               Times::AtMostOnce, std::string(scene::looks[0].name)},
+               Times::AtMostOnce, scene::looks[0].name},
               {"--at", terminal::numbers("S0,S1", options->at), "From which second to which",
                Times::AtMostOnce, "the whole walk"},
               {"--frames",
