@@ -72,14 +72,17 @@ room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
+room(content/film
+  USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image content/scenery LIBRARIES fmt/ webp/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion config platform platform/file platform/image platform/terminal content content/import content/floor
        content/motion content/avatar content/character content/scenery
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
-  USES ${model} runtime/schema runtime/path runtime/motion runtime/release config platform/file platform/image platform/signature platform/sqlite platform/terminal content content/import
-       content/motion content/character content/draw content/write content/compile
+  USES ${model} runtime/schema runtime/path runtime/motion runtime/scene runtime/release config platform/file platform/image platform/signature
+       platform/sqlite platform/terminal content content/import
+       content/motion content/character content/draw content/film content/write content/compile
   LIBRARIES fmt/ nlohmann/)
 
 # The deepest room that holds a path; empty where there is none.

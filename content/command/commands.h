@@ -22,6 +22,7 @@ terminal::Command show_command();
 terminal::Command figure_command();
 terminal::Command graph_command();
 terminal::Command walk_command();
+terminal::Command film_command();
 terminal::Command keygen_command();
 terminal::Command sign_command();
 terminal::Command verify_command();

@@ -9,7 +9,8 @@ terminal::Command program() {
                        info_command(),    schema_command(), route_command(),  tour_command(),
                        at_command(),      see_command(),    near_command(),   offset_command(),
                        show_command(),    graph_command(),  figure_command(), walk_command(),
-                       keygen_command(),  sign_command(),   verify_command(), release_command()},
+                       film_command(),    keygen_command(), sign_command(),   verify_command(),
+                       release_command()},
           .sections = {terminal::exit_codes()}};
 }
 

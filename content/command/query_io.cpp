@@ -11,11 +11,14 @@
 #include "content/content_error.h"
 #include "content/read_source.h"
 #include "content/write/replace_file.h"
+#include "runtime/model/geometry/polyline.h"
 
 namespace docent::command {
 namespace {
 
 using terminal::split;
+
+constexpr double longest_path = 10'000;  // metres: two hours of walking
 
 std::string_view trimmed(std::string_view text) {
   const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -91,6 +94,22 @@ NumberTable read_numbers(const std::filesystem::path& file,
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+std::vector<Vec2> read_path(const std::filesystem::path& file) {
+  std::vector<Vec2> path;
+  for (const auto& row : read_numbers(file, {{"x"}, {"y"}}).rows) path.emplace_back(row[0], row[1]);
+  const double length = polyline_length(path);
+  if (!(length > 0))
+    throw content::ContentError(file.string(), 0, 0, "no-path",
+                                "a path needs two different points");
+  if (length > longest_path)
+    throw content::ContentError(
+        file.string(), 0, 0, "long-path",
+        fmt::format("the path is {:.4g} m long, and walks are made of at most {:.0f} m", length,
+                    longest_path),
+        "coordinates are metres in the floor frame; walk a longer path in pieces");
+  return path;
 }
 
 void write_text(const std::filesystem::path& file, std::string_view text) {

@@ -45,6 +45,10 @@ struct NumberColumn {
 NumberTable read_numbers(const std::filesystem::path& file,
                          const std::vector<NumberColumn>& columns);
 
+/// The polyline of a CSV file with the columns x,y: metres, floor frame, of some length and at most
+/// 10 km.
+std::vector<Vec2> read_path(const std::filesystem::path& file);
+
 /// Writes text in the place of a file, whole or not at all.
 void write_text(const std::filesystem::path& file, std::string_view text);
 

@@ -29,8 +29,7 @@ namespace docent::command {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
-constexpr double longest_path = 10'000;  // metres: two hours of walking
-constexpr double most_missing = 1.5;     // metres that a walk without a warp may end too early
+constexpr double most_missing = 1.5;  // metres that a walk without a warp may end too early
 
 enum class Search : std::uint8_t { Docent, Paper };
 
@@ -57,21 +56,6 @@ void check_options(const WalkOptions& options) {
            "leave them out");
   if (options.exact && options.raw)
     misuse("--raw", "a walk is exact or raw, not both", "leave one of them out");
-}
-
-std::vector<Vec2> read_path(const std::string& file) {
-  std::vector<Vec2> path;
-  for (const auto& row : read_numbers(file, {{"x"}, {"y"}}).rows) path.emplace_back(row[0], row[1]);
-  const double length = polyline_length(path);
-  if (!(length > 0))
-    throw content::ContentError(file, 0, 0, "no-path", "a path needs two different points");
-  if (length > longest_path)
-    throw content::ContentError(
-        file, 0, 0, "long-path",
-        fmt::format("the path is {:.4g} m long, and walks are made of at most {:.0f} m", length,
-                    longest_path),
-        "coordinates are metres in the floor frame; walk a longer path in pieces");
-  return path;
 }
 
 /// The walk at another frame rate.

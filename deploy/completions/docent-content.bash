@@ -80,6 +80,13 @@ _docent_content() {
     'docent-content walk --time-limit') :; return ;;
     'docent-content walk --start') :; return ;;
     'docent-content walk --fps') :; return ;;
+    'docent-content film --path') _docent_offer -f; return ;;
+    'docent-content film -o' | 'docent-content film --output') _docent_offer -f; return ;;
+    'docent-content film --view') _docent_offer -W 'front side back above kiosk'; return ;;
+    'docent-content film --look') _docent_offer -W 'teal vermilion saffron navy sky rose ivory plum stone sand slate clay'; return ;;
+    'docent-content film --at') :; return ;;
+    'docent-content film --frames') :; return ;;
+    'docent-content film --floor') :; return ;;
     'docent-content keygen -o' | 'docent-content keygen --output') _docent_offer -f; return ;;
     'docent-content sign --key') _docent_offer -f; return ;;
     'docent-content verify --key') _docent_offer -f; return ;;
@@ -110,6 +117,7 @@ _docent_content() {
     'docent-content graph') if [[ $word == -* ]]; then _docent_offer -W '-o --output --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content figure') if [[ $word == -* ]]; then _docent_offer -W '-o --output --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content walk') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --search --lookahead --use-rate --time-limit --start --fps --exact --raw --json -h --help'; else _docent_offer -f; fi ;;
+    'docent-content film') if [[ $word == -* ]]; then _docent_offer -W '--path -o --output --view --look --at --frames --floor -h --help'; else _docent_offer -f; fi ;;
     'docent-content keygen') if [[ $word == -* ]]; then _docent_offer -W '-o --output -h --help'; else :; fi ;;
     'docent-content sign') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;
     'docent-content verify') if [[ $word == -* ]]; then _docent_offer -W '--key -h --help'; else _docent_offer -f; fi ;;

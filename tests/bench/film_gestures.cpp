@@ -5,15 +5,16 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "platform/gles/renderer.h"
-#include "platform/headless/headless_display.h"
+#include "content/film/contact_sheet.h"
+#include "content/film/studio.h"
 #include "platform/image/image.h"
+#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/avatar.h"
-#include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/camera.h"
 
 namespace docent::bench {
@@ -70,55 +71,46 @@ void begin(const Options& options, guide::Avatar& avatar, const Museum& museum) 
     avatar.plan = straight_ahead(museum, avatar.body, 10);
 }
 
-int film(const Options& options, const std::filesystem::path& out, kiosk::Exhibition& exhibition) {
-  auto display = headless::open_headless({options.side, options.side});
-  auto renderer = gles::make_renderer();
-  if (!display || !renderer) return 3;
-  kiosk::upload(exhibition);
-  const Museum& museum = exhibition.museum;
+bool walks(const Options& options) {
+  return options.scene == "back" || options.scene == "set-out";
+}
+
+scene::CameraView seen(const Options& options, const guide::Avatar& avatar) {
+  scene::CameraRig rig;
+  rig.target = to_world(avatar.body.position, avatar.height + 0.95);
+  rig.yaw = avatar.body.heading + std::numbers::pi + options.yaw;  // from the front
+  rig.pitch = options.pitch;
+  rig.distance = options.distance;
+  return scene::view_of(rig, 1);
+}
+
+int film(const Options& options, const std::filesystem::path& out, const Museum& museum) {
+  auto studio = film::open_studio(museum, {options.side, options.side});
+  if (!studio) return 3;
   guide::Avatar avatar =
       guide::make_avatar(museum, 0, plan::make_standing(museum, museum.kiosk), 3);
   avatar.look = options.look;
   begin(options, avatar, museum);
-  const std::uint32_t rows = (options.pictures + options.columns - 1) / options.columns;
-  Pixels sheet{.width = options.side * options.columns, .height = options.side * rows, .rgba = {}};
-  sheet.rgba.resize(std::size_t{4} * sheet.width * sheet.height);
   scene::DrawList list;
-  list.palette.reserve(64);
-  Pixels picture;
+  std::vector<Pixels> pictures;
   constexpr double frame = 1.0 / 60;
   double time = 0;
   for (std::uint32_t i = 0; i < options.pictures; ++i) {
     const double at =
         options.from + (options.to - options.from) * i / std::max(1U, options.pictures - 1);
     for (; time < at; time += frame) {
-      if (options.scene == "back" || options.scene == "set-out")
-        avatar.company.visitor = kiosk_camera(avatar);
+      if (walks(options)) avatar.company.visitor = kiosk_camera(avatar);
       advance(museum, avatar, frame);
     }
     list.avatars.clear();
     list.palette.clear();
     list.joint.clear();
     draw(museum, avatar, list);
-    scene::CameraRig rig;
-    rig.target = to_world(avatar.body.position, avatar.height + 0.95);
-    rig.yaw = avatar.body.heading + std::numbers::pi + options.yaw;  // from the front
-    rig.pitch = options.pitch;
-    rig.distance = options.distance;
-    list.camera = scene::view_of(rig, 1);
+    list.camera = seen(options, avatar);
     list.focus = avatar.body.position;
-    list.focus_radius = 1e3F;
-    renderer->draw(list, exhibition.holdings, (*display)->target());
-    (*display)->read_back(picture);
-    const std::size_t x0 = std::size_t{options.side} * (i % options.columns);
-    const std::size_t y0 = std::size_t{options.side} * (i / options.columns);
-    for (std::size_t y = 0; y < options.side; ++y)
-      std::copy_n(
-          picture.rgba.begin() + static_cast<std::ptrdiff_t>(4 * y * options.side),
-          4 * options.side,
-          sheet.rgba.begin() + static_cast<std::ptrdiff_t>(4 * ((y0 + y) * sheet.width + x0)));
+    pictures.push_back(studio->take(list));
   }
-  return image::write_png(out, sheet) ? 0 : 3;
+  return image::write_png(out, film::contact_sheet(pictures, options.columns)) ? 0 : 3;
 }
 
 int run(int argc, char** argv) {
@@ -144,12 +136,12 @@ int run(int argc, char** argv) {
   app.add_option("--away", options.away, "metres to the exhibit");
   app.add_option("--rise", options.rise, "metres of the exhibit above 1.2 m");
   CLI11_PARSE(app, argc, argv);
-  auto exhibition = kiosk::load_exhibition(database, kiosk::Selection{}, {});
-  if (!exhibition) {
-    fmt::print(stderr, "{}\n", exhibition.error().what);
+  const Result<Museum> museum = sqlite::load_museum(database);
+  if (!museum) {
+    fmt::print(stderr, "{}\n", museum.error().what);
     return 1;
   }
-  return film(options, out, **exhibition);
+  return film(options, out, *museum);
 }
 
 }  // namespace
