@@ -66,6 +66,8 @@ struct InterfaceState {
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
+  bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
+  bool can_resume = false;    ///< They have started over just now, and may take that back.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -93,6 +95,8 @@ struct Action {
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
+    Stay,             ///< They are still there.
+    Resume,           ///< Starting over is taken back: whoever keeps the session knows to what.
   };
   Kind kind = Kind::Begin;
   std::uint32_t argument = 0;
@@ -124,6 +128,11 @@ struct Control {
   scene::Rect
       rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
 };
+
+/// Are exhibits and places touched on the model while this screen is shown?
+constexpr bool shows_spots(Screen screen) noexcept {
+  return screen == Screen::Welcome || screen == Screen::Choosing;
+}
 
 /// Does it put an exhibit into the visitor's own tour, or take it out?
 bool is_collect(const Control& control) noexcept;

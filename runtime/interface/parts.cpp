@@ -47,7 +47,7 @@ void draw_route(Sheet& sheet, std::int32_t control, const PixelBox& box, Along a
   sheet.place(control, box);
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   const auto kind = static_cast<RouteKind>(it.action.argument);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  if (it.selected) sheet.mark_selected(box, control);
 
   const bool narrow = along != Along::Column;
   TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
@@ -103,7 +103,7 @@ void draw_languages(Sheet& sheet, const PixelBox& box) {
     const PixelBox cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
     x = cell.right() + m.unit;
     sheet.place(controls[n], cell);
-    if (it.selected) sheet.fill(cell, sheet.theme().plaster, m.corner, controls[n]);
+    if (it.selected) sheet.mark_selected(cell, controls[n]);
     const TextPiece name = language_name(sheet, it, cell.width - pad);
     sheet.piece(name, cell.x, cell.y + (cell.height - name.height) / 2, cell.width, Align::Centre,
                 it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, controls[n]);
@@ -131,7 +131,7 @@ float draw_floors(Sheet& sheet, const PixelBox& free) {
     const Floor& floor = sheet.museum().floors[it.action.argument];
     const PixelBox box{x, y, side, side};
     sheet.place(control, box);
-    if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+    if (it.selected) sheet.mark_selected(box, control);
     TextStyle style = sheet.style(Letters::Label);
     style.weight = it.selected ? 600 : 400;
     const TextPiece name = sheet.fitted(style, floor.plan.short_name, side);
@@ -285,12 +285,12 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  if (it.selected) sheet.mark_selected(box, control);
   const PixelBox picture{box.x, box.y, box.height, box.height};
   draw_what(sheet, control, picture);
 
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
-  TextStyle title_style = sheet.style(Letters::Label);
+  TextStyle title_style = sheet.style(Letters::Item);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
   TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
   const std::string line = line_of(sheet, it);

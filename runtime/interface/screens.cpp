@@ -24,22 +24,25 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
                        float x, float y, float width) {
   const Museum& museum = sheet.museum();
   const std::uint32_t language = sheet.request().state.language;
+  const auto add = [&](float at, std::string_view text) {
+    const TextPiece piece = sheet.fitted(style, text, width);
+    sheet.view().remaining.push_back(
+        {at, sheet.quad_of(piece, x, y, width, Align::Start, sheet.theme().ink),
+         sheet.words_of(piece)});
+  };
   constexpr double near = 10, coarse = 5;
   double metres = 1;
   while (metres < route_summary.metres) {
     const std::string text = metres < 3 ? std::string(sheet.word("nearly_there"))
                                         : filled_in(sheet.word("remaining"), "distance",
                                                     distance_in(museum, language, metres));
-    sheet.view().remaining.push_back(
-        {static_cast<float>(metres), sheet.quad_of(sheet.fitted(style, text, width), x, y, width,
-                                                   Align::Start, sheet.theme().ink)});
+    add(static_cast<float>(metres), text);
     metres += metres < near ? 1 : coarse;
   }
   std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
                                 distance_in(museum, language, route_summary.metres));
   whole = filled_in(whole, "time", time_in(museum, language, route_summary.seconds));
-  sheet.view().remaining.push_back({1e9F, sheet.quad_of(sheet.fitted(style, whole, width), x, y,
-                                                        width, Align::Start, sheet.theme().ink)});
+  add(1e9F, whole);
 }
 
 /// Why there is no way, and who can help.
@@ -218,8 +221,12 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
 
   const float height = std::round(m.touch * 1.35F);
   const float width = std::round(std::min(content.width, 54 * m.unit));
-  sheet.button(sheet.control("begin"), {content.x, foot - 2 * m.gap - height, width, height},
-               Sheet::Emphasis::Strong);
+  const PixelBox begin{content.x, foot - 2 * m.gap - height, width, height};
+  const std::int32_t resume = sheet.control("resume");
+  if (resume < 0) return sheet.button(sheet.control("begin"), begin, Sheet::Emphasis::Strong);
+  const float half = std::floor((content.width - m.gap) / 2);
+  sheet.button(sheet.control("begin"), {begin.x, begin.y, half, height}, Sheet::Emphasis::Strong);
+  sheet.button(resume, {content.right() - half, begin.y, half, height}, Sheet::Emphasis::Soft);
 }
 
 namespace {
