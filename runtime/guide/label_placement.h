@@ -26,7 +26,7 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
 /// leaves the free part. Names of galleries come first and stay about their gallery; then exhibits,
 /// what is selected before the rest; then places. A spot that is moved stays within a few
 /// fingertips of what it marks, and keeps its `anchor`. What finds no room gets an empty rectangle:
-/// the list still leads there. Does not allocate; a thousand labels take about a millisecond.
+/// the list still leads there. Does not allocate.
 void place_labels(interface::View& view, const scene::CameraView& camera,
                   float floor_height) noexcept;
 
