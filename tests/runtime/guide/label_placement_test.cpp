@@ -26,15 +26,20 @@ interface::View view_of(std::size_t exhibits, std::size_t signs, std::uint32_t s
   view.free = {0.37F, 0, 0.63F, 1};
   for (std::size_t i = 0; i < exhibits + signs; ++i) {
     const auto n = static_cast<std::uint32_t>(i);
-    view.controls.push_back({.name = std::to_string(i), .role = interface::Role::Spot, .label = {}, .action = {}, .rect = {}});
-    view.labels.push_back({.position = {1 + n * 7919U % spread / 10.0, 1 + n * 104729U % 280 / 10.0},
-                           .height = 2.3F,
-                           .width_px = 20,
-                           .height_px = 28,
-                           .control = static_cast<std::int32_t>(i),
-                           .on_disc = i < exhibits,
-                           .is_sign = i >= exhibits,
-                           .rect = {}});
+    view.controls.push_back({.name = std::to_string(i),
+                             .role = interface::Role::Spot,
+                             .label = {},
+                             .action = {},
+                             .rect = {}});
+    view.labels.push_back(
+        {.position = {1 + n * 7919U % spread / 10.0, 1 + n * 104729U % 280 / 10.0},
+         .height = 2.3F,
+         .width_px = 20,
+         .height_px = 28,
+         .control = static_cast<std::int32_t>(i),
+         .on_disc = i < exhibits,
+         .is_sign = i >= exhibits,
+         .rect = {}});
   }
   for (int i = 0; i < 9; ++i) {
     const Vec2 least{13.0 * (i % 3), 10.0 * (i / 3)};
@@ -56,8 +61,9 @@ bool overlap(const scene::Rect& a, const scene::Rect& b) {
 
 TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
   EXPECT_TRUE(rc::check("1 to 5,000 exhibits, near and far", [] {
-    interface::View view = view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300, 5000),
-                                   *rc::gen::inRange<std::size_t>(0, 20), *rc::gen::inRange(1U, 380U));
+    interface::View view =
+        view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300, 5000),
+                *rc::gen::inRange<std::size_t>(0, 20), *rc::gen::inRange(1U, 380U));
     place_labels(view, overview(), 0);
     std::vector<scene::Rect> grounds;
     for (const interface::FloorLabel& label : view.labels)

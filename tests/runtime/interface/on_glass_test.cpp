@@ -47,9 +47,9 @@ Museum museum_of(std::uint32_t exhibits, std::uint32_t letters) {
 
 ViewRequest any_request(const Museum& museum) {
   ViewRequest request;
-  const auto [width, height] = *rc::gen::element(
-      std::pair{1024U, 768U}, std::pair{1280U, 720U}, std::pair{1920U, 1080U},
-      std::pair{3840U, 2160U}, std::pair{1080U, 1920U}, std::pair{2160U, 3840U});
+  const auto [width, height] =
+      *rc::gen::element(std::pair{1024U, 768U}, std::pair{1280U, 720U}, std::pair{1920U, 1080U},
+                        std::pair{3840U, 2160U}, std::pair{1080U, 1920U}, std::pair{2160U, 3840U});
   request.shape = {.width = width,
                    .height = height,
                    .diagonal_inches = *rc::gen::element(24.0F, 32.0F, 43.0F, 55.0F)};
@@ -57,8 +57,7 @@ ViewRequest any_request(const Museum& museum) {
       *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
   request.state.language =
       *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.languages.size()));
-  request.state.exhibit =
-      *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.exhibits.size()));
+  request.state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.exhibits.size()));
   request.state.arrived = request.state.screen == Screen::Arrived;
   if (request.state.screen == Screen::Welcome) request.state.exhibit.reset();
   request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places);
@@ -130,7 +129,8 @@ TEST(OnGlass, SaysHowHighLettersAreOnTheGlass) {
 TEST(OnGlass, FindsWhatCoversAndWhatLeavesTheScreen) {
   const ScreenShape shape;
   const auto at = [](float x, float y) {
-    OnGlass one{.name = {}, .role = "text", .label = {}, .state = "normal", .rect = {}, .spoken = {}};
+    OnGlass one{
+        .name = {}, .role = "text", .label = {}, .state = "normal", .rect = {}, .spoken = {}};
     one.rect = {x, y, 0.1F, 0.1F};
     return one;
   };
