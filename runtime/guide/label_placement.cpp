@@ -157,11 +157,10 @@ void move_spots(interface::View& view) noexcept {
   for (const interface::FloorLabel& label : view.labels)
     if (label.control >= 0)
       view.controls[static_cast<std::size_t>(label.control)].rect =
-          label.rect.width > 0 ? around(label.rect.x + label.rect.width / 2,
-                                        label.rect.y + label.rect.height / 2,
-                                        view.spot_px / view.pixel_width,
-                                        view.spot_px / view.pixel_height)
-                               : scene::Rect{};
+          label.rect.width > 0
+              ? around(label.rect.x + label.rect.width / 2, label.rect.y + label.rect.height / 2,
+                       view.spot_px / view.pixel_width, view.spot_px / view.pixel_height)
+              : scene::Rect{};
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ class Lister {
       if (words < 0 && element.control == control) words = element.words;
     for (const FloorLabel& label : view_.labels)
       if (words < 0 && label.control == control) words = label.words;
-    return words < 0 ? 0
-                     : mm_of(shape_, view_.words[static_cast<std::size_t>(words)].capitals_px);
+    return words < 0 ? 0 : mm_of(shape_, view_.words[static_cast<std::size_t>(words)].capitals_px);
   }
 
   const Museum& museum_;

@@ -12,8 +12,8 @@
 
 namespace docent::interface {
 
-/// A control or a label as it lies on the glass: what somebody who does not see it is told, and what
-/// tests measure.
+/// A control or a label as it lies on the glass: what somebody who does not see it is told, and
+/// what tests measure.
 struct OnGlass {
   std::string name;       ///< Of a control. Labels have none.
   std::string_view role;  ///< "button", "list-item", "spot", "choice"; of a label "text".

@@ -24,8 +24,8 @@ std::string object_of(const interface::OnGlass& item) {
   return fmt::format(
       R"({{"name": {}, "role": "{}", "label": {}, "state": "{}", "rect": [{:.5f}, {:.5f}, {:.5f}, {:.5f}], )"
       R"("text_mm": {:.2f}, "spoken": {}, "focus": {}}})",
-      json_string(item.name), item.role, json_string(item.label), item.state, r.x, r.y, r.width, r.height,
-      item.text_mm, json_string(item.spoken), item.has_focus);
+      json_string(item.name), item.role, json_string(item.label), item.state, r.x, r.y, r.width,
+      r.height, item.text_mm, json_string(item.spoken), item.has_focus);
 }
 
 }  // namespace

@@ -60,6 +60,10 @@ ViewRequest any_request(const Museum& museum) {
   request.state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.exhibits.size()));
   request.state.arrived = request.state.screen == Screen::Arrived;
   if (request.state.screen == Screen::Welcome) request.state.exhibit.reset();
+  request.shape.text_scale = *rc::gen::element(1.0F, 1.4F, 2.0F);
+  request.state.can_resume = request.state.screen == Screen::Welcome && *rc::gen::arbitrary<bool>();
+  request.state.asks_to_stay =
+      request.state.screen != Screen::Welcome && *rc::gen::inRange(0, 4) == 0;
   request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places);
   if (*rc::gen::arbitrary<bool>())
     request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
@@ -84,8 +88,9 @@ TEST(OnGlass, NothingCoversAnythingNorLeavesTheScreenInAnyMuseum) {
     }
     RC_LOG() << request.shape.width << " x " << request.shape.height << ", "
              << request.shape.diagonal_inches << " inches, screen "
-             << static_cast<int>(request.state.screen) << ", language " << request.state.language
-             << '\n';
+             << static_cast<int>(request.state.screen) << ", letters " << request.shape.text_scale
+             << (request.state.asks_to_stay ? ", asks" : "") << ", language "
+             << request.state.language << '\n';
     RC_ASSERT(covering.empty());
     RC_ASSERT(outside(items, request.shape).empty());
   }));
