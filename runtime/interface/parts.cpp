@@ -77,7 +77,8 @@ TextPiece language_name(Sheet& sheet, const Control& control, float width) {
 
 }  // namespace
 
-/// Languages side by side, each as wide as its name; in equal shares where that is too much.
+/// Languages side by side, each as wide as its name; narrower, or in equal shares, where that is
+/// too much.
 void draw_languages(Sheet& sheet, const PixelBox& box) {
   const Measures& m = sheet.measures();
   std::vector<std::int32_t> controls;
@@ -97,10 +98,15 @@ void draw_languages(Sheet& sheet, const PixelBox& box) {
     whole += widths.back() + m.unit;
   }
   const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
+  // Long names take more of what there is than short ones, as long as all are wide enough to touch.
+  const float scale = (box.width - m.unit * static_cast<float>(controls.size())) / whole;
+  const bool in_proportion = std::ranges::all_of(
+      widths, [&](float width) { return std::floor(scale * width) >= m.touch; });
   float x = box.x;
   for (std::size_t n = 0; n < controls.size(); ++n) {
     const Control& it = of(controls[n]);
-    const PixelBox cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
+    const float narrow = in_proportion ? std::floor(scale * widths[n]) : share;
+    const PixelBox cell{x, box.y, whole - m.unit > box.width ? narrow : widths[n], box.height};
     x = cell.right() + m.unit;
     sheet.place(controls[n], cell);
     if (it.selected) sheet.mark_selected(cell, controls[n]);
