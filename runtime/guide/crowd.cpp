@@ -28,6 +28,7 @@ bool stands(const Avatar& avatar) noexcept {
 }
 
 bool is_between_floors(const Agent& one) noexcept {
+  if (one.appears_at) return false;
   return one.boards || ride_of(one.avatar) != nullptr;
 }
 
@@ -54,6 +55,20 @@ std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double ran
   one.pace = pace;
   members_.push_back(std::move(one));
   return who;
+}
+
+void Crowd::appear(std::uint32_t who, std::uint32_t floor, const Placement& place) noexcept {
+  Agent& one = members_[who];
+  one.appears_at = place;
+  one.appears_on = floor;
+  one.is_here = one.boards = one.is_on_its_way = one.awaits_answer = one.replans = false;
+  one.goal.reset();
+  one.has_arrived = true;
+  one.route_summary.reset();
+  one.boards_at = 0;
+  one.ask_at = clock_;
+  one.avatar.next.reset();
+  ask_for_next(who);
 }
 
 void Crowd::hold_still() noexcept {
@@ -151,8 +166,8 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
   order.id = one.last_order = ++last_order_;
   order.avatar = who;
   one.surroundings = surroundings_of(who);
-  order.floor = avatar.floor;
-  order.start = avatar.body;
+  order.floor = order.enters && one.appears_at ? one.appears_on : avatar.floor;
+  order.start = order.enters ? one.appears_at.value_or(avatar.body) : avatar.body;
   order.pace = one.pace;
   order.previous = avatar.plan.get();
   if (!walk.root.empty()) {
@@ -199,11 +214,7 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
   one.awaits_answer = false;
   for (const std::uint32_t other : plan->in_the_way)
     if (other < members_.size()) ask_for_room(other, who);
-  if (plan->order.enters) {
-    one.is_here = !plan->holds;
-    one.ask_at = clock_ + appear_again;
-    return;
-  }
+  if (plan->order.enters) return take_appearance(one, std::move(plan));
   if (plan->order.ride) return take_ride(one, std::move(plan));
   if (plan->place != none) {
     one.place = plan->place;
@@ -243,6 +254,19 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
   }
   ++one.commitments;
   one.is_on_its_way = leads_to_goal;
+}
+
+void Crowd::take_appearance(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
+  one.is_here = !plan->holds;
+  one.ask_at = clock_ + appear_again;
+  if (!one.is_here || !one.appears_at) return;
+  one.ask_at = clock_;
+  one.appears_at.reset();
+  one.avatar.floor = plan->order.floor;
+  one.avatar.seconds = one.avatar.along = 0;
+  one.avatar.next.reset();
+  one.avatar.plan = std::move(plan);
+  ++one.commitments;
 }
 
 /// Where it cannot get on yet, it asks again; whatever it has been told since, it rides once it has
@@ -305,7 +329,7 @@ bool Crowd::may_ask(std::uint32_t who) const noexcept {
 void Crowd::ask_for_next(std::uint32_t who) noexcept {
   Agent& one = members_[who];
   const Avatar& avatar = one.avatar;
-  if (members_.size() == 1) one.is_here = true;
+  if (members_.size() == 1 && !one.appears_at) one.is_here = true;
   if (one.awaits_answer || avatar.next || !may_ask(who) || yields(one)) return;
   if (!one.is_here) {
     plan::WalkOrder order;

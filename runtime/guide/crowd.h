@@ -15,7 +15,10 @@ namespace docent::guide {
 /// One of a crowd: its avatar, where it wants to go, and how it gets on.
 struct Agent {
   Avatar avatar;
-  bool is_here = false;           ///< It appears once there is room for it.
+  bool is_here = false;  ///< It appears once there is room for it.
+  /// Where it appears, on which floor, if not where it is.
+  std::optional<Placement> appears_at{};
+  std::uint32_t appears_on = 0;
   std::optional<Placement> goal;  ///< Where it is sent; empty: it stands, or stops.
   std::uint32_t goal_floor = 0;
   std::optional<std::uint32_t> exhibit{};  ///< It was sent to see that.
@@ -71,6 +74,9 @@ class Crowd {
   void attend(std::uint32_t who, const Company& company) noexcept {
     members_[who].avatar.company = company;
   }
+  /// Wherever it is and whatever it does, it goes out of sight and appears at that place, standing,
+  /// as soon as there is room. What it is told meanwhile it does from there.
+  void appear(std::uint32_t who, std::uint32_t floor, const Placement& place) noexcept;
   /// It lifts a hand to its visitor in the next step, whatever it does.
   void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.
@@ -107,6 +113,7 @@ class Crowd {
   void take_answers() noexcept;
   void take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void take_ride(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
+  void take_appearance(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void ask_for_next(std::uint32_t who) noexcept;
   void go_on(std::uint32_t who) noexcept;
   void ask_for_ride(std::uint32_t who) noexcept;

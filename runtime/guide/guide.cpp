@@ -53,7 +53,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) +
                         2 * interface::most_seats);
   list_.quads.reserve(
-      std::max(most_quads, (museum.exhibits.size() + museum.places.size()) * 4 + 512) +
+      std::max(most_quads, (museum.exhibits.size() + museum.places.size()) * 8 + 1024) +
       sessions_.size() * quads_of_a_card);
 }
 
@@ -111,6 +111,18 @@ std::size_t Guide::part_of(std::optional<std::uint32_t> seat) const noexcept {
 
 bool Guide::shows_its_state(std::size_t part) const noexcept {
   return sessions_[part].shows_its_state();
+}
+
+std::vector<interface::OnGlass> Guide::on_glass() const {
+  std::vector<interface::OnGlass> all;
+  for (const Session& session : sessions_) {
+    if (session.view() == nullptr) continue;
+    for (interface::OnGlass& item :
+         interface::on_glass(museum_, *session.view(), settings_.shape,
+                             static_cast<float>(session.remaining()), session.overlay().focus()))
+      all.push_back(std::move(item));
+  }
+  return all;
 }
 
 bool Guide::is_settled(std::size_t part) const noexcept {
@@ -291,7 +303,7 @@ const scene::DrawList& Guide::draw_list() noexcept {
     if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
   stage_.draw(state(), crowd_, led_visitors(), list_);
   const double floor_height = museum_.floors[stage_.floor()].plan.height;
-  const bool names = is_shared() || state().screen == interface::Screen::Choosing;
+  const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, static_cast<float>(floor_height));
     session.overlay().draw(static_cast<float>(session.remaining()),

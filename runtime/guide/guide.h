@@ -15,6 +15,7 @@
 #include "runtime/guide/strollers.h"
 #include "runtime/input/contact.h"
 #include "runtime/interface/layout.h"
+#include "runtime/interface/on_glass.h"
 #include "runtime/model/museum.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/draw_list.h"
@@ -103,6 +104,8 @@ class Guide {
   const interface::View* view(std::size_t part = 0) const noexcept {
     return sessions_[part].view();
   }
+  /// Every control and label on the glass, part by part. Allocates: for scripted visits and tests.
+  std::vector<interface::OnGlass> on_glass() const;
   /// Does the screen show the state that the visitor asked for?
   bool shows_its_state(std::size_t part = 0) const noexcept;
   /// Does it, and has every flight and fade ended?

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
+#include <tuple>
 #include <utility>
 
+#include "runtime/guide/label_placement.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::guide {
@@ -40,10 +43,6 @@ scene::Rect between(const scene::Rect& a, const scene::Rect& b, float t) noexcep
           std::lerp(a.height, b.height, t)};
 }
 
-scene::Rect around(float x, float y, float width, float height) noexcept {
-  return {x - width / 2, y - height / 2, width, height};
-}
-
 float shorter_px(const interface::View& view) noexcept {
   return std::min(view.pixel_width, view.pixel_height);
 }
@@ -71,135 +70,13 @@ std::int32_t twin_of(std::int32_t control, const interface::View& from,
   return twin == to.controls.end() ? -1 : static_cast<std::int32_t>(twin - to.controls.begin());
 }
 
-/// What a label covers where it is shown, with what it is drawn on.
-scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
-  const float unit = view.unit_px;
-  float width = label.width_px + 1.6F * unit, height = label.height_px * 0.82F;
-  if (label.on_disc)
-    width = height = std::max({4.2F * unit, label.width_px + 1.4F * unit, label.height_px});
-  if (label.is_sign) width = height = label.width_px + 1.2F * unit;
-  return around(label.rect.x + label.rect.width / 2, label.rect.y + label.rect.height / 2,
-                width / view.pixel_width, height / view.pixel_height);
-}
-
-/// Of a gallery.
-bool is_name(const interface::FloorLabel& label) noexcept {
-  return !label.on_disc && !label.is_sign;
-}
-
-bool overlap(const scene::Rect& a, const scene::Rect& b) noexcept {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
-/// Steps about a place, nearest first, in shares of a sign's size.
-constexpr std::array<std::array<float, 2>, 17> about{{{0, 0},
-                                                      {0, -0.6F},
-                                                      {0, 0.6F},
-                                                      {-0.6F, 0},
-                                                      {0.6F, 0},
-                                                      {0, -1.1F},
-                                                      {0, 1.1F},
-                                                      {-1.1F, 0},
-                                                      {1.1F, 0},
-                                                      {-1.1F, -1.1F},
-                                                      {1.1F, -1.1F},
-                                                      {-1.1F, 1.1F},
-                                                      {1.1F, 1.1F},
-                                                      {0, -2.2F},
-                                                      {0, 2.2F},
-                                                      {-2.2F, 0},
-                                                      {2.2F, 0}}};
-
-/// Moves a sign to where it covers none of the labels before it and none that is no sign; leaves it
-/// where it is if there is no such place about it.
-void make_way(const interface::View& view, std::size_t sign,
-              std::span<interface::FloorLabel> labels) noexcept {
-  interface::FloorLabel& label = labels[sign];
-  const scene::Rect place = label.rect;
-  const scene::Rect ground = ground_of(view, label);
-  for (const auto& [x, y] : about) {
-    label.rect = place;
-    label.rect.x += x * ground.width;
-    label.rect.y += y * ground.height;
-    const scene::Rect here = ground_of(view, label);
-    bool is_free = scene::contains(view.free, here.x, here.y) &&
-                   scene::contains(view.free, here.x + here.width, here.y + here.height);
-    for (std::size_t i = 0; is_free && i < labels.size(); ++i)
-      if (i != sign && labels[i].rect.width > 0 && (!labels[i].is_sign || i < sign))
-        is_free = !overlap(here, ground_of(view, labels[i]));
-    if (is_free) return;
-  }
-  label.rect = place;
-}
-
-/// Steps about a gallery's name, nearest first, in heights of it.
-constexpr auto about_name = [] {
-  constexpr int across = 4, up = 5;  // either way
-  std::array<std::array<float, 2>, (2 * across + 1) * (2 * up + 1)> steps{};
-  std::size_t count = 0;
-  for (int x = -across; x <= across; ++x)
-    for (int y = -up; y <= up; ++y)
-      steps[count++] = {0.8F * static_cast<float>(x), 0.5F * static_cast<float>(y)};
-  std::ranges::sort(steps, {}, [](const auto& s) { return s[0] * s[0] + s[1] * s[1]; });
-  return steps;
-}();
-
-float shared_area(const scene::Rect& a, const scene::Rect& b) noexcept {
-  const float width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
-  const float height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
-  return std::max(width, 0.0F) * std::max(height, 0.0F);
-}
-
-/// Where the middle of a gallery's name may be: about where the gallery is seen.
-scene::Rect seen_gallery(const scene::CameraView& camera, const interface::FloorLabel& name,
-                         float height) noexcept {
-  float left = 1, right = 0, top = 1, bottom = 0;
-  for (const Vec2 corner :
-       {name.least, name.most, Vec2{name.least.x, name.most.y}, Vec2{name.most.x, name.least.y}}) {
-    const auto at = scene::project(camera, to_world(corner, height));
-    if (!at) continue;
-    left = std::min(left, at->x);
-    right = std::max(right, at->x);
-    top = std::min(top, at->y);
-    bottom = std::max(bottom, at->y);
-  }
-  return {left, top, right - left, bottom - top};
-}
-
-/// Moves a gallery's name, within the gallery, to where it covers no number and no name before it,
-/// and is in the picture; or where least of it does not.
-void find_room(const interface::View& view, std::size_t name, const scene::Rect& gallery,
-               std::span<interface::FloorLabel> labels) noexcept {
-  interface::FloorLabel& label = labels[name];
-  const scene::Rect place = label.rect;
-  const scene::Rect ground = ground_of(view, label);
-  const float line_x = ground.height * view.pixel_height / view.pixel_width;
-  constexpr float free = 1e-6F;  // of the screen
-  float least = 1e9F;
-  for (const auto& [x, y] : about_name) {
-    const scene::Rect here{ground.x + x * line_x, ground.y + y * ground.height, ground.width,
-                           ground.height};
-    const bool is_moved = x != 0 || y != 0;
-    if (is_moved && !scene::contains(gallery, here.x + here.width / 2, here.y + here.height / 2))
-      continue;
-    float covered = here.width * here.height - shared_area(here, view.free);
-    for (std::size_t i = 0; i < labels.size() && covered < least; ++i)
-      if (i != name && labels[i].rect.width > 0 &&
-          (labels[i].on_disc || (is_name(labels[i]) && i < name)))
-        covered += shared_area(here, ground_of(view, labels[i]));
-    if (covered >= least) continue;
-    least = covered;
-    label.rect = {place.x + x * line_x, place.y + y * ground.height, place.width, place.height};
-    if (least <= free) return;
-  }
-}
-
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
   if (view_) note_what_stays(*view_, *view);
   leaving_ = std::exchange(view_, std::move(view));
   age_ = leaving_ ? 0 : fade_seconds;
+  is_placed_ = false;
   for (Press& press : presses_)
     press.control = leaving_ ? twin_of(press.control, *leaving_, *view_) : -1;
   if (focus_ >= static_cast<std::int32_t>(view_->controls.size())) focus_ = -1;
@@ -219,33 +96,16 @@ void Overlay::advance(float seconds) noexcept {
 }
 
 void Overlay::follow(const scene::CameraView& camera, float floor_height) noexcept {
+  const bool moves = camera != camera_;
+  if (!moves && is_placed_) return;
+  camera_ = camera;
+  is_placed_ = !moves;
   for (interface::View* view : {view_.get(), leaving_.get()}) {
     if (view == nullptr) continue;
-    for (interface::FloorLabel& label : view->labels) {
-      const auto at = scene::project(camera, to_world(label.position, floor_height + label.height));
-      label.rect = {};
-      const bool in_picture = at && scene::contains(view->free, at->x, at->y);
-      if (in_picture)
-        label.rect = around(at->x, at->y, label.width_px / view->pixel_width,
-                            label.height_px / view->pixel_height);
-    }
-    for (std::size_t i = 0; i < view->labels.size(); ++i)
-      if (is_name(view->labels[i]) && view->labels[i].rect.width > 0)
-        find_room(*view, i,
-                  seen_gallery(camera, view->labels[i], floor_height + view->labels[i].height),
-                  view->labels);
-    for (std::size_t i = 0; i < view->labels.size(); ++i)
-      if (view->labels[i].is_sign && view->labels[i].rect.width > 0)
-        make_way(*view, i, view->labels);
-    for (const interface::FloorLabel& label : view->labels) {
-      if (label.control < 0) continue;
-      const scene::Rect& at = label.rect;
-      view->controls[static_cast<std::size_t>(label.control)].rect =
-          at.width > 0
-              ? around(at.x + at.width / 2, at.y + at.height / 2, view->spot_px / view->pixel_width,
-                       view->spot_px / view->pixel_height)
-              : scene::Rect{};
-    }
+    if (moves)
+      project_labels(*view, camera, floor_height);
+    else
+      place_labels(*view, camera, floor_height);
   }
 }
 
@@ -333,19 +193,63 @@ void Overlay::draw_elements(const interface::View& view, float opacity, float un
   }
 }
 
+/// A dot for each second, of which those that are over are pale.
+void Overlay::draw_countdown(float opacity, scene::DrawList& list) const noexcept {
+  const scene::Rect& at = view_->countdown;
+  if (at.width <= 0) return;
+  constexpr int dots = static_cast<int>(countdown_seconds);
+  constexpr float size = 0.11F;  // of the ring
+  for (int i = 0; i < dots; ++i) {
+    const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / dots;
+    const float reach = (1 - size) / 2;
+    scene::Quad dot;
+    dot.rect = around(at.x + at.width * (0.5F + reach * std::sin(angle)),
+                      at.y + at.height * (0.5F - reach * std::cos(angle)), size * at.width,
+                      size * at.height);
+    dot.corner = size * at.width * view_->pixel_width / 2 / shorter_px(*view_);
+    const bool is_left = static_cast<float>(dots - i) <= seconds_left_;
+    dot.colour = scene::with_opacity(is_left ? theme.focus : theme.plaster, opacity);
+    list.quads.push_back(dot);
+  }
+}
+
 void Overlay::draw_focus(scene::DrawList& list) const noexcept {
   if (focus_ < 0 || !view_) return;
   const scene::Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
   if (rect.width <= 0) return;
-  // Two nested frames, dark round light, are seen on every ground.
-  const float thick = view_->unit_px * 0.5F;
-  for (const auto& [reach, colour] : {std::pair{1.6F, theme.focus}, std::pair{0.9F, theme.paper}}) {
-    const float x = reach * thick / view_->pixel_width, y = reach * thick / view_->pixel_height;
-    scene::Quad frame;
-    frame.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y};
-    frame.colour = colour;
-    frame.corner = (1.5F * view_->unit_px + reach * thick) / shorter_px(*view_);
-    list.quads.push_back(frame);
+  // An outline, which leaves what it is about as it is: dark beside light is seen on every ground.
+  const float unit = view_->unit_px;
+  constexpr float pale_reach = 0.9F, dark_reach = 0.7F, pale = 0.9F, dark = 0.5F;  // units
+  for (const auto& [reach, thick, colour] :
+       {std::tuple{pale_reach, pale, theme.paper}, std::tuple{dark_reach, dark, theme.focus}}) {
+    const float x = reach * unit / view_->pixel_width, y = reach * unit / view_->pixel_height;
+    list.quads.push_back({.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y},
+                          .fill = scene::QuadFill::Frame,
+                          .colour = colour,
+                          .corner = (1.5F + reach) * unit / shorter_px(*view_),
+                          .softness = thick * unit / shorter_px(*view_)});
+  }
+}
+
+/// Dots from what a label marks to where it has made way to.
+void Overlay::draw_leader(const interface::View& view, const interface::FloorLabel& label,
+                          float opacity, scene::DrawList& list) const noexcept {
+  constexpr float step = 1.2F, dot = 0.45F;  // units
+  const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
+  const float across = (x - label.anchor_x) * view.pixel_width,
+              down = (y - label.anchor_y) * view.pixel_height;
+  const auto dots = static_cast<int>(std::hypot(across, down) / (step * view.unit_px));
+  if (dots < 2 || list.quads.size() + static_cast<std::size_t>(dots) > list.quads.capacity() / 2)
+    return;
+  const float size = dot * view.unit_px;
+  for (int i = 0; i < dots; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(dots);
+    scene::Quad quad;
+    quad.rect = around(std::lerp(label.anchor_x, x, share), std::lerp(label.anchor_y, y, share),
+                       size / view.pixel_width, size / view.pixel_height);
+    quad.corner = size / 2 / shorter_px(view);
+    quad.colour = scene::with_opacity(theme.quiet_ink, opacity);
+    list.quads.push_back(quad);
   }
 }
 
@@ -367,6 +271,17 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
                                         : label.is_sign ? theme.quiet_ink
                                                         : theme.paper,
                                         is_name(label) ? 0.74F * opacity : opacity);
+    if (label.on_disc) draw_leader(view, label, opacity, list);
+    if (!is_name(label) && !label.is_sign) {  // paper is seen on paper by its edge
+      scene::Quad edge = ground;
+      const float x = 0.25F * view.unit_px / view.pixel_width,
+                  y = 0.25F * view.unit_px / view.pixel_height;
+      edge.rect = {edge.rect.x - x, edge.rect.y - y, edge.rect.width + 2 * x,
+                   edge.rect.height + 2 * y};
+      edge.corner += 0.25F * view.unit_px / shorter;
+      edge.colour = scene::with_opacity(theme.quiet_ink, opacity);
+      list.quads.push_back(edge);
+    }
     list.quads.push_back(ground);
     scene::Quad text;
     text.fill = scene::QuadFill::Text;
@@ -392,6 +307,7 @@ void Overlay::draw_remaining(const interface::View& view, float metres, float op
 
 void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept {
   if (!view_) return;
+  if (!is_placed_) labels_opacity = 0;
   const float t = is_fading() ? static_cast<float>(scene::ease_out(age_ / fade_seconds)) : 1;
   if (leaving_) draw_labels(*leaving_, labels_opacity * (1 - t), list);
   draw_labels(*view_, labels_opacity * t, list);
@@ -402,6 +318,7 @@ void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list)
     if (view_->remaining.empty()) draw_remaining(*leaving_, remaining, 1 - t, list);
   }
   draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
+  draw_countdown(t, list);
   draw_focus(list);
 
   for (const Ring& ring : rings_) {

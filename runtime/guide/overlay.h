@@ -22,7 +22,7 @@ class Overlay {
   /// Another view: the panel stays, what both have in common stays, the rest fades.
   void enter(std::unique_ptr<interface::View> view) noexcept;
   void advance(float seconds) noexcept;
-  /// Spots and names follow the camera.
+  /// Spots and names follow the camera; when it stands still, they make way for each other.
   void follow(const scene::CameraView& camera, float floor_height) noexcept;
 
   /// The control at a point of the screen: one of the panel's, or else the nearest spot of the
@@ -40,6 +40,11 @@ class Overlay {
 
   const interface::View* view() const noexcept { return view_.get(); }
   bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
+
+  /// Seconds until the visitor counts as gone, of `countdown_seconds`; a ring shows them where the
+  /// view has room for one.
+  void count_down(float seconds_left) noexcept { seconds_left_ = seconds_left; }
+  static constexpr float countdown_seconds = 20;
 
   /// Appends the quads of the interface. `remaining`: metres that the guide still has to walk;
   /// `labels_opacity`: of what is written on the model.
@@ -64,6 +69,9 @@ class Overlay {
   void draw_elements(const interface::View& view, float opacity, float unchanged_opacity,
                      bool leaving, scene::DrawList& list) const noexcept;
   void draw_focus(scene::DrawList& list) const noexcept;
+  void draw_countdown(float opacity, scene::DrawList& list) const noexcept;
+  void draw_leader(const interface::View& view, const interface::FloorLabel& label, float opacity,
+                   scene::DrawList& list) const noexcept;
   void draw_labels(const interface::View& view, float opacity,
                    scene::DrawList& list) const noexcept;
   void draw_remaining(const interface::View& view, float metres, float opacity,
@@ -71,7 +79,10 @@ class Overlay {
 
   bool reduced_motion_;
   std::unique_ptr<interface::View> view_, leaving_;
-  float age_ = 1;  ///< Seconds since view_ was entered.
+  scene::CameraView camera_;  ///< That the labels follow, ...
+  bool is_placed_ = false;    ///< ... and which stands still: they have made way for each other.
+  float age_ = 1;             ///< Seconds since view_ was entered.
+  float seconds_left_ = 0;
   std::int32_t focus_ = -1;
   std::array<Ring, most_presses> rings_{};
   std::array<Press, most_presses> presses_{};

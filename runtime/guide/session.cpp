@@ -9,9 +9,11 @@
 namespace docent::guide {
 namespace {
 
-constexpr double at_home = 0.3;      ///< Metres from its place that still count as home.
-constexpr float undecided_for = 20;  ///< Seconds that a seat is kept for who picks no guide.
-constexpr float left_for = 0.4F;     ///< Seconds in which a touch is still of who has just left.
+constexpr double at_home = 0.3;       ///< Metres from its place that still count as home.
+constexpr float undecided_for = 20;   ///< Seconds that a seat is kept for who picks no guide.
+constexpr float left_for = 0.4F;      ///< Seconds in which a touch is still of who has just left.
+constexpr float forgotten_after = 5;  ///< Seconds in which starting over can be taken back.
+constexpr float next_visitor_after = 20;  ///< Seconds after which a welcome is for somebody else.
 /// On a card a flick is shorter than on the whole glass: this share of its column.
 constexpr float flick_share = 0.3F;
 
@@ -76,6 +78,10 @@ bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   const std::int32_t control = surface.touch_up(gesture.finger);
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
+  if (state_.asks_to_stay) {
+    act({interface::Action::Kind::Stay});
+    return true;
+  }
   if (state_.seat && is_vacant() &&
       (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
     return true;
@@ -104,6 +110,7 @@ void Session::swipe(bool left) noexcept {
 
 void Session::press_key(input::Key key) noexcept {
   idle_seconds_ = 0;
+  if (state_.asks_to_stay) return act({interface::Action::Kind::Stay});
   switch (key) {
     case input::Key::Up:
     case input::Key::Left:
@@ -131,7 +138,16 @@ void Session::press_key(input::Key key) noexcept {
 }
 
 void Session::act(interface::Action action) noexcept {
+  if (action.kind == interface::Action::Kind::Resume) return resume();
+  const bool was_vacant = is_vacant();
+  if (!state_.seat) left_.reset();
+  if (!state_.seat && !was_vacant && action.kind == interface::Action::Kind::Home) {
+    left_ = state_;
+    left_seconds_ = 0;
+    overlay_.clear_focus();
+  }
   show(interface::after(state_, action));
+  if (was_vacant && !is_vacant()) begin_visit();
   switch (action.kind) {
     case interface::Action::Kind::Begin:
       if (guide_) context_.crowd.greet(*guide_);
@@ -160,6 +176,28 @@ void Session::act(interface::Action action) noexcept {
     default:
       break;
   }
+}
+
+/// Starting over is taken back: the visitor is where they were, and the guide turns round.
+void Session::resume() noexcept {
+  if (!left_) return;
+  interface::InterfaceState before = *left_;
+  left_.reset();
+  before.arrived = false;
+  if (before.screen == interface::Screen::Arrived) before.screen = interface::Screen::Walking;
+  show(before);
+  set_out();
+}
+
+/// What the last visitor chose is kept for a moment, and then for nobody.
+void Session::keep_to_resume(float seconds) noexcept {
+  if (!left_) return;
+  left_seconds_ += seconds;
+  if (left_seconds_ < forgotten_after) return;
+  left_.reset();
+  interface::InterfaceState state = state_;
+  state.can_resume = false;
+  show(state);
 }
 
 /// Sends the guide to the chosen goal by the chosen kind of way, unless it is on that way.
@@ -214,6 +252,15 @@ void Session::go_home() noexcept {
   vacant_seconds_ = 0;
 }
 
+/// On the glass of one visitor every visit begins where they stand, wherever the last one ended.
+void Session::begin_visit() noexcept {
+  if (state_.seat || !guide_ || !is_out()) return;
+  context_.crowd.appear(*guide_, context_.museum.kiosk_floor, context_.homes[*guide_]);
+  errand_ = {};
+  ends_aside_ = false;
+  route_summary_.reset();
+}
+
 void Session::show(const interface::InterfaceState& state) noexcept {
   if (state_ == state) return;
   state_ = state;
@@ -264,6 +311,7 @@ void Session::step(float seconds, float absent_after) noexcept {
   step_aside();
   notice_arrival();
   notice_absence(seconds, absent_after);
+  keep_to_resume(seconds);
   vacant_seconds_ += seconds;
   gestures_.advance(seconds);
   overlay_.advance(seconds);
@@ -310,6 +358,8 @@ void Session::notice_absence(float seconds, float absent_after) noexcept {
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);
+  if (is_vacant()) absent_after = std::min(absent_after, next_visitor_after);
+  ask_to_stay(absent_after);
   if (idle_seconds_ < absent_after) return;
   idle_seconds_ = 0;
   overlay_.clear_focus();
@@ -319,7 +369,18 @@ void Session::notice_absence(float seconds, float absent_after) noexcept {
   vacant.taken = state_.taken;
   if (state_ == vacant) return;
   act({interface::Action::Kind::Home});
+  left_.reset();
   show(vacant);
+}
+
+/// Before the glass is made ready for somebody else, whoever may be there is asked.
+void Session::ask_to_stay(float absent_after) noexcept {
+  if (state_.seat || state_.glass != interface::Glass::Whole || is_vacant()) return;
+  const float left = absent_after - idle_seconds_;
+  overlay_.count_down(left);
+  interface::InterfaceState state = state_;
+  state.asks_to_stay = left <= std::min(Overlay::countdown_seconds, absent_after / 3);
+  show(state);
 }
 
 }  // namespace docent::guide

@@ -92,10 +92,14 @@ class Session {
   void order(const Errand& errand) noexcept;
   void lead(const Errand& errand) noexcept;
   void go_home() noexcept;
+  void begin_visit() noexcept;
   void take_way() noexcept;
   void step_aside() noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;
+  void ask_to_stay(float absent_after) noexcept;
+  void resume() noexcept;
+  void keep_to_resume(float seconds) noexcept;
 
   const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
   bool is_out() const noexcept;
@@ -109,8 +113,10 @@ class Session {
   std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;
   Overlay overlay_;
-  float idle_seconds_ = 0;       ///< Since they last touched anything.
-  float vacant_seconds_ = 1e9F;  ///< Since the last visitor left the seat.
+  std::optional<interface::InterfaceState> left_{};  ///< What starting over can be taken back to.
+  float left_seconds_ = 0;                           ///< Since then.
+  float idle_seconds_ = 0;                           ///< Since they last touched anything.
+  float vacant_seconds_ = 1e9F;                      ///< Since the last visitor left the seat.
   std::uint64_t last_request_ = 0, routes_ = 0;
   bool awaiting_view_ = false;
 };

@@ -83,6 +83,7 @@ InterfaceState vacated(const InterfaceState& state) noexcept {
 }  // namespace
 
 InterfaceState after(InterfaceState state, Action action) noexcept {
+  state.asks_to_stay = state.can_resume = false;
   switch (action.kind) {
     case Action::Kind::Begin:
       show_list(state, Listed::Exhibits);
@@ -154,12 +155,17 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
     case Action::Kind::Home:
       if (state.seat) return vacated(state);
+      state.can_resume = state.screen != Screen::Welcome;
       forget_goal(state);
       state.floor.reset();
+      state.kind = RouteKind::Shortest;
       state.ways = {};
       state.own_tour = {};
       show_list(state, Listed::Exhibits);
       state.screen = Screen::Welcome;
+      break;
+    case Action::Kind::Stay:
+    case Action::Kind::Resume:
       break;
   }
   return state;

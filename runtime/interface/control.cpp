@@ -237,6 +237,8 @@ void add_spots(const Museum& museum, const InterfaceState& state, std::vector<Co
 
 void add_begin(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(button(request.museum, "begin", "begin", {Action::Kind::Begin}));
+  if (request.state.can_resume)
+    out.push_back(button(request.museum, "resume", "take_back", {Action::Kind::Resume}));
 }
 void add_join(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(button(request.museum, "begin", "join", {Action::Kind::Begin}));
@@ -380,8 +382,10 @@ std::vector<Control> controls_of(const Museum& museum, const InterfaceState& sta
     add_languages(request, out);
     add_helps(request, out);
   }
-  if (state.glass != Glass::Whole || state.screen == Screen::Choosing)
-    add_spots(museum, state, out);
+  if (state.glass != Glass::Whole || shows_spots(state.screen)) add_spots(museum, state, out);
+  if (!state.asks_to_stay) return out;
+  for (Control& control : out) control.enabled = false;  // a touch anywhere says that they stay
+  out.push_back(button(museum, "stay", "stay", {Action::Kind::Stay}));
   return out;
 }
 

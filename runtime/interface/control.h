@@ -67,6 +67,8 @@ struct InterfaceState {
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
+  bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
+  bool can_resume = false;    ///< They have started over just now, and may take that back.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -95,6 +97,8 @@ struct Action {
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
+    Stay,             ///< They are still there.
+    Resume,           ///< Starting over is taken back: whoever keeps the session knows to what.
   };
   Kind kind = Kind::Begin;
   std::uint32_t argument = 0;
@@ -130,6 +134,11 @@ struct Control {
 /// So many languages have room for their names beside each other, on every screen. More are on the
 /// welcome screen, in rows, and behind one button.
 inline constexpr std::size_t most_languages_beside = 5;
+
+/// Are exhibits and places touched on the model while this screen is shown?
+constexpr bool shows_spots(Screen screen) noexcept {
+  return screen == Screen::Welcome || screen == Screen::Choosing;
+}
 
 /// Does it put an exhibit into the visitor's own tour, or take it out?
 bool is_collect(const Control& control) noexcept;

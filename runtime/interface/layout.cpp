@@ -69,6 +69,7 @@ void add_floor_labels(Sheet& sheet) {
                      .texture = name.texture,
                      .width_px = name.width,
                      .height_px = name.height,
+                     .words = sheet.words_of(name),
                      .least = room.label,
                      .most = room.label,
                      .rect = {}};
@@ -96,6 +97,7 @@ void add_floor_labels(Sheet& sheet) {
                            .width_px = number.width,
                            .height_px = number.height,
                            .control = static_cast<std::int32_t>(i),
+                           .words = sheet.words_of(number),
                            .on_disc = true,
                            .rect = {}});
   }
@@ -187,8 +189,8 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   faces_of(request.state.screen).whole.lay_out(sheet, content);
   PixelBox free = free_box(request.shape);
   const float strip = draw_helps(sheet, free);
+  if (shows_spots(request.state.screen)) add_floor_labels(sheet);
   if (request.state.screen == Screen::Choosing) {
-    add_floor_labels(sheet);
     // The model stands beside the floors' buttons, not below them; and above the strip, as far as
     // most of the screen stays its own.
     free.height -= strip;
@@ -198,6 +200,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
     const float least = std::min(view->free.height, least_model / view->free.width);
     view->free.height = std::max(least, view->free.height - strip / view->pixel_height);
   }
+  if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();
   return view;
 }

@@ -47,7 +47,7 @@ void draw_route(Sheet& sheet, std::int32_t control, const PixelBox& box, Along a
   sheet.place(control, box);
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   const auto kind = static_cast<RouteKind>(it.action.argument);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  if (it.selected) sheet.mark_selected(box, control);
 
   const bool narrow = along != Along::Column;
   TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
@@ -91,14 +91,15 @@ void draw_language(Sheet& sheet, std::int32_t control, const PixelBox& box, Alig
   const Measures& m = sheet.measures();
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  if (it.selected) sheet.mark_selected(box, control);
   const PixelBox inside = align == Align::Centre ? box.inset(m.unit / 2) : box.inset(m.unit);
   const TextPiece name = language_name(sheet, it, inside.width);
   sheet.piece(name, inside.x, box.y + (box.height - name.height) / 2, inside.width, align,
               it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, control);
 }
 
-/// Languages side by side, each as wide as its name; in equal shares where that is too much.
+/// Languages side by side, each as wide as its name; narrower, or in equal shares, where that is
+/// too much.
 void draw_languages(Sheet& sheet, const PixelBox& box) {
   const Measures& m = sheet.measures();
   if (const std::int32_t list = sheet.control("languages"); list >= 0)
@@ -114,9 +115,14 @@ void draw_languages(Sheet& sheet, const PixelBox& box) {
     whole += widths.back() + m.unit;
   }
   const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
+  // Long names take more of what there is than short ones, as long as all are wide enough to touch.
+  const float scale = (box.width - m.unit * static_cast<float>(controls.size())) / whole;
+  const bool in_proportion = std::ranges::all_of(
+      widths, [&](float width) { return std::floor(scale * width) >= m.touch; });
   float x = box.x;
   for (std::size_t n = 0; n < controls.size(); ++n) {
-    const PixelBox cell{x, box.y, whole - m.unit > box.width ? share : widths[n], box.height};
+    const float narrow = in_proportion ? std::floor(scale * widths[n]) : share;
+    const PixelBox cell{x, box.y, whole - m.unit > box.width ? narrow : widths[n], box.height};
     x = cell.right() + m.unit;
     draw_language(sheet, controls[n], cell, Align::Centre);
   }
@@ -164,7 +170,7 @@ float draw_floors(Sheet& sheet, const PixelBox& free) {
     const Floor& floor = sheet.museum().floors[it.action.argument];
     const PixelBox box{x, y, side, side};
     sheet.place(control, box);
-    if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+    if (it.selected) sheet.mark_selected(box, control);
     TextStyle style = sheet.style(Letters::Label);
     style.weight = it.selected ? 600 : 400;
     const TextPiece name = sheet.fitted(style, floor.plan.short_name, side);
@@ -318,12 +324,12 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  if (it.selected) sheet.mark_selected(box, control);
   const PixelBox picture{box.x, box.y, box.height, box.height};
   draw_what(sheet, control, picture);
 
   const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
-  TextStyle title_style = sheet.style(Letters::Label);
+  TextStyle title_style = sheet.style(Letters::Item);
   title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
   TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
   const std::string line = line_of(sheet, it);

@@ -37,13 +37,18 @@ const TextPiece* PieceCache::find(std::string_view key) {
   return &known->second.piece;
 }
 
-void PieceCache::keep(std::string key, const TextPiece& piece, PieceUpload upload) {
+/// The last `letters` bytes of the key are what the piece says.
+TextPiece PieceCache::keep(std::string key, const TextPiece& piece, PieceUpload upload,
+                           std::size_t letters) {
   const auto& [texture, text, picture] = upload;
   const std::size_t bytes = picture.rgba.empty() ? texture_bytes(text.width, text.height, 1)
                                                  : texture_bytes(picture.width, picture.height, 4);
   bytes_ += bytes;
-  entries_.emplace(std::move(key), Entry{piece, bytes, view_, {}});
+  const auto kept = entries_.emplace(std::move(key), Entry{piece, bytes, view_, {}}).first;
+  TextPiece& whole = kept->second.piece;
+  whole.words = std::string_view(kept->first).substr(kept->first.size() - letters);
   changes_.uploads.push_back(std::move(upload));
+  return whole;
 }
 
 TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::uint32_t width) {
@@ -51,18 +56,26 @@ TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::u
   if (const TextPiece* known = find(key)) return *known;
   TextBitmap bitmap = makers_.set_text(style, text, width);
   if (bitmap.coverage.empty()) return {};
-  const TextPiece piece{free_texture(), static_cast<float>(bitmap.width),
-                        static_cast<float>(bitmap.height), bitmap.lines, bitmap.cut};
-  keep(std::move(key), piece, {.texture = piece.texture, .text = std::move(bitmap), .picture = {}});
-  return piece;
+  const TextPiece piece{.texture = free_texture(),
+                        .width = static_cast<float>(bitmap.width),
+                        .height = static_cast<float>(bitmap.height),
+                        .lines = bitmap.lines,
+                        .cut = bitmap.cut,
+                        .size = style.size,
+                        .words = {}};
+  return keep(std::move(key), piece,
+              {.texture = piece.texture, .text = std::move(bitmap), .picture = {}}, text.size());
 }
 
 TextPiece PieceCache::pictogram(Pictogram what, std::uint32_t side) {
   std::string key = fmt::format("pictogram|{}|{}", static_cast<int>(what), side);
   if (const TextPiece* known = find(key)) return *known;
   TextBitmap bitmap = draw_pictogram(what, side);
-  const TextPiece piece{free_texture(), static_cast<float>(bitmap.width),
-                        static_cast<float>(bitmap.height), bitmap.lines, false};
+  const TextPiece piece{.texture = free_texture(),
+                        .width = static_cast<float>(bitmap.width),
+                        .height = static_cast<float>(bitmap.height),
+                        .lines = bitmap.lines,
+                        .words = {}};
   keep(std::move(key), piece, {.texture = piece.texture, .text = std::move(bitmap), .picture = {}});
   return piece;
 }

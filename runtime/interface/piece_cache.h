@@ -21,7 +21,9 @@ struct TextPiece {
   scene::TextureId texture = scene::TextureId::None;
   float width = 0, height = 0;  ///< Pixels.
   std::uint32_t lines = 0;
-  bool cut = false;  ///< It ended in an ellipsis.
+  bool cut = false;          ///< It ended in an ellipsis.
+  float size = 0;            ///< Pixels: of its letters. 0: a pictogram.
+  std::string_view words{};  ///< What it says; until the view is ended.
 };
 
 /// Who makes the pieces of a view. A view without pictures is made by leaving `set_picture` empty.
@@ -66,7 +68,8 @@ class PieceCache {
     std::array<std::uint16_t, 4> shown_by{};
   };
   const TextPiece* find(std::string_view key);
-  void keep(std::string key, const TextPiece& piece, PieceUpload upload);
+  TextPiece keep(std::string key, const TextPiece& piece, PieceUpload upload,
+                 std::size_t letters = 0);
   void note_what_shows(std::uint32_t part);
   bool may_go(const Entry& entry) const;
   void retire_unused();

@@ -24,22 +24,25 @@ void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary&
                        float x, float y, float width) {
   const Museum& museum = sheet.museum();
   const std::uint32_t language = sheet.request().state.language;
+  const auto add = [&](float at, std::string_view text) {
+    const TextPiece piece = sheet.fitted(style, text, width);
+    sheet.view().remaining.push_back(
+        {at, sheet.quad_of(piece, x, y, width, Align::Start, sheet.theme().ink),
+         sheet.words_of(piece)});
+  };
   constexpr double near = 10, coarse = 5;
   double metres = 1;
   while (metres < route_summary.metres) {
     const std::string text = metres < 3 ? std::string(sheet.word("nearly_there"))
                                         : filled_in(sheet.word("remaining"), "distance",
                                                     distance_in(museum, language, metres));
-    sheet.view().remaining.push_back(
-        {static_cast<float>(metres), sheet.quad_of(sheet.fitted(style, text, width), x, y, width,
-                                                   Align::Start, sheet.theme().ink)});
+    add(static_cast<float>(metres), text);
     metres += metres < near ? 1 : coarse;
   }
   std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
                                 distance_in(museum, language, route_summary.metres));
   whole = filled_in(whole, "time", time_in(museum, language, route_summary.seconds));
-  sheet.view().remaining.push_back({1e9F, sheet.quad_of(sheet.fitted(style, whole, width), x, y,
-                                                        width, Align::Start, sheet.theme().ink)});
+  add(1e9F, whole);
 }
 
 /// Why there is no way, and who can help.
@@ -200,27 +203,57 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
   return y + line + m.gap;
 }
 
+namespace {
+
+/// The museum's name, the welcome and what one can do here, as large as there is room for above
+/// `bottom`; where there is hardly any, without the last.
+void draw_greeting(Sheet& sheet, const PixelBox& content, float bottom) {
+  const Measures& m = sheet.measures();
+  struct Sizes {
+    Letters title, welcome, lead;
+  };
+  constexpr std::array sizes{Sizes{Letters::Label, Letters::Welcome, Letters::Lead},
+                             Sizes{Letters::Label, Letters::Title, Letters::Lead},
+                             Sizes{Letters::Label, Letters::Title, Letters::Body},
+                             Sizes{Letters::Body, Letters::Heading, Letters::Body},
+                             Sizes{Letters::Body, Letters::Body, Letters::Body}};
+  for (const Sizes& size : sizes) {
+    const auto set = [&](Letters letters, std::string_view text, std::uint16_t lines) {
+      return sheet.fitted(sheet.style(letters, lines), text, content.width);
+    };
+    const TextPiece title = set(size.title, sheet.local(sheet.museum().title), 2);
+    const TextPiece welcome = set(size.welcome, sheet.word("welcome"), 2);
+    const TextPiece lead = set(size.lead, sheet.local(sheet.museum().welcome), 4);
+    const float top = content.y + title.height + m.gap;
+    const float spare = bottom - top - welcome.height - m.gap - lead.height;
+    const bool is_last = &size == &sizes.back();
+    if (spare < 0 && !is_last) continue;
+    sheet.piece(title, content.x, content.y, content.width, Align::Start, sheet.theme().quiet_ink);
+    float y = top;
+    if (is_landscape(sheet.request().shape))
+      y = std::max(top, std::min(content.y + content.height * 0.2F, top + spare));
+    y = sheet.piece(welcome, content.x, y, content.width, Align::Start, sheet.theme().ink) + m.gap;
+    if (spare >= 0)
+      sheet.piece(lead, content.x, y, content.width, Align::Start, sheet.theme().quiet_ink);
+    return;
+  }
+}
+
+}  // namespace
+
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const Museum& museum = sheet.museum();
-  const bool in_rows = museum.languages.size() > most_languages_beside;
+  const bool in_rows = sheet.museum().languages.size() > most_languages_beside;
   const float foot = in_rows ? draw_language_rows(sheet, content) : draw_foot(sheet, content, "");
-
-  const bool landscape = is_landscape(sheet.request().shape);
-  float y = content.y;
-  y = sheet.text(Letters::Label, sheet.local(museum.title), content.x, y, content.width,
-                 sheet.theme().quiet_ink, 2);
-  y = landscape ? std::max(y + m.gap, content.y + content.height * 0.2F) : y + m.gap;
-  y = sheet.text(Letters::Welcome, sheet.word("welcome"), content.x, y, content.width,
-                 sheet.theme().ink, 2);
-  y += m.gap;
-  sheet.text(Letters::Lead, sheet.local(museum.welcome), content.x, y, content.width,
-             sheet.theme().quiet_ink, 4);
-
   const float height = std::round(m.touch * 1.35F);
   const float width = std::round(std::min(content.width, 54 * m.unit));
-  sheet.button(sheet.control("begin"), {content.x, foot - 2 * m.gap - height, width, height},
-               Sheet::Emphasis::Strong);
+  const PixelBox begin{content.x, foot - 2 * m.gap - height, width, height};
+  draw_greeting(sheet, content, begin.y - m.gap);
+  const std::int32_t resume = sheet.control("resume");
+  if (resume < 0) return sheet.button(sheet.control("begin"), begin, Sheet::Emphasis::Strong);
+  const float half = std::floor((content.width - m.gap) / 2);
+  sheet.button(sheet.control("begin"), {begin.x, begin.y, half, height}, Sheet::Emphasis::Strong);
+  sheet.button(resume, {content.right() - half, begin.y, half, height}, Sheet::Emphasis::Soft);
 }
 
 namespace {

@@ -12,11 +12,11 @@ constexpr float capital_share = 0.72F;
 float capitals_mm(Letters letters) noexcept {
   switch (letters) {
     case Letters::Small:
-      return 4;
     case Letters::Body:
       return 5;
-    case Letters::Label:
+    case Letters::Item:
       return 5.4F;
+    case Letters::Label:
     case Letters::Lead:
       return 7;
     case Letters::Heading:
@@ -92,7 +92,7 @@ TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept 
       letters == Letters::Heading || letters == Letters::Title || letters == Letters::Welcome;
   TextStyle style;
   style.family = serif ? Family::Serif : Family::Sans;
-  style.weight = letters == Letters::Label ? 500 : 400;
+  style.weight = letters == Letters::Label || letters == Letters::Item ? 500 : 400;
   style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
                           optical_scale(language) * request_.shape.text_scale * letters_);
   style.line_height = serif ? 1.2F : 1.4F;
@@ -119,12 +119,28 @@ scene::Rect Sheet::share_of(const PixelBox& box) const noexcept {
   return {box.x / width_, box.y / height_, box.width / width_, box.height / height_};
 }
 
-void Sheet::add(scene::Quad quad, std::int32_t control) {
-  view_.elements.push_back({quad, control});
+void Sheet::add(scene::Quad quad, std::int32_t control, std::int32_t words) {
+  view_.elements.push_back({quad, control, words});
+}
+
+std::int32_t Sheet::words_of(const TextPiece& piece) {
+  if (piece.words.empty()) return -1;
+  view_.words.push_back({std::string(piece.words), piece.size * capital_share});
+  return static_cast<std::int32_t>(view_.words.size()) - 1;
 }
 
 void Sheet::fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control) {
   add({.rect = share_of(box), .colour = colour, .corner = corner / shorter_}, control);
+}
+
+void Sheet::mark_selected(const PixelBox& box, std::int32_t control) {
+  fill(box, theme_.plaster, measures_.corner, control);
+  add({.rect = share_of(box),
+       .fill = scene::QuadFill::Frame,
+       .colour = theme_.quiet_ink,
+       .corner = measures_.corner / shorter_,
+       .softness = std::max(1.0F, 0.25F * measures_.unit) / shorter_},
+      control);
 }
 
 void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
@@ -178,7 +194,7 @@ scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width
 float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align align,
                    scene::Colour colour, std::int32_t control) {
   if (piece.texture != scene::TextureId::None)
-    add(quad_of(piece, x, y, width, align, colour), control);
+    add(quad_of(piece, x, y, width, align, colour), control, words_of(piece));
   return y + piece.height;
 }
 
@@ -201,9 +217,10 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis,
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
   const bool strong = emphasis == Emphasis::Strong;
-  if (emphasis != Emphasis::Plain && it.enabled)
-    fill(box, strong ? theme_.ink : theme_.plaster, measures_.corner, control);
-  scene::Colour colour = strong ? theme_.paper : theme_.ink;
+  const bool plain = emphasis == Emphasis::Plain;
+  if (!plain && it.enabled)
+    fill(box, strong ? theme_.ink : theme_.quiet_ink, measures_.corner, control);
+  scene::Colour colour = plain ? theme_.ink : theme_.paper;
   if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
   const float pad = button_pad(), width = box.width - 2 * pad;
   const TextPiece label = set(word, local(it.label), width);
@@ -214,7 +231,7 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis,
 void Sheet::quiet_button(std::int32_t control, const PixelBox& box) {
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
-  if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
+  if (it.selected) mark_selected(box, control);
   const std::string_view text = local(it.label);
   TextStyle look = style(Letters::Small);
   if (text.find(' ') != std::string_view::npos || is_without_spaces(look.language))
@@ -240,7 +257,7 @@ void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& 
                           const TextStyle& word) {
   place(control, box);
   const Control& it = view_.controls[static_cast<std::size_t>(control)];
-  if (it.selected) fill(box, theme_.plaster, measures_.corner, control);
+  if (it.selected) mark_selected(box, control);
   const float side = sign_side(), pad = measures_.unit;
   const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
   pictogram(what, {box.x + pad, box.y, side, box.height}, ink, control);
@@ -260,13 +277,19 @@ TextStyle Sheet::word_style(std::span<const std::int32_t> controls, float width)
     return control < 0 ||
            !set(look, local(view_.controls[static_cast<std::size_t>(control)].label), width).cut;
   };
-  for (const std::uint16_t lines : {std::uint16_t{1}, std::uint16_t{2}})
-    for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
-      look.max_lines = lines;
-      look.line_height = lines == 1 ? whole.line_height : 1.1F;
-      look.size = std::round(whole.size * scale * (lines == 1 ? 1 : 0.8F));
-      if (std::ranges::all_of(controls, fits)) return look;
-    }
+  struct Setting {
+    std::uint16_t lines;
+    float scale;
+  };
+  // The largest first, on one line rather than on two.
+  for (const auto& [lines, scale] :
+       {Setting{1, 1.0F}, Setting{1, 0.9F}, Setting{1, 0.8F}, Setting{2, 0.8F}, Setting{1, 0.72F},
+        Setting{2, 0.72F}, Setting{2, 0.64F}, Setting{2, 0.56F}}) {
+    look.max_lines = lines;
+    look.line_height = lines == 1 ? whole.line_height : 1.1F;
+    look.size = std::round(whole.size * scale);
+    if (std::ranges::all_of(controls, fits)) return look;
+  }
   return look;
 }
 
@@ -304,6 +327,7 @@ bool Sheet::is_crowded() const {
 void Sheet::finish() {
   if (!right_to_left_) return;
   mirror(view_.panel, turned_);
+  if (view_.countdown.width > 0) mirror(view_.countdown, turned_);
   for (Control& control : view_.controls)
     if (control.rect.width > 0) mirror(control.rect, turned_);
   for (Element& element : view_.elements) mirror(element.quad.rect, turned_);

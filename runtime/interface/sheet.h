@@ -17,9 +17,10 @@ enum class Align : std::uint8_t { Start, Centre, End };
 
 /// What letters are used for, each with the height of its capitals on the glass in millimetres.
 enum class Letters : std::uint8_t {
-  Small,    ///< Names of galleries, numbers: 4.
+  Small,    ///< Names of galleries, numbers: 5.
   Body,     ///< What an exhibit has to say: 5.
-  Label,    ///< Controls: 5.4, medium.
+  Item,     ///< What a list holds: 5.4, medium.
+  Label,    ///< Controls: 7, medium.
   Lead,     ///< A sentence that leads on: 7.
   Heading,  ///< A question: 8, serif.
   Title,    ///< An exhibit's name: 11, serif.
@@ -61,6 +62,8 @@ class Sheet {
   TextPiece fitted(TextStyle style, std::string_view text, float width);
 
   void fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control = -1);
+  /// What is chosen has a ground, and an edge that is seen on paper.
+  void mark_selected(const PixelBox& box, std::int32_t control);
   void shadow(const PixelBox& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
   void image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control = -1);
@@ -103,6 +106,8 @@ class Sheet {
     return word_style(controls, width - 3 * measures_.unit - sign_side());
   }
 
+  /// What a piece says, as an index into View::words; -1 for a pictogram.
+  std::int32_t words_of(const TextPiece& piece);
   scene::Quad quad_of(const TextPiece& piece, float x, float y, float width, Align align,
                       scene::Colour colour) const;
   scene::Rect share_of(const PixelBox& box) const noexcept;
@@ -117,7 +122,7 @@ class Sheet {
   void finish();
 
  private:
-  void add(scene::Quad quad, std::int32_t control);
+  void add(scene::Quad quad, std::int32_t control, std::int32_t words = -1);
   TextStyle word_style(std::span<const std::int32_t> controls, float width);
   TextPiece set(const TextStyle& style, std::string_view text, float width);
   float button_pad() const noexcept { return 1.5F * measures_.unit; }
@@ -212,6 +217,9 @@ float draw_floors(Sheet& sheet, const PixelBox& free);
 /// What helps on every screen, on a strip at the model's lower edge; returns its height, with the
 /// gap below it.
 float draw_helps(Sheet& sheet, const PixelBox& free);
+/// Asks whether somebody is still there, over the middle of the model, with room for a ring that
+/// counts the seconds. Nothing else can be touched meanwhile.
+void draw_still_here(Sheet& sheet, const PixelBox& free);
 /// Languages in a row, or what leads to the list of them; in as many rows as they take, from the
 /// content's bottom up, whose top is returned; and one of them.
 void draw_languages(Sheet& sheet, const PixelBox& box);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "runtime/interface/control.h"
@@ -24,10 +25,17 @@ struct PieceChanges {
   std::vector<PieceUpload> uploads;
 };
 
+/// What a text on the glass says, for whoever does not read pixels.
+struct Words {
+  std::string text;
+  float capitals_px = 0;  ///< How high its capitals are.
+};
+
 /// A rectangle of a view, in the order to be drawn.
 struct Element {
   scene::Quad quad;
   std::int32_t control = -1;  ///< The control that it belongs to and is pressed with; -1: none.
+  std::int32_t words = -1;    ///< Index into View::words; -1: it is no text.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
   bool stays = false;         ///< Set by the frame thread: also in the view before or after.
 };
@@ -39,17 +47,20 @@ struct FloorLabel {
   scene::TextureId texture = scene::TextureId::None;
   float width_px = 0, height_px = 0;
   std::int32_t control = -1;  ///< The spot that it marks; -1: none.
+  std::int32_t words = -1;    ///< Index into View::words; -1: it is a pictogram.
   bool on_disc = false;       ///< Drawn on a small disc.
   bool is_sign = false;       ///< A place's pictogram, on a dark tile; makes way for other labels.
   /// Floor frame: the corners between which a gallery's name stays when it makes way.
   Vec2 least{}, most{};
-  scene::Rect rect;  ///< Screen frame: where it is seen now; follows the camera.
+  scene::Rect rect;                  ///< Screen frame: where it is seen now; follows the camera.
+  float anchor_x = 0, anchor_y = 0;  ///< Screen frame: what it marks; it may have made way.
 };
 
 /// One of several prepared texts: shown while at most `metres` of the way remain.
 struct CountedText {
   float metres = 0;
   scene::Quad quad;
+  std::int32_t words = -1;  ///< Index into View::words.
 };
 
 /// What the interface shows in one state: made on the worker, shown by the frame thread, which only
@@ -61,8 +72,10 @@ struct View {
   std::vector<Control> controls;
   std::vector<Element> elements;
   std::vector<FloorLabel> labels;
+  std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
   scene::Rect panel;                   ///< Screen frame.
+  scene::Rect countdown;               ///< Screen frame: of a ring of seconds; empty: none.
   scene::Rect free{0, 0, 1, 1};        ///< What is left to the model; at least 55 % of the screen.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen: labels are drawn texel for pixel.
   float spot_px = 54;                       ///< How wide and high a spot is.

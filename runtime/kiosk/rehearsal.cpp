@@ -4,6 +4,8 @@
 
 #include "config/diagnostic_text.h"
 #include "platform/image/image.h"
+#include "runtime/kiosk/control_list.h"
+#include "runtime/kiosk/statistics.h"
 
 namespace docent::kiosk {
 namespace {
@@ -50,6 +52,10 @@ bool Rehearsal::wants_frame(double time) const noexcept {
 Result<void> Rehearsal::record(double time, const guide::Guide& guide,
                                const headless::HeadlessDisplay* screen) {
   if (recorder_) recorder_->add_states(time, guide);
+  if (visit_)
+    for (const std::filesystem::path& list : visit_->take_lists())
+      if (const Result<void> written = write_whole(list, to_json(guide.on_glass())); !written)
+        return written;
   if (screen == nullptr) return {};
   const std::vector<std::filesystem::path> shots =
       visit_ ? visit_->take_shots() : std::vector<std::filesystem::path>{};

@@ -207,7 +207,7 @@ class LineReader {
 
 std::span<const VisitForm> visit_forms() noexcept {
   using Kind = VisitCommand::Kind;
-  static constexpr std::array<VisitForm, 10> forms{{
+  static constexpr std::array<VisitForm, 11> forms{{
       {"tap", "X Y", Kind::Tap, "A finger goes down there and up again"},
       {"tap", "@NAME", Kind::TapNamed,
        "The control or exhibit of that name is tapped, wherever it is; where another screen shows "
@@ -222,6 +222,9 @@ std::span<const VisitForm> visit_forms() noexcept {
        "A key is pressed: UP DOWN LEFT RIGHT ENTER BACK HELP VOLUME_UP VOLUME_DOWN, a letter, a "
        "digit, or F1 to F24"},
       {"shot", "FILE.png", Kind::Shot, "The screen is written as a picture"},
+      {"controls", "FILE.json", Kind::Controls,
+       "Every control and label on the screen is written as JSON: name, role, label, state, "
+       "rectangle, height of its capitals, what is spoken, and whether it has the focus"},
       {"today", "FILE", Kind::Today, "That file becomes today.toml: what is closed from then on"},
       {"quit", "", Kind::Quit, "The program ends"},
   }};

@@ -61,6 +61,8 @@ void VisitPlayer::play(const VisitCommand& command, double time, const TakeEvent
     }
     case Kind::Shot:
       return shots_.push_back(command.name);
+    case Kind::Controls:
+      return lists_.push_back(command.name);
     case Kind::Today:
       return todays_.push_back(command.name);
     case Kind::Quit:

@@ -32,6 +32,8 @@ class VisitPlayer {
   bool wants_shot() const noexcept { return !shots_.empty(); }
   /// Pictures asked for since the last call: they show the frame about to be drawn.
   std::vector<std::filesystem::path> take_shots() { return std::exchange(shots_, {}); }
+  /// Files that are to hold what is on the glass, asked for since the last call.
+  std::vector<std::filesystem::path> take_lists() { return std::exchange(lists_, {}); }
   /// Files that became today.toml since the last call.
   std::vector<std::filesystem::path> take_todays() { return std::exchange(todays_, {}); }
   bool has_quit() const noexcept { return quit_; }
@@ -52,7 +54,7 @@ class VisitPlayer {
   std::deque<VisitCommand> named_;  ///< Named taps under way or waiting; the first is under way.
   std::vector<Lift> lifts_;         ///< Fingers of taps that are still down.
   std::uint32_t fingers_ = 0;
-  std::vector<std::filesystem::path> shots_, todays_;
+  std::vector<std::filesystem::path> shots_, lists_, todays_;
   bool quit_ = false;
 };
 

@@ -133,6 +133,9 @@ void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
   if (is_refused(order, *closed_.load())) return send(plans_, refusal_of(order), stop_);
   Traffic& here = traffic_on(order.floor);
+  if (order.enters)  // it is on no other floor from now on
+    for (const std::unique_ptr<Traffic>& other : traffic_)
+      if (other && other.get() != &here) other->leave(order.avatar, 0);
   if (!order.ride) return send(plans_, here.plan(order), stop_);
   const Connection& connection = museum_.connections[order.ride->connection];
   Traffic& there = traffic_on(connection.stops[order.ride->to].floor);

@@ -38,6 +38,7 @@ enum class QuadFill : std::uint8_t {
   Shadow,  ///< A soft shadow of the rectangle with corners; `softness` is its reach.
   Ring,    ///< An annulus inscribed in the rectangle: the answer to a touch. `softness` is its
            ///< thickness.
+  Frame,   ///< The outline of the rectangle with corners, within it, `softness` thick.
 };
 
 /// One rectangle of the interface, in the order to be drawn.

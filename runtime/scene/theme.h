@@ -25,7 +25,7 @@ inline Colour srgb(std::uint32_t hex, float opacity = 1) noexcept {
 struct Theme {
   Colour paper = srgb(0xF5F1E8);
   Colour plaster = srgb(0xE9E3D7);
-  Colour cut_face = srgb(0x3A3632);
+  Colour cut_face = srgb(0x8C8479);
   Colour oak = srgb(0xB98F62);
   Colour stone = srgb(0xBDB6A8);
   Colour ink = srgb(0x1E1C1A);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/scene/theme.h"
 #include "tests/golden/pictures.h"
 #include "tests/support/kiosk_run.h"
 
@@ -23,6 +25,66 @@ TEST(TheKiosk, LooksAsItWasSeenAndApproved) {
   for (const char* name :
        {"welcome.png", "choosing.png", "walking.png", "arrived.png", "arabic.png"})
     expect_approved(run.file(name), name);
+}
+
+/// Plays a visit in its folder, so that its pictures lie there.
+void play_in_folder(const VisitRun& run, const char* size) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(run.file("a.visit").parent_path());
+  const ProgramRun played = run.play("", size);
+  std::filesystem::current_path(here);
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+}
+
+TEST(TheFocus, OutlinesWhatItIsAboutAndTheQuestionWhoIsStillThereHasItsRing) {
+  const VisitRun run(
+      "1 key ENTER\n2 key DOWN\n2.2 key DOWN\n3 shot focus.png\n"
+      "50 shot still-here.png\n51 quit\n");
+  play_in_folder(run, "960x540");
+
+  for (const char* name : {"focus.png", "still-here.png"}) expect_approved(run.file(name), name);
+}
+
+/// The relative luminance of a pixel (WCAG 2.2).
+double luminance(const Pixels& picture, std::uint32_t x, std::uint32_t y) {
+  const std::size_t at = 4 * (std::size_t{y} * picture.width + x);
+  const auto linear = [&](std::size_t channel) {
+    return static_cast<double>(scene::linear_light(
+        static_cast<float>(std::to_integer<int>(picture.rgba[at + channel])) / 255));
+  };
+  return 0.2126 * linear(0) + 0.7152 * linear(1) + 0.0722 * linear(2);
+}
+
+double contrast(double a, double b) {
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+/// Neither plaster, nor stone, nor oak is as yellow.
+bool is_ochre(const Pixels& picture, std::uint32_t x, std::uint32_t y) {
+  const std::size_t at = 4 * (std::size_t{y} * picture.width + x);
+  const auto level = [&](std::size_t c) { return std::to_integer<int>(picture.rgba[at + c]); };
+  return level(0) - level(2) > 100 && level(0) - level(1) > 20 && level(0) - level(1) < 80;
+}
+
+TEST(TheWayAlongTheWalls, IsToldFromStoneInLightAndInShade) {
+  const VisitRun run(
+      "1 key ENTER\n2.2 tap @route:offset\n3 tap @exhibit:tripod-ding\n"
+      "8 shot ochre.png\n8.1 quit\n");
+  play_in_folder(run, "960x540");
+  const Pixels seen = picture(run.file("ochre.png"));
+  ASSERT_EQ(seen.width, 960U);
+  int dots = 0, told = 0;
+  for (std::uint32_t y = 100; y < 440; ++y)
+    for (std::uint32_t x = 400; x + 20 < 940; ++x) {
+      if (is_ochre(seen, x - 1, y) || !is_ochre(seen, x, y) || !is_ochre(seen, x + 4, y)) continue;
+      double casing = 1;  // of the few pixels before the dot
+      for (std::uint32_t i = 1; i <= 5; ++i) casing = std::min(casing, luminance(seen, x - i, y));
+      ++dots;
+      if (contrast(casing, luminance(seen, x - 9, y)) >= 3) ++told;
+    }
+
+  ASSERT_GT(dots, 60);
+  EXPECT_GT(told, dots * 9 / 10) << "of " << dots;
 }
 
 TEST(ASharedGlass, LooksAsItWasSeenAndApproved) {

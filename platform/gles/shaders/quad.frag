@@ -26,6 +26,9 @@ void main() {
   } else if (shape.z < 3.5) {  // shadow: close to a Gaussian of the rectangle
     float x = clamp(0.5 - 0.5 * d / max(shape.y, 0.5), 0.0, 1.0);
     colour = vec4(tint.rgb, tint.a * x * x * (3.0 - 2.0 * x));
+  } else if (shape.z > 4.5) {  // frame
+    float line = abs(d + 0.5 * shape.y) - 0.5 * shape.y;
+    colour = vec4(tint.rgb, tint.a * clamp(0.5 - line, 0.0, 1.0));
   } else {  // ring
     float radius = min(half_size.x, half_size.y);
     float ring = abs(length(local) - radius + 0.5 * shape.y) - 0.5 * shape.y;

@@ -36,6 +36,8 @@ void main() {
   c = mix(c, mix(tone.rgb, vec3(1.0), 0.55), 0.20 * sheen);
   // Its edges catch the light.
   c *= 1.0 + 0.10 * smoothstep(-0.03, -0.004, d) * sign(ribbon.y);
+  // A dark casing: every kind is told from every floor, in light and in shade.
+  c = mix(c, vec3(0.012, 0.009, 0.006), smoothstep(-0.030, -0.022, d));
   float opacity = tone.a * mix(1.0, 0.22, behind);
   float far = focus.w * distance_from_focus(world);
   c = mix(c, paper.rgb, far * 0.5);

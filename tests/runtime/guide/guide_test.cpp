@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "platform/sqlite/content_reader.h"
+#include "runtime/scene/theme.h"
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
@@ -214,6 +215,114 @@ TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
   EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
   const Vec2 off = session.guide().crowd()[0].avatar.body.position - museum().kiosk.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
+}
+
+TEST(Guide, BeginsEveryVisitAtYouAreHereWhereverTheLastOneEnded) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(6);
+  session.tap("home");
+  session.run(0.5);
+  const Vec2 left = session.guide().crowd()[0].avatar.body.position - museum().kiosk.position;
+  ASSERT_GT(std::hypot(left.x, left.y), 1.0) << "it is still walking home";
+
+  session.tap("begin");
+  session.run(0.1);
+
+  const Agent& guide = session.guide().crowd()[0];
+  const Vec2 off = guide.avatar.body.position - museum().kiosk.position;
+  EXPECT_LT(std::hypot(off.x, off.y), 0.01);
+  EXPECT_TRUE(guide.is_here);
+  session.tap(first_exhibit());
+  session.run(16);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
+}
+
+TEST(Guide, OutlinesWhatTheKeypadWouldPressAndCoversNothingOfIt) {
+  Session session;
+  session.tap("begin");
+  session.run(1);
+  const std::size_t before = session.guide().draw_list().quads.size();
+  session.key(input::Key::Down);
+  session.run(1);
+
+  const auto& quads = session.guide().draw_list().quads;
+  ASSERT_EQ(quads.size(), before + 2);
+  for (std::size_t i = before; i < quads.size(); ++i)
+    EXPECT_EQ(quads[i].fill, scene::QuadFill::Frame);
+}
+
+TEST(Guide, GoesToAnExhibitTouchedOnTheModelOfTheWelcome) {
+  Session session;
+  session.run(1);
+  session.tap(first_exhibit(), interface::Role::Spot);
+
+  EXPECT_EQ(session.guide().state().exhibit, 0U);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
+}
+
+std::size_t dots_of_seconds(Session& session) {
+  const scene::Rect ring = session.guide().view()->countdown;
+  const auto& quads = session.guide().draw_list().quads;
+  return static_cast<std::size_t>(std::ranges::count_if(quads, [&](const scene::Quad& quad) {
+    return quad.colour == scene::Theme{}.focus && quad.fill == scene::QuadFill::Solid &&
+           scene::contains(ring, quad.rect.x, quad.rect.y);
+  }));
+}
+
+TEST(Guide, AsksWhoeverTouchesNothingWhetherTheyAreStillThereAndATouchAnywhereSaysSo) {
+  Session session;
+  session.tap("begin");
+  session.run(14);
+  ASSERT_TRUE(session.guide().state().asks_to_stay);
+  EXPECT_NEAR(static_cast<double>(dots_of_seconds(session)), 6, 1);
+  session.run(3);
+  EXPECT_NEAR(static_cast<double>(dots_of_seconds(session)), 3, 1);
+
+  session.touch(input::InputEvent::Kind::Down, 1, 0.1F, 0.25F);
+  session.touch(input::InputEvent::Kind::Up, 1, 0.1F, 0.25F);
+  session.run(0.1);
+
+  EXPECT_FALSE(session.guide().state().asks_to_stay);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing) << "nothing else happens";
+  session.run(13);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
+  session.run(8);
+  EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
+}
+
+TEST(Guide, LetsStartingOverBeTakenBackForFiveSeconds) {
+  Session session;
+  session.tap("begin");
+  session.tap(first_exhibit());
+  session.run(3);
+  session.tap("home");
+  session.run(2);
+  session.tap("resume");
+
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
+  EXPECT_EQ(session.guide().state().exhibit, 0U);
+  session.run(20);
+  EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
+
+  session.tap("home");
+  session.run(5.5);
+  EXPECT_FALSE(session.guide().state().can_resume);
+  EXPECT_EQ(
+      std::ranges::count(session.guide().view()->controls, "resume", &interface::Control::name), 0);
+}
+
+TEST(Guide, KeepsNothingOfTheLastVisitorForTheNext) {
+  Session session;
+  session.tap("begin");
+  session.tap("language:ar");
+  session.tap("route:offset");
+  session.tap("collect:" + museum().exhibits.front().id);
+  session.tap("home");
+  session.run(21);
+
+  EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
 }
 
 TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {

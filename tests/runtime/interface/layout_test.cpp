@@ -457,7 +457,8 @@ TEST(View, DrawsItsPicturesTexelForPixel) {
   const auto changes = cache.end_view();
 
   std::size_t pictures = 0;
-  for (const auto& [quad, control, is_panel, stays] : view->elements) {
+  for (const Element& element : view->elements) {
+    const scene::Quad& quad = element.quad;
     if (quad.fill != scene::QuadFill::Image) continue;
     ++pictures;
     const auto upload = std::ranges::find(changes->uploads, quad.texture, &PieceUpload::texture);

@@ -1,0 +1,99 @@
+#include "runtime/guide/label_placement.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace docent::guide {
+namespace {
+
+/// A floor of 40 by 30 metres, seen whole.
+scene::CameraView overview() {
+  const std::array<Vec2, 4> outline{{{0, 0}, {40, 0}, {40, 30}, {0, 30}}};
+  return scene::view_of(scene::overview_of(outline, 0, 1.57, {0.37F, 0, 0.63F, 1}, 16.0F / 9),
+                        16.0F / 9);
+}
+
+interface::View view_of(std::size_t exhibits, std::size_t signs, std::uint32_t spread) {
+  interface::View view;
+  view.pixel_width = 1920;
+  view.pixel_height = 1080;
+  view.panel = {0, 0, 0.37F, 1};
+  view.free = {0.37F, 0, 0.63F, 1};
+  for (std::size_t i = 0; i < exhibits + signs; ++i) {
+    const auto n = static_cast<std::uint32_t>(i);
+    view.controls.push_back({.name = std::to_string(i),
+                             .role = interface::Role::Spot,
+                             .label = {},
+                             .action = {},
+                             .rect = {}});
+    view.labels.push_back(
+        {.position = {1 + n * 7919U % spread / 10.0, 1 + n * 104729U % 280 / 10.0},
+         .height = 2.3F,
+         .width_px = 20,
+         .height_px = 28,
+         .control = static_cast<std::int32_t>(i),
+         .on_disc = i < exhibits,
+         .is_sign = i >= exhibits,
+         .rect = {}});
+  }
+  for (int i = 0; i < 9; ++i) {
+    const Vec2 least{13.0 * (i % 3), 10.0 * (i / 3)};
+    view.labels.push_back({.position = least + Vec2{6, 5},
+                           .width_px = 150,
+                           .height_px = 28,
+                           .least = least,
+                           .most = least + Vec2{13, 10},
+                           .rect = {}});
+  }
+  return view;
+}
+
+bool overlap(const scene::Rect& a, const scene::Rect& b) {
+  constexpr float slack = 1e-5F;  // of a float's last digits
+  return a.width > 0 && b.width > 0 && a.x + slack < b.x + b.width && b.x + slack < a.x + a.width &&
+         a.y + slack < b.y + b.height && b.y + slack < a.y + a.height;
+}
+
+TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
+  EXPECT_TRUE(rc::check("1 to 5,000 exhibits, near and far", [] {
+    interface::View view =
+        view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300, 5000),
+                *rc::gen::inRange<std::size_t>(0, 20), *rc::gen::inRange(1U, 380U));
+    place_labels(view, overview(), 0);
+    std::vector<scene::Rect> grounds;
+    for (const interface::FloorLabel& label : view.labels)
+      if (label.rect.width > 0) grounds.push_back(ground_of(view, label));
+    for (std::size_t i = 0; i < grounds.size(); ++i) {
+      RC_ASSERT(grounds[i].x >= view.free.x - 1e-4F);
+      RC_ASSERT(grounds[i].x + grounds[i].width <= 1.0001F);
+      for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!overlap(grounds[i], grounds[j]));
+    }
+    for (std::size_t i = 0; i < view.controls.size(); ++i)
+      for (std::size_t j = 0; j < i && i < 300; ++j)
+        RC_ASSERT(!overlap(view.controls[i].rect, view.controls[j].rect));
+  }));
+}
+
+TEST(PlacedLabels, AreAllShownWhereThereIsRoom) {
+  interface::View view = view_of(40, 6, 380);
+  place_labels(view, overview(), 0);
+
+  for (const interface::FloorLabel& label : view.labels) EXPECT_GT(label.rect.width, 0);
+}
+
+TEST(PlacedLabels, StayWhereTheyAreWhenNothingIsInTheWay) {
+  interface::View view = view_of(1, 0, 380);
+  place_labels(view, overview(), 0);
+
+  const interface::FloorLabel& label = view.labels.front();
+  EXPECT_NEAR(label.rect.x + label.rect.width / 2, label.anchor_x, 1e-5);
+  EXPECT_NEAR(label.rect.y + label.rect.height / 2, label.anchor_y, 1e-5);
+}
+
+}  // namespace
+}  // namespace docent::guide

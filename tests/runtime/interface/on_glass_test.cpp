@@ -1,0 +1,149 @@
+#include "runtime/interface/on_glass.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/interface/layout.h"
+#include "tests/support/sample_museum.h"
+
+namespace docent::interface {
+namespace {
+
+/// Letters as boxes of six tenths of their size; of languages that run from right to left as well.
+TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  std::size_t letters = 0;
+  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  const float line = std::round(style.size * style.line_height);
+  const float whole = static_cast<float>(letters) * style.size * 0.6F;
+  const float wide = width == 0 ? whole : static_cast<float>(width);
+  const auto lines = static_cast<std::uint32_t>(std::max(1.0F, std::ceil(whole / wide)));
+  TextBitmap bitmap;
+  bitmap.cut = lines > style.max_lines;
+  bitmap.lines = std::min<std::uint32_t>(lines, style.max_lines);
+  bitmap.width = static_cast<std::uint32_t>(std::max(1.0F, std::min(whole, wide)));
+  bitmap.height = bitmap.lines * static_cast<std::uint32_t>(line);
+  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
+  return bitmap;
+}
+
+/// The sample museum with as many exhibits as asked for, each with a title of some length.
+Museum museum_of(std::uint32_t exhibits, std::uint32_t letters) {
+  Museum museum = test::sample_museum_without_walls();
+  const Exhibit pattern = museum.exhibits.front();
+  museum.tours.clear();
+  museum.exhibits.assign(exhibits, pattern);
+  for (std::uint32_t i = 0; i < exhibits; ++i) {
+    Exhibit& one = museum.exhibits[i];
+    one.id = "e" + std::to_string(i);
+    one.placement.position = {1 + (i * 7919U) % 380 / 10.0, 1 + (i * 104729U) % 300 / 10.0};
+    one.viewing_point.position = one.placement.position;
+    for (auto& [tag, title] : one.title) title = std::string(1 + (i * 31U) % letters, 'm');
+  }
+  return museum;
+}
+
+ViewRequest any_request(const Museum& museum) {
+  ViewRequest request;
+  const auto [width, height] =
+      *rc::gen::element(std::pair{1024U, 768U}, std::pair{1280U, 720U}, std::pair{1920U, 1080U},
+                        std::pair{3840U, 2160U}, std::pair{1080U, 1920U}, std::pair{2160U, 3840U});
+  request.shape = {.width = width,
+                   .height = height,
+                   .diagonal_inches = *rc::gen::element(24.0F, 32.0F, 43.0F, 55.0F)};
+  request.state.screen =
+      *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
+  request.state.language =
+      *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.languages.size()));
+  request.state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.exhibits.size()));
+  request.state.arrived = request.state.screen == Screen::Arrived;
+  if (request.state.screen == Screen::Welcome) request.state.exhibit.reset();
+  request.shape.text_scale = *rc::gen::element(1.0F, 1.4F, 2.0F);
+  request.state.can_resume = request.state.screen == Screen::Welcome && *rc::gen::arbitrary<bool>();
+  request.state.asks_to_stay =
+      request.state.screen != Screen::Welcome && *rc::gen::inRange(0, 4) == 0;
+  request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places);
+  if (*rc::gen::arbitrary<bool>())
+    request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
+  return request;
+}
+
+TEST(OnGlass, NothingCoversAnythingNorLeavesTheScreenInAnyMuseum) {
+  EXPECT_TRUE(rc::check("1 to 5,000 exhibits, titles to 300 letters", [] {
+    const Museum museum =
+        museum_of(*rc::gen::element(1U, 3U, 25U, 300U, 5000U), *rc::gen::inRange(1U, 301U));
+    const ViewRequest request = any_request(museum);
+    PieceCache cache({boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum, request, cache);
+    const auto items = on_glass(museum, *view, request.shape, 1e6F, -1);
+    const auto covering = overlaps(items, request.shape);
+    for (const auto& [a, b] : covering) {
+      RC_LOG() << items[a].name << " '" << items[a].label << "' and " << items[b].name << " '"
+               << items[b].label << "'\n";
+      for (const std::size_t i : {a, b})
+        RC_LOG() << items[i].rect.x << ' ' << items[i].rect.y << ' ' << items[i].rect.width << ' '
+                 << items[i].rect.height << '\n';
+    }
+    RC_LOG() << request.shape.width << " x " << request.shape.height << ", "
+             << request.shape.diagonal_inches << " inches, screen "
+             << static_cast<int>(request.state.screen) << ", letters " << request.shape.text_scale
+             << (request.state.asks_to_stay ? ", asks" : "") << ", language "
+             << request.state.language << '\n';
+    RC_ASSERT(covering.empty());
+    RC_ASSERT(outside(items, request.shape).empty());
+  }));
+}
+
+TEST(OnGlass, EveryControlOfAScreenIsReached) {
+  const Museum museum = museum_of(25, 300);
+  for (const Screen screen :
+       {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived}) {
+    ViewRequest request;
+    request.state.screen = screen;
+    if (screen != Screen::Welcome) request.state.exhibit = 3;
+    PieceCache cache({boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum, request, cache);
+    const auto items = on_glass(museum, *view, request.shape, 1e6F, -1);
+
+    for (const Control& control : view->controls) {
+      if (control.role == Role::Spot) continue;
+      EXPECT_NE(std::ranges::find(items, control.name, &OnGlass::name), items.end())
+          << control.name;
+    }
+  }
+}
+
+TEST(OnGlass, SaysHowHighLettersAreOnTheGlass) {
+  const Museum museum = museum_of(3, 20);
+  ViewRequest request;
+  request.shape.diagonal_inches = 32;
+  PieceCache cache({boxes, {}}, 1, 1 << 20);
+  const auto view = make_view(museum, request, cache);
+  const auto items = on_glass(museum, *view, request.shape, 1e6F, 0);
+
+  const auto welcome = std::ranges::find(items, "Welcome", &OnGlass::label);
+  ASSERT_NE(welcome, items.end());
+  EXPECT_EQ(welcome->role, "text");
+  EXPECT_NEAR(welcome->text_mm, 18, 0.2);
+  EXPECT_EQ(items.front().name, "begin");
+  EXPECT_TRUE(items.front().has_focus);
+}
+
+TEST(OnGlass, FindsWhatCoversAndWhatLeavesTheScreen) {
+  const ScreenShape shape;
+  const auto at = [](float x, float y) {
+    OnGlass one{
+        .name = {}, .role = "text", .label = {}, .state = "normal", .rect = {}, .spoken = {}};
+    one.rect = {x, y, 0.1F, 0.1F};
+    return one;
+  };
+
+  EXPECT_EQ(overlaps({at(0, 0), at(0.05F, 0.05F), at(0.5F, 0.5F)}, shape).size(), 1U);
+  EXPECT_TRUE(overlaps({at(0, 0), at(0.1F, 0)}, shape).empty());
+  EXPECT_EQ(outside({at(0, 0), at(0.95F, 0)}, shape), std::vector<std::size_t>{1});
+}
+
+}  // namespace
+}  // namespace docent::interface
