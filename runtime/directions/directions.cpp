@@ -19,7 +19,9 @@ constexpr double passing = 0.7;    // metres: who walks no farther in a room has
 constexpr double near_door = 1.2;  // metres from where a way leaves an outline to its doorway
 const double diagonal = std::sqrt(0.5);
 
-Vec2 unit(double heading) noexcept { return {std::cos(heading), std::sin(heading)}; }
+Vec2 unit(double heading) noexcept {
+  return {std::cos(heading), std::sin(heading)};
+}
 
 /// A room that a way passes.
 struct Stay {
@@ -191,10 +193,10 @@ Walked walk(const Museum& museum, const Doorways& doorways, const path::Leg& leg
 }
 
 /// Places that everybody finds: beside them something is found.
-constexpr std::array landmarks{
-    PlaceKind::Exit, PlaceKind::Entrance,    PlaceKind::Information, PlaceKind::Tickets,
-    PlaceKind::Cafe, PlaceKind::Restaurant,  PlaceKind::Shop,        PlaceKind::Lift,
-    PlaceKind::Stairs, PlaceKind::Cloakroom, PlaceKind::Seat,        PlaceKind::Toilets};
+constexpr std::array landmarks{PlaceKind::Exit,      PlaceKind::Entrance, PlaceKind::Information,
+                               PlaceKind::Tickets,   PlaceKind::Cafe,     PlaceKind::Restaurant,
+                               PlaceKind::Shop,      PlaceKind::Lift,     PlaceKind::Stairs,
+                               PlaceKind::Cloakroom, PlaceKind::Seat,     PlaceKind::Toilets};
 
 std::uint32_t landmark_of(const Museum& museum, const Goal& goal, std::uint32_t room) {
   constexpr double beside = 3;  // metres
@@ -203,8 +205,8 @@ std::uint32_t landmark_of(const Museum& museum, const Goal& goal, std::uint32_t 
   for (std::uint32_t i = 0; i < museum.places.size(); ++i) {
     const Place& place = museum.places[i];
     const double far = glm::distance(place.position, goal.position);
-    const bool is_other = !goal.place || (i != *goal.place &&
-                                          museum.places[*goal.place].kind != place.kind);
+    const bool is_other =
+        !goal.place || (i != *goal.place && museum.places[*goal.place].kind != place.kind);
     if (place.floor != goal.floor || !is_other || far >= least) continue;
     if (std::ranges::find(landmarks, place.kind) == landmarks.end()) continue;
     if (room_of(museum, place.floor, place.standing) != room) continue;

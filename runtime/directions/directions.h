@@ -53,7 +53,7 @@ struct FloorPart {
 /// What a visitor is looking for.
 struct Goal {
   std::uint32_t floor = 0;
-  Vec2 position{};                       ///< Of the thing itself.
+  Vec2 position{};                                  ///< Of the thing itself.
   std::optional<std::uint32_t> exhibit{}, place{};  ///< Which one it is.
 };
 
@@ -64,8 +64,8 @@ enum class Where : std::uint8_t { Ahead, Left, Right, Behind, Middle };
 struct GoalPart {
   std::uint32_t room = none;
   Setting setting = Setting::OnFloor;
-  Where where = Where::Ahead;    ///< For who has just come in.
-  std::uint32_t beside = none;   ///< Index into Museum::places: what everybody finds, close to it.
+  Where where = Where::Ahead;   ///< For who has just come in.
+  std::uint32_t beside = none;  ///< Index into Museum::places: what everybody finds, close to it.
 };
 
 /// A way in facts: what one says to a visitor. Pure values; words are the interface's.

@@ -9,10 +9,10 @@
 namespace docent::directions {
 namespace {
 
-constexpr double step = 0.1;        // metres along an outline from one trial to the next
-constexpr double reach = 0.6;       // metres to either side of it that one steps
-constexpr double column = 0.6;      // metres: what is as thin as that does not make two doors of one
-constexpr double narrowest = 0.5;   // metres
+constexpr double step = 0.1;       // metres along an outline from one trial to the next
+constexpr double reach = 0.6;      // metres to either side of it that one steps
+constexpr double column = 0.6;     // metres: what is as thin as that does not make two doors of one
+constexpr double narrowest = 0.5;  // metres
 constexpr double look_beyond = 2.5;  // metres
 
 bool is_open(const path::FloorMap& map, Vec2 at, Vec2 outward) {

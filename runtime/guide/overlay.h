@@ -41,9 +41,15 @@ class Overlay {
   const interface::View* view() const noexcept { return view_.get(); }
   bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
 
+  /// Where the guide is, for the inset plan.
+  struct GuideSpot {
+    std::uint32_t floor = 0;
+    Vec2 at{};
+  };
   /// Appends the quads of the interface. `remaining`: metres that the guide still has to walk;
   /// `labels_opacity`: of what is written on the model.
-  void draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept;
+  void draw(float remaining, float labels_opacity, const GuideSpot& guide,
+            scene::DrawList& list) const noexcept;
 
  private:
   static constexpr float fade_seconds = 0.26F;
@@ -66,12 +72,15 @@ class Overlay {
   void draw_focus(scene::DrawList& list) const noexcept;
   void draw_labels(const interface::View& view, float opacity,
                    scene::DrawList& list) const noexcept;
+  void draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
+                  scene::DrawList& list) const noexcept;
   void draw_remaining(const interface::View& view, float metres, float opacity,
                       scene::DrawList& list) const noexcept;
 
   bool reduced_motion_;
   std::unique_ptr<interface::View> view_, leaving_;
   float age_ = 1;  ///< Seconds since view_ was entered.
+  float run_ = 0;  ///< Seconds since the figure on the inset plan set out.
   std::int32_t focus_ = -1;
   std::array<Ring, most_presses> rings_{};
   std::array<Press, most_presses> presses_{};

@@ -362,7 +362,8 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
   first.height = end - first.y;
   first = draw_tour_progress(sheet, first);
-  const float y = draw_invitation(sheet, first, Letters::Title);
+  float y = draw_invitation(sheet, first, Letters::Title);
+  y = draw_sentences(sheet, {first.x, y, first.width, end - y});
   if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});
 }
 

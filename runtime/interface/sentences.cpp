@@ -96,8 +96,9 @@ void Speaker::add_turns(const FloorPart& part, std::vector<std::string>& phrases
   for (std::size_t i = 0; i < count; ++i) {
     const directions::Turn& turn = part.turns[i];
     const bool now = turn.after < at_once;
-    phrases.push_back(filled_in(say(fmt::format("turn_{}{}", name_of(turn.side), now ? "_now" : "")),
-                                "distance", distance_in(museum_, language_, turn.after)));
+    phrases.push_back(
+        filled_in(say(fmt::format("turn_{}{}", name_of(turn.side), now ? "_now" : "")), "distance",
+                  distance_in(museum_, language_, turn.after)));
   }
   if (count == 0 && part.room == none) phrases.emplace_back(say("way_straight"));
 }
@@ -129,8 +130,8 @@ std::string Speaker::way(const Directions& directions) const {
   }
   std::string text;
   for (const std::string& phrase : phrases)
-    text = text.empty() ? phrase
-                        : filled_in(filled_in(say("way_then"), "way", text), "next", phrase);
+    text =
+        text.empty() ? phrase : filled_in(filled_in(say("way_then"), "way", text), "next", phrase);
   if (text.empty()) text = say("way_here");
   return capitalised(filled_in(say("way_sentence"), "way", text));
 }

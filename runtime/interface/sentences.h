@@ -9,8 +9,9 @@
 namespace docent::interface {
 
 /// A way as one says it, in at most three sentences. All words and their order come from the
-/// language's file (config/museum/words): `door_...`, `way_...`, `ride_...`, `goal_...`, `where_...`,
-/// `beside_...`. Names that staff wrote are quoted as they are, so no language has to inflect them.
+/// language's file (config/museum/words): `door_...`, `way_...`, `ride_...`, `goal_...`,
+/// `where_...`, `beside_...`. Names that staff wrote are quoted as they are, so no language has to
+/// inflect them.
 struct WaySentences {
   std::string way;      ///< "Through “Garden Court”, then the second door on the right."
   std::string goal;     ///< "In “Bronze”, in a glass case on your left."
@@ -24,7 +25,8 @@ struct WaySentences {
 WaySentences sentences_in(const Museum& museum, std::uint32_t language,
                           const directions::Directions& directions);
 
-/// The text with its first letter as a capital, where the letters have such: Latin, Greek, Cyrillic.
+/// The text with its first letter as a capital, where the letters have such: Latin, Greek,
+/// Cyrillic.
 std::string capitalised(std::string text);
 
 }  // namespace docent::interface

@@ -48,9 +48,8 @@ TEST(Directions, HoldOnThePlan) {
         ASSERT_TRUE(facts->parts[part - 1].then);
         EXPECT_EQ(facts->parts[part - 1].then->kind, connection.kind);
         EXPECT_EQ(facts->parts[part - 1].then->floor, leg.to_floor);
-        EXPECT_EQ(facts->parts[part - 1].then->up,
-                  house.museum.floors[leg.to_floor].plan.height >
-                      house.museum.floors[leg.floor].plan.height);
+        EXPECT_EQ(facts->parts[part - 1].then->up, house.museum.floors[leg.to_floor].plan.height >
+                                                       house.museum.floors[leg.floor].plan.height);
         EXPECT_TRUE(connection.step_free || !facts->step_free);
         for (const ConnectionStop& stop : connection.stops)
           if (stop.floor == leg.to_floor) degrees = stop.placement.heading * in_degrees + 180;

@@ -20,11 +20,12 @@ TEST(Doorways, AreWhereWaterRunsOutOfARoom) {
       const auto& water = raster.doors_of(room);
       EXPECT_EQ(found.size(), water.size()) << house.museum.rooms[room].id;
       for (const test::WaterDoor& door : water)
-        EXPECT_TRUE(std::ranges::any_of(found, [&](const Doorway& doorway) {
-          return glm::distance(doorway.middle, door.middle) < 0.3 &&
-                 std::abs(doorway.width - door.width) < 0.4;
-        })) << house.museum.rooms[room].id
-            << " at " << door.middle.x << ", " << door.middle.y;
+        EXPECT_TRUE(std::ranges::any_of(found,
+                                        [&](const Doorway& doorway) {
+                                          return glm::distance(doorway.middle, door.middle) < 0.3 &&
+                                                 std::abs(doorway.width - door.width) < 0.4;
+                                        }))
+            << house.museum.rooms[room].id << " at " << door.middle.x << ", " << door.middle.y;
     }
   }
 }
@@ -32,8 +33,8 @@ TEST(Doorways, AreWhereWaterRunsOutOfARoom) {
 TEST(Doorways, LeadToTheRoomBeyond) {
   const test::SampleHouse& house = test::sample_house();
   const auto room = [&](std::string_view id) {
-    return static_cast<std::uint32_t>(
-        std::ranges::find(house.museum.rooms, id, &Room::id) - house.museum.rooms.begin());
+    return static_cast<std::uint32_t>(std::ranges::find(house.museum.rooms, id, &Room::id) -
+                                      house.museum.rooms.begin());
   };
   const auto doors = house.doorways.of(room("foyer"));
   EXPECT_TRUE(std::ranges::any_of(

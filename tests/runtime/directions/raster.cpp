@@ -23,7 +23,9 @@ bool is_within(const std::vector<std::vector<Vec2>>& rings, Vec2 p) {
 }
 
 /// Degrees from one bearing to another, to the left, in (-180, 180].
-double turn(double from, double to) { return std::remainder(to - from, 360.0); }
+double turn(double from, double to) {
+  return std::remainder(to - from, 360.0);
+}
 
 directions::Side side_of(Vec2 at, double degrees, const WaterDoor& door) {
   using directions::Side;
@@ -141,8 +143,7 @@ void Raster::find_doors(std::uint32_t room) {
     }
     const auto count = static_cast<double>(pool.size());
     if (count * cell < 0.5) continue;
-    doors_[room].push_back(
-        {sum / count, std::atan2(out.y, out.x) * in_degrees, count * cell});
+    doors_[room].push_back({sum / count, std::atan2(out.y, out.x) * in_degrees, count * cell});
   }
 }
 
@@ -177,8 +178,7 @@ Raster::Told Raster::tell(const std::vector<Vec2>& way, double degrees) const {
   const auto door_at = [&](std::uint32_t room, Vec2 at) {
     const WaterDoor* nearest = nullptr;
     for (const WaterDoor& door : doors_[room])
-      if (nearest == nullptr ||
-          glm::distance(door.middle, at) < glm::distance(nearest->middle, at))
+      if (nearest == nullptr || glm::distance(door.middle, at) < glm::distance(nearest->middle, at))
         nearest = &door;
     return nearest;
   };

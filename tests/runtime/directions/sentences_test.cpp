@@ -23,8 +23,8 @@ using directions::DoorStep;
 using directions::Side;
 
 /// What a reader of each language understands by left, right, ahead and behind, and by numbers.
-/// Written down here once more: a word in the wrong line of a language's file is found. A word that may
-/// begin a sentence lacks its first letter, which is a capital there.
+/// Written down here once more: a word in the wrong line of a language's file is found. A word that
+/// may begin a sentence lacks its first letter, which is a capital there.
 struct Reader {
   std::array<std::string, 6> side;
   std::array<std::string, 6> nth;
@@ -36,15 +36,24 @@ const std::array<Reader, 3>& readers() {
       {{"traight ahead", "on the left", "on the right", "behind you", "behind you on the left",
         "behind you on the right"},
        {"first", "second", "third", "fourth", "fifth", "sixth"},
-       "“", "”", ".", "step-free",
+       "“",
+       "”",
+       ".",
+       "step-free",
        {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}},
       {{"正前方", "左手边", "右手边", "您身后", "左后方", "右后方"},
        {"第一", "第二", "第三", "第四", "第五", "第六"},
-       "“", "”", "。", "无台阶",
+       "“",
+       "”",
+       "。",
+       "无台阶",
        {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}},
       {{"أمامك", "على اليسار", "على اليمين", "خلفك", "خلفك على اليسار", "خلفك على اليمين"},
        {"الأول", "الثاني", "الثالث", "الرابع", "الخامس", "السادس"},
-       "«", "»", ".", "بلا درج",
+       "«",
+       "»",
+       ".",
+       "بلا درج",
        {"٠", "١", "٢", "٣", "٤", "٥", "٦", "٧", "٨", "٩"}},
   }};
   return all;
@@ -95,8 +104,7 @@ TEST_P(Sentences, SayWhatIsSoOnThePlan) {
   std::mt19937 random(7 + language);
   for (int n = 0; n < 1000; ++n) {
     const test::SomeWay some = test::some_way(random);
-    const auto facts =
-        directions::direct(museum, house.doorways, some.start, some.way, some.goal);
+    const auto facts = directions::direct(museum, house.doorways, some.start, some.way, some.goal);
     ASSERT_TRUE(facts);
     const WaySentences said = sentences_in(museum, language, *facts);
     if (std::getenv("DOCENT_TELL") != nullptr && n < 25)
@@ -175,7 +183,8 @@ TEST(SentencesOf, AShortWayAreAsPeopleSayThem) {
                   .doors = {{room("foyer"), room("court"), Side::Ahead, 1, 1},
                             {room("court"), room("bronze"), Side::Left, 2, 2}},
                   .turns = {}}};
-  facts.goal = {.room = room("bronze"), .setting = directions::Setting::InCase,
+  facts.goal = {.room = room("bronze"),
+                .setting = directions::Setting::InCase,
                 .where = directions::Where::Left};
   facts.metres = 32;
   facts.seconds = 32;
@@ -187,10 +196,10 @@ TEST(SentencesOf, AShortWayAreAsPeopleSayThem) {
   EXPECT_EQ(sentences_in(museum, 1, facts),
             (WaySentences{"穿过“中庭”，然后走左手边第二道门。", "在“青铜”，左手边的展柜里。",
                           "32 米，大约半分钟，无台阶。"}));
-  EXPECT_EQ(sentences_in(museum, 2, facts),
-            (WaySentences{"عبر «فناء الحديقة»، ثم الباب الثاني على اليسار.",
-                          "في «البرونز»، في خزانة زجاجية عن يسارك.",
-                          "٣٢ م، نحو نصف دقيقة، بلا درج."}));
+  EXPECT_EQ(
+      sentences_in(museum, 2, facts),
+      (WaySentences{"عبر «فناء الحديقة»، ثم الباب الثاني على اليسار.",
+                    "في «البرونز»، في خزانة زجاجية عن يسارك.", "٣٢ م، نحو نصف دقيقة، بلا درج."}));
 }
 
 TEST(SentencesOf, ALongWayNameThreeRooms) {

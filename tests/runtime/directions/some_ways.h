@@ -39,9 +39,7 @@ struct SomeWay {
 inline SomeWay some_way(std::mt19937& random) {
   SampleHouse& house = sample_house();
   const Museum& museum = house.museum;
-  const auto any = [&](std::size_t count) {
-    return static_cast<std::uint32_t>(random() % count);
-  };
+  const auto any = [&](std::size_t count) { return static_cast<std::uint32_t>(random() % count); };
   const auto share = [&] { return static_cast<double>(random() % 100000) / 100000; };
   while (true) {
     SomeWay some;
