@@ -56,9 +56,8 @@ class Mask {
   }
   void ring(Vec2 middle, double radius, double half_width) {
     const Vec2 reach(radius + half_width + 1);
-    paint(middle - reach, middle + reach, [&](Vec2 p) {
-      return half_width + 0.5 - std::abs(glm::distance(p, middle) - radius);
-    });
+    paint(middle - reach, middle + reach,
+          [&](Vec2 p) { return half_width + 0.5 - std::abs(glm::distance(p, middle) - radius); });
   }
   /// A triangle, corners in either sense.
   void triangle(const std::array<Vec2, 3>& corner) {
@@ -84,7 +83,8 @@ class Mask {
         crossings.clear();
         for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall) {
           const Vec2 a = frame.pixel(wall_start(plan, wall)), b = frame.pixel(wall_end(plan, wall));
-          if ((a.y > y) != (b.y > y)) crossings.push_back(std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y)));
+          if ((a.y > y) != (b.y > y))
+            crossings.push_back(std::lerp(a.x, b.x, (y - a.y) / (b.y - a.y)));
         }
         std::ranges::sort(crossings);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)

@@ -10,9 +10,9 @@ namespace docent::interface {
 
 /// How a floor lies on a small drawing: turned so that what is ahead of the visitor is up.
 struct PlanFrame {
-  Vec2 origin{};         ///< Floor frame: the drawing's upper left corner.
+  Vec2 origin{};                  ///< Floor frame: the drawing's upper left corner.
   Vec2 right{1, 0}, down{0, -1};  ///< Floor frame, unit.
-  double scale = 1;      ///< Pixels a metre.
+  double scale = 1;               ///< Pixels a metre.
 
   Vec2 pixel(Vec2 at) const noexcept {
     return scale * Vec2{dot(at - origin, right), dot(at - origin, down)};
@@ -36,12 +36,12 @@ struct PlanDrawing {
   const FloorPlan& plan;
   PlanFrame frame;
   DrawingShape shape;
-  std::span<const Vec2> way{};     ///< Floor frame.
-  std::uint32_t way_colour = 0;    ///< 0xRRGGBB.
-  bool is_cased = false;           ///< With a dark edge, where its colour is pale.
-  Vec2 here{};                     ///< Floor frame: where the visitor stands, looking up.
-  Vec2 compass{};                  ///< Pixels: the middle of the north arrow's ring.
-  double unit = 8;                 ///< Pixels: lines and marks are sized by it.
+  std::span<const Vec2> way{};   ///< Floor frame.
+  std::uint32_t way_colour = 0;  ///< 0xRRGGBB.
+  bool is_cased = false;         ///< With a dark edge, where its colour is pale.
+  Vec2 here{};                   ///< Floor frame: where the visitor stands, looking up.
+  Vec2 compass{};                ///< Pixels: the middle of the north arrow's ring.
+  double unit = 8;               ///< Pixels: lines and marks are sized by it.
 };
 
 /// Draws the floor, its walls, the way with a ring at its end, where the visitor stands and looks,

@@ -23,7 +23,7 @@ struct Board {
 };
 Board board_on(const Sheet& sheet, const PixelBox& free, const FloorPlan& plan, double heading) {
   const Measures& m = sheet.measures();
-  const float pad = 1.5F * m.unit, head = 7 * m.unit;
+  const float pad = 1.5F * m.unit, head = 9 * m.unit;
   const float widest = std::min(46 * m.unit, 0.42F * free.width) - 2 * pad;
   const float highest = std::min(40 * m.unit, 0.44F * free.height) - head - pad;
   const auto aspect = static_cast<float>(aspect_of(plan, heading));
@@ -72,7 +72,7 @@ float draw_sentences(Sheet& sheet, const PixelBox& box) {
                     i == 2 ? sheet.theme().quiet_ink : sheet.theme().ink) +
         gap;
   }
-  return y;
+  return y + gap;
 }
 
 void draw_inset(Sheet& sheet, const PixelBox& free) {
@@ -90,7 +90,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
                            .plan_most = {box.width - pad, box.height - pad}};
   const PlanFrame frame = frame_of(floor.plan, heading, shape);
   const bool turned = runs_right_to_left(museum, sheet.request().state.language);
-  const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2;
+  const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
   const RouteKind kind = sheet.request().state.kind;
   const PlanDrawing drawing{.plan = floor.plan,
                             .frame = frame,
@@ -106,13 +106,13 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   sheet.fill(box, sheet.theme().paper, m.corner);
   sheet.drawing(box,
                 fmt::format("plan|{}|{}|{}|{}|{}|{}|{}", museum.kiosk_floor, shape.width,
-                            shape.height, turned, static_cast<int>(kind),
-                            museum.kiosk.position.x, print_of(sheet.way()->line)),
+                            shape.height, turned, static_cast<int>(kind), museum.kiosk.position.x,
+                            print_of(sheet.way()->line)),
                 [&] { return draw_plan(drawing); });
   TextStyle style = sheet.style(Letters::Small);
   const float room = compass - 4 * m.unit - pad;
   const TextPiece name = sheet.fitted(style, sheet.local(floor.title), room);
-  sheet.piece(name, box.x + pad, box.y + (head - name.height) / 2, room, Align::Start,
+  sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);
   style.weight = 600;
   const TextPiece north = sheet.fitted(style, sheet.word("north"), 3.6F * m.unit);

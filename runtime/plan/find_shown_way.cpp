@@ -17,8 +17,7 @@ std::optional<interface::ShownWay> find_shown_way(const Museum& museum,
   order.goal = goal->standing;
   order.goal_floor = goal->floor;
   order.permissions = state.ways;
-  const path::BuildingWay way =
-      find_building_way(museum, building, order, museum.kiosk.position);
+  const path::BuildingWay way = find_building_way(museum, building, order, museum.kiosk.position);
   const directions::Goal wanted{.floor = goal->floor,
                                 .position = goal->position,
                                 .exhibit = state.exhibit,

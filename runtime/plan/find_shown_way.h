@@ -9,8 +9,8 @@
 
 namespace docent::plan {
 
-/// The way from the kiosk to what the visitor of that state has chosen, in facts; none where nothing
-/// is chosen or no way leads there just now. Takes as long as one query.
+/// The way from the kiosk to what the visitor of that state has chosen, in facts; none where
+/// nothing is chosen or no way leads there just now. Takes as long as one query.
 std::optional<interface::ShownWay> find_shown_way(const Museum& museum,
                                                   const path::BuildingMap& building,
                                                   const directions::Doorways& doorways,
