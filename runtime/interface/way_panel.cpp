@@ -115,6 +115,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);
   style.weight = 600;
+  style.size = std::min(style.size, std::round(2.4F * m.unit));  // within its ring
   const TextPiece north = sheet.fitted(style, sheet.word("north"), 3.6F * m.unit);
   sheet.piece(north, box.x + compass - 2 * m.unit, box.y + middle - north.height / 2, 4 * m.unit,
               Align::Centre, sheet.theme().ink);

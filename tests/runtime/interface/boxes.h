@@ -10,7 +10,8 @@
 namespace docent::test {
 
 /// Letters as boxes of six tenths of their size: layout without fonts, quick enough for properties.
-inline interface::TextBitmap boxes(const interface::TextStyle& style, std::string_view text, std::uint32_t width) {
+inline interface::TextBitmap boxes(const interface::TextStyle& style, std::string_view text,
+                                   std::uint32_t width) {
   std::size_t letters = 0;
   for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
   const float line = std::round(style.size * style.line_height);

@@ -16,7 +16,8 @@ FloorPlan hall() {
   plan.next = {1, 2, 3, 0};
   return plan;
 }
-constexpr DrawingShape shape{.width = 240, .height = 160, .plan_least = {20, 40}, .plan_most = {220, 140}};
+constexpr DrawingShape shape{
+    .width = 240, .height = 160, .plan_least = {20, 40}, .plan_most = {220, 140}};
 
 std::array<int, 4> pixel(const Pixels& pixels, Vec2 at) {
   const auto x = static_cast<std::size_t>(at.x), y = static_cast<std::size_t>(at.y);

@@ -32,9 +32,8 @@ ShownWay any_way() {
       part.doors.push_back({part.room, room(), side(), *rc::gen::inRange(1U, 4U), 4});
     if (i + 1 < parts) part.then = directions::RideStep{ConnectionKind::Escalator, true, 0};
   }
-  way.directions.goal = {.room = room(),
-                         .setting = directions::Setting::InCase,
-                         .where = directions::Where::Middle};
+  way.directions.goal = {
+      .room = room(), .setting = directions::Setting::InCase, .where = directions::Where::Middle};
   way.directions.metres = 123;
   way.directions.seconds = 200;
   way.line = {{20, 2.6}, {20, 14}, {6, 14}};
@@ -97,16 +96,15 @@ TEST(TheSentences, LieOverNoOtherTextAndNoControl) {
     PieceCache cache({test::boxes, {}}, 1, 1 << 20);
     const auto plain = make_view(museum(), request, cache);
     const auto view = make_view(museum(), request, cache, {}, &way);
-    // What the sentences add covers nothing that was there without them.
-    std::vector<scene::Rect> before, added;
+    // What stands elsewhere than without the sentences covers no other text.
+    std::vector<scene::Rect> before, all;
     for (const Element& element : plain->elements)
       if (element.quad.fill == scene::QuadFill::Text) before.push_back(element.quad.rect);
     for (const Element& element : view->elements)
-      if (element.quad.fill == scene::QuadFill::Text &&
-          std::ranges::find(before, element.quad.rect) == before.end())
-        added.push_back(element.quad.rect);
-    for (const scene::Rect& text : added) {
-      for (const scene::Rect& other : before) RC_ASSERT(!overlap(text, other));
+      if (element.quad.fill == scene::QuadFill::Text) all.push_back(element.quad.rect);
+    for (const scene::Rect& text : all) {
+      if (std::ranges::find(before, text) != before.end()) continue;
+      for (const scene::Rect& other : all) RC_ASSERT(&other == &text || !overlap(text, other));
       for (const Control& control : view->controls)
         if (control.role != Role::Spot) RC_ASSERT(!overlap(text, control.rect));
       if (!view->remaining.empty()) RC_ASSERT(!overlap(text, view->remaining.back().quad.rect));
