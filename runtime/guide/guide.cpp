@@ -307,7 +307,8 @@ const scene::DrawList& Guide::draw_list() noexcept {
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, static_cast<float>(floor_height));
     session.overlay().draw(static_cast<float>(session.remaining()),
-                           names && !stage_.is_flying() ? 1 : 0, list_);
+                           names && !stage_.is_flying() ? 1 : 0,
+                           {leader().shown_floor, leader().body.position}, list_);
   }
   return list_;
 }

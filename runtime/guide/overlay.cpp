@@ -70,10 +70,29 @@ std::int32_t twin_of(std::int32_t control, const interface::View& from,
   return twin == to.controls.end() ? -1 : static_cast<std::int32_t>(twin - to.controls.begin());
 }
 
+/// Within this the figure on the inset plan has run the whole way.
+constexpr float run_seconds = 3.6F;
+
+bool is_same_way(const interface::InsetPlan& a, const interface::InsetPlan& b) noexcept {
+  return a.floor == b.floor && a.way == b.way;
+}
+
+/// The point so many metres along the way of an inset plan, which has one.
+Vec2 point_on(const interface::InsetPlan& inset, double metres) noexcept {
+  const auto next = std::ranges::lower_bound(inset.reach, metres);
+  if (next == inset.reach.end()) return inset.way.back();
+  const auto i = static_cast<std::size_t>(next - inset.reach.begin());
+  if (i == 0) return inset.way.front();
+  const double step = inset.reach[i] - inset.reach[i - 1];
+  return step <= 0 ? inset.way[i]
+                   : glm::mix(inset.way[i - 1], inset.way[i], (metres - inset.reach[i - 1]) / step);
+}
+
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
   if (view_) note_what_stays(*view_, *view);
+  if (!view_ || !is_same_way(view_->inset, view->inset)) run_ = 0;
   leaving_ = std::exchange(view_, std::move(view));
   age_ = leaving_ ? 0 : fade_seconds;
   is_placed_ = false;
@@ -89,6 +108,7 @@ void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
 
 void Overlay::advance(float seconds) noexcept {
   age_ += seconds;
+  run_ += seconds;
   if (!is_fading()) leaving_.reset();
   for (Ring& ring : rings_) ring.age += seconds;
   for (Press& press : presses_)
@@ -294,6 +314,37 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
   }
 }
 
+void Overlay::draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
+                         scene::DrawList& list) const noexcept {
+  const interface::InsetPlan& inset = view.inset;
+  if (inset.board.width <= 0 || inset.way.empty()) return;
+  const auto disc = [&](Vec2 at, float side, float lift, scene::Colour colour) {
+    const auto u = static_cast<float>(dot(at - inset.origin, inset.right));
+    const auto v = static_cast<float>(dot(at - inset.origin, inset.down));
+    if (u < 0 || v < 0 || u > 1 || v > 1) return;
+    const float px = side * view.unit_px;
+    scene::Quad quad;
+    quad.rect =
+        around(inset.board.x + u * inset.board.width,
+               inset.board.y + v * inset.board.height - lift * view.unit_px / view.pixel_height,
+               px / view.pixel_width, px / view.pixel_height);
+    quad.corner = px / 2 / shorter_px(view);
+    quad.colour = scene::with_opacity(colour, opacity);
+    list.quads.push_back(quad);
+  };
+  if (guide.floor == inset.floor) {
+    disc(guide.at, 2.4F, 0, theme.paper);
+    disc(guide.at, 1.8F, 0, theme.focus);
+  }
+  // A small figure: a body, and a head above it.
+  const float share = reduced_motion_ ? 1 : std::min(1.0F, run_ / run_seconds);
+  const Vec2 at = point_on(inset, share * inset.reach.back());
+  disc(at, 2.2F, 0.9F, theme.paper);
+  disc(at, 1.7F, 2.4F, theme.paper);
+  disc(at, 1.6F, 0.9F, theme.ink);
+  disc(at, 1.1F, 2.4F, theme.ink);
+}
+
 void Overlay::draw_remaining(const interface::View& view, float metres, float opacity,
                              scene::DrawList& list) const noexcept {
   for (const interface::CountedText& text : view.remaining) {
@@ -305,7 +356,8 @@ void Overlay::draw_remaining(const interface::View& view, float metres, float op
   }
 }
 
-void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept {
+void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide,
+                   scene::DrawList& list) const noexcept {
   if (!view_) return;
   if (!is_placed_) labels_opacity = 0;
   const float t = is_fading() ? static_cast<float>(scene::ease_out(age_ / fade_seconds)) : 1;
@@ -319,6 +371,7 @@ void Overlay::draw(float remaining, float labels_opacity, scene::DrawList& list)
   }
   draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
   draw_countdown(t, list);
+  draw_inset(*view_, leaving_ && leaving_->inset.board.width <= 0 ? t : 1, guide, list);
   draw_focus(list);
 
   for (const Ring& ring : rings_) {

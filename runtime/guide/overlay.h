@@ -46,9 +46,15 @@ class Overlay {
   void count_down(float seconds_left) noexcept { seconds_left_ = seconds_left; }
   static constexpr float countdown_seconds = 20;
 
+  /// Where the guide is, for the inset plan.
+  struct GuideSpot {
+    std::uint32_t floor = 0;
+    Vec2 at{};
+  };
   /// Appends the quads of the interface. `remaining`: metres that the guide still has to walk;
   /// `labels_opacity`: of what is written on the model.
-  void draw(float remaining, float labels_opacity, scene::DrawList& list) const noexcept;
+  void draw(float remaining, float labels_opacity, const GuideSpot& guide,
+            scene::DrawList& list) const noexcept;
 
  private:
   static constexpr float fade_seconds = 0.26F;
@@ -74,6 +80,8 @@ class Overlay {
                    scene::DrawList& list) const noexcept;
   void draw_labels(const interface::View& view, float opacity,
                    scene::DrawList& list) const noexcept;
+  void draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
+                  scene::DrawList& list) const noexcept;
   void draw_remaining(const interface::View& view, float metres, float opacity,
                       scene::DrawList& list) const noexcept;
 
@@ -83,6 +91,7 @@ class Overlay {
   bool is_placed_ = false;    ///< ... and which stands still: they have made way for each other.
   float age_ = 1;             ///< Seconds since view_ was entered.
   float seconds_left_ = 0;
+  float run_ = 0;  ///< Seconds since the figure on the inset plan set out.
   std::int32_t focus_ = -1;
   std::array<Ring, most_presses> rings_{};
   std::array<Press, most_presses> presses_{};

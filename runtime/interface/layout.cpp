@@ -145,6 +145,11 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& 
   return !state.seat ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
 }
 
+bool shows_way(const InterfaceState& state) noexcept {
+  return state.glass == Glass::Whole &&
+         (state.screen == Screen::Walking || state.screen == Screen::Arrived);
+}
+
 ListShape list_shape(const ScreenShape& shape) noexcept {
   const Measures m = measures_of(shape);
   const float content_height = panel_box(shape).height - 2 * m.margin;
@@ -161,7 +166,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
 }
 
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces, const Closures& closed) {
+                                PieceCache& pieces, const Closures& closed, const ShownWay* way) {
   auto view = std::make_unique<View>();
   view->request = request.id;
   view->part = request.part;
@@ -175,7 +180,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
 
-  Sheet sheet(museum, request, pieces, closed, *view);
+  Sheet sheet(museum, request, pieces, closed, *view, way);
   view->accent =
       request.state.look ? scene::trail_colour(*request.state.look) : sheet.theme().invitation;
   if (request.state.glass != Glass::Whole) {
@@ -190,6 +195,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   PixelBox free = free_box(request.shape);
   const float strip = draw_helps(sheet, free);
   if (shows_spots(request.state.screen)) add_floor_labels(sheet);
+  if (shows_way(request.state)) draw_inset(sheet, free);
   if (request.state.screen == Screen::Choosing) {
     // The model stands beside the floors' buttons, not below them; and above the strip, as far as
     // most of the screen stays its own.

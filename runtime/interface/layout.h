@@ -5,6 +5,7 @@
 
 #include "runtime/interface/measures.h"
 #include "runtime/interface/piece_cache.h"
+#include "runtime/interface/shown_way.h"
 #include "runtime/interface/view.h"
 #include "runtime/model/closures.h"
 #include "runtime/model/museum.h"
@@ -51,9 +52,14 @@ struct ViewRequest {
 /// visitor there is one panel: in landscape at the side where lines of text begin (so Arabic is the
 /// mirror image), in portrait along the lower edge. Pure but for the pieces it adds to the cache;
 /// runs on the worker. `closed`: what is so just
-/// now; its exhibits say so, and until when.
+/// now; its exhibits say so, and until when. `way`: to what the visitor has chosen; null where
+/// there is none, or none is asked for (shows_way).
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces, const Closures& closed = {});
+                                PieceCache& pieces, const Closures& closed = {},
+                                const ShownWay* way = nullptr);
+
+/// Does the view of that state show the way from the kiosk?
+bool shows_way(const InterfaceState& state) noexcept;
 
 /// How many exhibits a page of the list shows on such a screen.
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;

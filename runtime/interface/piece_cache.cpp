@@ -93,6 +93,16 @@ scene::TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width,
   return texture;
 }
 
+scene::TextureId PieceCache::drawing(std::string key, const std::function<Pixels()>& draw) {
+  key.insert(0, "drawing|");
+  if (const TextPiece* known = find(key)) return known->texture;
+  Pixels pixels = draw();
+  const scene::TextureId texture = free_texture();
+  keep(std::move(key), {.texture = texture},
+       {.texture = texture, .text = {}, .picture = std::move(pixels)});
+  return texture;
+}
+
 void PieceCache::rest() const {
   if (makers_.rest) makers_.rest();
 }

@@ -46,6 +46,8 @@ class PieceCache {
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
+  /// A picture that is drawn where it is not there yet; `key` says what is on it, and how large.
+  scene::TextureId drawing(std::string key, const std::function<Pixels()>& draw);
   TextPiece pictogram(Pictogram what, std::uint32_t side);
   /// Nobody waits for a piece now: the makers may tidy up.
   void rest() const;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "runtime/model/geometry/polygon.h"
-#include "runtime/model/none.h"
-
 namespace docent::interface {
 
 std::string word_of(PlaceKind kind) {
@@ -31,12 +28,6 @@ std::optional<std::uint32_t> only_place(const Museum& museum, PlaceKind kind) no
     only = i;
   }
   return only;
-}
-
-std::uint32_t room_of(const Museum& museum, std::uint32_t floor, Vec2 point) noexcept {
-  for (std::uint32_t i = 0; i < museum.rooms.size(); ++i)
-    if (museum.rooms[i].floor == floor && contains(museum.rooms[i].outline, point)) return i;
-  return none;
 }
 
 }  // namespace docent::interface

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/model/exhibit/room_of.h"
 #include "runtime/model/museum.h"
 
 namespace docent::interface {
@@ -21,8 +22,5 @@ std::vector<PlaceKind> kinds_of_places(const Museum& museum);
 
 /// The only place that answers a kind; none where there are several, or none.
 std::optional<std::uint32_t> only_place(const Museum& museum, PlaceKind kind) noexcept;
-
-/// The room in which a point of a floor lies; `none` where it lies in none.
-std::uint32_t room_of(const Museum& museum, std::uint32_t floor, Vec2 point) noexcept;
 
 }  // namespace docent::interface

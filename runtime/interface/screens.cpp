@@ -399,7 +399,11 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
   first.height = end - first.y;
   first = draw_tour_progress(sheet, first);
-  const float y = draw_invitation(sheet, first, Letters::Title);
+  // Where letters are large, the name makes way for the sentences.
+  const bool is_tight =
+      sheet.way() != nullptr && first.height < 44 * m.unit * sheet.request().shape.text_scale;
+  float y = draw_invitation(sheet, first, is_tight ? Letters::Heading : Letters::Title);
+  y = draw_sentences(sheet, {first.x, y, first.width, end - y});
   if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});
 }
 

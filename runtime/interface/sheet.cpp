@@ -60,12 +60,13 @@ void mirror(scene::Rect& rect, const scene::Rect& all) noexcept {
 }  // namespace
 
 Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
-             const Closures& closed, View& view)
+             const Closures& closed, View& view, const ShownWay* way)
     : museum_(museum),
       request_(request),
       pieces_(pieces),
       closed_(closed),
       view_(view),
+      way_(way),
       measures_(measures_of(request.shape)),
       width_(static_cast<float>(request.shape.width)),
       height_(static_cast<float>(request.shape.height)),
@@ -189,6 +190,14 @@ scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width
           .fill = scene::QuadFill::Text,
           .colour = colour,
           .texture = piece.texture};
+}
+
+void Sheet::drawing(const PixelBox& box, std::string key, const std::function<Pixels()>& draw) {
+  add({.rect = share_of(box),
+       .fill = scene::QuadFill::Image,
+       .colour = {1, 1, 1, 1},
+       .texture = pieces_.drawing(std::move(key), draw)},
+      -1);
 }
 
 float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align align,
@@ -328,6 +337,7 @@ void Sheet::finish() {
   if (!right_to_left_) return;
   mirror(view_.panel, turned_);
   if (view_.countdown.width > 0) mirror(view_.countdown, turned_);
+  if (view_.inset.board.width > 0) mirror(view_.inset.board, turned_);
   for (Control& control : view_.controls)
     if (control.rect.width > 0) mirror(control.rect, turned_);
   for (Element& element : view_.elements) mirror(element.quad.rect, turned_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,13 +44,15 @@ struct PixelBox {
 class Sheet {
  public:
   Sheet(const Museum& museum, const ViewRequest& request, PieceCache& pieces,
-        const Closures& closed, View& view);
+        const Closures& closed, View& view, const ShownWay* way = nullptr);
 
   const Measures& measures() const noexcept { return measures_; }
   const scene::Theme& theme() const noexcept { return theme_; }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
   const Closures& closed() const noexcept { return closed_; }
+  /// Null where none is to be shown.
+  const ShownWay* way() const noexcept { return way_; }
   View& view() noexcept { return view_; }
 
   /// Index of the control of that name; -1 where this view has none. List items before spots.
@@ -70,6 +73,9 @@ class Sheet {
   /// Shows the whole picture at the box's start, as large as fits; up to a tenth of its height may
   /// be cut off to make it wider. Returns its height.
   float whole_image(const PixelBox& box, std::uint32_t image, float corner);
+  /// Fills the box, which lies on whole pixels, with a picture that is drawn when it is not there
+  /// yet.
+  void drawing(const PixelBox& box, std::string key, const std::function<Pixels()>& draw);
   /// Draws a piece with its top at `y`, aligned within `width` from `x`; returns its bottom.
   float piece(const TextPiece& piece, float x, float y, float width, Align align,
               scene::Colour colour, std::int32_t control = -1);
@@ -133,6 +139,7 @@ class Sheet {
   PieceCache& pieces_;
   const Closures& closed_;
   View& view_;
+  const ShownWay* way_;
   Measures measures_;
   scene::Theme theme_;
   float width_, height_, shorter_;
@@ -163,6 +170,10 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
 
 /// "Follow me to", the exhibit's name, and how far it is; returns the bottom.
 float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
+/// The way in at most three sentences, as far as there is room; returns the bottom.
+float draw_sentences(Sheet& sheet, const PixelBox& box);
+/// The small plan with the way, on the model's upper corner.
+void draw_inset(Sheet& sheet, const PixelBox& free);
 /// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
 /// box below that line.
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);

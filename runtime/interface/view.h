@@ -63,6 +63,18 @@ struct CountedText {
   std::int32_t words = -1;  ///< Index into View::words.
 };
 
+/// The small plan of the kiosk's floor, with the way from where the visitor stands. The frame
+/// thread draws a figure that runs along the way, and where the guide is.
+struct InsetPlan {
+  scene::Rect board;          ///< Screen frame; empty: there is none.
+  std::uint32_t floor = 0;    ///< Index into Museum::floors.
+  Vec2 origin{};              ///< Floor frame: the board's upper left corner.
+  Vec2 right{}, down{};       ///< Floor frame: what one metre is, in shares of the board.
+  std::vector<Vec2> way;      ///< Floor frame.
+  std::vector<double> reach;  ///< Metres along the way of each point.
+  scene::Colour figure;
+};
+
 /// What the interface shows in one state: made on the worker, shown by the frame thread, which only
 /// reads it and follows its spots with the camera.
 struct View {
@@ -74,9 +86,10 @@ struct View {
   std::vector<FloorLabel> labels;
   std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
-  scene::Rect panel;                   ///< Screen frame.
-  scene::Rect countdown;               ///< Screen frame: of a ring of seconds; empty: none.
-  scene::Rect free{0, 0, 1, 1};        ///< What is left to the model; at least 55 % of the screen.
+  InsetPlan inset;
+  scene::Rect panel;             ///< Screen frame.
+  scene::Rect countdown;         ///< Screen frame: of a ring of seconds; empty: none.
+  scene::Rect free{0, 0, 1, 1};  ///< What is left to the model; at least 55 % of the screen.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen: labels are drawn texel for pixel.
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.

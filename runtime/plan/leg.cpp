@@ -40,19 +40,6 @@ path::BuildingQuery query_of(const WalkOrder& order, Vec2 from) {
           .permissions = order.permissions};
 }
 
-/// With as much room as there is.
-path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
-                                    const WalkOrder& order, Vec2 from) {
-  path::BuildingQuery query = query_of(order, from);
-  path::BuildingWay way;
-  for (const double more : room_to_spare) {
-    query.way.radius = std::max(0.0, museum.body_radius + more);
-    way = building.route(query);
-    if (way.status == path::BuildingStatus::Ok) break;
-  }
-  return way;
-}
-
 std::uint32_t stop_on(const Connection& connection, std::uint32_t floor) noexcept {
   const auto stop = std::ranges::find(connection.stops, floor, &ConnectionStop::floor);
   return static_cast<std::uint32_t>(stop - connection.stops.begin());
@@ -96,6 +83,18 @@ bool needs_escalators(const Museum& museum, const path::BuildingMap& building,
 }
 
 }  // namespace
+
+path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
+                                    const WalkOrder& order, Vec2 from) {
+  path::BuildingQuery query = query_of(order, from);
+  path::BuildingWay way;
+  for (const double more : room_to_spare) {
+    query.way.radius = std::max(0.0, museum.body_radius + more);
+    way = building.route(query);
+    if (way.status == path::BuildingStatus::Ok) break;
+  }
+  return way;
+}
 
 Leg find_leg(const Museum& museum, const path::BuildingMap& building, const WalkOrder& order,
              Vec2 from) {

@@ -22,6 +22,10 @@ struct Leg {
 Leg find_leg(const Museum& museum, const path::BuildingMap& building, const WalkOrder& order,
              Vec2 from);
 
+/// The whole way over floors, with as much room for the body as there is.
+path::BuildingWay find_building_way(const Museum& museum, const path::BuildingMap& building,
+                                    const WalkOrder& order, Vec2 from);
+
 /// The nearest place of the kind that an order seeks, by the time that it takes to get there over
 /// floors, with what is closed just now.
 struct FoundPlace {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "runtime/model/last_catch.h"
+#include "runtime/plan/find_shown_way.h"
 #include "runtime/plan/order_own_tour.h"
 
 namespace docent::plan {
@@ -142,11 +143,18 @@ void Planner::answer(const WalkOrder& order) {
   send(plans_, rides_.plan(order, here, there), stop_);
 }
 
+std::optional<interface::ShownWay> Planner::shown_way(const interface::InterfaceState& state) {
+  if (!interface::shows_way(state)) return {};
+  if (!doorways_) doorways_ = directions::find_doorways(museum_, maps_);
+  return find_shown_way(museum_, building_, *doorways_, state);
+}
+
 void Planner::answer(const interface::ViewRequest& asked) {
   interface::ViewRequest request = asked;
   if (!request.state.own_tour.is_ordered) order_own_tour(museum_, building_, request.state);
+  const std::optional<interface::ShownWay> way = shown_way(request.state);
   std::unique_ptr<interface::View> view =
-      interface::make_view(museum_, request, cache_, *closed_.load());
+      interface::make_view(museum_, request, cache_, *closed_.load(), way ? &*way : nullptr);
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
   if (request.state.screen == interface::Screen::Welcome) cache_.rest();

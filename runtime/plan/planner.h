@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/directions/doorways.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/piece_cache.h"
 #include "runtime/plan/fill_order.h"
@@ -63,6 +64,7 @@ class Planner {
   void answer(const WalkOrder& order);
   void answer(const interface::ViewRequest& request);
   void announce(std::size_t buffer) noexcept;
+  std::optional<interface::ShownWay> shown_way(const interface::InterfaceState& state);
   Traffic& traffic_on(std::uint32_t floor);
   const motion::WalkGraph* walking() const noexcept { return walking_ ? &*walking_ : nullptr; }
 
@@ -71,6 +73,7 @@ class Planner {
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
   interface::PieceCache cache_;                              ///< Used by the worker only.
   path::BuildingMap building_;                               ///< Of all floors.
+  std::optional<directions::Doorways> doorways_;             ///< Found when they are first needed.
   std::atomic<std::shared_ptr<const Closures>> closed_;      ///< Just now; never null.
   std::vector<std::unique_ptr<Traffic>> traffic_;            ///< Per floor, made when it is needed.
   Rides rides_;

@@ -1,0 +1,134 @@
+/// What a visitor learns in ten seconds: the way in three sentences, and on a small plan.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "runtime/interface/plan_drawing.h"
+#include "runtime/interface/sentences.h"
+#include "runtime/interface/sheet.h"
+#include "runtime/model/geometry/polyline.h"
+#include "runtime/scene/look.h"
+
+namespace docent::interface {
+namespace {
+
+/// The board of the inset plan, as for a language that runs from left to right: at the upper corner
+/// that is farthest from the panel.
+struct Board {
+  PixelBox box;
+  float head = 0;  ///< The height of its upper part, which bears the floor's name and the compass.
+};
+Board board_on(const Sheet& sheet, const PixelBox& free, const FloorPlan& plan, double heading) {
+  const Measures& m = sheet.measures();
+  const float pad = 1.5F * m.unit, head = 9 * m.unit;
+  const float widest = std::min(46 * m.unit, 0.42F * free.width) - 2 * pad;
+  const float highest = std::min(40 * m.unit, 0.44F * free.height) - head - pad;
+  const auto aspect = static_cast<float>(aspect_of(plan, heading));
+  const float least = 22 * m.unit;  // for the floor's name
+  const float height = std::min(highest, widest / aspect);
+  const float width = std::round(std::max(least, height * aspect) + 2 * pad);
+  return {{std::round(free.right() - m.gap - width), std::round(free.y + m.gap), width,
+           std::round(height + head + pad)},
+          head};
+}
+
+/// Changes whenever the way does.
+std::uint64_t print_of(std::span<const Vec2> line) noexcept {
+  std::uint64_t print = 14695981039346656037ULL;  // FNV-1a
+  for (const Vec2 point : line)
+    for (const double number : {point.x, point.y})
+      print = (print ^ std::bit_cast<std::uint64_t>(number)) * 1099511628211ULL;
+  return print;
+}
+
+}  // namespace
+
+float draw_sentences(Sheet& sheet, const PixelBox& box) {
+  if (sheet.way() == nullptr) return box.y;
+  const WaySentences said =
+      sentences_in(sheet.museum(), sheet.request().state.language, sheet.way()->directions);
+  const std::array<const std::string*, 3> sentences{&said.way, &said.goal, &said.figures};
+  constexpr std::uint16_t most_lines = 8;
+  const float gap = std::round(sheet.measures().unit);
+  std::array<TextPiece, 3> pieces;
+  const auto set = [&](Letters letters) {
+    float height = 0;
+    bool is_cut = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      pieces[i] = sheet.fitted(sheet.style(letters, most_lines), *sentences[i], box.width);
+      height += pieces[i].height + gap;
+      is_cut = is_cut || pieces[i].cut;
+    }
+    return !is_cut && height <= box.height;
+  };
+  if (!set(Letters::Body)) set(Letters::Small);
+  float y = box.y;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (y + pieces[i].height > box.y + box.height) return y;
+    y = sheet.piece(pieces[i], box.x, y, box.width, Align::Start,
+                    i == 2 ? sheet.theme().quiet_ink : sheet.theme().ink) +
+        gap;
+  }
+  return y + gap;
+}
+
+void draw_inset(Sheet& sheet, const PixelBox& free) {
+  if (sheet.way() == nullptr) return;
+  const Museum& museum = sheet.museum();
+  const Measures& m = sheet.measures();
+  const Floor& floor = museum.floors[museum.kiosk_floor];
+  const double heading = museum.kiosk.heading;
+  const auto [box, head] = board_on(sheet, free, floor.plan, heading);
+  if (box.height < head + 6 * m.unit) return;
+  const float pad = 1.5F * m.unit;
+  const DrawingShape shape{.width = static_cast<std::uint32_t>(box.width),
+                           .height = static_cast<std::uint32_t>(box.height),
+                           .plan_least = {pad, head},
+                           .plan_most = {box.width - pad, box.height - pad}};
+  const PlanFrame frame = frame_of(floor.plan, heading, shape);
+  const bool turned = runs_right_to_left(museum, sheet.request().state.language);
+  const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
+  const RouteKind kind = sheet.request().state.kind;
+  const PlanDrawing drawing{.plan = floor.plan,
+                            .frame = frame,
+                            .shape = shape,
+                            .way = sheet.way()->line,
+                            .way_colour = info_of(kind).colour,
+                            .is_cased = kind == RouteKind::Offset,
+                            .here = museum.kiosk.position,
+                            .compass = {turned ? box.width - compass : compass, middle},
+                            .unit = m.unit};
+
+  sheet.shadow(box, 2 * m.unit, 0.12F);
+  sheet.fill(box, sheet.theme().paper, m.corner);
+  sheet.drawing(box,
+                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}", museum.kiosk_floor, shape.width,
+                            shape.height, turned, static_cast<int>(kind), museum.kiosk.position.x,
+                            print_of(sheet.way()->line)),
+                [&] { return draw_plan(drawing); });
+  TextStyle style = sheet.style(Letters::Small);
+  const float room = compass - 4 * m.unit - pad;
+  const TextPiece name = sheet.fitted(style, sheet.local(floor.title), room);
+  sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
+              sheet.theme().quiet_ink);
+  style.weight = 600;
+  style.size = std::min(style.size, std::round(2.4F * m.unit));  // within its ring
+  const TextPiece north = sheet.fitted(style, sheet.word("north"), 3.6F * m.unit);
+  sheet.piece(north, box.x + compass - 2 * m.unit, box.y + middle - north.height / 2, 4 * m.unit,
+              Align::Centre, sheet.theme().ink);
+
+  InsetPlan& inset = sheet.view().inset;
+  inset.board = sheet.share_of(box);
+  inset.floor = museum.kiosk_floor;
+  inset.origin = frame.origin;
+  inset.right = frame.scale / box.width * frame.right;
+  inset.down = frame.scale / box.height * frame.down;
+  inset.way = sheet.way()->line;
+  inset.reach = distances_along(inset.way);
+  inset.figure = scene::srgb(info_of(kind).colour);
+}
+
+}  // namespace docent::interface
