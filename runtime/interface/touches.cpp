@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/goal.h"
 #include "runtime/interface/places.h"
 
 namespace docent::interface {
@@ -28,8 +29,9 @@ bool leads_away(const Action& action) noexcept {
          action.kind == Action::Kind::Seek || action.kind == Action::Kind::GoToPlace;
 }
 
-bool loses_tour(const InterfaceState& state, const Action& action) noexcept {
-  return action.kind == Action::Kind::Home && state.own_tour.count > 0;
+/// Their tour, or the guide who leads them.
+bool loses_something(const InterfaceState& state, const Action& action) noexcept {
+  return action.kind == Action::Kind::Home && (state.own_tour.count > 0 || has_goal(state));
 }
 
 /// Which touches a search may use.
@@ -52,7 +54,7 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
       const bool found = control.name == name;
       const InterfaceState state = after(reached[at].state, control.action);
       const bool changes_more = leads_away(control.action) || is_collect(control) ||
-                                loses_tour(reached[at].state, control.action);
+                                loses_something(reached[at].state, control.action);
       if (!found && changes_more && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))

@@ -304,6 +304,16 @@ TEST(Languages, OfWhichThereAreTooManyForARowAreInAListAndAllOnTheWelcomeScreen)
   EXPECT_EQ(state.language, 3U);
 }
 
+TEST(Languages, AreChosenOnTheWayWithoutEndingIt) {
+  const Museum museum = museum_of_languages(12);
+  InterfaceState state;
+  state.screen = Screen::Walking;
+  state.exhibit = 0;
+
+  EXPECT_THAT(names(touches_to(museum, state, 8, "language:zh")),
+              ElementsAre("languages", "language:zh"));
+}
+
 TEST(Languages, AreThreeTouchesAwayFromEveryScreenHoweverMany) {
   const Museum museum = museum_of_languages(16);
   for (const Screen screen :
