@@ -8,7 +8,7 @@ _docent_content() {
   COMPREPLY=()
   for ((i = 1; i < COMP_CWORD; i++)); do
     case "$path ${COMP_WORDS[i]}" in
-    'docent-content compile' | 'docent-content check' | 'docent-content import' | 'docent-content translate' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content tour' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content figure' | 'docent-content walk' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
+    'docent-content compile' | 'docent-content check' | 'docent-content import' | 'docent-content translate' | 'docent-content info' | 'docent-content schema' | 'docent-content route' | 'docent-content tour' | 'docent-content at' | 'docent-content see' | 'docent-content near' | 'docent-content offset' | 'docent-content show' | 'docent-content graph' | 'docent-content figure' | 'docent-content walk' | 'docent-content film' | 'docent-content keygen' | 'docent-content sign' | 'docent-content verify' | 'docent-content release') path+=" ${COMP_WORDS[i]}" ;;
     esac
   done
   case "$path $before" in
@@ -100,7 +100,7 @@ _docent_content() {
     'docent-content release --program') :; return ;;
   esac
   case "$path" in
-    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph figure walk keygen sign verify release'; fi ;;
+    'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph figure walk film keygen sign verify release'; fi ;;
     'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content import') if [[ $word == -* ]]; then _docent_offer -W '-o --output --unit --origin --level --layers --json -h --help'; else _docent_offer -f; fi ;;

@@ -116,7 +116,7 @@ void Overlay::advance(float seconds) noexcept {
 }
 
 void Overlay::follow(const scene::CameraView& camera, float floor_height) noexcept {
-  const bool moves = camera != camera_;
+  const bool moves = camera_ && camera != *camera_;  // the first picture has its labels
   if (!moves && is_placed_) return;
   camera_ = camera;
   is_placed_ = !moves;

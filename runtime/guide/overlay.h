@@ -87,9 +87,9 @@ class Overlay {
 
   bool reduced_motion_;
   std::unique_ptr<interface::View> view_, leaving_;
-  scene::CameraView camera_;  ///< That the labels follow, ...
-  bool is_placed_ = false;    ///< ... and which stands still: they have made way for each other.
-  float age_ = 1;             ///< Seconds since view_ was entered.
+  std::optional<scene::CameraView> camera_;  ///< That the labels follow, ...
+  bool is_placed_ = false;  ///< ... and which stands still: they have made way for each other.
+  float age_ = 1;           ///< Seconds since view_ was entered.
   float seconds_left_ = 0;
   float run_ = 0;  ///< Seconds since the figure on the inset plan set out.
   std::int32_t focus_ = -1;
