@@ -40,9 +40,10 @@ Way find_shortest(const FloorMap& map, const RouteQuery& query) {
   };
   if (!has_room(query.from)) return {.status = RouteStatus::StartBlocked};
   std::optional<Way> straight;
-  if (ways) straight = straight_way(*ways, query.from, query.to);
-  // What a point sees of the interior is inside. (Nothing is in the way to what is no point.)
-  const bool is_seen = straight && query.radius == 0 && std::isfinite(straight->length);
+  if (ways && ways->walls().cell_at(query.to))  // a place, and on the floor's grid
+    straight = straight_way(*ways, query.from, query.to);
+  // What a point sees of the interior is inside.
+  const bool is_seen = straight && query.radius == 0;
   if (is_seen ? !leaves_room(query, query.to) : !has_room(query.to))
     return {.status = RouteStatus::GoalBlocked};
   Way way = straight ? *std::move(straight)
