@@ -7,27 +7,13 @@
 #include <cmath>
 
 #include "runtime/interface/layout.h"
+#include "tests/runtime/interface/boxes.h"
 #include "tests/support/sample_museum.h"
 
 namespace docent::interface {
 namespace {
 
-/// Letters as boxes of six tenths of their size; of languages that run from right to left as well.
-TextBitmap boxes(const TextStyle& style, std::string_view text, std::uint32_t width) {
-  std::size_t letters = 0;
-  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  const float line = std::round(style.size * style.line_height);
-  const float whole = static_cast<float>(letters) * style.size * 0.6F;
-  const float wide = width == 0 ? whole : static_cast<float>(width);
-  const auto lines = static_cast<std::uint32_t>(std::max(1.0F, std::ceil(whole / wide)));
-  TextBitmap bitmap;
-  bitmap.cut = lines > style.max_lines;
-  bitmap.lines = std::min<std::uint32_t>(lines, style.max_lines);
-  bitmap.width = static_cast<std::uint32_t>(std::max(1.0F, std::min(whole, wide)));
-  bitmap.height = bitmap.lines * static_cast<std::uint32_t>(line);
-  bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
-  return bitmap;
-}
+using test::boxes;
 
 /// The sample museum with as many exhibits as asked for, each with a title of some length.
 Museum museum_of(std::uint32_t exhibits, std::uint32_t letters) {
