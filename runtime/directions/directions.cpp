@@ -16,6 +16,7 @@ namespace {
 
 constexpr double sample = 0.1;     // metres along a way
 constexpr double passing = 0.7;    // metres: who walks no farther in a room has not been in it
+constexpr double unnamed = 2.5;    // metres: who walks farther without a room's name is in no room
 constexpr double near_door = 1.2;  // metres from where a way leaves an outline to its doorway
 const double diagonal = std::sqrt(0.5);
 
@@ -28,14 +29,30 @@ struct Stay {
   std::uint32_t room = none;
   Vec2 in{}, out{};
   double length = 0;
+  double outside = 0;  ///< Metres walked in no named room before it.
 };
 
-std::vector<Stay> stays_of(const Museum& museum, std::uint32_t floor, std::span<const Vec2> way) {
+/// The rooms of a way, and how far it goes on in none after the last.
+struct Stays {
+  std::vector<Stay> rooms;
+  double outside = 0;
+};
+
+Stays stays_of(const Museum& museum, std::uint32_t floor, std::span<const Vec2> way) {
   std::vector<Stay> stays;
+  double outside = 0;
+  Vec2 last = way.empty() ? Vec2{} : way.front();
   const auto note = [&](Vec2 at) {
+    const double step = glm::distance(last, at);
+    last = at;
     const std::uint32_t room = room_of(museum, floor, at);
-    if (room == none) return;
-    if (stays.empty() || stays.back().room != room) stays.push_back({room, at, at, 0});
+    if (room == none) {
+      outside += step;
+      return;
+    }
+    if (stays.empty() || stays.back().room != room || outside > unnamed)
+      stays.push_back({room, at, at, 0, outside});
+    outside = 0;
     Stay& stay = stays.back();
     stay.length += glm::distance(stay.out, at);
     stay.out = at;
@@ -49,15 +66,31 @@ std::vector<Stay> stays_of(const Museum& museum, std::uint32_t floor, std::span<
   std::vector<Stay> kept;
   for (std::size_t i = 0; i < stays.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == stays.size();
-    if (!is_end && stays[i].length < passing) continue;
-    if (!kept.empty() && kept.back().room == stays[i].room) {
+    if (!is_end && stays[i].length < passing) {
+      stays[i + 1].outside += stays[i].outside;
+      continue;
+    }
+    if (!kept.empty() && kept.back().room == stays[i].room && stays[i].outside <= unnamed) {
       kept.back().out = stays[i].out;
       kept.back().length += stays[i].length;
     } else {
       kept.push_back(stays[i]);
     }
   }
-  return kept;
+  return {std::move(kept), outside};
+}
+
+/// The first so many metres of a line.
+std::vector<Vec2> beginning_of(std::span<const Vec2> line, double metres) {
+  std::vector<Vec2> beginning;
+  double walked = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0) walked += glm::distance(line[i - 1], line[i]);
+    if (walked > metres) break;
+    beginning.push_back(line[i]);
+  }
+  beginning.push_back(point_along(line, metres));
+  return beginning;
 }
 
 /// The doorway of a room by which a way comes in or goes out at a point; null where there is none.
@@ -172,22 +205,44 @@ Walked walk(const Museum& museum, const Doorways& doorways, const path::Leg& leg
             const Placement& start) {
   Walked walked{.part = {.floor = leg.floor, .doors = {}, .turns = {}},
                 .stance = {.at = start.position, .facing = unit(start.heading)}};
-  const std::vector<Stay> stays = stays_of(museum, leg.floor, leg.points);
+  const auto [stays, outside] = stays_of(museum, leg.floor, leg.points);
   if (stays.empty()) {
     walked.part.turns = turns_of(leg.points, walked.stance.facing);
     return walked;
   }
-  walked.part.room = stays.front().room;
-  for (std::size_t i = 1; i < stays.size(); ++i) {
-    const Stay &here = stays[i - 1], &next = stays[i];
+  const auto leave = [&](const Stay& here, std::uint32_t to) {
     DoorStep step{.from = here.room};
     if (const Doorway* exit = doorway_at(doorways, here.room, here.out); exit != nullptr)
       step = step_through(doorways, here.room, walked.stance, *exit);
-    step.to = next.room;
+    step.to = to;
     walked.part.doors.push_back(step);
-    const Vec2 across = next.in - here.out;
+  };
+  const auto come_into = [&](const Stay& next, Vec2 from) {
+    const Vec2 across = next.in - from;
     const double far = glm::length(across);
     walked.stance = stance_in(doorways, next, far > 0 ? across / far : walked.stance.facing);
+  };
+  const Stay& first = stays.front();
+  if (first.outside > unnamed) {
+    const std::vector<Vec2> before = beginning_of(leg.points, first.outside);
+    walked.part.turns = turns_of(before, walked.stance.facing);
+    walked.part.doors.push_back({.to = first.room});
+    come_into(first, point_along(leg.points, first.outside - sample));
+  } else {
+    walked.part.room = first.room;
+  }
+  for (std::size_t i = 1; i < stays.size(); ++i) {
+    const bool by_a_passage = stays[i].outside > unnamed;
+    leave(stays[i - 1], by_a_passage ? none : stays[i].room);
+    if (by_a_passage) walked.part.doors.push_back({.to = stays[i].room});
+    come_into(stays[i], stays[i - 1].out);
+  }
+  if (outside > unnamed) {
+    leave(stays.back(), none);
+    const double length = polyline_length(leg.points);
+    const Vec2 end = leg.points.back(), before = point_along(leg.points, length - outside / 2);
+    const double far = glm::distance(before, end);
+    walked.stance = {.at = before, .facing = far > 0 ? (end - before) / far : walked.stance.facing};
   }
   return walked;
 }

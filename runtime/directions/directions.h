@@ -16,8 +16,9 @@ inline constexpr std::size_t side_count = 6;
 
 /// From a room to the next one on the way.
 struct DoorStep {
-  std::uint32_t from = none, to = none;  ///< Indices into Museum::rooms.
-  Side side = Side::Ahead;               ///< For who has come in by the door before.
+  /// Indices into Museum::rooms; none: a passage that has no name.
+  std::uint32_t from = none, to = none;
+  Side side = Side::Ahead;  ///< For who has come in by the door before.
   /// The door is the `nth` of so many on that side; 0 of 0 where there is no door but a wide
   /// opening.
   std::uint32_t nth = 0, of = 0;
@@ -41,9 +42,9 @@ struct RideStep {
 /// The part of a way along one floor.
 struct FloorPart {
   std::uint32_t floor = 0;
-  std::uint32_t room = none;    ///< Where it begins.
+  std::uint32_t room = none;    ///< Where it begins; none: in no named room.
   std::vector<DoorStep> doors;  ///< From room to room.
-  std::vector<Turn> turns;      ///< Only where it passes no room that is known.
+  std::vector<Turn> turns;      ///< Before the first room that is known.
   std::optional<RideStep> then{};
 
   /// The last room of it.

@@ -74,9 +74,12 @@ std::string Speaker::rooms(const std::vector<std::uint32_t>& passed) const {
 }
 
 std::string Speaker::door(const DoorStep& step) const {
+  if (step.of == 0 && step.to == none) return std::string(say("way_straight"));
   if (step.of == 0) return filled_in(say("way_into"), "room", room(step.to));
   if (step.of == 1) return std::string(say(fmt::format("door_{}", name_of(step.side))));
-  if (step.nth > most_counted) return filled_in(say("door_to"), "room", room(step.to));
+  if (step.nth > most_counted)
+    return step.to == none ? std::string(say(fmt::format("door_{}", name_of(step.side))))
+                           : filled_in(say("door_to"), "room", room(step.to));
   return filled_in(say(fmt::format("door_{}_nth", name_of(step.side))), "nth",
                    say(fmt::format("door_nth_{}", step.nth)));
 }
@@ -106,14 +109,14 @@ void Speaker::add_turns(const FloorPart& part, std::vector<std::string>& phrases
 void Speaker::add_doors(const FloorPart& part, std::vector<std::string>& phrases) const {
   if (part.doors.empty()) return;
   std::vector<std::uint32_t> passed;
-  for (const DoorStep& step : part.doors) passed.push_back(step.to);
-  if (!part.then) passed.pop_back();  // that is the goal's
+  for (const DoorStep& step : part.doors)
+    if (step.to != none) passed.push_back(step.to);
+  if (!part.then && part.doors.back().to != none) passed.pop_back();  // that is the goal's
   const DoorStep& first = part.doors.front();
   const bool goes_without_saying = first.side == directions::Side::Ahead && first.of <= 1;
-  if (!passed.empty()) {
-    if (!goes_without_saying && first.of > 0) phrases.push_back(door(first));
-    phrases.push_back(filled_in(say("way_through"), "rooms", rooms(passed)));
-  }
+  const bool goes_on = part.then ? !passed.empty() : part.doors.size() > 1;
+  if (goes_on && !goes_without_saying && first.of > 0) phrases.push_back(door(first));
+  if (!passed.empty()) phrases.push_back(filled_in(say("way_through"), "rooms", rooms(passed)));
   if (!part.then) phrases.push_back(door(part.doors.back()));
 }
 

@@ -90,6 +90,60 @@ TEST(Directions, TellTurnsWhereNoRoomsAreKnown) {
   EXPECT_NEAR(turns[1].after, 8, 1);
 }
 
+/// Two rooms of 4 by 4 metres, 6 apart, and what lies between them has no name: many drawings have
+/// passages without one.
+class RoomsAndAPassage : public ::testing::Test {
+ protected:
+  RoomsAndAPassage() {
+    museum_.floors.emplace_back();
+    for (const double west : {0.0, 10.0}) {
+      Room room{.id = "", .title = {}, .label = {}, .outline = {}};
+      room.outline = {{west, 0}, {west + 4, 0}, {west + 4, 4}, {west, 4}};
+      museum_.rooms.push_back(std::move(room));
+    }
+  }
+  FloorPart part_of(Vec2 from, Vec2 to) const {
+    path::BuildingWay way;
+    way.status = path::BuildingStatus::Ok;
+    way.legs = {{.floor = 0, .to_floor = 0, .points = {from, to}}};
+    return direct(museum_, {}, {from, 0}, way, {.position = to}).value().parts.at(0);
+  }
+
+ private:
+  Museum museum_;
+};
+
+TEST_F(RoomsAndAPassage, TellWhenOneSetsOutOutsideOfTheGoalsRoom) {
+  const FloorPart part = part_of({6, 2}, {12, 2});
+
+  EXPECT_EQ(part.room, none) << "and not in the goal's room";
+  ASSERT_EQ(part.doors.size(), 1U);
+  EXPECT_EQ(part.doors[0], (DoorStep{.from = none, .to = 1}));
+}
+
+TEST_F(RoomsAndAPassage, TellThePassageBetweenThem) {
+  const FloorPart part = part_of({2, 2}, {12, 2});
+
+  EXPECT_EQ(part.room, 0U);
+  ASSERT_EQ(part.doors.size(), 2U);
+  EXPECT_EQ(part.doors[0].to, none);
+  EXPECT_EQ(part.doors[1], (DoorStep{.from = none, .to = 1}));
+}
+
+TEST_F(RoomsAndAPassage, TellWhenTheGoalIsInThePassage) {
+  const FloorPart part = part_of({2, 2}, {8, 2});
+
+  EXPECT_EQ(part.room, 0U);
+  EXPECT_EQ(part.last_room(), none);
+}
+
+TEST_F(RoomsAndAPassage, OfWhichNoStepIsTakenAreTheRightRoomAlready) {
+  const FloorPart part = part_of({1, 2}, {3, 2});
+
+  EXPECT_EQ(part.room, 0U);
+  EXPECT_TRUE(part.doors.empty());
+}
+
 TEST(Directions, AreNoneWhereThereIsNoWay) {
   const test::SampleHouse& house = test::sample_house();
   EXPECT_FALSE(direct(house.museum, house.doorways, {}, {}, {}));
