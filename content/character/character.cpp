@@ -53,7 +53,7 @@ Character make_character(const import::gltf::Model& model, const std::string& fi
   character.joints = static_cast<std::size_t>(std::ranges::count(is_joint, true));
   character.extent = extent_of(model, character.standing);
   const Colours colours(model);
-  character.body = to_budget(surface_of(model, character.standing, character.notes), colours);
+  character.body = to_budget(surface_of(model, character.standing, file, character.notes), colours);
   if (character.body.surface.indices.empty())
     throw content::ContentError(file, 0, 0, "not-humanoid",
                                 "it has bones and nothing to see: no triangles in its scene",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -21,6 +22,9 @@ namespace {
 
 using import::gltf::entry;
 using import::gltf::Model;
+
+/// Of a person's bones, most lie half a metre from the hips and none much more than one.
+constexpr float farthest_bone = 10;
 
 std::vector<Mat4> worlds_of(const Model& model) {
   std::vector<Mat4> world(model.nodes.size(), Mat4{1});
@@ -112,6 +116,32 @@ std::optional<Mat4> upright(const Body& body, bool& is_turned_up) {
   return Mat4(glm::transpose(glm::mat3(left, *up, forward)));
 }
 
+/// Refuses a skeleton of which a bone lies far from the others, or nowhere: such a body has no
+/// size.
+void refuse_far_bones(const BoneMap& bones, const std::vector<Mat4>& world, const char* pose,
+                      const std::string& file) {
+  const auto at = [&](std::int32_t node) { return Vec3(world[entry(node)][3]); };
+  std::vector<float> distances;
+  for (const std::int32_t node : bones.node)
+    if (node >= 0) distances.push_back(glm::distance(at(node), at(bones[HumanBone::Hips])));
+  std::vector<float> sorted = distances;
+  // What is no number counts as far: it has no place among the others.
+  for (float& d : sorted)
+    if (std::isnan(d)) d = std::numeric_limits<float>::infinity();
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
+  const float usual = sorted[sorted.size() / 2];
+  std::size_t k = 0;
+  for (std::size_t b = 0; b < bone_count; ++b) {
+    if (bones.node[b] < 0) continue;
+    if (!(distances[k++] <= farthest_bone * usual) || !std::isfinite(usual))
+      throw content::ContentError(
+          file, 0, 0, "not-humanoid",
+          fmt::format("its {} lies more than {} times as far from the hips as most bones, {}",
+                      bone_names[b], farthest_bone, pose),
+          "put the skeleton right in the program that made it, and export it again");
+  }
+}
+
 /// Degrees that an arm points above the horizontal.
 float elevation(Vec3 upper_arm, Vec3 hand) {
   const Vec3 arm = hand - upper_arm;
@@ -138,6 +168,8 @@ Standing stand_up(const Model& model, const std::string& file, std::vector<std::
   if (is_turned_up) notes.emplace_back("it lay on its back or side, and was stood up");
   for (Mat4& m : standing.rest) m = *turn * m;
   for (Mat4& m : standing.bind) m = *turn * m;
+  refuse_far_bones(standing.bones, standing.rest, "as its nodes stand", file);
+  refuse_far_bones(standing.bones, standing.bind, "as its skin was bound", file);
   const auto of_arm = [&](HumanBone upper, HumanBone hand) {
     return elevation(standing.at_rest(upper), standing.at_rest(hand));
   };

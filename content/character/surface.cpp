@@ -6,14 +6,19 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "content/character/find_bones.h"
+#include "content/content_error.h"
 
 namespace docent::character {
 namespace {
+
+/// From the hips, in heights of the body: wings, trains and halberds stay within it.
+constexpr float farthest_part = 10;
 
 using import::gltf::entry;
 using import::gltf::Model;
@@ -182,6 +187,25 @@ void add_primitive(const Placing& placing, const Primitive& primitive,
   }
 }
 
+/// Refuses a mesh that has a vertex far from the body, or nowhere: such a body has no size.
+void refuse_far_parts(const Model& model, const Standing& standing, std::int32_t node,
+                      std::span<const SurfaceVertex> vertices, const std::string& file) {
+  const Vec3 hips = standing.at_bind(HumanBone::Hips);
+  const float height =
+      glm::distance(standing.at_bind(HumanBone::Head), standing.at_bind(HumanBone::LeftFoot));
+  for (const SurfaceVertex& v : vertices)
+    if (!(glm::distance(v.position, hips) <= farthest_part * height)) {
+      const std::string& name = model.meshes[entry(model.nodes[entry(node)].mesh)].name;
+      throw content::ContentError(
+          file, 0, 0, "not-humanoid",
+          fmt::format("its mesh \"{}\" reaches more than {} times the body's height away from the "
+                      "hips, as no part of a person does",
+                      name.empty() ? fmt::format("#{}", model.nodes[entry(node)].mesh) : name,
+                      farthest_part),
+          "export the character without its surroundings, and its skin in the skeleton's own size");
+    }
+}
+
 }  // namespace
 
 Extent extent_of(const Model& model, const Standing& standing) {
@@ -200,7 +224,8 @@ Extent extent_of(const Model& model, const Standing& standing) {
   return extent;
 }
 
-Surface surface_of(const Model& model, const Standing& standing, std::vector<std::string>& notes) {
+Surface surface_of(const Model& model, const Standing& standing, const std::string& file,
+                   std::vector<std::string>& notes) {
   const BoneOfNode bone_of(model, standing);
   const std::vector<bool> is_held = held_at_once(model, bone_of, notes);
   Surface surface;
@@ -218,10 +243,10 @@ Surface surface_of(const Model& model, const Standing& standing, std::vector<std
             primitive.weight[v][static_cast<int>(k)]};
       shares[v] = merged(parts);
     }
+    const std::size_t first = surface.vertices.size();
     add_primitive(Placing(model, standing.bind, n, primitive), primitive, shares, surface);
+    refuse_far_parts(model, standing, n, std::span(surface.vertices).subspan(first), file);
   });
-  for (const SurfaceVertex& v : surface.vertices)
-    if (!std::isfinite(v.position.x + v.position.y + v.position.z)) return {};
   return surface;
 }
 

@@ -45,8 +45,9 @@ Extent extent_of(const import::gltf::Model& model, const Standing& standing);
 
 /// All triangles of the scene, bound to human bones: each joint to the nearest bone above it in
 /// the tree, or else the nearest in space. What hangs in one hand several at a time (an armoury's
-/// swords and shields) is left out, and told in `notes`.
+/// swords and shields) is left out, and told in `notes`. ContentError (`not-humanoid`) about `file`
+/// for a mesh that reaches further from the body than ten times its height.
 Surface surface_of(const import::gltf::Model& model, const Standing& standing,
-                   std::vector<std::string>& notes);
+                   const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace docent::character

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "content/character/find_bones.h"
@@ -94,6 +96,41 @@ import::gltf::Model named(const std::vector<std::string>& names) {
 std::string name_of_bone(const std::vector<std::string>& names, HumanBone bone) {
   const std::int32_t node = bones_by_name(named(names))[bone];
   return node < 0 ? "" : names[static_cast<std::size_t>(node)];
+}
+
+/// What is said of a character with a vertex this far up.
+std::string refusal_with_a_vertex_at(float height) {
+  import::gltf::Model model = import::gltf::parse_model(test::make_glb({}), "made.glb", {});
+  model.meshes.at(0).name = "Cloak";
+  model.meshes.at(0).primitives.at(0).position.at(5).y = height;
+  return refusal_of([&] { make_character(model, "made.glb"); });
+}
+
+TEST(Character, WithAPartFarFromItsBodyIsRefusedByThePartsName) {
+  EXPECT_EQ(refusal_with_a_vertex_at(4), "");
+  for (const float height : {40.0F, -40.0F, 4e20F, 3e38F, std::numeric_limits<float>::infinity(),
+                             std::numeric_limits<float>::quiet_NaN()})
+    EXPECT_THAT(refusal_with_a_vertex_at(height), HasSubstr("its mesh \"Cloak\" reaches"))
+        << height;
+}
+
+TEST(Character, WithABoneFarFromTheOthersIsRefusedByTheBonesName) {
+  for (const float out : {30.0F, 1e11F}) {
+    import::gltf::Model moved = import::gltf::parse_model(test::make_glb({}), "made.glb", {});
+    import::gltf::Model bound = moved;
+    for (const std::int32_t n : moved.order)
+      if (moved.nodes[import::gltf::entry(n)].name == "mixamorig:LeftHand") {
+        moved.nodes[import::gltf::entry(n)].local[3].x = out;
+        for (std::size_t j = 0; j < bound.skins.at(0).joints.size(); ++j)
+          if (bound.skins[0].joints[j] == n) bound.skins[0].inverse_bind[j][3].x = out;
+      }
+    EXPECT_THAT(refusal_of([&] { make_character(moved, "made.glb"); }),
+                HasSubstr("leftHand lies more than 10 times as far"))
+        << out;
+    EXPECT_THAT(refusal_of([&] { make_character(bound, "made.glb"); }),
+                HasSubstr("as its skin was bound"))
+        << out;
+  }
 }
 
 TEST(BoneNames, AreThoseOfManyPrograms) {
