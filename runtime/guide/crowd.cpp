@@ -295,7 +295,8 @@ void Crowd::step(double seconds) noexcept {
   for (Proximity& floor : proximity_) floor.look(members_, seconds);
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];
-    if (one.boards && ride_of(one.avatar) != nullptr) one.boards = false;
+    // It is on its ride, or past it where the step was long, or came too late to get on.
+    if (one.boards && !one.awaits_answer && !one.avatar.next) one.boards = false;
     const bool held = one.goal && !one.has_arrived && stands(one.avatar);
     one.blocked_seconds = held ? one.blocked_seconds + seconds : 0;
     ask_for_next(who);

@@ -96,11 +96,11 @@ class Watch {
   Crowd& crowd() { return crowd_; }
   plan::Planner& planner() { return planner_; }
 
-  void step() {
+  void step(double seconds = frame) {
     planner_.wait();
     before_.clear();
     for (const Agent& one : crowd_.members()) before_.push_back(place_of(one.avatar));
-    crowd_.step(frame);
+    crowd_.step(seconds);
     look();
   }
   bool run_until_arrived(std::uint32_t who, double seconds) {
@@ -215,6 +215,31 @@ TEST(AGuide, SentElsewhereOnTheStairsComesOutAndThenTurnsRound) {
                           museum.exhibits[0].viewing_point.position),
             0.02);
   EXPECT_LT(watch.quickest, 2.5);
+}
+
+TEST(AGuide, GoesOnAfterAPauseOfTheProgramThatLastedLongerThanItsRide) {
+  Museum museum = house();
+  for (Connection& connection : museum.connections)
+    connection.closed = connection.kind != ConnectionKind::Lift;
+  for (const std::size_t bodies : {1U, 2U}) {
+    Watch watch(museum, bodies);
+    for (std::size_t i = 0; i < bodies; ++i)
+      watch.crowd().add(0, i == 0 ? museum.kiosk : at(3, 8, 0), 100, 1);
+    const Exhibit& above = museum.exhibits[8];
+    const auto boards = [&] { return watch.crowd()[0].boards; };
+    for (int trip = 0; trip < 4; ++trip) {
+      const bool goes_up = trip % 2 == 0;
+      watch.crowd().send(0, goes_up ? above.floor : 0, goes_up ? above.viewing_point : museum.kiosk,
+                         RouteKind::Shortest);
+      for (int i = 0; i < 60 * 60 && !boards(); ++i) watch.step();
+      ASSERT_TRUE(boards());
+      for (int i = 0; i < trip; ++i) watch.step();  // asked, answered, getting on
+
+      watch.step(30);
+
+      EXPECT_TRUE(watch.run_until_arrived(0, 120)) << bodies << " bodies, trip " << trip;
+    }
+  }
 }
 
 TEST(AGuide, WhoseOnlyConnectionIsClosedSaysThatItIs) {
