@@ -190,11 +190,12 @@ float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::s
   const auto count = static_cast<float>(there.size());
   const float width = std::floor((content.width + gap) / count - gap);
   const TextStyle word = sheet.row_style(there, width);
-  const std::int32_t stop = sheet.control("stop");
+  const std::int32_t stop = sheet.control("stop"), start = sheet.control("start-tour");
   float x = content.x;
   for (const std::int32_t control : there) {
+    const bool is_strong = control == stop || control == start;
     sheet.button(control, {x, top, width, m.touch},
-                 control == stop ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft, word);
+                 is_strong ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft, word);
     x += width + gap;
   }
   return top;
@@ -204,6 +205,7 @@ float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::s
 std::string row_text(const Sheet& sheet, const Control& control) {
   std::string title(sheet.local(control.label));
   if (control.action.kind == Action::Kind::Seek) return title;
+  if (control.action.kind == Action::Kind::ShowOwnTour) return title + "  " + own_tour_line(sheet);
   const Tour* tour = begun_tour(sheet, control);
   const std::string before = tour != nullptr
                                  ? tour_line(sheet, *tour)
@@ -212,6 +214,21 @@ std::string row_text(const Sheet& sheet, const Control& control) {
   const std::string closed =
       tour == nullptr ? closed_line(sheet, control.action.argument) : std::string();
   return before + "  " + title + (closed.empty() ? "" : "  ·  ") + closed;
+}
+
+/// Plus or minus: whether a touch puts an exhibit into the visitor's own tour, or takes it out.
+void draw_collect(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  sheet.place(control, box);
+  const bool is_in = it.action.kind == Action::Kind::Discard;
+  sheet.fill(box, is_in ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
+  const scene::Colour sign = is_in ? sheet.theme().paper : sheet.theme().ink;
+  const float length = std::round(0.4F * m.touch), thick = std::round(0.06F * m.touch);
+  const float x = box.x + box.width / 2, y = box.y + box.height / 2;
+  const scene::Colour ink = it.enabled ? sign : scene::with_opacity(sign, 0.35F);
+  sheet.fill({x - length / 2, y - thick / 2, length, thick}, ink, 0, control);
+  if (!is_in) sheet.fill({x - thick / 2, y - length / 2, thick, length}, ink, 0, control);
 }
 
 void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
@@ -227,6 +244,19 @@ void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const TextPiece title = sheet.fitted(style, row_text(sheet, it), box.right() - x - m.unit / 2);
   sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
               sheet.theme().ink, control);
+}
+
+/// A row of the list, and what collects it where that is an exhibit.
+void draw_list_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  const std::int32_t collect =
+      action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
+  if (collect < 0) return draw_row(sheet, control, box);
+  const float gap = std::round(m.unit / 2);
+  draw_row(sheet, control, {box.x, box.y, box.width - m.touch - gap, box.height});
+  draw_collect(sheet, collect,
+               {box.right() - m.touch, box.y + (box.height - m.touch) / 2, m.touch, m.touch});
 }
 
 /// All the guides side by side.
@@ -322,18 +352,23 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const float gap = std::round(m.unit / 2), row = height_of_row(m);
   const TextStyle style = sheet.style(Letters::Lead);
-  const bool of_places = sheet.request().state.lists == Listed::Places;
+  const Listed lists = sheet.request().state.lists;
   const float width = content.width - draw_corner(sheet, content).width;
-  sheet.piece(sheet.fitted(style, sheet.word(of_places ? "places_title" : "choose_title"), width),
-              content.x, content.y, width, Align::Start, sheet.theme().ink);
+  sheet.piece(sheet.fitted(style, sheet.word(title_of(lists)), width), content.x, content.y, width,
+              Align::Start, sheet.theme().ink);
   float y = content.y + height_of_heading(m);
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
     if (sheet.view().controls[i].role != Role::ListItem) continue;
-    draw_row(sheet, static_cast<std::int32_t>(i), {content.x, y, content.width, row});
+    draw_list_row(sheet, static_cast<std::int32_t>(i), {content.x, y, content.width, row});
     y += row + gap;
   }
   constexpr std::array<std::string_view, 4> buttons{"page:previous", "page:next", "back", "home"};
   const float bottom = draw_buttons(sheet, content, buttons) - gap;
+  if (lists == Listed::OwnTour) {
+    constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
+    draw_buttons(sheet, {content.x, content.y, content.width, bottom - content.y}, start);
+    return;
+  }
   draw_languages(sheet, {content.x, bottom - m.touch, content.width, m.touch});
 }
 

@@ -150,10 +150,9 @@ void add_looks(const ControlRequest& request, std::vector<Control>& out) {
   }
 }
 
-/// The visitor's own tour heads the list of exhibits as soon as there is one; not on a card, which
-/// has no room for it.
+/// The visitor's own tour heads the list of exhibits as soon as there is one.
 std::uint32_t own_tours(const InterfaceState& state) noexcept {
-  return state.own_tour.count > 0 && !state.seat ? 1 : 0;
+  return state.own_tour.count > 0 ? 1 : 0;
 }
 
 /// How long the list is: tours and exhibits, kinds of places, or the stops of the visitor's tour.
@@ -291,8 +290,12 @@ void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
 }
 void add_choosing_on_card(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
+  if (request.state.lists == Listed::OwnTour)
+    add_start(request, out);
+  else
+    add_languages(request, out);
   add_back(request, "leave", out);
-  add_languages(request, out);
+  add_collects(request, out);
 }
 void add_walking_on_card(const ControlRequest& request, std::vector<Control>& out) {
   add_routes(request, out);

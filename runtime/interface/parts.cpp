@@ -225,6 +225,20 @@ std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
   return line;
 }
 
+std::string_view title_of(Listed lists) noexcept {
+  switch (lists) {
+    case Listed::Exhibits:
+      break;
+    case Listed::Places:
+      return "places_title";
+    case Listed::OwnTour:
+      return "own_tour";
+    case Listed::Languages:
+      return "languages_title";
+  }
+  return "choose_title";
+}
+
 std::string own_tour_line(const Sheet& sheet) {
   const InterfaceState& state = sheet.request().state;
   const OwnTour& tour = state.own_tour;

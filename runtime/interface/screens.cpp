@@ -258,36 +258,13 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
 
 namespace {
 
-std::string_view title_of(Listed lists) noexcept {
-  switch (lists) {
-    case Listed::Exhibits:
-      break;
-    case Listed::Places:
-      return "places_title";
-    case Listed::OwnTour:
-      return "own_tour";
-    case Listed::Languages:
-      return "languages_title";
-  }
-  return "choose_title";
-}
-
-/// What puts an exhibit into the visitor's own tour, or takes it out; -1 where nothing does.
-std::int32_t collect_of(Sheet& sheet, std::optional<std::uint32_t> exhibit) {
-  const auto& controls = sheet.view().controls;
-  const auto found = std::ranges::find_if(controls, [&](const Control& control) {
-    return is_collect(control) && control.action.argument == exhibit;
-  });
-  return found == controls.end() ? -1 : static_cast<std::int32_t>(found - controls.begin());
-}
-
 /// An item of the list, and what collects it where that is an exhibit.
 void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
   if (action.kind == Action::Kind::Speak) return draw_language(sheet, control, box, Align::Start);
   const std::int32_t collect =
-      action.kind == Action::Kind::Choose ? collect_of(sheet, action.argument) : -1;
+      action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
   if (collect < 0) return draw_card(sheet, control, box);
   const float width = std::round(
       std::max(m.touch, std::min(12 * m.unit * sheet.request().shape.text_scale, box.width / 4)));
@@ -376,7 +353,7 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   PixelBox first = content, second = content;
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
   const std::int32_t skip = sheet.control("skip"),
-                     collect = collect_of(sheet, sheet.request().state.exhibit);
+                     collect = sheet.collect(sheet.request().state.exhibit);
   const std::int32_t middle = skip < 0 ? collect : skip;
   const float shares = middle < 0 ? 2 : 3;
   const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
@@ -417,7 +394,7 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
   const float row = list_shape(sheet.request().shape).row_height;
   float bottom = foot - m.gap - m.touch;
-  const std::int32_t collect = collect_of(sheet, sheet.request().state.exhibit);
+  const std::int32_t collect = sheet.collect(sheet.request().state.exhibit);
   const float share = collect < 0 ? second.width : std::floor((second.width - m.gap) / 2);
   const std::array pair{collect, sheet.control("choose")};
   const TextStyle word = sheet.row_style(pair, share);

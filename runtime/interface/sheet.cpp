@@ -79,6 +79,14 @@ std::int32_t Sheet::control(std::string_view name) const noexcept {
                                        : static_cast<std::int32_t>(found - view_.controls.begin());
 }
 
+std::int32_t Sheet::collect(std::optional<std::uint32_t> exhibit) const noexcept {
+  const auto found = std::ranges::find_if(view_.controls, [&](const Control& control) {
+    return is_collect(control) && control.action.argument == exhibit;
+  });
+  return found == view_.controls.end() ? -1
+                                       : static_cast<std::int32_t>(found - view_.controls.begin());
+}
+
 std::string_view Sheet::word(std::string_view key) const noexcept {
   return interface::word(museum_, request_.state.language, key);
 }

@@ -57,6 +57,8 @@ class Sheet {
 
   /// Index of the control of that name; -1 where this view has none. List items before spots.
   std::int32_t control(std::string_view name) const noexcept;
+  /// Of what puts an exhibit into the visitor's own tour, or takes it out; -1 where nothing does.
+  std::int32_t collect(std::optional<std::uint32_t> exhibit) const noexcept;
   std::string_view word(std::string_view key) const noexcept;
   std::string_view local(const LocalText& text) const noexcept;
 
@@ -177,6 +179,8 @@ void draw_inset(Sheet& sheet, const PixelBox& free);
 /// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
 /// box below that line.
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);
+/// Key of the word above a list.
+std::string_view title_of(Listed lists) noexcept;
 /// How many stops the visitor's own tour has, and how long it takes, once that is known.
 std::string own_tour_line(const Sheet& sheet);
 /// What stands below the name of a tour in a list: "Tour, about 12 minutes".

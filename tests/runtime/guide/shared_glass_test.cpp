@@ -351,6 +351,32 @@ TEST(ASharedGlass, FreesASeatWhoseVisitorHasGone) {
   EXPECT_TRUE(glass.guide().is_vacant());
 }
 
+TEST(ASharedGlass, LeadsEachVisitorAlongATourOfTheirOwn) {
+  Glassful glass;
+  glass.sit_down(2, "navy");
+  glass.sit_down(6, "sky");
+  const auto collect_one = [&] {
+    while (glass.exhibits_at(2).empty()) glass.tap(2, "page:next");
+    const std::string exhibit = glass.exhibits_at(2).back();
+    glass.tap(2, "collect:" + exhibit.substr(exhibit.find(':') + 1));
+  };
+  collect_one();
+  glass.tap(2, "page:next");
+  collect_one();
+  EXPECT_EQ(glass.at(2).own_tour.count, 2);
+  EXPECT_EQ(glass.at(6).own_tour.count, 0) << "of the other visitor";
+
+  while (glass.at(2).page > 0) glass.tap(2, "page:previous");
+  glass.tap(2, "own-tour");
+  glass.run(0.5);  // until it is in order
+  glass.tap(2, "start-tour");
+
+  EXPECT_EQ(glass.at(2).screen, interface::Screen::Walking);
+  ASSERT_TRUE(glass.at(2).tour);
+  EXPECT_EQ(glass.at(2).tour->tour, interface::TourWalk::own);
+  EXPECT_EQ(glass.at(6).screen, interface::Screen::Choosing);
+}
+
 TEST(ASharedGlass, SpeaksToEachVisitorInTheirLanguage) {
   Glassful glass;
   glass.tap(Glassful::middle_of(2), 0.9F);
