@@ -88,6 +88,16 @@ Vec2 point_on(const interface::InsetPlan& inset, double metres) noexcept {
                    : glm::mix(inset.way[i - 1], inset.way[i], (metres - inset.reach[i - 1]) / step);
 }
 
+/// A bar across a disc.
+scene::Quad strike_through(const interface::View& view, const scene::Rect& disc,
+                           scene::Colour colour) noexcept {
+  const float thick = 0.3F * view.unit_px / view.pixel_height;
+  scene::Quad bar;
+  bar.rect = around(disc.x + disc.width / 2, disc.y + disc.height / 2, 0.7F * disc.width, thick);
+  bar.colour = colour;
+  return bar;
+}
+
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
@@ -287,9 +297,10 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
     ground.rect = scaled(ground_of(view, label), label.rect, size);
     ground.corner = label.on_disc ? ground.rect.width * view.pixel_width / 2 / shorter
                                   : 0.8F * view.unit_px / shorter;
-    ground.colour = scene::with_opacity(selected        ? theme.invitation
-                                        : label.is_sign ? theme.quiet_ink
-                                                        : theme.paper,
+    ground.colour = scene::with_opacity(selected          ? theme.invitation
+                                        : label.is_sign   ? theme.quiet_ink
+                                        : label.is_closed ? theme.plaster
+                                                          : theme.paper,
                                         is_name(label) ? 0.74F * opacity : opacity);
     if (label.on_disc) draw_leader(view, label, opacity, list);
     if (!is_name(label) && !label.is_sign) {  // paper is seen on paper by its edge
@@ -309,8 +320,13 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
     text.rect = label.rect;
     text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
     text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;
-    text.colour = scene::with_opacity(selected || label.is_sign ? theme.paper : theme.ink, opacity);
+    const scene::Colour ink = selected || label.is_sign ? theme.paper
+                              : label.is_closed         ? theme.quiet_ink
+                                                        : theme.ink;
+    text.colour = scene::with_opacity(ink, opacity);
     list.quads.push_back(text);
+    if (label.is_closed)
+      list.quads.push_back(strike_through(view, ground.rect, scene::with_opacity(ink, opacity)));
   }
 }
 

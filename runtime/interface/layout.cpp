@@ -91,15 +91,17 @@ void add_floor_labels(Sheet& sheet) {
     style.weight = 600;
     const TextPiece number = sheet.fitted(
         style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), 1e4F);
-    view.labels.push_back({.position = exhibit.placement.position,
-                           .height = 2.3F,
-                           .texture = number.texture,
-                           .width_px = number.width,
-                           .height_px = number.height,
-                           .control = static_cast<std::int32_t>(i),
-                           .words = sheet.words_of(number),
-                           .on_disc = true,
-                           .rect = {}});
+    view.labels.push_back(
+        {.position = exhibit.placement.position,
+         .height = 2.3F,
+         .texture = number.texture,
+         .width_px = number.width,
+         .height_px = number.height,
+         .control = static_cast<std::int32_t>(i),
+         .words = sheet.words_of(number),
+         .on_disc = true,
+         .is_closed = closed_exhibit(sheet.closed(), control.action.argument) != nullptr,
+         .rect = {}});
   }
 }
 

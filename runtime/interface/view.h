@@ -49,6 +49,7 @@ struct FloorLabel {
   std::int32_t control = -1;  ///< The spot that it marks; -1: none.
   std::int32_t words = -1;    ///< Index into View::words; -1: it is a pictogram.
   bool on_disc = false;       ///< Drawn on a small disc.
+  bool is_closed = false;     ///< Struck through and pale: it cannot be seen just now.
   bool is_sign = false;       ///< A place's pictogram, on a dark tile; makes way for other labels.
   /// Floor frame: the corners between which a gallery's name stays when it makes way.
   Vec2 least{}, most{};

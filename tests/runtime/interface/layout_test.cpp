@@ -284,6 +284,24 @@ TEST(AClosedExhibit, SaysUntilWhenInTheListAndOnACard) {
   EXPECT_THAT(texts_of(request, first_closed()), Contains(HasSubstr("Closed until 5 p.m.")));
 }
 
+TEST(AClosedExhibit, HasANumberOnTheModelThatIsUnlikeAnyOther) {
+  ViewRequest request;
+  request.state.screen = Screen::Choosing;
+  PieceCache cache({boxes, plain}, 1, 1 << 20);
+
+  const auto view = make_view(museum(), request, cache, first_closed());
+
+  std::size_t closed = 0, open = 0;
+  for (const FloorLabel& label : view->labels) {
+    if (!label.on_disc) continue;
+    const Action& action = view->controls[static_cast<std::size_t>(label.control)].action;
+    EXPECT_EQ(label.is_closed, action.argument == 0);
+    ++(label.is_closed ? closed : open);
+  }
+  EXPECT_EQ(closed, 1U);
+  EXPECT_GT(open, 1U);
+}
+
 TEST(AClosedExhibit, SaysWhyWhereItIsChosenAllTheSame) {
   ViewRequest request;
   request.state.screen = Screen::Walking;
