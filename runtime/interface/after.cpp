@@ -142,6 +142,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.ways.no_escalators = action.argument != 0;
       order_anew(state.own_tour);
       break;
+    case Action::Kind::ReadAloud:
+      state.speaks = action.argument != 0;
+      break;
     case Action::Kind::Return:
       if (!has_goal(state)) {
         state.screen = Screen::Welcome;

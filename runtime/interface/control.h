@@ -67,6 +67,7 @@ struct InterfaceState {
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
+  bool speaks = false;                  ///< What they do and may do is read aloud.
   bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
   bool can_resume = false;    ///< They have started over just now, and may take that back.
 
@@ -88,6 +89,7 @@ struct Action {
     TakeRoute,        ///< RouteKind `argument`.
     AvoidSteps,       ///< Ways without steps only, where `argument` is 1; 0: any.
     AvoidEscalators,  ///< The same of escalators.
+    ReadAloud,        ///< What is on the glass, where `argument` is 1; 0: be silent.
     ShowExhibits,     ///< The list again; the walk goes on.
     ShowPlaces,       ///< The list of places; the walk goes on.
     ShowLanguages,    ///< The list of languages; the walk goes on.

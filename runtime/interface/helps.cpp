@@ -15,8 +15,8 @@ struct Help {
 };
 constexpr std::array helps{
     Help{"step-free", Pictogram::StepFree}, Help{"no-escalators", Pictogram::NoEscalators},
-    Help{"toilets", pictogram_of(PlaceKind::Toilets)}, Help{"places", Pictogram::Places},
-    Help{"exhibits", Pictogram::Exhibits}};
+    Help{"speak", Pictogram::Speak},        Help{"toilets", pictogram_of(PlaceKind::Toilets)},
+    Help{"places", Pictogram::Places},      Help{"exhibits", Pictogram::Exhibits}};
 
 /// What a way must not have, where the building has it.
 void add_avoidances(const ControlRequest& request, std::vector<Control>& out) {
@@ -36,11 +36,22 @@ void add_avoidances(const ControlRequest& request, std::vector<Control>& out) {
     add("no-escalators", "no_escalators", Action::Kind::AvoidEscalators, state.ways.no_escalators);
 }
 
+/// On a glass of one's own: several visitors would talk over each other.
+void add_reading_aloud(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
+  if (state.glass != Glass::Whole) return;
+  Control control =
+      button(museum, "speak", "speak", {Action::Kind::ReadAloud, state.speaks ? 0U : 1U});
+  control.selected = state.speaks;
+  out.push_back(std::move(control));
+}
+
 }  // namespace
 
 void add_helps(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   add_avoidances(request, out);
+  add_reading_aloud(request, out);
   if (museum.places.empty()) return;
   if (has_place(museum, PlaceKind::Toilets)) {
     Control toilets = button(museum, "toilets", word_of(PlaceKind::Toilets),

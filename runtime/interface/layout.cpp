@@ -173,6 +173,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   view->state = request.state;
   view->controls =
       controls_of(museum, request.state, exhibits_per_page(request.shape, request.state));
+  view->speech = speech_of(museum, request, view->controls, closed, way);
   view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
   view->pixel_width = static_cast<float>(request.shape.width);
   view->pixel_height = static_cast<float>(request.shape.height);

@@ -305,6 +305,10 @@ Shapes shapes_of(Pictogram what) {
               line(15.3F, 7.4F, 16.3F, 12, 1.5F),
               line(16.3F, 12, 15.3F, 16.6F, 1.5F),
               line(15.3F, 16.6F, 12, 21, 1.5F)};
+    case Pictogram::Speak:  // a loudspeaker, and two waves
+      return {box(2.5F, 8.6F, 5, 6.8F),        triangle({4.5F, 12}, {12, 4.4F}, {12, 19.6F}),
+              line(15.2F, 9, 16.4F, 12, 1.9F), line(16.4F, 12, 15.2F, 15, 1.9F),
+              line(18.4F, 6, 20.8F, 12, 1.9F), line(20.8F, 12, 18.4F, 18, 1.9F)};
     case Pictogram::Count:
       return {};
   }
