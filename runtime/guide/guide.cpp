@@ -184,6 +184,10 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   tell_each_other();
 }
 
+void Guide::headphones(bool are_in) noexcept {
+  if (!is_shared()) sessions_[0].headphones(are_in);
+}
+
 /// Each contact belongs to the visitor nearest to it.
 void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
