@@ -16,6 +16,9 @@ enum class Pictogram : std::uint8_t {
   NoEscalators,
   Languages,
   Speak,
+  LargerLetters,
+  Contrast,
+  Lower,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -68,6 +68,7 @@ Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& piece
       view_(view),
       way_(way),
       measures_(measures_of(request.shape)),
+      theme_(scene::theme_of(request.state.high_contrast)),
       width_(static_cast<float>(request.shape.width)),
       height_(static_cast<float>(request.shape.height)),
       shorter_(std::min(width_, height_)),

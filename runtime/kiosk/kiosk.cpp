@@ -62,6 +62,7 @@ interface::ScreenShape shape_of(PixelSize size, double inches,
   shape.height = size.height;
   shape.diagonal_inches = static_cast<float>(inches);
   shape.text_scale = static_cast<float>(config.text_scale);
+  shape.mount_mm = static_cast<float>(config.mount_height);
   return shape;
 }
 

@@ -61,12 +61,14 @@ directions::Directions any_directions() {
   for (int parts = *rc::gen::inRange(1, 4); parts > 0; --parts) {
     FloorPart& part = way.parts.emplace_back();
     part.room = room();
-    for (int i = *rc::gen::inRange(0, 5); i > 0; --i)
+    for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
+      const auto of = *rc::gen::inRange(0U, 12U);
       part.doors.push_back({.from = part.last_room(),
                             .to = room(),
                             .side = static_cast<Side>(*rc::gen::inRange(0, 6)),
-                            .nth = *rc::gen::inRange(0U, 12U),
-                            .of = *rc::gen::inRange(0U, 12U)});
+                            .nth = of == 0 ? 0 : *rc::gen::inRange(1U, of + 1),
+                            .of = of});
+    }
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
       part.turns.push_back(
           {static_cast<Side>(*rc::gen::inRange(1, 4)), *rc::gen::inRange(0, 90) / 1.0});
