@@ -179,6 +179,12 @@ ScreenShape shape_for(ScreenShape shape, const InterfaceState& state) noexcept {
   shape.diagonal_inches *= low.height / static_cast<float>(shape.height);
   shape.width = static_cast<std::uint32_t>(low.width);
   shape.height = static_cast<std::uint32_t>(low.height);
+  // What is left of a small glass has no room for letters that are much larger.
+  constexpr float mm_per_inch = 25.4F, least_side = 240, whole_side = 300;
+  const float side = shape.diagonal_inches * mm_per_inch * std::min(low.width, low.height) /
+                     std::hypot(low.width, low.height);
+  const float room = std::clamp((side - least_side) / (whole_side - least_side), 0.0F, 1.0F);
+  shape.text_scale = std::min(shape.text_scale, std::lerp(1.0F, largest, room));
   return shape;
 }
 
@@ -204,7 +210,8 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
   list.columns = is_landscape(shape) ? 1 : 2;
   list.row_height = std::round(std::max(m.touch, 9.8F * m.unit * (0.6F + 0.4F * shape.text_scale)));
   list.row_gap = std::round(m.unit);
-  list.heading_height = std::round(9.5F * m.unit * shape.text_scale);
+  // A line of the tallest heading, which is Arabic's, has room on a small glass, too.
+  list.heading_height = std::round(std::max(9.5F * m.unit, 18.5F * m.mm) * shape.text_scale);
   list.foot_height = 3 * (m.touch + m.gap);
   const float room = content_height - list.heading_height - list.foot_height + list.row_gap;
   list.rows = static_cast<std::uint32_t>(

@@ -113,8 +113,10 @@ TEST(OnGlass, NothingCoversAnythingNorLeavesTheScreenInAnyMuseum) {
     RC_LOG() << request.shape.width << " x " << request.shape.height << ", "
              << request.shape.diagonal_inches << " inches, screen "
              << static_cast<int>(request.state.screen) << ", letters " << request.shape.text_scale
-             << (request.state.asks_to_stay ? ", asks" : "") << ", language "
-             << request.state.language << '\n';
+             << (request.state.asks_to_stay ? ", asks" : "")
+             << (request.state.large_letters ? ", larger" : "")
+             << (request.state.low_reach ? ", lowered" : "") << ", glass at "
+             << request.shape.mount_mm << ", language " << request.state.language << '\n';
     RC_ASSERT(covering.empty());
     RC_ASSERT(outside(items, request.shape).empty());
   }));
