@@ -123,7 +123,7 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .hint = fmt::format(
                "names are @exhibit:ID, @place:KIND, @spot:ID, @tour:ID, @route:{}, @language:TAG, "
                "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
-               "@no-escalators, @speak, @home, @stop, @begin, "
+               "@no-escalators, @speak, @larger, @contrast, @lower, @home, @stop, @begin, "
                "@choose, @back and @look:NAME",
                fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});
   return mistakes;
