@@ -21,7 +21,7 @@ namespace {
 
 struct KioskFile {
   Located<std::string> content, display, size, output, screen_on, staff_pin;
-  Located<std::int64_t> idle_reset, rotate, visitors;
+  Located<std::int64_t> idle_reset, rotate, visitors, mount_height;
   Located<double> text_scale, screen_inches;
   Located<bool> mirror, reduced_motion, pixel_shift;
   Located<LocatedList> keys;
@@ -76,6 +76,14 @@ constexpr std::array kiosk_file_fields{
                      "The screen's diagonal in inches, so that letters have their size on the "
                      "glass; where it is not said, what the screen itself says, or else 24",
                      {5, 120}},
+    Field<KioskFile>{
+        "mount_height",
+        &KioskFile::mount_height,
+        Presence::Optional,
+        "Millimetres from the floor to the lower edge of the glass, as it hangs: where "
+        "it is said, visitors can have all that is touched within reach of who sits, "
+        "380 to 1,220 mm above the floor",
+        {100, 2000}},
     Field<KioskFile>{"visitors",
                      &KioskFile::visitors,
                      Presence::Optional,
@@ -230,6 +238,8 @@ class KioskSettings {
       config.idle_reset = std::chrono::seconds(written.idle_reset.value);
     if (written.text_scale.given) config.text_scale = written.text_scale.value;
     if (written.screen_inches.given) config.screen_inches = written.screen_inches.value;
+    if (written.mount_height.given)
+      config.mount_height = static_cast<int>(written.mount_height.value);
     if (written.visitors.given) config.visitors = static_cast<int>(written.visitors.value);
     if (written.rotate.value % 90 != 0)
       bad_value(written.rotate.place, "'rotate' should be 0, 90, 180 or 270",

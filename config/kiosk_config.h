@@ -33,6 +33,9 @@ struct KioskConfig {
   /// 5 to 120. The screen's diagonal, so that letters have their size on the glass. Not said: what
   /// the screen itself says, or else 24.
   std::optional<double> screen_inches;
+  /// 100 to 2000. Millimetres from the floor to the lower edge of the glass. Not said: 0, and
+  /// nobody can have what is touched within reach of who sits.
+  int mount_height = 0;
   /// 1 to 8. How many visitors may use the glass at the same time. Not said: 1, or 8 on a screen of
   /// 42 inches and more.
   std::optional<int> visitors;

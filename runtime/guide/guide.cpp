@@ -89,6 +89,7 @@ void Guide::take_seats() {
   const bool shared = seats > 1;
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
+  state.can_lower = !shared && interface::can_be_lowered(settings_.shape);
   state.glass = shared ? interface::Glass::Quiet : interface::Glass::Whole;
   state.seats = shared ? static_cast<std::uint8_t>(seats) : 0;
   sessions_.emplace_back(context, 0, state,
@@ -182,6 +183,10 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
     refusal_seconds_ = refusal_shown_for;
   tell_each_other();
+}
+
+void Guide::headphones(bool are_in) noexcept {
+  if (!is_shared()) sessions_[0].headphones(are_in);
 }
 
 /// Each contact belongs to the visitor nearest to it.

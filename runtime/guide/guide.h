@@ -74,6 +74,10 @@ class Guide {
   Guide& operator=(const Guide&) = delete;
 
   void touch(const input::InputEvent& event) noexcept;
+  /// Headphones were plugged in, or pulled out.
+  void headphones(bool are_in) noexcept;
+  /// Is the sound edge still playing what was last said? Where nobody plays, nobody calls it.
+  void heard(bool is_speaking) noexcept { sessions_[0].heard(is_speaking); }
   void step(Seconds dt) noexcept;
   /// What to draw of the state after the last step. It names textures, so the changes that
   /// take_pieces() gives after that step have to be applied before it is drawn.
@@ -86,6 +90,9 @@ class Guide {
   void resize(const interface::ScreenShape& shape) noexcept;
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
+
+  /// What is said to the visitor of a glass of their own.
+  const Voice& voice() const noexcept { return sessions_[0].voice(); }
 
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }

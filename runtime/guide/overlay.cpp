@@ -17,7 +17,9 @@ namespace {
 constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much smaller.
 constexpr float release_seconds = 0.15F;
 
-const scene::Theme theme;
+const scene::Theme& theme_of(const interface::View& view) noexcept {
+  return scene::theme_of(view.state.high_contrast);
+}
 
 bool same(const scene::Rect& a, const scene::Rect& b) noexcept {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
@@ -225,6 +227,7 @@ void Overlay::draw_elements(const interface::View& view, float opacity, float un
 
 /// A dot for each second, of which those that are over are pale.
 void Overlay::draw_countdown(float opacity, scene::DrawList& list) const noexcept {
+  const scene::Theme& theme = theme_of(*view_);
   const scene::Rect& at = view_->countdown;
   if (at.width <= 0) return;
   constexpr int dots = static_cast<int>(countdown_seconds);
@@ -245,6 +248,7 @@ void Overlay::draw_countdown(float opacity, scene::DrawList& list) const noexcep
 
 void Overlay::draw_focus(scene::DrawList& list) const noexcept {
   if (focus_ < 0 || !view_) return;
+  const scene::Theme& theme = theme_of(*view_);
   const scene::Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
   if (rect.width <= 0) return;
   // An outline, which leaves what it is about as it is: dark beside light is seen on every ground.
@@ -264,6 +268,7 @@ void Overlay::draw_focus(scene::DrawList& list) const noexcept {
 /// Dots from what a label marks to where it has made way to.
 void Overlay::draw_leader(const interface::View& view, const interface::FloorLabel& label,
                           float opacity, scene::DrawList& list) const noexcept {
+  const scene::Theme& theme = theme_of(view);
   constexpr float step = 1.2F, dot = 0.45F;  // units
   const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
   const float across = (x - label.anchor_x) * view.pixel_width,
@@ -285,6 +290,7 @@ void Overlay::draw_leader(const interface::View& view, const interface::FloorLab
 
 void Overlay::draw_labels(const interface::View& view, float opacity,
                           scene::DrawList& list) const noexcept {
+  const scene::Theme& theme = theme_of(view);
   if (opacity <= 0.002F) return;
   const float shorter = shorter_px(view);
   for (const interface::FloorLabel& label : view.labels) {
@@ -332,6 +338,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
 
 void Overlay::draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
                          scene::DrawList& list) const noexcept {
+  const scene::Theme& theme = theme_of(view);
   const interface::InsetPlan& inset = view.inset;
   if (inset.board.width <= 0 || inset.way.empty()) return;
   const auto disc = [&](Vec2 at, float side, float lift, scene::Colour colour) {

@@ -111,13 +111,14 @@ void Session::swipe(bool left) noexcept {
 void Session::press_key(input::Key key) noexcept {
   idle_seconds_ = 0;
   if (state_.asks_to_stay) return act({interface::Action::Kind::Stay});
+  if (press_key_of_voice(key)) return;
   switch (key) {
     case input::Key::Up:
     case input::Key::Left:
-      return overlay_.move_focus(-1);
+      return move_focus(-1);
     case input::Key::Down:
     case input::Key::Right:
-      return overlay_.move_focus(1);
+      return move_focus(1);
     case input::Key::Enter:
       if (overlay_.focus() >= 0 && view() != nullptr)
         act(view()->controls[static_cast<std::size_t>(overlay_.focus())].action);
@@ -137,7 +138,45 @@ void Session::press_key(input::Key key) noexcept {
   }
 }
 
+// What the visitor hears.
+
+/// Help begins to read to whoever is not read to.
+bool Session::press_key_of_voice(input::Key key) noexcept {
+  if (state_.glass != interface::Glass::Whole) return false;
+  if (voice_.press_key(key)) return true;
+  if (key != input::Key::Help) return false;
+  if (state_.speaks)
+    voice_.help();
+  else
+    act({interface::Action::Kind::ReadAloud, 1});
+  return true;
+}
+
+void Session::move_focus(int step) noexcept {
+  overlay_.move_focus(step);
+  voice_.moved_to(overlay_.focus());
+}
+
+void Session::headphones(bool are_in) noexcept {
+  has_headphones_ = are_in;
+  if (state_.glass != interface::Glass::Whole || state_.speaks == are_in) return;
+  idle_seconds_ = 0;
+  act({interface::Action::Kind::ReadAloud, are_in ? 1U : 0U});
+}
+
+void Session::speak(float seconds) noexcept {
+  std::optional<float> left;
+  if (state_.screen == interface::Screen::Walking && leads_to_goal() && route_summary_ &&
+      route_summary_->status == path::RouteStatus::Ok)
+    left = static_cast<float>(remaining());
+  if (!voice_.step(seconds, view(), left)) return;
+  const std::int32_t before = overlay_.focus();
+  overlay_.move_focus(1);
+  voice_.read(before, overlay_.focus());
+}
+
 void Session::act(interface::Action action) noexcept {
+  voice_.pressed();
   if (action.kind == interface::Action::Kind::Resume) return resume();
   const bool was_vacant = is_vacant();
   if (!state_.seat) left_.reset();
@@ -149,6 +188,9 @@ void Session::act(interface::Action action) noexcept {
   show(interface::after(state_, action));
   if (was_vacant && !is_vacant()) begin_visit();
   switch (action.kind) {
+    case interface::Action::Kind::ReadAloud:
+      voice_.reset();
+      break;
     case interface::Action::Kind::Begin:
       if (guide_) context_.crowd.greet(*guide_);
       break;
@@ -171,6 +213,7 @@ void Session::act(interface::Action action) noexcept {
       order({.kind = Errand::Kind::Stop});
       break;
     case interface::Action::Kind::Home:
+      voice_.reset();
       go_home();
       break;
     default:
@@ -280,6 +323,7 @@ bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   awaiting_view_ = false;
   state_.own_tour = view->state.own_tour;  // the worker has put it in order
   overlay_.enter(std::move(view));
+  if (voice_.enter(*overlay_.view(), overlay_.focus())) overlay_.clear_focus();
   return true;
 }
 
@@ -315,6 +359,7 @@ void Session::step(float seconds, float absent_after) noexcept {
   vacant_seconds_ += seconds;
   gestures_.advance(seconds);
   overlay_.advance(seconds);
+  speak(seconds);
 }
 
 /// Near the end of its way the guide turns to a place beside it, so that it hides nothing.
@@ -355,6 +400,7 @@ void Session::notice_arrival() noexcept {
 void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
+  if (voice_.is_busy()) return;  // who listens does nothing else
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);
@@ -367,6 +413,7 @@ void Session::notice_absence(float seconds, float absent_after) noexcept {
   vacant.glass = state_.glass;
   vacant.seat = state_.seat;
   vacant.taken = state_.taken;
+  vacant.speaks = has_headphones_;
   if (state_ == vacant) return;
   act({interface::Action::Kind::Home});
   left_.reset();

@@ -9,6 +9,7 @@
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/exhibit_shape.h"
 #include "runtime/guide/overlay.h"
+#include "runtime/guide/voice.h"
 #include "runtime/input/gesture.h"
 #include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
@@ -69,7 +70,12 @@ class Session {
   /// the visitor counts as gone.
   void step(float seconds, float absent_after) noexcept;
 
+  /// Headphones were plugged in, or pulled out: whoever has them is read to.
+  void headphones(bool are_in) noexcept;
+
   const interface::InterfaceState& state() const noexcept { return state_; }
+  const Voice& voice() const noexcept { return voice_; }
+  void heard(bool is_speaking) noexcept { voice_.heard(is_speaking); }
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }
   const interface::View* view() const noexcept { return overlay_.view(); }
@@ -99,6 +105,9 @@ class Session {
   void notice_absence(float seconds, float absent_after) noexcept;
   void ask_to_stay(float absent_after) noexcept;
   void resume() noexcept;
+  bool press_key_of_voice(input::Key key) noexcept;
+  void move_focus(int step) noexcept;
+  void speak(float seconds) noexcept;
   void keep_to_resume(float seconds) noexcept;
 
   const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
@@ -113,6 +122,8 @@ class Session {
   std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;
   Overlay overlay_;
+  Voice voice_;
+  bool has_headphones_ = false;
   std::optional<interface::InterfaceState> left_{};  ///< What starting over can be taken back to.
   float left_seconds_ = 0;                           ///< Since then.
   float idle_seconds_ = 0;                           ///< Since they last touched anything.

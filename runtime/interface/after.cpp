@@ -142,6 +142,20 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.ways.no_escalators = action.argument != 0;
       order_anew(state.own_tour);
       break;
+    case Action::Kind::ReadAloud:
+      state.speaks = action.argument != 0;
+      break;
+    case Action::Kind::EnlargeLetters:
+      state.large_letters = action.argument != 0;
+      state.page = 0;  // pages hold less
+      break;
+    case Action::Kind::RaiseContrast:
+      state.high_contrast = action.argument != 0;
+      break;
+    case Action::Kind::Lower:
+      state.low_reach = action.argument != 0;
+      state.page = 0;
+      break;
     case Action::Kind::Return:
       if (!has_goal(state)) {
         state.screen = Screen::Welcome;

@@ -67,6 +67,10 @@ struct InterfaceState {
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
+  bool speaks = false;                  ///< What they do and may do is read aloud.
+  bool large_letters = false, high_contrast = false;
+  bool low_reach = false;     ///< All that can be touched lies within reach of who sits.
+  bool can_lower = false;     ///< The glass hangs so that this makes a difference.
   bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
   bool can_resume = false;    ///< They have started over just now, and may take that back.
 
@@ -88,6 +92,10 @@ struct Action {
     TakeRoute,        ///< RouteKind `argument`.
     AvoidSteps,       ///< Ways without steps only, where `argument` is 1; 0: any.
     AvoidEscalators,  ///< The same of escalators.
+    ReadAloud,        ///< What is on the glass, where `argument` is 1; 0: be silent.
+    EnlargeLetters,   ///< Where `argument` is 1; 0: as usual.
+    RaiseContrast,    ///< Likewise.
+    Lower,            ///< Likewise: what can be touched.
     ShowExhibits,     ///< The list again; the walk goes on.
     ShowPlaces,       ///< The list of places; the walk goes on.
     ShowLanguages,    ///< The list of languages; the walk goes on.

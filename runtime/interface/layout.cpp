@@ -36,6 +36,41 @@ PixelBox free_box(const ScreenShape& shape) noexcept {
   return {free.x * width, free.y * height, free.width * width, free.height * height};
 }
 
+/// Where a glass is lowered to, in pixels: as wide for its height as the glass.
+PixelBox low_box(const ScreenShape& shape) noexcept {
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  const ReachableBand reach = low_reach_of(shape);
+  const float top = std::ceil(reach.top * height);
+  const float tall = std::floor(reach.bottom * height) - top;
+  const float wide = std::round(width * tall / height);
+  return {std::floor((width - wide) / 2), top, wide, tall};
+}
+
+/// Moves a view that was laid out for the low part of a glass to where that is.
+void lower(View& view, const ScreenShape& shape) noexcept {
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  const PixelBox low = low_box(shape);
+  const float across = low.width / width, down = low.height / height;
+  const float lengths = std::min(low.width, low.height) / std::min(width, height);
+  const auto move = [&](scene::Rect& rect) {
+    if (rect.width <= 0) return;  // it lies nowhere
+    rect = {low.x / width + across * rect.x, low.y / height + down * rect.y, across * rect.width,
+            down * rect.height};
+  };
+  const auto move_quad = [&](scene::Quad& quad) {
+    move(quad.rect);
+    quad.corner *= lengths;
+    quad.softness *= lengths;
+  };
+  for (Control& control : view.controls) move(control.rect);
+  for (Element& element : view.elements) move_quad(element.quad);
+  for (CountedText& text : view.remaining) move_quad(text.quad);
+  for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board})
+    move(*rect);
+  view.pixel_width = width;
+  view.pixel_height = height;
+}
+
 /// The pictogram of a place where it is.
 FloorLabel sign_on_model(Sheet& sheet, std::int32_t control) {
   constexpr float side = 3.4F;  // units
@@ -138,13 +173,31 @@ scene::Rect free_part_of(const ScreenShape& shape, bool right_to_left) noexcept 
   return {right_to_left ? 0 : panel.width, 0, 1 - panel.width, 1};
 }
 
+ScreenShape shape_for(ScreenShape shape, const InterfaceState& state) noexcept {
+  constexpr float larger = 1.5F, largest = 2;
+  if (state.large_letters) shape.text_scale = std::min(larger * shape.text_scale, largest);
+  if (!state.low_reach) return shape;
+  const PixelBox low = low_box(shape);
+  shape.diagonal_inches *= low.height / static_cast<float>(shape.height);
+  shape.width = static_cast<std::uint32_t>(low.width);
+  shape.height = static_cast<std::uint32_t>(low.height);
+  // What is left of a small glass has no room for letters that are much larger.
+  constexpr float mm_per_inch = 25.4F, least_side = 240, whole_side = 300;
+  const float side = shape.diagonal_inches * mm_per_inch * std::min(low.width, low.height) /
+                     std::hypot(low.width, low.height);
+  const float room = std::clamp((side - least_side) / (whole_side - least_side), 0.0F, 1.0F);
+  shape.text_scale = std::min(shape.text_scale, std::lerp(1.0F, largest, room));
+  return shape;
+}
+
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
   const ListShape list = list_shape(shape);
   return list.columns * list.rows;
 }
 
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
-  return !state.seat ? exhibits_per_page(shape) : rows_of_card(shape, state.seats);
+  return !state.seat ? exhibits_per_page(shape_for(shape, state))
+                     : rows_of_card(shape, state.seats);
 }
 
 bool shows_way(const InterfaceState& state) noexcept {
@@ -159,7 +212,8 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
   list.columns = is_landscape(shape) ? 1 : 2;
   list.row_height = std::round(std::max(m.touch, 9.8F * m.unit * (0.6F + 0.4F * shape.text_scale)));
   list.row_gap = std::round(m.unit);
-  list.heading_height = std::round(9.5F * m.unit * shape.text_scale);
+  // A line of the tallest heading, which is Arabic's, has room on a small glass, too.
+  list.heading_height = std::round(std::max(9.5F * m.unit, 18.5F * m.mm) * shape.text_scale);
   list.foot_height = 3 * (m.touch + m.gap);
   const float room = content_height - list.heading_height - list.foot_height + list.row_gap;
   list.rows = static_cast<std::uint32_t>(
@@ -167,14 +221,16 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
   return list;
 }
 
-std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request,
-                                PieceCache& pieces, const Closures& closed, const ShownWay* way) {
+std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, PieceCache& pieces,
+                                const Closures& closed, const ShownWay* way) {
+  ViewRequest request = asked;
+  request.shape = shape_for(asked.shape, asked.state);
   auto view = std::make_unique<View>();
   view->request = request.id;
   view->part = request.part;
   view->state = request.state;
-  view->controls =
-      controls_of(museum, request.state, exhibits_per_page(request.shape, request.state));
+  view->controls = controls_of(museum, request.state, exhibits_per_page(asked.shape, asked.state));
+  view->speech = speech_of(museum, asked, view->controls, closed, way);
   view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
   view->pixel_width = static_cast<float>(request.shape.width);
   view->pixel_height = static_cast<float>(request.shape.height);
@@ -210,6 +266,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
   }
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();
+  if (request.state.low_reach) lower(*view, asked.shape);
   return view;
 }
 

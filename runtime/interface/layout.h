@@ -61,6 +61,9 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
 /// Does the view of that state show the way from the kiosk?
 bool shows_way(const InterfaceState& state) noexcept;
 
+/// The glass as this visitor wants it: with larger letters, or lower.
+ScreenShape shape_for(ScreenShape shape, const InterfaceState& state) noexcept;
+
 /// How many exhibits a page of the list shows on such a screen.
 std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept;
 /// The same for a state, which may be that of a card.

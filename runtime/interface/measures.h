@@ -11,6 +11,8 @@ struct ScreenShape {
   std::uint32_t width = 1920, height = 1080;  ///< Pixels.
   float diagonal_inches = 24;
   float text_scale = 1;  ///< 1 to 2: larger letters.
+  /// Millimetres of the glass's lower edge above the floor; 0: nobody has said.
+  float mount_mm = 0;
 
   bool operator==(const ScreenShape&) const = default;
 };
@@ -20,6 +22,29 @@ constexpr bool is_landscape(const ScreenShape& shape) noexcept {
 }
 constexpr float aspect_ratio(const ScreenShape& shape) noexcept {
   return static_cast<float>(shape.width) / static_cast<float>(shape.height);
+}
+
+/// A part of the screen's height. Screen frame: 0 is the upper edge.
+struct ReachableBand {
+  float top = 0, bottom = 1;
+};
+
+/// Where the glass can be touched from a wheelchair, and by a child: 380 to 1,220 mm above the
+/// floor (EN 301 549, chapter 8). Two fifths of the height at least, where it hangs too high.
+inline ReachableBand low_reach_of(const ScreenShape& shape) noexcept {
+  if (shape.mount_mm <= 0) return {};
+  constexpr float lowest = 380, highest = 1220, mm_per_inch = 25.4F, least = 0.4F;
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  const float glass = shape.diagonal_inches * mm_per_inch * height / std::hypot(width, height);
+  ReachableBand reach{std::clamp(1 - (highest - shape.mount_mm) / glass, 0.0F, 1 - least), 1};
+  reach.bottom = std::clamp(1 - (lowest - shape.mount_mm) / glass, reach.top + least, 1.0F);
+  return reach;
+}
+
+/// Does the glass hang so that some of it is out of that reach?
+inline bool can_be_lowered(const ScreenShape& shape) noexcept {
+  const ReachableBand reach = low_reach_of(shape);
+  return reach.top > 0 || reach.bottom < 1;
 }
 
 /// The interface's lengths on one screen, in pixels.

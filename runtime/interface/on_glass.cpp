@@ -47,7 +47,7 @@ class Lister {
                      .state = state_of(control),
                      .rect = control.rect,
                      .text_mm = letters_of(static_cast<std::int32_t>(index)),
-                     .spoken = label,
+                     .spoken = text_of(view_.speech.controls[index]),
                      .has_focus = has_focus});
   }
   void add_label(std::int32_t words, const scene::Rect& rect) {

@@ -80,7 +80,7 @@ std::string distance_in(const Museum& museum, std::uint32_t language, double met
   return filled_in(word(museum, language, "distance"), "n", number_in(museum, language, whole));
 }
 
-std::string time_in(const Museum& museum, std::uint32_t language, double seconds) {
+std::string time_in(const Museum& museum, std::uint32_t language, double seconds, Digits digits) {
   if (seconds < 15) return std::string(word(museum, language, "time_moment"));
   if (seconds < 40) return std::string(word(museum, language, "time_half"));
   const long minutes = std::max(1L, std::lround(seconds / 60));
@@ -88,7 +88,9 @@ std::string time_in(const Museum& museum, std::uint32_t language, double seconds
                                : minutes == 2  ? "time_two"
                                : minutes <= 10 ? "time_few"
                                                : "time_many";
-  return filled_in(word(museum, language, key), "n", number_in(museum, language, minutes));
+  return filled_in(
+      word(museum, language, key), "n",
+      digits == Digits::Plain ? fmt::format("{}", minutes) : number_in(museum, language, minutes));
 }
 
 std::string moment_in(const Museum& museum, std::uint32_t language, LocalMinute moment,

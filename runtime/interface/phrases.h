@@ -17,12 +17,16 @@ std::string filled_in(std::string_view text, std::string_view name, std::string_
 /// A whole number in the digits of a language.
 std::string number_in(const Museum& museum, std::uint32_t language, long number);
 
+/// Whose digits a number is written in: those of the language, or 0 to 9, as speech is made of.
+enum class Digits : std::uint8_t { Own, Plain };
+
 /// "42 m" in a language: whole metres, at least 1.
 std::string distance_in(const Museum& museum, std::uint32_t language, double metres);
 
 /// "about a minute": rounded so that nobody waits longer than promised, with the plural forms that
 /// the languages of the world distinguish for such numbers (one, two, few, many).
-std::string time_in(const Museum& museum, std::uint32_t language, double seconds);
+std::string time_in(const Museum& museum, std::uint32_t language, double seconds,
+                    Digits digits = Digits::Own);
 
 /// "5 p.m.", "tomorrow, 10 a.m.", "Friday, 10 a.m.": a moment to come, as short as it can be said
 /// today; by its date, "3 December", where that is a week off, or nobody knows what day it is.

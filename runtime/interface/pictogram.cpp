@@ -305,6 +305,19 @@ Shapes shapes_of(Pictogram what) {
               line(15.3F, 7.4F, 16.3F, 12, 1.5F),
               line(16.3F, 12, 15.3F, 16.6F, 1.5F),
               line(15.3F, 16.6F, 12, 21, 1.5F)};
+    case Pictogram::Speak:  // a loudspeaker, and two waves
+      return {box(2.5F, 8.6F, 5, 6.8F),        triangle({4.5F, 12}, {12, 4.4F}, {12, 19.6F}),
+              line(15.2F, 9, 16.4F, 12, 1.9F), line(16.4F, 12, 15.2F, 15, 1.9F),
+              line(18.4F, 6, 20.8F, 12, 1.9F), line(20.8F, 12, 18.4F, 18, 1.9F)};
+    case Pictogram::LargerLetters:  // a large A beside a small one
+      return {line(2.6F, 20, 8.4F, 4, 2.4F),       line(8.4F, 4, 14.2F, 20, 2.4F),
+              line(4.8F, 14.6F, 12, 14.6F, 2.2F),  line(15, 20, 18.4F, 10.6F, 1.9F),
+              line(18.4F, 10.6F, 21.8F, 20, 1.9F), line(16.2F, 16.8F, 20.6F, 16.8F, 1.7F)};
+    case Pictogram::Contrast:  // a disc, half of it full
+      return {disc(12, 12, 6), cut(box(2, 2, 10, 20, 0.1F)), ring(12, 12, 8.4F, 2.2F)};
+    case Pictogram::Lower:  // down to a line
+      return {line(12, 3, 12, 12, 2.6F), triangle({5.6F, 10.6F}, {18.4F, 10.6F}, {12, 18}),
+              line(4, 20.8F, 20, 20.8F, 2.4F)};
     case Pictogram::Count:
       return {};
   }

@@ -15,6 +15,10 @@ enum class Pictogram : std::uint8_t {
   StepFree,
   NoEscalators,
   Languages,
+  Speak,
+  LargerLetters,
+  Contrast,
+  Lower,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/interface/control.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/utterance.h"
 
 namespace docent::interface {
 namespace {
@@ -33,7 +35,9 @@ std::string_view name_of(directions::Side side) noexcept {
 /// Says one way in one language.
 class Speaker {
  public:
-  Speaker(const Museum& museum, std::uint32_t language) : museum_(museum), language_(language) {}
+  /// `spoken`: what fills a hole is kept apart from its sentence, as speech is made of pieces.
+  Speaker(const Museum& museum, std::uint32_t language, bool spoken)
+      : museum_(museum), language_(language), spoken_(spoken) {}
 
   std::string way(const Directions& directions) const;
   std::string goal(const directions::GoalPart& goal) const;
@@ -41,8 +45,22 @@ class Speaker {
 
  private:
   std::string_view say(std::string_view key) const { return word(museum_, language_, key); }
+  std::string fill(std::string_view text, std::string_view name, std::string_view value) const {
+    return filled_in(text, name, spoken_ ? apart(value) : std::string(value));
+  }
+  std::string distance(double metres) const {
+    return spoken_ ? spoken_distance(museum_, language_, metres)
+                   : distance_in(museum_, language_, metres);
+  }
+  std::string time(double seconds) const {
+    return spoken_ ? spoken_time(museum_, language_, seconds)
+                   : time_in(museum_, language_, seconds);
+  }
+  std::string begun(std::string text) const {
+    return spoken_ ? text : capitalised(std::move(text));
+  }
   std::string quoted(const LocalText& title) const {
-    return filled_in(say("way_room"), "room", in_language(museum_, language_, title));
+    return fill(say("way_room"), "room", in_language(museum_, language_, title));
   }
   std::string room(std::uint32_t index) const {
     return index < museum_.rooms.size() ? quoted(museum_.rooms[index].title) : std::string();
@@ -55,6 +73,7 @@ class Speaker {
 
   const Museum& museum_;
   std::uint32_t language_;
+  bool spoken_;
 };
 
 /// "A", "A and B", "A, B and C": of many rooms the first and the last two.
@@ -68,18 +87,18 @@ std::string Speaker::rooms(const std::vector<std::uint32_t>& passed) const {
       continue;
     }
     const std::string more(say(i + 1 == named.size() ? "way_rooms_last" : "way_rooms"));
-    list = filled_in(filled_in(more, "rooms", list), "room", room(named[i]));
+    list = fill(fill(more, "rooms", list), "room", room(named[i]));
   }
   return list;
 }
 
 std::string Speaker::door(const DoorStep& step) const {
   if (step.of == 0 && step.to == none) return std::string(say("way_straight"));
-  if (step.of == 0) return filled_in(say("way_into"), "room", room(step.to));
+  if (step.of == 0) return fill(say("way_into"), "room", room(step.to));
   if (step.of == 1) return std::string(say(fmt::format("door_{}", name_of(step.side))));
   if (step.nth > most_counted)
     return step.to == none ? std::string(say(fmt::format("door_{}", name_of(step.side))))
-                           : filled_in(say("door_to"), "room", room(step.to));
+                           : fill(say("door_to"), "room", room(step.to));
   return filled_in(say(fmt::format("door_{}_nth", name_of(step.side))), "nth",
                    say(fmt::format("door_nth_{}", step.nth)));
 }
@@ -90,7 +109,7 @@ std::string Speaker::ride(const directions::RideStep& ride) const {
   const std::string key = fmt::format("ride_{}_{}", ride_names[static_cast<std::size_t>(ride.kind)],
                                       ride.up ? "up" : "down");
   const std::string_view name = title.empty() ? std::string_view(floor.plan.name) : title;
-  return filled_in(say(key), "floor", filled_in(say("way_room"), "room", name));
+  return fill(say(key), "floor", fill(say("way_room"), "room", name));
 }
 
 void Speaker::add_turns(const FloorPart& part, std::vector<std::string>& phrases) const {
@@ -99,9 +118,8 @@ void Speaker::add_turns(const FloorPart& part, std::vector<std::string>& phrases
   for (std::size_t i = 0; i < count; ++i) {
     const directions::Turn& turn = part.turns[i];
     const bool now = turn.after < at_once;
-    phrases.push_back(
-        filled_in(say(fmt::format("turn_{}{}", name_of(turn.side), now ? "_now" : "")), "distance",
-                  distance_in(museum_, language_, turn.after)));
+    phrases.push_back(fill(say(fmt::format("turn_{}{}", name_of(turn.side), now ? "_now" : "")),
+                           "distance", distance(turn.after)));
   }
   if (count == 0 && part.room == none) phrases.emplace_back(say("way_straight"));
 }
@@ -116,7 +134,7 @@ void Speaker::add_doors(const FloorPart& part, std::vector<std::string>& phrases
   const bool goes_without_saying = first.side == directions::Side::Ahead && first.of <= 1;
   const bool goes_on = part.then ? !passed.empty() : part.doors.size() > 1;
   if (goes_on && !goes_without_saying && first.of > 0) phrases.push_back(door(first));
-  if (!passed.empty()) phrases.push_back(filled_in(say("way_through"), "rooms", rooms(passed)));
+  if (!passed.empty()) phrases.push_back(fill(say("way_through"), "rooms", rooms(passed)));
   if (!part.then) phrases.push_back(door(part.doors.back()));
 }
 
@@ -133,10 +151,9 @@ std::string Speaker::way(const Directions& directions) const {
   }
   std::string text;
   for (const std::string& phrase : phrases)
-    text =
-        text.empty() ? phrase : filled_in(filled_in(say("way_then"), "way", text), "next", phrase);
+    text = text.empty() ? phrase : fill(fill(say("way_then"), "way", text), "next", phrase);
   if (text.empty()) text = say("way_here");
-  return capitalised(filled_in(say("way_sentence"), "way", text));
+  return begun(fill(say("way_sentence"), "way", text));
 }
 
 std::string Speaker::goal(const directions::GoalPart& goal) const {
@@ -145,20 +162,20 @@ std::string Speaker::goal(const directions::GoalPart& goal) const {
   if (goal.beside < museum_.places.size()) {
     const std::string key =
         fmt::format("beside_{}", info_of(museum_.places[goal.beside].kind).name);
-    where = filled_in(filled_in(say("where_beside"), "where", where), "beside", say(key));
+    where = fill(fill(say("where_beside"), "where", where), "beside", say(key));
   }
   const bool is_somewhere = goal.room < museum_.rooms.size();
   const std::string key =
       fmt::format("goal_{}{}", setting_names[static_cast<std::size_t>(goal.setting)],
                   is_somewhere ? "_in" : "");
-  const std::string text = filled_in(say(key), "where", where);
-  return capitalised(filled_in(text, "room", room(goal.room)));
+  const std::string text = fill(say(key), "where", where);
+  return begun(fill(text, "room", room(goal.room)));
 }
 
 std::string Speaker::figures(const Directions& directions) const {
   std::string text(say(directions.step_free ? "way_figures" : "way_figures_steps"));
-  text = filled_in(text, "distance", distance_in(museum_, language_, directions.metres));
-  return capitalised(filled_in(text, "time", time_in(museum_, language_, directions.seconds)));
+  text = fill(text, "distance", distance(directions.metres));
+  return begun(fill(text, "time", time(directions.seconds)));
 }
 
 }  // namespace
@@ -184,10 +201,22 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+namespace {
+
+WaySentences said_by(const Speaker& speaker, const Directions& directions) {
+  return {speaker.way(directions), speaker.goal(directions.goal), speaker.figures(directions)};
+}
+
+}  // namespace
+
 WaySentences sentences_in(const Museum& museum, std::uint32_t language,
                           const Directions& directions) {
-  const Speaker speaker(museum, language);
-  return {speaker.way(directions), speaker.goal(directions.goal), speaker.figures(directions)};
+  return said_by(Speaker(museum, language, false), directions);
+}
+
+WaySentences spoken_sentences_in(const Museum& museum, std::uint32_t language,
+                                 const Directions& directions) {
+  return said_by(Speaker(museum, language, true), directions);
 }
 
 }  // namespace docent::interface

@@ -25,6 +25,11 @@ struct WaySentences {
 WaySentences sentences_in(const Museum& museum, std::uint32_t language,
                           const directions::Directions& directions);
 
+/// The same to be spoken: what fills a hole is kept apart (utterance.h), metres and minutes are
+/// said in whole words.
+WaySentences spoken_sentences_in(const Museum& museum, std::uint32_t language,
+                                 const directions::Directions& directions);
+
 /// The text with its first letter as a capital, where the letters have such: Latin, Greek,
 /// Cyrillic.
 std::string capitalised(std::string text);

@@ -68,6 +68,7 @@ Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& piece
       view_(view),
       way_(way),
       measures_(measures_of(request.shape)),
+      theme_(scene::theme_of(request.state.high_contrast)),
       width_(static_cast<float>(request.shape.width)),
       height_(static_cast<float>(request.shape.height)),
       shorter_(std::min(width_, height_)),
@@ -305,6 +306,10 @@ TextStyle Sheet::word_style(std::span<const std::int32_t> controls, float width)
     look.max_lines = lines;
     look.line_height = lines == 1 ? whole.line_height : 1.1F;
     look.size = std::round(whole.size * scale);
+    // Where letters are large, two lines of them are as high as a button only when they are
+    // smaller.
+    const float ink = (static_cast<float>(lines - 1) * 1.1F + 0.75F) * look.size;
+    if (lines > 1 && ink > measures_.touch) continue;
     if (std::ranges::all_of(controls, fits)) return look;
   }
   return look;

@@ -29,6 +29,12 @@ bool leads_away(const Action& action) noexcept {
          action.kind == Action::Kind::Seek || action.kind == Action::Kind::GoToPlace;
 }
 
+/// How they see and hear the glass: it leads nowhere.
+bool changes_senses(const Action& action) noexcept {
+  return action.kind == Action::Kind::ReadAloud || action.kind == Action::Kind::EnlargeLetters ||
+         action.kind == Action::Kind::RaiseContrast || action.kind == Action::Kind::Lower;
+}
+
 /// Their tour, or the guide who leads them.
 bool loses_something(const InterfaceState& state, const Action& action) noexcept {
   return action.kind == Action::Kind::Home && (state.own_tour.count > 0 || has_goal(state));
@@ -55,6 +61,7 @@ std::vector<Control> search(const Museum& museum, const InterfaceState& from,
       const InterfaceState state = after(reached[at].state, control.action);
       const bool changes_more = leads_away(control.action) || is_collect(control) ||
                                 loses_something(reached[at].state, control.action);
+      if (!found && changes_senses(control.action)) continue;
       if (!found && changes_more && reach != Reach::Anything) continue;
       if (!found &&
           std::ranges::any_of(reached, [&](const Reached& r) { return r.state == state; }))
@@ -96,7 +103,7 @@ bool is_control_name(const Museum& museum, std::string_view name) {
         if (has_it(state)) return true;
       }
     }
-  if (name == "stay" || name == "resume") return true;
+  if (name == "stay" || name == "resume" || name == "lower") return true;
   for (std::uint32_t floor = 0; floor < museum.floors.size(); ++floor) {
     InterfaceState above;
     above.screen = Screen::Choosing;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/speech.h"
 #include "runtime/interface/text.h"
 #include "runtime/model/pixels.h"
 #include "runtime/scene/draw_list.h"
@@ -87,6 +88,7 @@ struct View {
   std::vector<FloorLabel> labels;
   std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
+  Speech speech;                       ///< For who does not see it.
   InsetPlan inset;
   scene::Rect panel;             ///< Screen frame.
   scene::Rect countdown;         ///< Screen frame: of a ring of seconds; empty: none.

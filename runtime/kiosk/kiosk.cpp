@@ -62,6 +62,7 @@ interface::ScreenShape shape_of(PixelSize size, double inches,
   shape.height = size.height;
   shape.diagonal_inches = static_cast<float>(inches);
   shape.text_scale = static_cast<float>(config.text_scale);
+  shape.mount_mm = static_cast<float>(config.mount_height);
   return shape;
 }
 
@@ -150,10 +151,11 @@ class Kiosk {
   Statistics statistics_;
   clock::FrameClock clock_;
   std::array<input::InputEvent, 256> events_{};
-  double time_ = 0;             ///< Of the frame being made: the first frame is at 0.
-  bool could_show_ = false;     ///< In the frame before.
-  std::uint64_t closures_ = 0;  ///< Changes of them that the guide knows.
-  std::uint64_t view_ = 0;      ///< For noticing the first frame of a view.
+  double time_ = 0;  ///< Of the frame being made: the first frame is at 0.
+  bool has_headphones_ = false;
+  bool could_show_ = false;                          ///< In the frame before.
+  std::uint64_t closures_ = 0;                       ///< Changes of them that the guide knows.
+  std::uint64_t view_ = 0;                           ///< For noticing the first frame of a view.
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
 };
 
@@ -265,6 +267,10 @@ Result<void> Kiosk::frame() {
           rehearsal_.play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
       !played)
     return played;
+  if (const std::optional<bool> are_in = rehearsal_.take_headphones()) {
+    has_headphones_ = *are_in;
+    guide().headphones(has_headphones_);
+  }
   heed_closures();
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
@@ -348,6 +354,7 @@ void Kiosk::change_to(std::unique_ptr<Exhibition> next) {
   staff_.lost_textures();
   teller_.shows(*exhibition_, wanted_visitors());
   presenter_.forget();
+  guide().headphones(has_headphones_);
   closures_ = exhibition_->today->changes();
   view_ = 0;
 }

@@ -69,6 +69,8 @@ std::vector<terminal::Option> options_of(Options& options) {
       {"--seconds", terminal::number("S", terminal::not_negative, options.seconds),
        "End after so many seconds"},
       {"--stats", terminal::file("FILE", options.stats), "Write measurements as JSON at the end"},
+      {"--speech", terminal::file("FILE", options.speech),
+       "Write at the end all that was spoken, as CSV: time, control, language, text"},
       {"--health", terminal::file("FILE", options.health),
        "Write every 15 seconds how the kiosk is doing, as node_exporter's textfile collector reads "
        "it"},

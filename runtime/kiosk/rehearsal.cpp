@@ -6,6 +6,7 @@
 #include "platform/image/image.h"
 #include "runtime/kiosk/control_list.h"
 #include "runtime/kiosk/statistics.h"
+#include "runtime/kiosk/transcript.h"
 
 namespace docent::kiosk {
 namespace {
@@ -26,6 +27,8 @@ Result<Rehearsal> Rehearsal::open(const Options& options, const std::optional<Vi
     if (!visit->commands.empty()) rehearsal.last_command_ = visit->commands.back().time;
     rehearsal.visit_.emplace(*visit);
   }
+  rehearsal.transcript_file_ = options.speech;
+  rehearsal.transcript_ = transcript_heading;
   if (options.record.empty()) return rehearsal;
   auto recorder = Recorder::open(options.record);
   if (!recorder) return std::unexpected(recorder.error());
@@ -52,6 +55,9 @@ bool Rehearsal::wants_frame(double time) const noexcept {
 Result<void> Rehearsal::record(double time, const guide::Guide& guide,
                                const headless::HeadlessDisplay* screen) {
   if (recorder_) recorder_->add_states(time, guide);
+  if (const guide::Saying* saying = guide.voice().saying();
+      saying != nullptr && !transcript_file_.empty())
+    transcript_ += transcript_line(time, *saying);
   if (visit_)
     for (const std::filesystem::path& list : visit_->take_lists())
       if (const Result<void> written = write_whole(list, to_json(guide.on_glass())); !written)
@@ -71,6 +77,9 @@ Result<void> Rehearsal::record(double time, const guide::Guide& guide,
 }
 
 Result<void> Rehearsal::finish() {
+  if (!transcript_file_.empty())
+    if (const Result<void> written = write_whole(transcript_file_, transcript_); !written)
+      return written;
   return recorder_ ? recorder_->finish() : Result<void>();
 }
 

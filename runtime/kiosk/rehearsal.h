@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "platform/headless/headless_display.h"
@@ -22,6 +23,10 @@ class Rehearsal {
 
   /// Does what is due. `time`: seconds since the first frame.
   Result<void> play(double time, const guide::Guide& guide, const TakeEvent& take);
+  /// Were headphones plugged in (true) or pulled out since the last call?
+  std::optional<bool> take_headphones() noexcept {
+    return visit_ ? visit_->take_headphones() : std::nullopt;
+  }
   /// Files that became today.toml since the last call.
   std::vector<std::filesystem::path> take_todays();
   bool has_quit() const noexcept { return visit_ && visit_->has_quit(); }
@@ -38,6 +43,8 @@ class Rehearsal {
  private:
   std::optional<VisitPlayer> visit_;
   std::optional<Recorder> recorder_;
+  std::filesystem::path transcript_file_;  ///< Empty: what is spoken is not written down.
+  std::string transcript_;
   double last_command_ = 0;
 };
 

@@ -154,6 +154,11 @@ class LineReader {
     if (argument == "ID") return read_finger(word, command);
     if (argument == "KEY") return read_key(word, command);
     if (argument == "NUMBER") return read_seat(word, command);
+    if (argument == "in|out" && text != "in" && text != "out") {
+      wrong(word, "bad-headphones", fmt::format("headphones are not '{}'", text),
+            "write in, or out");
+      return false;
+    }
     if (argument != "seat") command.name = text.substr(argument.starts_with('@') ? 1 : 0);
     return true;
   }
@@ -207,7 +212,7 @@ class LineReader {
 
 std::span<const VisitForm> visit_forms() noexcept {
   using Kind = VisitCommand::Kind;
-  static constexpr std::array<VisitForm, 11> forms{{
+  static constexpr std::array<VisitForm, 12> forms{{
       {"tap", "X Y", Kind::Tap, "A finger goes down there and up again"},
       {"tap", "@NAME", Kind::TapNamed,
        "The control or exhibit of that name is tapped, wherever it is; where another screen shows "
@@ -226,6 +231,8 @@ std::span<const VisitForm> visit_forms() noexcept {
        "Every control and label on the screen is written as JSON: name, role, label, state, "
        "rectangle, height of its capitals, what is spoken, and whether it has the focus"},
       {"today", "FILE", Kind::Today, "That file becomes today.toml: what is closed from then on"},
+      {"headphones", "in|out", Kind::Headphones,
+       "Headphones are plugged in, or pulled out: who has them is read to"},
       {"quit", "", Kind::Quit, "The program ends"},
   }};
   return forms;

@@ -25,13 +25,16 @@ struct VisitCommand {
     Shot,
     Controls,
     Today,
+    Headphones,
     Quit
   };
   double time = 0;  ///< Seconds since the first frame.
   Kind kind = Kind::Quit;
   input::Contact contact;  ///< Tap, Down, Move, Up.
   input::InputEvent key;   ///< Press.
-  std::string name;  ///< TapNamed: the control's name without "@". Shot, Controls, Today: the file.
+  /// TapNamed: the control's name without "@". Shot, Controls, Today: the file. Headphones: "in" or
+  /// "out".
+  std::string name;
   /// TapNamed, on a shared glass: the seat that taps, counted from the left, from 1; none: the part
   /// that was touched last.
   std::optional<std::uint32_t> seat{};
@@ -42,8 +45,8 @@ struct VisitCommand {
 /// manual is made of it.
 struct VisitForm {
   std::string_view verb;
-  /// Words: X Y ID KEY NUMBER FILE.png FILE.json, @NAME for a name with its "@", and "seat" as it
-  /// stands.
+  /// Words: X Y ID KEY NUMBER FILE.png FILE.json, in|out, @NAME for a name with its "@", and "seat"
+  /// as it stands.
   std::string_view arguments;
   VisitCommand::Kind kind;
   std::string_view manual;

@@ -65,6 +65,9 @@ void VisitPlayer::play(const VisitCommand& command, double time, const TakeEvent
       return lists_.push_back(command.name);
     case Kind::Today:
       return todays_.push_back(command.name);
+    case Kind::Headphones:
+      headphones_ = command.name == "in";
+      return;
     case Kind::Quit:
       quit_ = true;
   }
@@ -120,7 +123,7 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .hint = fmt::format(
                "names are @exhibit:ID, @place:KIND, @spot:ID, @tour:ID, @route:{}, @language:TAG, "
                "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
-               "@no-escalators, @home, @stop, @begin, "
+               "@no-escalators, @speak, @larger, @contrast, @lower, @home, @stop, @begin, "
                "@choose, @back and @look:NAME",
                fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});
   return mistakes;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,8 @@ class VisitPlayer {
   std::vector<std::filesystem::path> take_lists() { return std::exchange(lists_, {}); }
   /// Files that became today.toml since the last call.
   std::vector<std::filesystem::path> take_todays() { return std::exchange(todays_, {}); }
+  /// Were headphones plugged in (true) or pulled out since the last call?
+  std::optional<bool> take_headphones() noexcept { return std::exchange(headphones_, {}); }
   bool has_quit() const noexcept { return quit_; }
   /// Is every command played, every finger lifted?
   bool is_over() const noexcept;
@@ -55,6 +58,7 @@ class VisitPlayer {
   std::vector<Lift> lifts_;         ///< Fingers of taps that are still down.
   std::uint32_t fingers_ = 0;
   std::vector<std::filesystem::path> shots_, lists_, todays_;
+  std::optional<bool> headphones_;
   bool quit_ = false;
 };
 

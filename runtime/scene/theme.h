@@ -34,6 +34,21 @@ struct Theme {
   Colour focus = srgb(0x1D7874);       ///< Teal: what the keypad would press.
 };
 
+/// For who sees little: black on white, and deeper colours.
+inline Theme high_contrast_theme() noexcept {
+  Theme theme;
+  theme.paper = srgb(0xFFFFFF);
+  theme.plaster = srgb(0xDDDDDD);
+  theme.ink = theme.quiet_ink = srgb(0x000000);
+  theme.invitation = srgb(0xA3200A);
+  theme.focus = srgb(0x00423F);
+  return theme;
+}
+inline const Theme& theme_of(bool has_high_contrast) noexcept {
+  static const Theme usual, high = high_contrast_theme();
+  return has_high_contrast ? high : usual;
+}
+
 inline Colour route_colour(RouteKind kind) noexcept {
   return srgb(info_of(kind).colour);
 }

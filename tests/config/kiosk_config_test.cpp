@@ -64,7 +64,7 @@ TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
         "text_scale = nan", "rotate = 45", "size = \"1920x1080@\"", "size = \"1920x1080@999\"",
         "screen_on = \"mornings\"", "mirror = 1", "size = \"big\"", "size = \"1920x\"",
         "size = \"0x0\"", "display = \"wayland\"", "brightness = 1", "visitors = 0", "visitors = 9",
-        "visitors = \"many\""}) {
+        "mount_height = 20", "visitors = \"many\""}) {
     const auto loaded = loaded_from(line);
 
     EXPECT_EQ(loaded.diagnostics.size(), 1U) << line;

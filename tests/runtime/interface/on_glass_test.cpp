@@ -51,9 +51,47 @@ ViewRequest any_request(const Museum& museum) {
   request.state.asks_to_stay =
       request.state.screen != Screen::Welcome && *rc::gen::inRange(0, 4) == 0;
   request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places);
+  request.state.large_letters = *rc::gen::inRange(0, 3) == 0;
+  request.state.high_contrast = *rc::gen::inRange(0, 3) == 0;
+  request.shape.mount_mm = *rc::gen::element(0.0F, 250.0F, 500.0F, 700.0F, 900.0F, 1000.0F);
+  request.state.can_lower = can_be_lowered(request.shape);
+  request.state.low_reach = request.state.can_lower && *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>())
     request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
   return request;
+}
+
+/// Millimetres above the floor of a height on the glass.
+float above_floor(const ScreenShape& shape, float y) {
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  return shape.mount_mm +
+         (1 - y) * shape.diagonal_inches * 25.4F * height / std::hypot(width, height);
+}
+
+TEST(OnGlass, EveryControlIsSpokenAndWithLowReachWithinReachOfAWheelchair) {
+  const Museum museum = museum_of(25, 30);
+  EXPECT_TRUE(rc::check("from 380 to 1,220 mm", [&] {
+    ViewRequest request = any_request(museum);
+    request.state.low_reach = true;
+    const ReachableBand band = low_reach_of(request.shape);
+    PieceCache cache({boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum, request, cache);
+    RC_ASSERT(view->speech.controls.size() == view->controls.size());
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      RC_ASSERT(!view->speech.controls[i].empty());
+      const scene::Rect& rect = view->controls[i].rect;
+      if (rect.width <= 0) continue;
+      constexpr float pixel = 1;  // in millimetres, about
+      const float highest = above_floor(request.shape, rect.y);
+      const float lowest = above_floor(request.shape, rect.y + rect.height);
+      RC_LOG() << view->controls[i].name << " " << lowest << " to " << highest << "\n";
+      RC_ASSERT(rect.y >= band.top - 0.001F);
+      RC_ASSERT(rect.y + rect.height <= band.bottom + 0.001F);
+      const bool can_be = above_floor(request.shape, band.top) <= 1220 + pixel;
+      if (request.shape.mount_mm > 0 && can_be) RC_ASSERT(highest <= 1220 + pixel);
+      if (request.shape.mount_mm > 0) RC_ASSERT(lowest >= 380 - pixel);
+    }
+  }));
 }
 
 TEST(OnGlass, NothingCoversAnythingNorLeavesTheScreenInAnyMuseum) {
@@ -75,8 +113,10 @@ TEST(OnGlass, NothingCoversAnythingNorLeavesTheScreenInAnyMuseum) {
     RC_LOG() << request.shape.width << " x " << request.shape.height << ", "
              << request.shape.diagonal_inches << " inches, screen "
              << static_cast<int>(request.state.screen) << ", letters " << request.shape.text_scale
-             << (request.state.asks_to_stay ? ", asks" : "") << ", language "
-             << request.state.language << '\n';
+             << (request.state.asks_to_stay ? ", asks" : "")
+             << (request.state.large_letters ? ", larger" : "")
+             << (request.state.low_reach ? ", lowered" : "") << ", glass at "
+             << request.shape.mount_mm << ", language " << request.state.language << '\n';
     RC_ASSERT(covering.empty());
     RC_ASSERT(outside(items, request.shape).empty());
   }));

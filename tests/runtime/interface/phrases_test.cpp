@@ -114,7 +114,9 @@ TEST(Words, AreThereInEveryLanguage) {
     for (const auto& [key, text] : english) {
       ASSERT_TRUE(words.contains(key)) << tag << ": " << key;
       const bool has_its_holes = holes_of(words.at(key).value) == holes_of(text.value);
-      EXPECT_TRUE(has_its_holes || key.starts_with("clock")) << tag << ": " << key;
+      // One and two may be said in a word.
+      const bool is_free = key.starts_with("clock") || key == "metres_one" || key == "metres_two";
+      EXPECT_TRUE(has_its_holes || is_free) << tag << ": " << key;
     }
   }
 }

@@ -39,6 +39,7 @@ TEST(ControlList, IsWrittenInAVisit) {
 
   EXPECT_THAT(json, HasSubstr(R"("name": "exhibit:boundary-stone", "role": "spot")"));
   EXPECT_THAT(json, HasSubstr(R"("role": "text", "label": "Garden Court")"));
+  EXPECT_THAT(json, HasSubstr(R"("spoken": "Step-free. button.")"));
   EXPECT_THAT(json, HasSubstr(R"("focus": true)"));
 }
 

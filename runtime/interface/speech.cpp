@@ -1,0 +1,302 @@
+#include "runtime/interface/speech.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/interface/goal.h"
+#include "runtime/interface/layout.h"
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/places.h"
+#include "runtime/interface/sentences.h"
+#include "runtime/model/exhibit/room_of.h"
+
+namespace docent::interface {
+namespace {
+
+constexpr std::array<float, 6> milestones{100, 50, 30, 20, 10, 5};  ///< Metres that remain.
+
+std::string_view role_word(Role role) noexcept {
+  switch (role) {
+    case Role::Button:
+      return "role_button";
+    case Role::ListItem:
+      return "role_item";
+    case Role::Spot:
+      return "role_spot";
+    case Role::Choice:
+      return "role_choice";
+  }
+  return "role_button";
+}
+
+/// Composes what is said of one view.
+class Composer {
+ public:
+  Composer(const Museum& museum, const ViewRequest& request, const Closures& closed,
+           const ShownWay* way)
+      : museum_(museum),
+        request_(request),
+        state_(request.state),
+        closed_(closed),
+        way_(way),
+        language_(request.state.language) {}
+
+  Utterance control(const Control& control) const;
+  Utterance opening() const;
+  Utterance help() const;
+  std::vector<CountedUtterance> remaining() const;
+  Utterance said(std::string_view text) const {
+    Utterance utterance = begun_in(language_);
+    append_spoken(utterance, text);
+    return utterance;
+  }
+  std::string_view say(std::string_view key) const { return word(museum_, language_, key); }
+
+ private:
+  Utterance begun_in(std::uint32_t language) const {
+    return {.language = language < museum_.languages.size() ? museum_.languages[language].tag : "",
+            .pieces = {}};
+  }
+  std::string_view local(const LocalText& text) const {
+    return in_language(museum_, language_, text);
+  }
+  void add_where(Utterance& out, std::uint32_t floor, std::uint32_t room) const;
+  void add_detail(Utterance& out, const Control& control) const;
+  void add_list(Utterance& out) const;
+  void add_walk(Utterance& out) const;
+  void add_arrival(Utterance& out) const;
+  void add_tour(Utterance& out) const;
+  std::string count(std::string_view key, std::size_t n, std::size_t total) const;
+  std::string_view goal_title() const;
+  std::string refusal() const;
+
+  const Museum& museum_;
+  const ViewRequest& request_;
+  const InterfaceState& state_;
+  const Closures& closed_;
+  const ShownWay* way_;
+  std::uint32_t language_;
+};
+
+/// "2 of 5".
+std::string Composer::count(std::string_view key, std::size_t n, std::size_t total) const {
+  const std::string text = filled_in(say(key), "n", apart(fmt::format("{}", n)));
+  return filled_in(text, "total", apart(fmt::format("{}", total)));
+}
+
+void Composer::add_where(Utterance& out, std::uint32_t floor, std::uint32_t room) const {
+  if (room < museum_.rooms.size()) append_spoken(out, local(museum_.rooms[room].title));
+  if (floor != museum_.kiosk_floor && floor < museum_.floors.size())
+    append_spoken(out, local(museum_.floors[floor].title));
+}
+
+/// What tells one of a list from another: where it is, how long it takes, that it is closed.
+void Composer::add_detail(Utterance& out, const Control& control) const {
+  if (control.role != Role::ListItem && control.role != Role::Spot) return;
+  const Action& action = control.action;
+  switch (action.kind) {
+    case Action::Kind::FollowTour:
+      if (control.name != "next" && action.stop.tour < museum_.tours.size())
+        return append_spoken(
+            out, filled_in(say("tour_card"), "time",
+                           apart(spoken_time(museum_, language_,
+                                             museum_.tours[action.stop.tour].seconds))));
+      [[fallthrough]];
+    case Action::Kind::Choose: {
+      if (action.argument >= museum_.exhibits.size()) return;
+      if (closed_exhibit(closed_, action.argument) != nullptr)
+        return append_spoken(out, say("closed_now"));
+      const Exhibit& exhibit = museum_.exhibits[action.argument];
+      return add_where(out, exhibit.floor, exhibit.room);
+    }
+    case Action::Kind::Seek: {
+      const auto only = only_place(museum_, static_cast<PlaceKind>(action.argument));
+      if (!only) return;
+      const Place& place = museum_.places[*only];
+      return add_where(out, place.floor, room_of(museum_, place.floor, place.position));
+    }
+    default:
+      return;
+  }
+}
+
+/// Who cannot read a language's name hears it in that language.
+Utterance Composer::control(const Control& control) const {
+  const bool names_language = control.action.kind == Action::Kind::Speak;
+  const std::uint32_t language = names_language ? control.action.argument : language_;
+  Utterance out = begun_in(language);
+  const std::string_view label = control.name == "begin"       ? say("say_begin")
+                                 : control.name == "stay"      ? say("say_stay")
+                                 : control.name == "languages" ? say("languages_title")
+                                                               : local(control.label);
+  append_spoken(out, label);
+  if (names_language) {
+    if (control.selected) append_spoken(out, word(museum_, language, "state_selected"));
+    return out;
+  }
+  add_detail(out, control);
+  append_spoken(out, say(role_word(control.role)));
+  if (control.selected) append_spoken(out, say("state_selected"));
+  if (!control.enabled) append_spoken(out, say("state_disabled"));
+  return out;
+}
+
+void Composer::add_list(Utterance& out) const {
+  const std::string_view title = state_.lists == Listed::Places      ? "places_title"
+                                 : state_.lists == Listed::OwnTour   ? "own_tour"
+                                 : state_.lists == Listed::Languages ? "languages_title"
+                                                                     : "choose_title";
+  append_spoken(out, say(title));
+  const std::uint32_t per_page = exhibits_per_page(request_.shape, state_);
+  const std::uint32_t pages = page_count(museum_, state_, per_page);
+  if (pages > 1) append_spoken(out, count("page_of", std::min(state_.page, pages - 1) + 1, pages));
+}
+
+std::string_view Composer::goal_title() const {
+  if (state_.exhibit && *state_.exhibit < museum_.exhibits.size())
+    return local(museum_.exhibits[*state_.exhibit].title);
+  std::optional<PlaceKind> kind = state_.seeks;
+  if (state_.place && *state_.place < museum_.places.size()) {
+    const Place& place = museum_.places[*state_.place];
+    if (!place.title.empty()) return local(place.title);
+    kind = place.kind;
+  }
+  return kind ? say(word_of(*kind)) : std::string_view{};
+}
+
+/// Why there is no way.
+std::string Composer::refusal() const {
+  const std::optional<Goal> goal = goal_of(museum_, state_);
+  const std::optional<Hindrance> hindrance = request_.route_summary->hindrance;
+  if (!hindrance || !goal) return std::string(say("no_way"));
+  const Floor& floor = museum_.floors[goal->floor];
+  const std::string_view title = local(floor.title);
+  return filled_in(say(hindrance_word(*hindrance)), "floor",
+                   apart(title.empty() ? std::string_view(floor.plan.short_name) : title));
+}
+
+void Composer::add_tour(Utterance& out) const {
+  const std::optional<TourStops> tour = stops_of(museum_, state_.own_tour, state_.tour);
+  if (!tour) return;
+  append_spoken(out, state_.tour->tour == TourWalk::own
+                         ? say("own_tour")
+                         : local(museum_.tours[state_.tour->tour].title));
+  append_spoken(out, count("page_of", state_.tour->stop + 1, tour->exhibits.size()));
+  if (state_.arrived && !next_stop(museum_, state_.own_tour, state_.tour))
+    append_spoken(out, say("tour_done"));
+}
+
+void Composer::add_walk(Utterance& out) const {
+  add_tour(out);
+  const auto& summary = request_.route_summary;
+  if (summary && summary->status != path::RouteStatus::Ok) {
+    append_spoken(out, goal_title());
+    return append_spoken(out, refusal());
+  }
+  append_spoken(out, say(state_.exhibit ? "follow" : "follow_to_place"));
+  append_spoken(out, goal_title());
+  if (way_ == nullptr) return append_spoken(out, say("planning"));
+  const WaySentences way = spoken_sentences_in(museum_, language_, way_->directions);
+  for (const std::string* sentence : {&way.way, &way.goal, &way.figures})
+    append_spoken(out, *sentence);
+}
+
+void Composer::add_arrival(Utterance& out) const {
+  add_tour(out);
+  append_spoken(out, goal_title());
+  if (state_.exhibit && *state_.exhibit < museum_.exhibits.size()) {
+    if (closed_exhibit(closed_, *state_.exhibit) != nullptr) append_spoken(out, say("closed_now"));
+    return append_spoken(out, local(museum_.exhibits[*state_.exhibit].text));
+  }
+  if (const std::optional<Goal> goal = goal_of(museum_, state_))
+    add_where(out, goal->floor, room_of(museum_, goal->floor, goal->position));
+}
+
+Utterance Composer::opening() const {
+  Utterance out = begun_in(language_);
+  if (state_.asks_to_stay) {
+    append_spoken(out, say("still_here"));
+    return out;
+  }
+  switch (state_.screen) {
+    case Screen::Welcome:
+      append_spoken(out, local(museum_.title));
+      append_spoken(out, say("welcome"));
+      append_spoken(out, say("help_keys"));
+      break;
+    case Screen::Picking:
+      break;  // of a shared glass, which does not speak
+    case Screen::Choosing:
+      add_list(out);
+      break;
+    case Screen::Walking:
+      add_walk(out);
+      break;
+    case Screen::Arrived:
+      add_arrival(out);
+      break;
+  }
+  return out;
+}
+
+Utterance Composer::help() const {
+  Utterance out = begun_in(language_);
+  switch (state_.screen) {
+    case Screen::Welcome:
+      append_spoken(out, say("help_welcome"));
+      break;
+    case Screen::Picking:
+      break;
+    case Screen::Choosing:
+      append_spoken(out, say("help_choosing"));
+      add_list(out);
+      break;
+    case Screen::Walking:
+      append_spoken(out, say("help_walking"));
+      append_spoken(out, goal_title());
+      break;
+    case Screen::Arrived:
+      append_spoken(out, say("help_arrived"));
+      append_spoken(out, goal_title());
+      break;
+  }
+  append_spoken(out, say("help_keys"));
+  return out;
+}
+
+std::vector<CountedUtterance> Composer::remaining() const {
+  std::vector<CountedUtterance> all;
+  if (state_.screen != Screen::Walking || way_ == nullptr) return all;
+  for (const float metres : milestones)
+    if (static_cast<double>(metres) < way_->directions.metres)
+      all.push_back({metres, said(filled_in(say("remaining"), "distance",
+                                            apart(spoken_distance(museum_, language_,
+                                                                  static_cast<double>(metres)))))});
+  all.push_back({2, said(say("nearly_there"))});
+  return all;
+}
+
+}  // namespace
+
+Speech speech_of(const Museum& museum, const ViewRequest& request,
+                 const std::vector<Control>& controls, const Closures& closed,
+                 const ShownWay* way) {
+  const Composer composer(museum, request, closed, way);
+  Speech speech;
+  speech.opening = composer.opening();
+  speech.help = composer.help();
+  for (const Control& control : controls) speech.controls.push_back(composer.control(control));
+  speech.remaining = composer.remaining();
+  for (std::size_t i = 0; i < speech.volumes.size(); ++i)
+    speech.volumes[i] =
+        composer.said(filled_in(composer.say("volume"), "n", apart(fmt::format("{}", i))));
+  constexpr std::array<std::string_view, speech_speeds.size()> speeds{
+      "speed_slower", "speed_normal", "speed_faster", "speed_fastest"};
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    speech.speeds[i] = composer.said(composer.say(speeds[i]));
+  speech.ended = composer.said(composer.say("speech_off"));
+  return speech;
+}
+
+}  // namespace docent::interface

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "runtime/interface/control.h"
+#include "runtime/interface/shown_way.h"
+#include "runtime/interface/utterance.h"
+#include "runtime/model/closures.h"
+
+namespace docent::interface {
+
+struct ViewRequest;
+
+/// How loud speech may be set, and how fast: steps, of which one is usual.
+inline constexpr std::size_t loudest = 10, usual_volume = 5;
+inline constexpr std::array<float, 4> speech_speeds{0.75F, 1, 1.25F, 1.5F};
+inline constexpr std::size_t usual_speed = 1;
+
+/// Said when no more than `metres` of the way remain.
+struct CountedUtterance {
+  float metres = 0;
+  Utterance said;
+};
+
+/// All that can be said while a view is shown, as a visitor needs who does not see it. Made on the
+/// worker with the view; the frame thread picks.
+struct Speech {
+  Utterance opening;                        ///< What it is, and what it tells.
+  Utterance help;                           ///< Where one is, what one can do, and by which keys.
+  std::vector<Utterance> controls;          ///< One for each of the view: name, role and state.
+  std::vector<CountedUtterance> remaining;  ///< Descending metres; of a way alone.
+  std::array<Utterance, loudest + 1> volumes;
+  std::array<Utterance, speech_speeds.size()> speeds;
+  Utterance ended;  ///< From now on nothing is said.
+};
+
+/// Pure. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.
+Speech speech_of(const Museum& museum, const ViewRequest& request,
+                 const std::vector<Control>& controls, const Closures& closed, const ShownWay* way);
+
+}  // namespace docent::interface

@@ -1,0 +1,217 @@
+#include "runtime/interface/speech.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "runtime/interface/layout.h"
+#include "tests/support/sample_museum.h"
+#include "tests/support/shipped_languages.h"
+
+namespace docent::interface {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const Museum& museum() {
+  static const Museum it = [] {
+    Museum all = test::in_all_shipped_languages(test::sample_museum_without_walls());
+    Floor above = all.floors.front();
+    above.plan.name = "upper";
+    above.title = {{"en", "Upper floor"}};
+    all.floors.push_back(above);
+    return all;
+  }();
+  return it;
+}
+
+Speech speech_in(const ViewRequest& request, const ShownWay* way = nullptr) {
+  return speech_of(museum(), request, controls_of(museum(), request.state, 6), {}, way);
+}
+
+/// All pieces of each language, made once.
+const std::set<std::string>& prepared(const std::string& tag) {
+  static const std::map<std::string, std::set<std::string>> all = [] {
+    std::map<std::string, std::set<std::string>> by_language;
+    for (std::uint32_t i = 0; i < museum().languages.size(); ++i)
+      for (std::string& piece : spoken_pieces(museum(), i))
+        by_language[museum().languages[i].tag].insert(std::move(piece));
+    return by_language;
+  }();
+  return all.at(tag);
+}
+
+void expect_prepared(const Utterance& said) {
+  for (const SpokenPiece& piece : said.pieces) {
+    RC_LOG() << said.language << ": " << piece.text << "\n";
+    RC_ASSERT(prepared(said.language).contains(piece.text));
+  }
+}
+
+directions::Directions any_directions() {
+  using namespace directions;
+  const auto rooms = static_cast<std::uint32_t>(museum().rooms.size());
+  const auto places = static_cast<std::uint32_t>(museum().places.size());
+  const auto room = [&] {
+    return *rc::gen::oneOf(rc::gen::inRange(0U, rooms), rc::gen::just(none));
+  };
+  Directions way;
+  for (int parts = *rc::gen::inRange(1, 4); parts > 0; --parts) {
+    FloorPart& part = way.parts.emplace_back();
+    part.room = room();
+    for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
+      const auto of = *rc::gen::inRange(0U, 12U);
+      part.doors.push_back({.from = part.last_room(),
+                            .to = room(),
+                            .side = static_cast<Side>(*rc::gen::inRange(0, 6)),
+                            .nth = of == 0 ? 0 : *rc::gen::inRange(1U, of + 1),
+                            .of = of});
+    }
+    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
+      part.turns.push_back(
+          {static_cast<Side>(*rc::gen::inRange(1, 4)), *rc::gen::inRange(0, 90) / 1.0});
+    if (parts > 1)
+      part.then = RideStep{static_cast<ConnectionKind>(*rc::gen::inRange(0, 4)),
+                           *rc::gen::arbitrary<bool>(), *rc::gen::inRange(0U, 2U)};
+  }
+  way.goal = {.room = room(),
+              .setting = static_cast<Setting>(*rc::gen::inRange(0, 4)),
+              .where = static_cast<Where>(*rc::gen::inRange(0, 5)),
+              .beside = none};
+  // Only what everybody finds has a word for what is beside it.
+  const std::uint32_t beside = *rc::gen::inRange(0U, places);
+  const std::string word = fmt::format("beside_{}", info_of(museum().places[beside].kind).name);
+  if (museum().languages.front().words.contains(word)) way.goal.beside = beside;
+  way.metres = *rc::gen::inRange(1, 5000);
+  way.seconds = way.metres / *rc::gen::element(0.4, 1.0, 2.0);
+  way.step_free = *rc::gen::arbitrary<bool>();
+  return way;
+}
+
+ViewRequest any_request() {
+  ViewRequest request;
+  InterfaceState& state = request.state;
+  state.screen =
+      *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
+  state.language = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().languages.size()));
+  state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::Languages);
+  state.page = *rc::gen::inRange(0U, 8U);
+  state.arrived = state.screen == Screen::Arrived;
+  state.asks_to_stay = *rc::gen::inRange(0, 5) == 0;
+  if (*rc::gen::arbitrary<bool>())
+    state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().exhibits.size()));
+  else if (*rc::gen::arbitrary<bool>())
+    state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
+  else
+    state.seeks = museum().places[*rc::gen::inRange<std::size_t>(0, museum().places.size())].kind;
+  if (state.exhibit && *rc::gen::arbitrary<bool>())
+    state.tour = TourWalk{0, *rc::gen::inRange(0U, 7U)};
+  if (*rc::gen::arbitrary<bool>()) {
+    request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
+    if (*rc::gen::arbitrary<bool>())
+      request.route_summary = RouteSummary{
+          .status = path::RouteStatus::NoRoute,
+          .hindrance = *rc::gen::element(Hindrance::Door, Hindrance::Lift, Hindrance::Steps)};
+  }
+  return request;
+}
+
+TEST(Speech, IsMadeOfPreparedPiecesAloneInEveryLanguage) {
+  EXPECT_TRUE(rc::check("screens, ways and languages", [] {
+    const ViewRequest request = any_request();
+    const ShownWay way{.directions = any_directions(), .line = {}};
+    const Speech speech = speech_in(request, *rc::gen::arbitrary<bool>() ? &way : nullptr);
+
+    expect_prepared(speech.opening);
+    expect_prepared(speech.help);
+    expect_prepared(speech.ended);
+    for (const Utterance& control : speech.controls) expect_prepared(control);
+    for (const CountedUtterance& counted : speech.remaining) expect_prepared(counted.said);
+    for (const Utterance& volume : speech.volumes) expect_prepared(volume);
+    for (const Utterance& speed : speech.speeds) expect_prepared(speed);
+    RC_ASSERT(!speech.opening.empty());
+    RC_ASSERT(!speech.help.empty());
+  }));
+}
+
+TEST(Speech, SaysNameRoleAndStateOfEveryControl) {
+  ViewRequest request;
+  request.state.screen = Screen::Choosing;
+  for (request.state.language = 0; request.state.language < museum().languages.size();
+       ++request.state.language) {
+    const auto controls = controls_of(museum(), request.state, 6);
+    const Speech speech = speech_of(museum(), request, controls, {}, nullptr);
+    ASSERT_EQ(speech.controls.size(), controls.size());
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      const Utterance& said = speech.controls[i];
+      ASSERT_FALSE(said.empty()) << controls[i].name;
+      EXPECT_TRUE(said.pieces.back().pause);
+      const auto says = [&](std::string_view key) {
+        return std::ranges::find(said.pieces, word(museum(), request.state.language, key),
+                                 &SpokenPiece::text) != said.pieces.end();
+      };
+      EXPECT_EQ(says("state_selected"), controls[i].selected) << controls[i].name;
+      EXPECT_EQ(says("state_disabled"), !controls[i].enabled) << controls[i].name;
+      EXPECT_EQ(says("role_item"), controls[i].role == Role::ListItem) << controls[i].name;
+    }
+  }
+}
+
+TEST(Speech, NamesEachLanguageInThatLanguage) {
+  const Speech speech = speech_in({});
+  const auto controls = controls_of(museum(), {}, 6);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    if (controls[i].action.kind != Action::Kind::Speak) continue;
+    const Language& language = museum().languages[controls[i].action.argument];
+    EXPECT_EQ(speech.controls[i].language, language.tag);
+    EXPECT_EQ(speech.controls[i].pieces.front().text, language.name);
+  }
+}
+
+TEST(Speech, TellsOnTheWayTheThreeSentencesAndThenTheText) {
+  ViewRequest request;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 0;
+  ShownWay way;
+  way.directions.parts.push_back(
+      {.room = 0,
+       .doors = {{.from = 0, .to = 1, .side = directions::Side::Right, .nth = 2, .of = 3}},
+       .turns = {}});
+  way.directions.goal = {
+      .room = 1, .setting = directions::Setting::InCase, .where = directions::Where::Left};
+  way.directions.metres = 32.4;
+  way.directions.seconds = 30;
+
+  const Speech walking = speech_in(request, &way);
+  EXPECT_THAT(text_of(walking.opening), HasSubstr("the second door on the right"));
+  EXPECT_THAT(text_of(walking.opening), HasSubstr("in a glass case on your left"));
+  EXPECT_THAT(text_of(walking.opening), HasSubstr("30 metres about half a minute step-free"));
+  ASSERT_GE(walking.remaining.size(), 2U);
+  EXPECT_EQ(text_of(walking.remaining.front().said), "30 metres to go.");
+  EXPECT_EQ(text_of(walking.remaining.back().said), "Nearly there.");
+
+  request.state.screen = Screen::Arrived;
+  request.state.arrived = true;
+  const std::string text = museum().exhibits[0].text.at("en");
+  EXPECT_THAT(text_of(speech_in(request).opening), HasSubstr(text.substr(0, text.size() - 1)));
+}
+
+TEST(Speech, SaysWhyThereIsNoWay) {
+  ViewRequest request;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 0;
+  request.route_summary =
+      RouteSummary{.status = path::RouteStatus::NoRoute, .hindrance = Hindrance::Door};
+
+  EXPECT_THAT(text_of(speech_in(request).opening), HasSubstr("A door on the way there is closed"));
+  EXPECT_THAT(text_of(speech_in(request).opening), Not(HasSubstr("Follow me")));
+}
+
+}  // namespace
+}  // namespace docent::interface
