@@ -6,15 +6,26 @@
 #include <functional>
 #include <limits>
 
-#include "runtime/model/geometry/treads.h"
+#include "runtime/model/geometry/polygon.h"
 
 namespace docent::scenery {
 namespace {
 
+constexpr double riser = 0.17;  // metres that a step is high, or a little less
 constexpr double rail_height = 0.95;
 constexpr double rail_width = 0.05;
 constexpr double balustrade_width = 0.14;  // an escalator's
 constexpr double level_before = 0.5;       // metres that an escalator's handrail runs level
+
+bool is_convex(const Outline& outline) {
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i];
+    const Vec2 b = outline[(i + 1) % outline.size()];
+    const Vec2 c = outline[(i + 2) % outline.size()];
+    if (cross(b - a, c - b) < -1e-9) return false;
+  }
+  return outline.size() >= 3;
+}
 
 /// The part of a convex outline where `limit` <= p * direction; empty where there is none.
 Outline beyond(const Outline& outline, Vec2 direction, double limit) {
@@ -125,7 +136,9 @@ class FlightBuilder {
           {0, 1, 0});
   }
 
-  [[nodiscard]] int steps() const { return steps_of(rise_); }
+  [[nodiscard]] int steps() const {
+    return std::max(1, static_cast<int>(std::ceil(std::abs(rise_) / riser)));
+  }
 
   void build_up() {
     const double cut_at = std::min(length_, length_ * cut_height / rise_);
@@ -245,9 +258,14 @@ class FlightBuilder {
 std::optional<Flight> flight_of(const FloorPlan& plan, const Passage& passage) {
   const Vec2 here = passage.here.position;
   if (passage.kind == ConnectionKind::Lift || passage.rise == 0 || here == passage.there) return {};
-  const auto hole = flight_hole(plan, here, passage.there);
-  if (!hole) return {};
-  return Flight{passage, *hole, outline_of(plan, plan.ring[*hole])};
+  for (std::size_t r = 0; r < plan.ring.size(); ++r) {
+    const auto first = plan.vertex.begin() + plan.ring[r].first;
+    if (signed_area(Outline(first, first + plan.ring[r].count)) >= 0) continue;
+    Outline outline = outline_of(plan, plan.ring[r]);
+    if (!contains(outline, (here + passage.there) / 2.0) || !is_convex(outline)) continue;
+    return Flight{passage, r, std::move(outline)};
+  }
+  return {};
 }
 
 void build_flight(const Flight& flight, MeshBuilder& mesh, std::vector<Blocker>& blockers) {

@@ -24,6 +24,7 @@ Value fading(Value value, Value slope, double time, double duration) noexcept {
   return of_value * value + (of_slope * static_cast<float>(duration)) * slope;
 }
 
+constexpr double largest_drop = 0.12;   // metres
 constexpr double drop_seconds = 0.18;   // half of the time over which hips sink and rise again
 constexpr double easing_seconds = 0.1;  // before hips may sink after the first frame
 constexpr double velocity_seconds = 0.025;
@@ -31,7 +32,7 @@ constexpr float straight_leg = 0.985f;  // of the leg's length: a knee is never 
 constexpr float straightest_leg = 0.9985f;
 
 /// How far the hips must sink in each frame for both feet to be in reach.
-std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft, double largest_drop) {
+std::vector<double> hip_drops(const WalkGraph& graph, Draft& draft) {
   const std::size_t frames = draft.walk.root.size();
   std::vector<double> drop(frames, 0.0);
   for (std::size_t f = 0; f < frames; ++f) {
@@ -139,9 +140,9 @@ void inertialise(const Momentum& momentum, double seconds, Draft& draft) {
   }
 }
 
-void lower_hips(const WalkGraph& graph, Draft& draft, double largest_drop) {
+void lower_hips(const WalkGraph& graph, Draft& draft) {
   const auto radius = static_cast<std::size_t>(drop_seconds * draft.walk.frame_rate);
-  const std::vector<double> drop = smooth_above(hip_drops(graph, draft, largest_drop), radius);
+  const std::vector<double> drop = smooth_above(hip_drops(graph, draft), radius);
   const double easing = easing_seconds * draft.walk.frame_rate;
   for (std::size_t f = 0; f < draft.walk.root.size(); ++f) {
     const double t = std::min(1.0, static_cast<double>(f) / easing);

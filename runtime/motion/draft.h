@@ -50,9 +50,8 @@ PoseView pose_of(Walk& walk, std::size_t frame) noexcept;
 /// on as it did (inertialization: Bollo 2018).
 void inertialise(const Momentum& momentum, double seconds, Draft& draft);
 
-/// Lowers the hips, smoothly, where a foot would be out of reach, by so many metres at most. The
-/// first frame stays as it is.
-void lower_hips(const WalkGraph& graph, Draft& draft, double largest_drop = 0.12);
+/// Lowers the hips, smoothly, where a foot would be out of reach. The first frame stays as it is.
+void lower_hips(const WalkGraph& graph, Draft& draft);
 
 /// Bends the legs so that every foot is where it shall be.
 void place_feet(const WalkGraph& graph, Draft& draft);

@@ -176,8 +176,7 @@ class WalkMaker {
   /// Comes to a stand by putting one foot beside the other.
   void step_to(const Placement& place) {
     const Side first = momentum_.planted[0] ? Side::Right : Side::Left;
-    const std::vector<Step> steps{{.foot = first, .station = place},
-                                  {.foot = other(first), .station = place}};
+    const std::vector<Step> steps{{first, place}, {other(first), place}};
     add(make_steps(graph_, momentum_, steps, graph_.after_walking, Gait::Walk));
   }
 

@@ -11,16 +11,18 @@
 namespace docent::motion {
 namespace {
 
-constexpr double largest_turn = 1.05;    // radians that one pair of steps turns the body by
-constexpr double longest_step = 0.30;    // metres that one short step moves the body by
-constexpr double lead_seconds = 0.22;    // weight shifts before the first foot leaves the ground
-constexpr double settle_seconds = 0.35;  // weight comes back to the middle after the last
-constexpr float lift_height = 0.045f;    // metres of the toe joint
-constexpr float heel_up = 0.35f;         // radians that the heel leads the toe off the ground
-constexpr float weight_share = 0.6f;     // of the way from the middle to over the standing foot
-constexpr double weight_bell = 0.11;     // seconds: standard deviation of the shift's smoothing
-constexpr double head_lead = 0.35;       // share of the turn still to come that the head shows
-constexpr double most_head_lead = 0.55;  // radians
+constexpr double largest_turn = 1.05;     // radians that one pair of steps turns the body by
+constexpr double longest_step = 0.30;     // metres that one short step moves the body by
+constexpr double swing_seconds = 0.42;    // a foot is in the air
+constexpr double support_seconds = 0.08;  // both are on the ground, between two steps
+constexpr double lead_seconds = 0.22;     // weight shifts before the first foot leaves the ground
+constexpr double settle_seconds = 0.35;   // weight comes back to the middle after the last
+constexpr float lift_height = 0.045f;     // metres of the toe joint
+constexpr float heel_up = 0.35f;          // radians that the heel leads the toe off the ground
+constexpr float weight_share = 0.6f;      // of the way from the middle to over the standing foot
+constexpr double weight_bell = 0.11;      // seconds: standard deviation of the shift's smoothing
+constexpr double head_lead = 0.35;        // share of the turn still to come that the head shows
+constexpr double most_head_lead = 0.55;   // radians
 
 double smooth_step(double t) {
   t = std::clamp(t, 0.0, 1.0);
@@ -34,9 +36,8 @@ struct TimedStep {
   Foot from, to;
 };
 
-Foot placed(const Foot& foot, const Step& step) {
-  return {moved(step.station, foot.toe) + Vec3(0, step.height, 0),
-          world_rotation(step.station.heading) * foot.rotation};
+Foot placed(const Foot& foot, const Placement& station) {
+  return {moved(station, foot.toe), world_rotation(station.heading) * foot.rotation};
 }
 
 Placement between(const Placement& a, const Placement& b, double t) {
@@ -46,8 +47,8 @@ Placement between(const Placement& a, const Placement& b, double t) {
 class Stepping {
  public:
   Stepping(const WalkGraph& graph, const Momentum& momentum, std::span<const Step> steps,
-           const Stand& goal, Gait gait, const Tempo& tempo)
-      : graph_(graph), momentum_(momentum), goal_(goal), gait_(gait), tempo_(tempo) {
+           const Stand& goal, Gait gait)
+      : graph_(graph), momentum_(momentum), goal_(goal), gait_(gait) {
     schedule(steps);
   }
 
@@ -67,30 +68,26 @@ class Stepping {
       const std::size_t i = index_of(step.foot);
       const bool in_the_air = steps_.empty() && !momentum_.planted[i];
       if (in_the_air) now = 0;
-      const Foot to = placed(goal_.foot[i], step);
-      steps_.push_back({step, now, now + tempo_.swing, foot[i], to});
+      const Foot to = placed(goal_.foot[i], step.station);
+      steps_.push_back({step, now, now + swing_seconds, foot[i], to});
       foot[i] = to;
-      now += tempo_.swing + tempo_.support;
+      now += swing_seconds + support_seconds;
     }
-    seconds_ = now - tempo_.support + settle_seconds;
+    seconds_ = now - support_seconds + settle_seconds;
   }
 
   /// The body follows its feet: it is where the mean of their stations is, smoothly.
   void find_body(std::size_t frames) {
     std::array<Placement, 2> station{momentum_.body, momentum_.body};
-    std::array<double, 2> ground{};
     std::vector<double> x(frames), y(frames), heading(frames), side_x(frames), side_y(frames);
-    height_.resize(frames);
     std::size_t done = 0;
     for (std::size_t f = 0; f < frames; ++f) {
       const double now = seconds_at(f);
       while (done < steps_.size() && now >= steps_[done].land) {
         station[index_of(steps_[done].step.foot)] = steps_[done].step.station;
-        ground[index_of(steps_[done].step.foot)] = steps_[done].step.height;
         ++done;
       }
       std::array<Placement, 2> present = station;
-      std::array<double, 2> present_ground = ground;
       Vec2 weight{};
       if (done < steps_.size()) {
         const TimedStep& step = steps_[done];
@@ -98,20 +95,16 @@ class Stepping {
         // The weight moves a little before the foot does.
         const double t = (now - step.lift) / (step.land - step.lift);
         present[i] = between(station[i], step.step.station, std::clamp(t, 0.0, 1.0));
-        present_ground[i] =
-            std::lerp(ground[i], static_cast<double>(step.step.height), std::clamp(t, 0.0, 1.0));
         if (now >= step.lift - lead_seconds)
           weight = over_standing_foot(other(step.step.foot), done);
       }
       const Placement body = between(present[0], present[1], 0.5);
       x[f] = body.position.x, y[f] = body.position.y, heading[f] = body.heading;
-      height_[f] = (present_ground[0] + present_ground[1]) / 2;
       const Vec2 shift = static_cast<double>(weight_share) * weight_from(weight, body, done);
       side_x[f] = shift.x, side_y[f] = shift.y;
     }
     const auto kernel = gaussian_kernel(weight_bell * graph_.frame_rate);
     x = smooth_held(x, kernel), y = smooth_held(y, kernel), heading = smooth_held(heading, kernel);
-    height_ = smooth_held(height_, kernel);
     side_x = smooth_held(side_x, kernel), side_y = smooth_held(side_y, kernel);
     for (std::size_t f = 0; f < frames; ++f) {
       body_.push_back({{x[f], y[f]}, heading[f]});
@@ -144,8 +137,7 @@ class Stepping {
     const Placement& body = body_[f];
     const Vec3 own_root = moved(inverse(momentum_.body), momentum_.root);
     Vec3 root = moved(body, glm::mix(own_root, goal_.root, share));
-    root += to_world(weight_[f], height_[f]) -
-            Vec3(0, 0.25f * static_cast<float>(glm::length(weight_[f])), 0);
+    root += to_world(weight_[f]) - Vec3(0, 0.25f * static_cast<float>(glm::length(weight_[f])), 0);
     walk.root.push_back(root);
     const std::size_t joints = walk.joint_count, start = walk.rotation.size();
     for (std::size_t j = 0; j < joints; ++j) {
@@ -191,27 +183,16 @@ class Stepping {
     return foot;
   }
 
-  /// Which share of its way up or down a foot has gone.
-  static float climbed(const TimedStep& step, double t) {
-    constexpr double up_by = 0.45, down_from = 0.45;
-    return static_cast<float>(step.to.toe.y > step.from.toe.y
-                                  ? smooth_step(t / up_by)
-                                  : smooth_step((t - down_from) / (1 - down_from)));
-  }
-
   /// Up with the heel first, over, and down flat. It moves across only while it is clear of the
   /// ground.
   static Foot swinging(const TimedStep& step, const Leg& leg, double t) {
-    const float up = step.to.toe.y - step.from.toe.y;
-    // Onto a higher step it is up before it goes over, onto a lower one over before it sinks.
-    const double from = up > 0 ? 0.25 : 0.15, over_by = up > 0 ? 0.65 : up < 0 ? 0.5 : 0.7;
-    const auto across = static_cast<float>(smooth_step((t - from) / over_by));
+    const auto across = static_cast<float>(smooth_step((t - 0.15) / 0.7));
     const auto rise = static_cast<float>(std::pow(std::sin(t * 3.14159265358979), 2));
     const auto pitch =
         static_cast<float>(std::pow(std::sin(std::min(1.0, t * 1.4) * 3.14159265358979), 2));
     Foot foot;
     foot.toe = glm::mix(step.from.toe, step.to.toe, across);
-    foot.toe.y = std::lerp(step.from.toe.y, step.to.toe.y, climbed(step, t)) + lift_height * rise;
+    foot.toe.y += lift_height * rise;
     foot.rotation = glm::slerp(step.from.rotation, step.to.rotation, across);
     const Vec3 forwards = foot.rotation * leg.ankle_to_toe;
     const Vec3 axis = glm::normalize(glm::cross(Vec3(0, 1, 0), Vec3(forwards.x, 0, forwards.z)));
@@ -247,12 +228,10 @@ class Stepping {
   const Momentum& momentum_;
   const Stand& goal_;
   Gait gait_;
-  Tempo tempo_;
   std::vector<TimedStep> steps_;
   double seconds_ = 0;
   std::vector<Placement> body_;
   std::vector<Vec2> weight_;
-  std::vector<double> height_;  ///< Metres of the ground under the body.
 };
 
 }  // namespace
@@ -265,8 +244,8 @@ std::vector<Step> plan_turn(const Placement& from, double angle, const Momentum&
   std::vector<Step> steps;
   for (int pair = 1; pair <= pairs; ++pair) {
     const Placement station{from.position, from.heading + angle * pair / pairs};
-    steps.push_back({.foot = lead, .station = station});
-    steps.push_back({.foot = other(lead), .station = station});
+    steps.push_back({lead, station});
+    steps.push_back({other(lead), station});
   }
   return steps;
 }
@@ -285,20 +264,20 @@ std::vector<Step> plan_short_walk(const PathTrack& track, const Momentum& moment
     const double parts = std::ceil(std::abs(turn) / largest_turn);
     for (double part = 1; part < parts; ++part) {  // first on the spot, where it turns sharply
       const Placement station{last.position, last.heading + turn * part / parts};
-      steps.push_back({.foot = foot, .station = station});
-      steps.push_back({.foot = other(foot), .station = station});
+      steps.push_back({foot, station});
+      steps.push_back({other(foot), station});
     }
-    steps.push_back({.foot = foot, .station = next});
+    steps.push_back({foot, next});
     foot = other(foot);
     last = next;
   }
-  steps.push_back({.foot = foot, .station = steps.back().station});
+  steps.push_back({foot, steps.back().station});
   return steps;
 }
 
 Draft make_steps(const WalkGraph& graph, const Momentum& momentum, std::span<const Step> steps,
-                 const Stand& goal, Gait gait, const Tempo& tempo) {
-  return Stepping(graph, momentum, steps, goal, gait, tempo).make();
+                 const Stand& goal, Gait gait) {
+  return Stepping(graph, momentum, steps, goal, gait).make();
 }
 
 }  // namespace docent::motion

@@ -12,13 +12,6 @@ namespace docent::motion {
 struct Step {
   Side foot = Side::Left;
   Placement station;
-  float height = 0;  ///< Metres of the ground there above that at the beginning.
-};
-
-/// How long a step takes.
-struct Tempo {
-  double swing = 0.42;    ///< Seconds for which a foot is in the air...
-  double support = 0.08;  ///< ... and then both are on the ground.
 };
 
 /// Steps that turn a standing body on the spot by `angle` (radians, any size and sign), beginning
@@ -31,6 +24,6 @@ std::vector<Step> plan_short_walk(const PathTrack& track, const Momentum& moment
 /// Makes the steps, from a moment at which the body hardly moves to a stand at the last station.
 /// The body turns and shifts its weight over the standing foot; the head leads.
 Draft make_steps(const WalkGraph& graph, const Momentum& momentum, std::span<const Step> steps,
-                 const Stand& goal, Gait gait, const Tempo& tempo = {});
+                 const Stand& goal, Gait gait);
 
 }  // namespace docent::motion

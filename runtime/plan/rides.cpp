@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "runtime/motion/climb.h"
 #include "runtime/plan/stretch.h"
 
 namespace docent::plan {
@@ -72,34 +71,11 @@ motion::Walk Rides::walk_of(const WalkOrder& order, const Placement& from) const
   }
   const Placement start{from.position + shift, from.heading};
   if (!walks) return walk_along(walking_, own, start, {}, to.heading);
-  if (connection.kind == ConnectionKind::Stairs)
-    if (auto climbed = climb(own, start)) return std::move(*climbed);
   const double ordinary = walking_ != nullptr ? walking_->speed : 1.0;
   const double length = glm::distance(from.position, to.position);
   own.pace = std::clamp(length / (ordinary * std::max(order.ride->seconds, 1e-3)), least_pace, 1.0);
   const std::array path{from.position, to.position};
   return walk_along(walking_, own, start, path, to.heading);
-}
-
-/// Step by step; nothing where that cannot be.
-std::optional<motion::Walk> Rides::climb(const WalkOrder& order, const Placement& start) const {
-  if (walking_ == nullptr) return {};
-  const Connection& connection = museum_.connections[order.ride->connection];
-  const ConnectionStop &from = connection.stops[order.ride->from],
-                       &to = connection.stops[order.ride->to];
-  const FloorPlan &here = museum_.floors[from.floor].plan, &there = museum_.floors[to.floor].plan;
-  const double rise = there.height - here.height;
-  const Vec2 begin = from.placement.position, end = to.placement.position;
-  if (rise == 0 || glm::distance(begin, end) < least_flight) return {};
-  return motion::make_climb(
-      *walking_, {.treads = treads_between(here, begin, end, rise),
-                  .from = begin,
-                  .to = end,
-                  .start = start,
-                  .final_heading = coming_out(to).heading,
-                  .previous = order.previous != nullptr ? &order.previous->walk : nullptr,
-                  .previous_frame = order.previous_frame,
-                  .seconds = order.ride->seconds});
 }
 
 std::unique_ptr<Plan> Rides::plan(const WalkOrder& order, Traffic& from, Traffic& to) {

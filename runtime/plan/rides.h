@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "runtime/plan/plan.h"
@@ -32,7 +31,6 @@ class Rides {
   };
   bool is_taken(const Ride& ride, std::uint32_t body) const noexcept;
   motion::Walk walk_of(const WalkOrder& order, const Placement& from) const;
-  std::optional<motion::Walk> climb(const WalkOrder& order, const Placement& start) const;
 
   const Museum& museum_;
   const motion::WalkGraph* walking_;
