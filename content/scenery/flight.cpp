@@ -5,27 +5,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
-#include "runtime/model/geometry/polygon.h"
+#include "runtime/model/geometry/treads.h"
 
 namespace docent::scenery {
 namespace {
 
-constexpr double riser = 0.17;  // metres that a step is high, or a little less
 constexpr double rail_height = 0.95;
 constexpr double rail_width = 0.05;
 constexpr double balustrade_width = 0.14;  // an escalator's
 constexpr double level_before = 0.5;       // metres that an escalator's handrail runs level
-
-bool is_convex(const Outline& outline) {
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 a = outline[i];
-    const Vec2 b = outline[(i + 1) % outline.size()];
-    const Vec2 c = outline[(i + 2) % outline.size()];
-    if (cross(b - a, c - b) < -1e-9) return false;
-  }
-  return outline.size() >= 3;
-}
 
 /// The part of a convex outline where `limit` <= p * direction; empty where there is none.
 Outline beyond(const Outline& outline, Vec2 direction, double limit) {
@@ -66,6 +56,7 @@ class FlightBuilder {
     near_ = extent.low;
     length_ = extent.high - extent.low;
     rise_ = flight.passage.rise;
+    treads_ = treads_within(footprint_, flight.passage.here.position, flight.passage.there, rise_);
   }
 
   void build() {
@@ -136,8 +127,9 @@ class FlightBuilder {
           {0, 1, 0});
   }
 
-  [[nodiscard]] int steps() const {
-    return std::max(1, static_cast<int>(std::ceil(std::abs(rise_) / riser)));
+  /// The part of the footprint that is a tread.
+  [[nodiscard]] Outline tread(int i) const {
+    return slice(footprint_, i * treads_.depth(), (i + 1) * treads_.depth());
   }
 
   void build_up() {
@@ -149,13 +141,12 @@ class FlightBuilder {
           [this](double distance) { return slope_at(distance); });
       blockers_.push_back({sloping, std::min(rise_, cut_height) / 2});
     } else {
-      for (int i = 0; i < steps() && slope_at((i + 1) * length_ / steps()) < cut_height + 1e-9; ++i)
-        step(slice(footprint_, i * length_ / steps(), (i + 1) * length_ / steps()), 0,
-             (i + 1) * rise_ / steps());
+      for (int i = 0; i < treads_.count && treads_.height_of(i) < cut_height + 1e-9; ++i)
+        step(tread(i), 0, treads_.height_of(i));
     }
     build_cut(kind_ == ConnectionKind::Ramp
                   ? cut_at
-                  : std::floor(steps() * cut_at / length_ + 1e-9) * length_ / steps());
+                  : std::floor(cut_at / treads_.depth() + 1e-9) * treads_.depth());
   }
 
   /// What goes on above the height of the cut: solid, with the further steps as lines, as plans
@@ -168,8 +159,8 @@ class FlightBuilder {
     blockers_.push_back({rest, cut_height});
     constexpr double line = 0.035;
     constexpr double above = 0.003;
-    for (double at = from; at < length_ - line; at += length_ / steps()) {
-      pave(slice(footprint_, at, std::min(length_, at + length_ / steps())), cut_height);
+    for (double at = from; at < length_ - line; at += treads_.depth()) {
+      pave(slice(footprint_, at, std::min(length_, at + treads_.depth())), cut_height);
       if (kind_ == ConnectionKind::Ramp) continue;
       mesh_.use(Surface::CutFace);
       flat(slice(footprint_, at, at + line), cut_height + above);
@@ -184,11 +175,8 @@ class FlightBuilder {
           [this](double distance) { return slope_at(distance); });
       blockers_.push_back({footprint_, rise_ / 2});
     } else {
-      for (int i = 0; i < steps(); ++i) {
-        const double height = (i + 1) * rise_ / steps();
-        step(slice(footprint_, i * length_ / steps(), (i + 1) * length_ / steps()),
-             height + rise_ / steps(), height);
-      }
+      for (int i = 0; i < treads_.count; ++i)
+        step(tread(i), treads_.height_of(i + 1), treads_.height_of(i));
     }
     build_rail();
   }
@@ -251,6 +239,7 @@ class FlightBuilder {
   std::vector<Blocker>& blockers_;
   Vec2 along_{};
   double near_ = 0, length_ = 0, rise_ = 0;
+  Treads treads_;
 };
 
 }  // namespace
@@ -258,14 +247,9 @@ class FlightBuilder {
 std::optional<Flight> flight_of(const FloorPlan& plan, const Passage& passage) {
   const Vec2 here = passage.here.position;
   if (passage.kind == ConnectionKind::Lift || passage.rise == 0 || here == passage.there) return {};
-  for (std::size_t r = 0; r < plan.ring.size(); ++r) {
-    const auto first = plan.vertex.begin() + plan.ring[r].first;
-    if (signed_area(Outline(first, first + plan.ring[r].count)) >= 0) continue;
-    Outline outline = outline_of(plan, plan.ring[r]);
-    if (!contains(outline, (here + passage.there) / 2.0) || !is_convex(outline)) continue;
-    return Flight{passage, r, std::move(outline)};
-  }
-  return {};
+  std::optional<Hole> hole = hole_between(plan, here, passage.there);
+  if (!hole) return {};
+  return Flight{passage, hole->ring, std::move(hole->outline)};
 }
 
 void build_flight(const Flight& flight, MeshBuilder& mesh, std::vector<Blocker>& blockers) {

@@ -46,6 +46,20 @@ const Connection& connection_of(const Museum& museum, const plan::Ride& ride) no
   return museum.connections[ride.connection];
 }
 
+/// How high the ground is under body and feet: 0 but on a flight of stairs.
+motion::Climb ground_under(const Avatar& avatar) noexcept {
+  const motion::Walk& walk = avatar.plan->walk;
+  if (walk.climb.empty() || ride_of(avatar) == nullptr) return {};
+  const double last = static_cast<double>(walk.climb.size() - 1);
+  const double at = std::clamp(avatar.seconds * walk.frame_rate, 0.0, last);
+  const auto frame = static_cast<std::size_t>(at);
+  const motion::Climb &now = walk.climb[frame],
+                      &next = walk.climb[std::min(frame + 1, walk.climb.size() - 1)];
+  motion::Climb ground = now;
+  ground.body = std::lerp(now.body, next.body, static_cast<float>(at - static_cast<double>(frame)));
+  return ground;
+}
+
 /// Is it carried, and does not walk from stop to stop?
 bool is_carried(const plan::Plan& plan) noexcept {
   return plan.rests_until > 0;
@@ -74,12 +88,15 @@ void ride(const Museum& museum, Avatar& avatar) noexcept {
   avatar.height = floor_height(avatar.floor);
   avatar.shown_floor = avatar.floor;
   avatar.aside = {};
+  avatar.ground = ground_under(avatar);
   const plan::Ride* on = ride_of(avatar);
   if (on == nullptr) return;
   const Connection& connection = connection_of(museum, *on);
   const ConnectionStop &from = connection.stops[on->from], &to = connection.stops[on->to];
   const double share = ride_share(museum, avatar);
   avatar.height = std::lerp(floor_height(from.floor), floor_height(to.floor), share);
+  if (!avatar.plan->walk.climb.empty())
+    avatar.height = floor_height(from.floor) + static_cast<double>(avatar.ground.body);
   if (share >= 0.5) avatar.shown_floor = to.floor;
   if (!is_carried(*avatar.plan)) return;
   const double whole = avatar.plan->seconds();
@@ -189,8 +206,9 @@ Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<pl
   avatar.rotation.resize(avatar.plan->walk.joint_count, Quat(1, 0, 0, 0));
   avatar.world.resize(avatar.rotation.size(), Mat4(1));
   advance(museum, avatar, 0);
-  avatar.ankle_rest = place_of(museum, avatar, BodyPart::LeftAnkle).y;
-  avatar.toe_rest = place_of(museum, avatar, BodyPart::LeftToe).y;
+  const auto ground = static_cast<float>(avatar.height);
+  avatar.ankle_rest = place_of(museum, avatar, BodyPart::LeftAnkle).y - ground;
+  avatar.toe_rest = place_of(museum, avatar, BodyPart::LeftToe).y - ground;
   return avatar;
 }
 
@@ -259,15 +277,16 @@ void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noe
   it.first_matrix = static_cast<std::uint32_t>(first);
   it.look = avatar.look;
   it.centre = Vec3(avatar.world[0][3]);
-  const auto floor = static_cast<float>(avatar.height);
+  const auto height = static_cast<float>(avatar.height) - avatar.ground.body;
   constexpr std::array feet{std::pair{BodyPart::LeftAnkle, BodyPart::LeftToe},
                             std::pair{BodyPart::RightAnkle, BodyPart::RightToe}};
   for (std::size_t side = 0; side < feet.size(); ++side) {
     const Vec3 ankle = place_of(museum, avatar, feet[side].first);
     const Vec3 toe = place_of(museum, avatar, feet[side].second);
-    it.feet[side] = {(ankle.x + toe.x) / 2, floor, (ankle.z + toe.z) / 2};
+    const float ground = height + avatar.ground.foot[side];
+    it.feet[side] = {(ankle.x + toe.x) / 2, ground, (ankle.z + toe.z) / 2};
     it.foot_height[side] =
-        std::max(0.0F, std::min(ankle.y - avatar.ankle_rest, toe.y - avatar.toe_rest));
+        std::max(0.0F, std::min(ankle.y - avatar.ankle_rest, toe.y - avatar.toe_rest) - ground);
   }
   list.avatars.push_back(it);
 }

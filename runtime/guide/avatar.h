@@ -28,6 +28,7 @@ struct Avatar {
   Placement body;
   double height = 0;              ///< World y of what it stands on, metres.
   std::uint32_t shown_floor = 0;  ///< On which it is seen: half way along a ride, the next one.
+  motion::Climb ground;           ///< On a flight: how high above `floor` it has come; else 0.
   Vec2 aside{};                   ///< Of a carried body: from its place in the plan's walk.
   double along = 0;               ///< Metres of the plan's way behind it.
   motion::Gait gait = motion::Gait::Idle;
@@ -37,7 +38,7 @@ struct Avatar {
   motion::Limbs limbs;
   std::vector<Quat> rotation;          ///< One per joint.
   std::vector<Mat4> world;             ///< One per joint, world frame.
-  float ankle_rest = 0, toe_rest = 0;  ///< World y of the joints when standing flat.
+  float ankle_rest = 0, toe_rest = 0;  ///< Height of the joints when standing flat.
 };
 
 /// An avatar that stands as the plan `standing` does. Allocates all that it will ever need.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,6 +13,12 @@ namespace docent::motion {
 
 /// What the body does in a frame.
 enum class Gait : std::uint8_t { Idle, Turn, Walk };
+
+/// How high the ground is that a body climbs, above the floor where its walk begins. Metres.
+struct Climb {
+  float body = 0;               ///< Under the body: smooth over treads, which feet are set on.
+  std::array<float, 2> foot{};  ///< Under each foot (Side).
+};
 
 /// A walk made to measure: motion laid onto the floor, ready to be sampled by the frame loop.
 ///
@@ -27,6 +34,8 @@ struct Walk {
                                 ///< sway of the gait taken out.
   std::vector<float> along;     ///< Metres along the path asked for; 0 before it is reached.
   std::vector<Gait> gait;
+  std::vector<Climb> climb;       ///< Stairs (climb.h): what `root` is to be raised by. Empty on
+                                  ///< level ground.
   std::vector<ClipFrame> source;  ///< The clip frame that each frame was made from.
   std::uint32_t seed = 0;  ///< Of what differs from step to step (vary_strides.h), which goes on
   double first_step = 0;   ///< through all walks of a body: which step its first frame is in.

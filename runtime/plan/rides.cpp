@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "runtime/motion/climb.h"
 #include "runtime/plan/stretch.h"
 
 namespace docent::plan {
@@ -70,12 +71,41 @@ motion::Walk Rides::walk_of(const WalkOrder& order, const Placement& from) const
     own.previous_frame = 0;
   }
   const Placement start{from.position + shift, from.heading};
+  if (walks && connection.kind == ConnectionKind::Stairs)
+    if (std::optional<motion::Walk> stairs = take_stairs(own, start, to)) return std::move(*stairs);
   if (!walks) return walk_along(walking_, own, start, {}, to.heading);
   const double ordinary = walking_ != nullptr ? walking_->speed : 1.0;
   const double length = glm::distance(from.position, to.position);
   own.pace = std::clamp(length / (ordinary * std::max(order.ride->seconds, 1e-3)), least_pace, 1.0);
   const std::array path{from.position, to.position};
   return walk_along(walking_, own, start, path, to.heading);
+}
+
+/// Step by step, over the treads that are drawn of the flight.
+std::optional<motion::Walk> Rides::take_stairs(const WalkOrder& order, const Placement& from,
+                                               const Placement& to) const {
+  if (walking_ == nullptr) return {};
+  const Connection& connection = museum_.connections[order.ride->connection];
+  const ConnectionStop& stop = connection.stops[order.ride->from];
+  const FloorPlan& plan = museum_.floors[stop.floor].plan;
+  const double rise =
+      museum_.floors[connection.stops[order.ride->to].floor].plan.height - plan.height;
+  if (rise == 0) return {};
+  const Vec2 here = stop.placement.position, there = to.position;
+  const std::optional<Hole> hole = hole_between(plan, here, there);
+  motion::Ascent ascent{from.position, there, {}};
+  ascent.treads = hole ? treads_within(hole->outline, from.position, there, rise)
+                       : treads_between(from.position, there, rise);
+  motion::WalkRequest request;
+  request.start = from;
+  request.final_heading = to.heading;
+  if (order.previous != nullptr) {
+    request.previous = &order.previous->walk;
+    request.previous_frame = order.previous_frame;
+  }
+  Result<motion::Walk> walk = motion::climb(*walking_, ascent, request);
+  if (!walk) return {};
+  return std::move(*walk);
 }
 
 std::unique_ptr<Plan> Rides::plan(const WalkOrder& order, Traffic& from, Traffic& to) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "runtime/plan/plan.h"
@@ -31,6 +32,8 @@ class Rides {
   };
   bool is_taken(const Ride& ride, std::uint32_t body) const noexcept;
   motion::Walk walk_of(const WalkOrder& order, const Placement& from) const;
+  std::optional<motion::Walk> take_stairs(const WalkOrder& order, const Placement& from,
+                                          const Placement& to) const;
 
   const Museum& museum_;
   const motion::WalkGraph* walking_;
