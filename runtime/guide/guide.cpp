@@ -43,6 +43,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
+  list_.walls = stage_.walls();
   list_.avatars.reserve(crowd_.size());
   list_.palette.reserve(crowd_.size() * leader().world.size());
   list_.joint.reserve(list_.palette.capacity());

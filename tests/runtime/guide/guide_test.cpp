@@ -336,6 +336,42 @@ TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
 }
 
+/// Are the guide and what it is about to walk, and the goal where it is near, in the picture?
+bool shows_the_walk(Session& session) {
+  const scene::DrawList& list = session.guide().draw_list();
+  const Avatar& guide = session.guide().crowd()[0].avatar;
+  const plan::Plan& way = *guide.plan;
+  const scene::Rect free = session.guide().view()->free;
+  const auto shows = [&](Vec2 place) {
+    const auto at = scene::project(list.camera, to_world(place, guide.height));
+    return at && scene::contains(free, at->x, at->y);
+  };
+  bool all = shows(guide.body.position);
+  const double left = way.reach.empty() ? 0 : way.reach.back() - guide.along;
+  for (double metres = 1; metres <= std::min(left, 6.0); ++metres)
+    all = all && shows(plan::point_along(way, guide.along + metres));
+  return all && (left > 12 || way.points.empty() || shows(way.points.back()));
+}
+
+TEST(Guide, TurnsThePictureToTheNewWayWithinASecondAndAHalfOfAChangeOfMind) {
+  for (const std::size_t second : {1UL, 4UL, 7UL}) {
+    Session session;
+    session.key(input::Key::Enter);
+    session.run(1.5);
+    session.tap(first_exhibit());
+    session.run(10);
+    EXPECT_TRUE(shows_the_walk(session));
+    session.key(input::Key::Back);
+    session.run(0.5);
+    session.tap("exhibit:" + museum().exhibits[second].id, interface::Role::Spot);
+    session.run(1.5);
+    for (int i = 0; i < 1200 && session.guide().state().screen == interface::Screen::Walking; ++i) {
+      ASSERT_TRUE(shows_the_walk(session)) << museum().exhibits[second].id << " after " << i;
+      session.run(1.0 / 60);
+    }
+  }
+}
+
 TEST(Guide, StopsWhereItIs) {
   Session session;
   session.tap("begin");
