@@ -266,7 +266,14 @@ void Stage::sink_walls(const interface::InterfaceState& state, const Avatar& lea
     const double left = way.points.size() < 2 ? 0 : way.reach.back() - leader.along;
     for (double metres = 1; metres <= std::min(left, seen_ahead); ++metres)
       sights[count++] = {plan::point_along(way, leader.along + metres)};
-    for (const Vec3 p : due.walker(leader).goal) sights[count++] = {to_floor(p), half_object};
+    if (due.goals > 0) {
+      // From before what stands there: it may hang on a wall, which is to stand.
+      constexpr double before = 0.4;
+      const Vec2 end = to_floor(due.goal[0]), object = to_floor(due.goal[1]);
+      const double off = std::max(glm::distance(end, object), before);
+      sights[count++] = {end, half_object};
+      sights[count++] = {glm::mix(object, end, before / off), half_object};
+    }
   }
   walls_.advance(leader.body.position, scene::view_of(rig_, aspect_).eye,
                  std::span(sights).first(count), seconds);

@@ -13,9 +13,9 @@ constexpr int side = WallLevels::side;
 constexpr double cell = WallLevels::cell;
 constexpr double time_constant = 0.16;  ///< Seconds.
 constexpr double thinnest_wall = 0.15;  ///< Metres: one seen end on hides from between two rays.
-constexpr double wall_behind = 0.5;    ///< Metres that a wall goes on behind its face, or more.
-constexpr double whole_radius = 0.75;  ///< Sunk as far as it goes within that, metres...
-constexpr double fade = 0.9;           ///< ... and a little this much further.
+constexpr double wall_behind = 0.5;     ///< Metres that a wall goes on behind its face, or more.
+constexpr double whole_radius = 0.75;   ///< Sunk as far as it goes within that, metres...
+constexpr double fade = 0.9;            ///< ... and a little this much further.
 constexpr double gather_radius = 20, gather_step = 3;
 
 int wrap(int i) noexcept {
@@ -72,12 +72,9 @@ void SunkWalls::go_along(Vec2 centre) noexcept {
   const int column = column_of(centre.x) - side / 2, row = column_of(centre.y) - side / 2;
   const int columns = std::clamp(column - levels_.column, -side, side);
   const int rows = std::clamp(row - levels_.row, -side, side);
-  const auto stand = [&](int new_column, int new_row) {
-    level_[cell_of(new_column, new_row)] = 0;
-  };
+  const auto stand = [&](int new_column, int new_row) { level_[cell_of(new_column, new_row)] = 0; };
   for (int i = 0; i < std::abs(columns); ++i)
-    for (int j = 0; j < side; ++j)
-      stand(columns > 0 ? column + side - 1 - i : column + i, j);
+    for (int j = 0; j < side; ++j) stand(columns > 0 ? column + side - 1 - i : column + i, j);
   for (int i = 0; i < std::abs(rows); ++i)
     for (int j = 0; j < side; ++j) stand(j, rows > 0 ? row + side - 1 - i : row + i);
   levels_.column = column;
@@ -160,7 +157,8 @@ void SunkWalls::advance(Vec2 centre, Vec3 eye, std::span<const Sight> sights,
     }
   }
   const auto share =
-      seconds < 0 ? 1.0F : static_cast<float>(1 - std::exp(-static_cast<double>(seconds) / time_constant));
+      seconds < 0 ? 1.0F
+                  : static_cast<float>(1 - std::exp(-static_cast<double>(seconds) / time_constant));
   levels_.any = false;
   for (std::size_t i = 0; i < level_.size(); ++i) {
     constexpr float near_enough = 0.002F;

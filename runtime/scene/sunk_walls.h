@@ -37,7 +37,7 @@ class SunkWalls {
 
  private:
   struct Crossing {
-    double along = 0;      ///< Of the line, metres.
+    double along = 0;     ///< Of the line, metres.
     bool leaves = false;  ///< Does it go from the open floor into a wall there?
   };
 

@@ -372,6 +372,28 @@ TEST(Guide, TurnsThePictureToTheNewWayWithinASecondAndAHalfOfAChangeOfMind) {
   }
 }
 
+TEST(Guide, LeavesTheWallStandingThatAnExhibitHangsOn) {
+  const auto hung = std::ranges::find(museum().exhibits, ExhibitPlace::OnWall, &Exhibit::place);
+  ASSERT_NE(hung, museum().exhibits.end());
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap("exhibit:" + hung->id, interface::Role::Spot);
+  for (int i = 0; i < 80 && !session.guide().state().arrived; ++i) session.run(1);
+  session.run(2);
+
+  ASSERT_TRUE(session.guide().state().arrived);
+  const scene::WallLevels& walls = session.guide().draw_list().walls;
+  const auto index = [](double metres) {
+    return static_cast<int>(std::floor(metres / scene::WallLevels::cell)) &
+           (scene::WallLevels::side - 1);
+  };
+  const Vec2 at = hung->placement.position;
+  EXPECT_EQ(
+      walls.level[static_cast<std::size_t>(index(at.y) * scene::WallLevels::side + index(at.x))],
+      0);
+}
+
 TEST(Guide, StopsWhereItIs) {
   Session session;
   session.tap("begin");

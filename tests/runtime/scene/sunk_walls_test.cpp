@@ -79,9 +79,9 @@ TEST(SunkWalls, HideNeitherTheGuideNorTheWayNorTheGoal) {
     const std::array<Vec3, 2> goal{to_world(walk.way.back()), to_world(walk.way.back(), 1.2)};
     const Walker walker{{walk.at(along), 0}, 0, ahead, goal};
     const Rect free = any_free();
-    const CameraView view = view_of(
-        behind(walker, number(-std::numbers::pi, std::numbers::pi), free, aspect_of(free)),
-        aspect_of(free));
+    const CameraView view =
+        view_of(behind(walker, number(-std::numbers::pi, std::numbers::pi), free, aspect_of(free)),
+                aspect_of(free));
 
     walls.advance(walker.body.position, view.eye, sights_of(walker), -1);
 
