@@ -31,6 +31,10 @@ bool seen_from_above(interface::Screen screen) noexcept {
   return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing;
 }
 
+bool from_above(const interface::InterfaceState& state) noexcept {
+  return seen_from_above(state.screen) || interface::shows_whole_way(state);
+}
+
 double height_of(const Museum& museum, std::uint32_t floor) noexcept {
   return floor < museum.floors.size() ? museum.floors[floor].plan.height : 0;
 }
@@ -129,14 +133,17 @@ Stage::Stage(const Museum& museum, bool reduced_motion)
 void Stage::enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
                   const Avatar& leader) noexcept {
   const bool same_free = free_.x == free.x && free_.y == free.y && free_.width == free.width;
+  const bool above = from_above(state);
   const bool both_above = seen_from_above(screen_) && seen_from_above(state.screen);
-  const bool flies = (screen_ != state.screen && !both_above) || !same_free || aspect_ != aspect;
-  const bool long_way = seen_from_above(screen_) != seen_from_above(state.screen);
-  const bool sets_out =
-      state.screen == interface::Screen::Walking && screen_ != interface::Screen::Walking;
+  const bool flies = (screen_ != state.screen && !both_above) || above != above_ || !same_free ||
+                     aspect_ != aspect;
+  const bool long_way = above != above_;
+  const bool sets_out = state.screen == interface::Screen::Walking && !above &&
+                        (above_ || screen_ != interface::Screen::Walking);
   free_ = free;
   aspect_ = aspect;
   screen_ = state.screen;
+  above_ = above;
   if (!entered_) floor_ = wanted_floor(state, leader);
   show_floor(floor_);
   if (sets_out) walking_.cut(in_view(museum_, state, leader).walker(leader), free_, aspect_);
@@ -187,6 +194,8 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
     if (const auto goal = interface::goal_of(museum_, state))
       return scene::beside(goal->standing.position, goal->position,
                            arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
+  if (state.screen == interface::Screen::Walking && above_)
+    return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : overview_;
   if (state.screen == interface::Screen::Walking)
     return walking_.rig({leader.body, height, {}}, free_);
   return overview_;
@@ -221,7 +230,7 @@ bool Stage::shows_walk(const interface::InterfaceState& state,
 void Stage::turn_to_way(const interface::InterfaceState& state, const Avatar& leader) noexcept {
   if (!is_new_way_ || leader.next) return;
   is_new_way_ = false;
-  if (screen_ != interface::Screen::Walking || state.screen != screen_) return;
+  if (screen_ != interface::Screen::Walking || state.screen != screen_ || above_) return;
   const scene::Walker walker = in_view(museum_, state, leader).walker(leader);
   const double yaw = scene::yaw_towards(walker, leader.body.heading);
   const double turn = std::abs(scene::wrapped(yaw - walking_.yaw()));
@@ -237,7 +246,8 @@ void Stage::advance(const interface::InterfaceState& state, const Avatar& leader
   change_floor(state, leader, seconds);
   if (reduced_motion_) {
     way_opacity_ = 1;
-    if (screen_ != interface::Screen::Walking || !shows_walk(state, leader)) cut_to(state, leader);
+    if (screen_ != interface::Screen::Walking || above_ || !shows_walk(state, leader))
+      cut_to(state, leader);
     sink_walls(state, leader, -1);
     return;
   }
@@ -290,6 +300,17 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
   list.ribbon_point.assign(plan.points.begin(),
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
+  look_at_whole_way(list.ribbon_point);
+}
+
+/// From above, turned as the visitor stands, clear of the inset plan and the helps.
+void Stage::look_at_whole_way(std::span<const Vec2> way) noexcept {
+  constexpr double nearest = 18;
+  const scene::Rect inner{free_.x + 0.08F * free_.width, free_.y + 0.16F * free_.height,
+                          0.66F * free_.width, 0.66F * free_.height};
+  whole_way_ = scene::overview_of(way, height_of(museum_, way_floor_), museum_.kiosk.heading, inner,
+                                  aspect_);
+  whole_way_.distance = std::max(whole_way_.distance, nearest);
 }
 
 void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
@@ -303,7 +324,7 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
   const float ride_veil = above || reduced_motion_ ? 0 : veil_over(museum_, leader);
   const float veil = std::max(ride_veil, reduced_motion_ ? 0 : changing_);
   list.focus_radius =
-      std::lerp(above ? veil > 0 ? overview_radius : 1e3F : 16.0F, veiled_radius, veil);
+      std::lerp(above_ ? veil > 0 ? overview_radius : 1e3F : 16.0F, veiled_radius, veil);
   list.fade = std::lerp(scene::DrawList{}.fade, 1.0F, veil);
   list.walls = walls_.levels();
   list.goal_radius = 0;

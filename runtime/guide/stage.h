@@ -73,6 +73,7 @@ class Stage {
                     float seconds) noexcept;
   std::optional<Placement> end_of_way(const interface::InterfaceState& state,
                                       const Avatar& leader) const noexcept;
+  void look_at_whole_way(std::span<const Vec2> way) noexcept;
   void cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept;
   bool shows_walk(const interface::InterfaceState& state, const Avatar& leader) const noexcept;
   void turn_to_way(const interface::InterfaceState& state, const Avatar& leader) noexcept;
@@ -89,12 +90,14 @@ class Stage {
   double flight_seconds_ = 1;  ///< How long the flight takes.
   interface::Screen screen_ = interface::Screen::Welcome;
   bool entered_ = false;
+  bool above_ = true;  ///< Is the model seen from above?
   scene::Rect free_{0, 0, 1, 1};
   float aspect_ = 16.0F / 9;
   scene::WalkingCamera walking_;
   scene::SunkWalls walls_;
-  bool is_new_way_ = false;    ///< Shown, and the camera has not turned to it yet.
-  scene::CameraRig overview_;  ///< The whole floor in the free part.
+  bool is_new_way_ = false;     ///< Shown, and the camera has not turned to it yet.
+  scene::CameraRig overview_;   ///< The whole floor in the free part.
+  scene::CameraRig whole_way_;  ///< The way that is shown, from above.
   double flow_ = 0;  ///< Metres that patterns of ways have moved; wrapped where it cannot be seen.
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;

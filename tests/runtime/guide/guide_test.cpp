@@ -394,6 +394,54 @@ TEST(Guide, LeavesTheWallStandingThatAnExhibitHangsOn) {
       0);
 }
 
+/// Is all of the way in the picture, on the floor that is shown?
+bool shows_the_whole_way(Session& session) {
+  const scene::DrawList& list = session.guide().draw_list();
+  const scene::Rect free = session.guide().view()->free;
+  const double height = session.guide().crowd()[0].avatar.height;
+  return !list.ribbon_point.empty() && std::ranges::all_of(list.ribbon_point, [&](Vec2 place) {
+    const auto at = scene::project(list.camera, to_world(place, height));
+    return at && scene::contains(free, at->x, at->y);
+  });
+}
+
+TEST(Guide, ShowsTheWholeWayAtOnceAndThenTheCameraGoesAlong) {
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap(first_exhibit());
+  session.run(1);
+  EXPECT_TRUE(shows_the_whole_way(session));
+  EXPECT_EQ(session.guide().state().pace, 0);
+  EXPECT_NE(session.guide().crowd()[0].avatar.gait, motion::Gait::Idle);
+
+  session.run(5);
+  EXPECT_EQ(session.guide().state().pace, 1);
+  EXPECT_TRUE(shows_the_walk(session));
+}
+
+/// Metres that the guide walks in two seconds of a walk, `Walk with me` pressed so often before.
+double metres_in_two_seconds(int presses) {
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap("exhibit:" + museum().exhibits[8].id, interface::Role::Spot);
+  session.run(3);
+  for (int i = 0; i < presses; ++i) session.tap("walk");
+  const Vec2 before = session.guide().crowd()[0].avatar.body.position;
+  session.run(2);
+  return glm::distance(session.guide().crowd()[0].avatar.body.position, before);
+}
+
+TEST(Guide, IsFollowedAtWalkingPaceOrTwoOrFourTimesAsFast) {
+  const double walking = metres_in_two_seconds(1);
+
+  EXPECT_GT(walking, 1.5);
+  EXPECT_GT(metres_in_two_seconds(2), 1.6 * walking);
+  EXPECT_GT(metres_in_two_seconds(3), 2.5 * walking);
+  EXPECT_LT(metres_in_two_seconds(4), 1.6 * walking);
+}
+
 TEST(Guide, StopsWhereItIs) {
   Session session;
   session.tap("begin");
