@@ -11,11 +11,12 @@ namespace {
 
 constexpr int side = WallLevels::side;
 constexpr double cell = WallLevels::cell;
-constexpr double time_constant = 0.16;  ///< Seconds.
-constexpr double thinnest_wall = 0.15;  ///< Metres: one seen end on hides from between two rays.
-constexpr double wall_behind = 0.5;     ///< Metres that a wall goes on behind its face, or more.
-constexpr double whole_radius = 0.75;   ///< Sunk as far as it goes within that, metres...
-constexpr double fade = 0.9;            ///< ... and a little this much further.
+constexpr double half = side * cell / 2;  ///< Of the window, metres.
+constexpr double time_constant = 0.16;    ///< Seconds.
+constexpr double thinnest_wall = 0.15;    ///< Metres: one seen end on hides from between two rays.
+constexpr double wall_behind = 0.5;       ///< Metres that a wall goes on behind its face, or more.
+constexpr double whole_radius = 0.75;     ///< Sunk as far as it goes within that, metres...
+constexpr double fade = 0.9;              ///< ... and a little this much further.
 constexpr double gather_radius = 20, gather_step = 3;
 
 int wrap(int i) noexcept {
@@ -23,7 +24,7 @@ int wrap(int i) noexcept {
 }
 
 std::size_t cell_of(int column, int row) noexcept {
-  return static_cast<std::size_t>(wrap(row) * side + wrap(column));
+  return static_cast<std::size_t>(wrap(row)) * side + static_cast<std::size_t>(wrap(column));
 }
 
 int column_of(double metres) noexcept {
@@ -179,9 +180,9 @@ double SunkWalls::height_at(Vec2 place) const noexcept {
   };
   const double below = level(0, 0) * (1 - x) + level(1, 0) * x;
   const double above = level(0, 1) * (1 - x) + level(1, 1) * x;
-  const double far = std::max(std::abs(place.x - (levels_.column + side / 2) * cell),
-                              std::abs(place.y - (levels_.row + side / 2) * cell));
-  const bool within = far < (side / 2 - 1) * cell;
+  const double far = std::max(std::abs(place.x - (levels_.column * cell + half)),
+                              std::abs(place.y - (levels_.row * cell + half)));
+  const bool within = far < half - cell;
   return std::lerp(cut_height, sunk_height, within ? below * (1 - y) + above * y : 0.0);
 }
 
