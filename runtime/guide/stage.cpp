@@ -303,11 +303,12 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   look_at_whole_way(list.ribbon_point);
 }
 
-/// From above, turned as the visitor stands, clear of the inset plan and the helps.
+/// From above, turned as the visitor stands, clear of the helps and the inset plan, which is on
+/// the other side where a language runs from right to left.
 void Stage::look_at_whole_way(std::span<const Vec2> way) noexcept {
   constexpr double nearest = 18;
-  const scene::Rect inner{free_.x + 0.08F * free_.width, free_.y + 0.16F * free_.height,
-                          0.66F * free_.width, 0.66F * free_.height};
+  const scene::Rect inner{free_.x + 0.27F * free_.width, free_.y + 0.16F * free_.height,
+                          0.46F * free_.width, 0.66F * free_.height};
   whole_way_ = scene::overview_of(way, height_of(museum_, way_floor_), museum_.kiosk.heading, inner,
                                   aspect_);
   whole_way_.distance = std::max(whole_way_.distance, nearest);
