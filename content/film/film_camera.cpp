@@ -47,7 +47,7 @@ double camera_pitch(View view, const FloorPlan& plan, Vec2 body, double yaw) noe
   double pitch = level;
   for (std::uint32_t wall = 0; wall < plan.next.size(); ++wall) {
     const double share = crossing(body, eye, wall_start(plan, wall), wall_end(plan, wall));
-    if (share < 1) pitch = std::max(pitch, std::atan2(scenery::cut_height, share * distance));
+    if (share < 1) pitch = std::max(pitch, std::atan2(cut_height, share * distance));
   }
   return std::min(pitch, steepest);
 }

@@ -179,11 +179,13 @@ void build_glass(const Outline& outline, MeshBuilder& mesh) {
   }
 }
 
+constexpr double board_thickness = 0.035;
+
 /// A board with a picture on its front, and on its back where it stands free. The board leans back
 /// by `lean` radians about its lower edge.
 struct Board {
   Vec2 foot{};  ///< Floor frame, middle of the lower front edge.
-  double heading = 0, bottom = 0, width = 1, height = 1, lean = 0, thickness = 0.035;
+  double heading = 0, bottom = 0, width = 1, height = 1, lean = 0, thickness = board_thickness;
   double border = 0.03;  ///< Of frame round the picture.
   bool two_sided = false;
 };
@@ -228,14 +230,16 @@ Vec2 fitted(double aspect, Vec2 box) {
   return box.x / a <= box.y ? Vec2{box.x, box.x / a} : Vec2{box.y * a, box.y};
 }
 
+/// Metres: a frame ends below the cut of its wall.
+constexpr double lowest_on_wall = 0.42, highest_on_wall = cut_height - 0.06;
+
 Board board_on_wall(const ExhibitStand& stand) {
-  const Vec2 size = fitted(stand.aspect, {1.8, 1.25});
+  const Vec2 size = fitted(stand.aspect, {1.8, highest_on_wall - lowest_on_wall});
   const Vec2 forward{std::cos(stand.placement.heading), std::sin(stand.placement.heading)};
-  constexpr double centre = 1.25;
   constexpr double depth = 0.06;
   return {.foot = stand.placement.position + forward * depth,
           .heading = stand.placement.heading,
-          .bottom = std::max(0.45, centre - size.y / 2),
+          .bottom = highest_on_wall - size.y,
           .width = size.x,
           .height = size.y,
           .thickness = depth - 0.01,
@@ -249,16 +253,53 @@ bool has_base(const ExhibitStand& stand) {
   return stand.taken.x > 4 * base_rim && stand.taken.y > 4 * base_rim;
 }
 
+/// How far it is from a point within an outline to its edge, along a direction; 0 outside.
+double reach(const Outline& outline, Vec2 from, Vec2 direction) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], side = outline[(i + 1) % outline.size()] - a;
+    const double across = cross(direction, side);
+    if (across == 0) continue;
+    const double along = cross(a - from, side) / across;
+    const double share = cross(a - from, direction) / across;
+    if (along >= 0 && share >= 0 && share <= 1) least = std::min(least, along);
+  }
+  return least < std::numeric_limits<double>::max() ? least : 0;
+}
+
+double depth_of(const Board& board) {
+  return board.height * std::sin(board.lean) + board.thickness;
+}
+
+/// Makes a board that stands about `foot` so small, and moves it as little, that nothing of it is
+/// nearer than `margin` to the edge of what it stands on: the pane of a case, or a pedestal's edge.
+void keep_within(const Outline& outline, double margin, Board& board) {
+  const Outline inner = inset(outline, margin);
+  const Vec2 forward{std::cos(board.heading), std::sin(board.heading)};
+  const Vec2 right = left_of(forward);
+  const Vec2 foot = board.foot;
+  const double before = reach(inner, foot, forward), behind = reach(inner, foot, -forward);
+  const double one = reach(inner, foot, right), other = reach(inner, foot, -right);
+  constexpr double smallest = 0.12, smaller = 0.95;
+  for (;; board.width *= smaller, board.height *= smaller) {
+    const Vec2 half = Vec2{board.width, depth_of(board)} / 2.0;
+    const double along = std::min(std::max(0.0, half.y - behind), before - half.y);
+    const double aside = std::min(std::max(0.0, half.x - other), one - half.x);
+    board.foot = foot + forward * along + right * aside;
+    const Outline stands = rectangle(board.foot, board.heading, half);
+    if (std::ranges::all_of(stands, [&](Vec2 p) { return contains(inner, p); })) return;
+    if (board.width < smallest || board.height < smallest) return;
+  }
+}
+
 Board standing_board(const ExhibitStand& stand) {
   const bool in_glass = stand.on == HoleKind::Case;
   Vec2 room{1.0, 1.05};
   double bottom = 0.0;
   if (stand.hole) {
-    const Vec2 forward{std::cos(stand.placement.heading), std::sin(stand.placement.heading)};
     bottom = top_of(stand.on, *stand.hole);
-    room.x = std::min(extent(*stand.hole, left_of(forward)) - 0.14, 1.4);
-    room.y = in_glass ? 0.76 : 1.05;
-    if (is_low_pedestal(*stand.hole)) room = {1.7, 1.8};
+    room = is_low_pedestal(*stand.hole) ? Vec2{1.7, 1.8} : Vec2{1.4, 1.05};
+    if (in_glass) room = {1.4, 0.72};
   } else if (has_base(stand)) {
     room.x = std::min(stand.taken.x, 2.5) - 2 * base_rim;
     room.y = std::clamp(1.75 * room.x, 1.05, 1.8);
@@ -272,8 +313,8 @@ Board standing_board(const ExhibitStand& stand) {
               .lean = in_glass ? 0.42 : 0.24,
               .border = 0.02,
               .two_sided = true};
-  const double half_depth = (size.y * std::sin(board.lean) + board.thickness) / 2;
-  board.foot += half_depth * Vec2{std::cos(board.heading), std::sin(board.heading)};
+  if (stand.hole) keep_within(*stand.hole, in_glass ? 0.1 : 0.05, board);
+  board.foot += depth_of(board) / 2 * Vec2{std::cos(board.heading), std::sin(board.heading)};
   return board;
 }
 
@@ -326,7 +367,7 @@ void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Block
   const Board board = stand.on_wall ? board_on_wall(stand) : standing_board(stand);
   build_board(board, stand.exhibit, mesh);
   const Vec2 forward{std::cos(board.heading), std::sin(board.heading)};
-  const double depth = board.height * std::sin(board.lean) + board.thickness;
+  const double depth = depth_of(board);
   if (!stand.hole && !stand.on_wall) {
     const Vec2 half =
         has_base(stand) ? 0.5 * stand.taken : Vec2{board.width / 2 + 0.04, depth / 2 + 0.06};

@@ -7,6 +7,7 @@
 #include "content/scenery/mesh_builder.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/floor_plan.h"
+#include "runtime/model/scenery.h"
 
 namespace docent::scenery {
 
@@ -49,8 +50,5 @@ void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Block
 
 /// The ring as an outline: counter-clockwise.
 Outline outline_of(const FloorPlan& plan, const Ring& ring);
-
-/// Metres above the floor at which walls and columns are cut.
-constexpr double cut_height = 1.45;
 
 }  // namespace docent::scenery

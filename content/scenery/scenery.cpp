@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "content/scenery/baked_light.h"
@@ -131,6 +132,23 @@ const Outline* hole_under(const std::vector<Outline>& holes, const std::vector<H
   return nullptr;
 }
 
+/// A place nearby that nothing stands on higher than `height`; the point itself where there is
+/// none. A vertex under a board would be dark, and the light of a whole lid is kept at few.
+Vec2 uncovered(const HeightField& field, Vec2 point, double height) {
+  constexpr double higher = 0.02;
+  constexpr std::array rings{0.08, 0.16, 0.24, 0.32};
+  constexpr int directions = 12;
+  if (field.at(point) <= height + higher) return point;
+  for (const double radius : rings)
+    for (int i = 0; i < directions; ++i) {
+      const double angle = 2 * std::numbers::pi * i / directions;
+      const Vec2 beside = point + radius * Vec2{std::cos(angle), std::sin(angle)};
+      const float there = field.at(beside);
+      if (there > 0 && there <= height + higher) return beside;
+    }
+  return point;
+}
+
 void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) {
   // Glass holds its opacity; the others are lit by the lightmap.
   constexpr std::array kept{Surface::Glass, Surface::Floor, Surface::Stone, Surface::Ground};
@@ -142,8 +160,9 @@ void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) 
   for (std::size_t v = 0; v < scenery.vertices.size(); ++v) {
     SceneryVertex& vertex = scenery.vertices[v];
     // A little before the face, so that the field's texels of the solid behind it do not count.
-    const Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
+    Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
     if (is_kept[v]) continue;
+    if (vertex.normal.y > 0.9F) point = uncovered(field, point, vertex.position.y);
     const Light light = light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
     vertex.sky = static_cast<std::uint8_t>(std::lround(255 * light.sky));
     vertex.sun = static_cast<std::uint8_t>(std::lround(255 * light.sun));

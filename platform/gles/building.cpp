@@ -61,6 +61,11 @@ void make_geometry(const Scenery& scenery, Building& building) noexcept {
 void begin(Building& building, const Scenery& scenery, std::span<const scene::TextureId> image_of) {
   building.image_of.assign(image_of.begin(), image_of.end());
   building.scenery.parts = scenery.parts;
+  building.hangs.assign(image_of.size(), false);
+  for (const SceneryPart& part : scenery.parts)
+    if (part.surface == Surface::Frame && part.exhibit >= 0 &&
+        static_cast<std::size_t>(part.exhibit) < building.hangs.size())
+      building.hangs[static_cast<std::size_t>(part.exhibit)] = true;
   building.scenery.lightmap_min = scenery.lightmap_min;
   building.scenery.lightmap_max = scenery.lightmap_max;
   building.scenery.sun = scenery.sun;

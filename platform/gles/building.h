@@ -19,6 +19,7 @@ struct Building {
   GlVertexArray array;
   GlTexture lightmap;
   std::vector<scene::TextureId> image_of;  ///< By exhibit.
+  std::vector<bool> hangs;                 ///< By exhibit: is it on a wall?
 };
 
 /// Carries a building there, from the first time on some more of it, at most a megabyte each time;

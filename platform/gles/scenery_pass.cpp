@@ -1,5 +1,6 @@
 #include "platform/gles/scenery_pass.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "platform/gles/shaders.h"
@@ -38,11 +39,27 @@ Result<void> SceneryPass::compile() {
              {ground_, "ground", ground_frag},
              {glass_, "glass", glass_frag}};
   for (const auto& one : all) {
-    auto program =
-        link_program(one.name, {frame_glsl, scenery_vert}, {frame_glsl, light_glsl, one.fragment});
+    auto program = link_program(one.name, {frame_glsl, stands_glsl, scenery_vert},
+                                {frame_glsl, light_glsl, one.fragment});
     if (!program) return std::unexpected(program.error());
     one.program = std::move(*program);
   }
+  const struct {
+    Sinking& sinking;
+    std::string_view name, fragment;
+  } sinking[] = {{wall_, "wall", solid_frag}, {hung_picture_, "hung picture", picture_frag}};
+  for (const auto& one : sinking) {
+    auto program = link_program(one.name, {frame_glsl, sinks_glsl, scenery_vert},
+                                {frame_glsl, light_glsl, one.fragment});
+    if (!program) return std::unexpected(program.error());
+    one.sinking.program = std::move(*program);
+    const Program& it = one.sinking.program;
+    one.sinking.albedo = it["albedo"];
+    one.sinking.glow = it["glow"];
+    one.sinking.window = it["window"];
+    one.sinking.cut = it["cut"];
+  }
+  make_levels();
   at_ = {solid_["albedo"], solid_["glow"], picture_["glow"], floor_["albedo"], floor_["grain"]};
   return {};
 }
@@ -61,30 +78,91 @@ void SceneryPass::draw_surface(const Building& building, Surface surface) const 
   if (run.index_count > 0) draw_part(run);
 }
 
+void SceneryPass::make_levels() {
+  levels_ = make_texture();
+  bind_texture(static_cast<GLuint>(Unit::WallLevels), levels_.get());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_R8, scene::WallLevels::side, scene::WallLevels::side);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D, wrap, GL_REPEAT);
+  walls_.level.resize(std::size_t{scene::WallLevels::side} * scene::WallLevels::side);
+}
+
+void SceneryPass::prepare(const scene::WallLevels& walls) noexcept {
+  constexpr auto side = scene::WallLevels::side;
+  bind_texture(static_cast<GLuint>(Unit::WallLevels), levels_.get());
+  const bool is_whole = walls.level.size() == walls_.level.size();
+  if (is_whole && walls.any && walls_.level != walls.level) {
+    std::ranges::copy(walls.level, walls_.level.begin());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, side, side, GL_RED, GL_UNSIGNED_BYTE,
+                    walls_.level.data());
+  }
+  walls_.any = walls.any && is_whole;
+  walls_.column = walls.column;
+  walls_.row = walls.row;
+}
+
+void SceneryPass::use(const Sinking& sinking, bool hangs) const noexcept {
+  constexpr auto half = static_cast<float>(scene::WallLevels::side * scene::WallLevels::cell / 2);
+  constexpr auto cell = static_cast<float>(scene::WallLevels::cell);
+  sinking.program.use();
+  glUniform1f(sinking.glow, 0);
+  glUniform3f(sinking.window, static_cast<float>(walls_.column) * cell + half,
+              static_cast<float>(walls_.row) * cell + half, half);
+  glUniform3f(sinking.cut, static_cast<float>(cut_height), static_cast<float>(scene::sunk_height),
+              hangs ? 1.0F : 0.0F);
+}
+
+/// Walls, and the frames that hang on them. Where all of them stand they are drawn as all else is.
+void SceneryPass::draw_walls(const Building& building) const noexcept {
+  const std::pair<Surface, scene::Colour> plain[] = {{Surface::Plaster, theme_.plaster},
+                                                     {Surface::CutFace, theme_.cut_face},
+                                                     {Surface::Frame, scene::srgb(0x6B5A49)}};
+  for (const auto& [surface, colour] : plain) {
+    if (walls_.any)
+      use(wall_, surface == Surface::Frame);
+    else
+      solid_.use();
+    set(walls_.any ? wall_.albedo : at_.solid_albedo, colour);
+    draw_surface(building, surface);
+  }
+}
+
+void SceneryPass::draw_pictures(const Building& building, std::optional<std::uint32_t> highlighted,
+                                const Textures& textures) const noexcept {
+  for (const SceneryPart& part : building.scenery.parts) {
+    if (part.surface != Surface::Picture) continue;
+    const auto exhibit = static_cast<std::uint32_t>(part.exhibit);
+    const bool is_known = exhibit < building.image_of.size();
+    const auto* image = is_known ? textures.find(building.image_of[exhibit]) : nullptr;
+    const bool sinks = walls_.any && is_known && building.hangs[exhibit];
+    if (sinks)
+      use(hung_picture_, true);
+    else
+      picture_.use();
+    bind_texture(static_cast<GLuint>(Unit::Image), image ? image->texture.get() : 0);
+    glUniform1f(sinks ? hung_picture_.glow : at_.picture_glow,
+                exhibit == highlighted ? 0.30F : 0.0F);
+    draw_part(part);
+  }
+}
+
 void SceneryPass::draw_solids(const Building& building, std::optional<std::uint32_t> highlighted,
                               const Textures& textures) const noexcept {
   glBindVertexArray(building.array.get());
   solid_.use();
   glUniform1f(at_.solid_glow, 0);
-  const std::pair<Surface, scene::Colour> plain[] = {{Surface::Plaster, theme_.plaster},
-                                                     {Surface::CutFace, theme_.cut_face},
-                                                     {Surface::CaseBody, scene::srgb(0xDCD3C3)},
-                                                     {Surface::Frame, scene::srgb(0x6B5A49)},
+  draw_walls(building);
+  solid_.use();
+  const std::pair<Surface, scene::Colour> plain[] = {{Surface::CaseBody, scene::srgb(0xDCD3C3)},
                                                      {Surface::Object, scene::srgb(0xEFE9DD)}};
   for (const auto& [surface, colour] : plain) {
     set(at_.solid_albedo, colour);
     draw_surface(building, surface);
   }
-  picture_.use();
-  for (const SceneryPart& part : building.scenery.parts) {
-    if (part.surface != Surface::Picture) continue;
-    const auto exhibit = static_cast<std::uint32_t>(part.exhibit);
-    const auto* image =
-        exhibit < building.image_of.size() ? textures.find(building.image_of[exhibit]) : nullptr;
-    bind_texture(static_cast<GLuint>(Unit::Image), image ? image->texture.get() : 0);
-    glUniform1f(at_.picture_glow, exhibit == highlighted ? 0.30F : 0.0F);
-    draw_part(part);
-  }
+  draw_pictures(building, highlighted, textures);
 }
 
 void SceneryPass::draw_floors(const Building& building) const noexcept {

@@ -14,6 +14,8 @@ class SceneryPass {
  public:
   Result<void> compile();
 
+  /// Takes over how far walls have sunk. Before a frame is drawn.
+  void prepare(const scene::WallLevels& walls) noexcept;
   /// Walls, cases, pictures; the exhibit that is `highlighted` glows.
   void draw_solids(const Building& building, std::optional<std::uint32_t> highlighted,
                    const Textures& textures) const noexcept;
@@ -26,10 +28,24 @@ class SceneryPass {
  private:
   void draw_surface(const Building& building, Surface surface) const noexcept;
 
+  /// A program of what may sink with its wall, and its uniforms.
+  struct Sinking {
+    Program program;
+    GLint albedo = -1, glow = -1, window = -1, cut = -1;
+  };
+  void make_levels();
+  void use(const Sinking& sinking, bool hangs) const noexcept;
+  void draw_walls(const Building& building) const noexcept;
+  void draw_pictures(const Building& building, std::optional<std::uint32_t> highlighted,
+                     const Textures& textures) const noexcept;
+
   Program solid_, picture_, floor_, ground_, glass_;
+  Sinking wall_, hung_picture_;
   struct {
     GLint solid_albedo, solid_glow, picture_glow, floor_albedo, floor_grain;
   } at_{};
+  GlTexture levels_;
+  scene::WallLevels walls_;  ///< Those in the texture.
   scene::Theme theme_;
 };
 

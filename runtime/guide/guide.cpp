@@ -43,6 +43,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
+  list_.walls = stage_.walls();
   list_.avatars.reserve(crowd_.size());
   list_.palette.reserve(crowd_.size() * leader().world.size());
   list_.joint.reserve(list_.palette.capacity());
@@ -271,13 +272,8 @@ void Guide::step(Seconds dt) noexcept {
   attention_.direct(sessions_, settings_.shape,
                     scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
                     homes_.size(), settings_.reduced_motion, crowd_);
-  crowd_.step(seconds);
-  strollers_.step(crowd_);
-  const Agent& guide = crowd_[0];
-  if (!is_shared() && guide.is_answered && !sessions_[0].ends_aside()) {
-    const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
-    if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
-  }
+  for (int i = 0; i < pace(); ++i) walk(seconds);
+  go_along_in_time(seconds);
   counters_.routes = 0;
   for (Session& session : sessions_) {
     session.step(seconds, settings_.idle_reset.count());
@@ -286,7 +282,36 @@ void Guide::step(Seconds dt) noexcept {
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   stage_.advance(state(), leader(), seconds);
+}
+
+void Guide::walk(float seconds) noexcept {
+  crowd_.step(seconds);
+  strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();
+  const Agent& guide = crowd_[0];
+  if (is_shared() || !guide.is_answered || sessions_[0].ends_aside()) return;
+  const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
+  if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
+}
+
+/// How many times as fast as in reality everybody walks.
+int Guide::pace() const noexcept {
+  const bool goes_along = !is_shared() && state().screen == interface::Screen::Walking;
+  return goes_along ? std::max(1, static_cast<int>(state().pace)) : 1;
+}
+
+/// Whoever has seen the whole way for a while goes along with the guide.
+void Guide::go_along_in_time(float seconds) noexcept {
+  constexpr float seen_enough = 4;
+  if (is_shared() || !interface::shows_whole_way(state())) {
+    whole_way_seconds_ = 0;
+    return;
+  }
+  whole_way_seconds_ += seconds;
+  if (whole_way_seconds_ < seen_enough) return;
+  interface::InterfaceState along = state();
+  along.pace = 1;
+  sessions_[0].show(along);
 }
 
 std::span<const LedVisitor> Guide::led_visitors() noexcept {

@@ -135,6 +135,9 @@ class Guide {
   void put_down(const input::InputEvent& event) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
+  void walk(float seconds) noexcept;
+  int pace() const noexcept;
+  void go_along_in_time(float seconds) noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
   bool is_shared() const noexcept { return seating_.has_value(); }
@@ -152,8 +155,9 @@ class Guide {
   std::optional<Seating> seating_;  ///< Of a shared glass.
   std::vector<Held> held_;
   std::vector<LedVisitor> led_visitors_;
-  std::size_t speaker_ = 0;    ///< The part whose visitor touched last.
-  float refusal_seconds_ = 0;  ///< How much longer the glass says that no seat is free.
+  std::size_t speaker_ = 0;      ///< The part whose visitor touched last.
+  float whole_way_seconds_ = 0;  ///< How long the visitor has seen the whole way.
+  float refusal_seconds_ = 0;    ///< How much longer the glass says that no seat is free.
   Stage stage_;
   GuideCounters counters_;
   scene::DrawList list_;

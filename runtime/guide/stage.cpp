@@ -13,8 +13,9 @@ namespace {
 
 constexpr double long_flight_seconds = 1.1;  ///< From over the whole floor down to the guide.
 constexpr double short_flight_seconds = 0.7;
-constexpr double turn_time_constant = 0.9;  ///< The camera turns slower than the guide...
-constexpr double most_turn = 0.8;           ///< ... and never faster than 46 degrees a second.
+constexpr double turned_enough = 0.5;  ///< Radians: for less the camera does not fly to a new way.
+/// Metres to go at which the goal is taken into the picture, and those at which it is all there.
+constexpr double goal_comes = 16, goal_is_there = 12.8;
 constexpr float way_fade_seconds = 0.3F;
 constexpr double veil_seconds = 1.6;  ///< In which the model goes, and comes.
 constexpr double veil_shut = 0.1;
@@ -30,6 +31,10 @@ bool seen_from_above(interface::Screen screen) noexcept {
   return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing;
 }
 
+bool from_above(const interface::InterfaceState& state) noexcept {
+  return seen_from_above(state.screen) || interface::shows_whole_way(state);
+}
+
 double height_of(const Museum& museum, std::uint32_t floor) noexcept {
   return floor < museum.floors.size() ? museum.floors[floor].plan.height : 0;
 }
@@ -42,22 +47,56 @@ float veil_over(const Museum& museum, const Avatar& leader) noexcept {
   return static_cast<float>(1 - scene::smooth_step((off - veil_shut) / veil_seconds));
 }
 
-/// What the guide is about to walk: points at every metre.
-struct AheadPoints {
-  std::array<Vec2, 8> point{};
+std::size_t most_walls(const Museum& museum) noexcept {
+  std::size_t most = 0;
+  for (const Floor& floor : museum.floors) most = std::max(most, floor.plan.vertex.size());
+  return most;
+}
+
+/// What a walking picture has to show, besides the guide.
+struct InView {
+  std::array<Vec2, 8> point{};  ///< What the guide is about to walk, at every metre.
   std::size_t count = 0;
-  std::span<const Vec2> span() const noexcept { return {point.data(), count}; }
+  std::array<Vec3, 2> goal{};  ///< World frame: where the way ends, and what stands there.
+  std::size_t goals = 0;
+
+  std::span<const Vec2> ahead() const noexcept { return {point.data(), count}; }
+  scene::Walker walker(const Avatar& avatar) const noexcept {
+    return {avatar.body, avatar.height, ahead(), std::span(goal).first(goals)};
+  }
 };
 
-AheadPoints ahead_of(const Avatar& avatar) noexcept {
-  AheadPoints ahead;
+void add_way_ahead(const Avatar& avatar, InView& view) noexcept {
   const plan::Plan& plan = *avatar.plan;
-  if (plan.points.size() < 2) return ahead;
   for (double metres = 1; metres <= scene::view_ahead; metres += 1) {
     if (avatar.along + metres > plan.reach.back() + 1) break;
-    ahead.point[ahead.count++] = plan::point_along(plan, avatar.along + metres);
+    view.point[view.count++] = plan::point_along(plan, avatar.along + metres);
   }
-  return ahead;
+}
+
+/// The goal comes into the picture from the end of the way that is ahead, and not in a leap.
+void add_goal(const Avatar& avatar, Vec2 end, Vec2 object, InView& view) noexcept {
+  constexpr double breast_height = 1.2;
+  const double left = avatar.plan->reach.back() - avatar.along;
+  const double share = scene::smooth_step((goal_comes - left) / (goal_comes - goal_is_there));
+  if (share <= 0) return;
+  const Vec2 from = view.count > 0 ? view.point[view.count - 1] : avatar.body.position;
+  view.goal[0] = to_world(glm::mix(from, end, share), avatar.height);
+  view.goal[1] = to_world(glm::mix(from, object, share), avatar.height + share * breast_height);
+  view.goals = 2;
+}
+
+InView in_view(const Museum& museum, const interface::InterfaceState& state,
+               const Avatar& avatar) noexcept {
+  InView view;
+  const plan::Plan& plan = *avatar.plan;
+  if (plan.points.size() < 2) return view;
+  add_way_ahead(avatar, view);
+  if (plan.then)
+    add_goal(avatar, plan.end.position, plan.end.position, view);
+  else if (const auto goal = interface::goal_of(museum, state); goal && goal->floor == avatar.floor)
+    add_goal(avatar, goal->standing.position, goal->position, view);
+  return view;
 }
 
 }  // namespace
@@ -84,7 +123,7 @@ void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcep
 }
 
 Stage::Stage(const Museum& museum, bool reduced_motion)
-    : museum_(museum), reduced_motion_(reduced_motion) {
+    : museum_(museum), reduced_motion_(reduced_motion), walls_(most_walls(museum)) {
   for (const Floor& floor : museum.floors) {
     std::vector<Vec2>& outline = outlines_.emplace_back();
     for (const Vec2 p : floor.plan.vertex) outline.push_back(p);
@@ -94,18 +133,20 @@ Stage::Stage(const Museum& museum, bool reduced_motion)
 void Stage::enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
                   const Avatar& leader) noexcept {
   const bool same_free = free_.x == free.x && free_.y == free.y && free_.width == free.width;
+  const bool above = from_above(state);
   const bool both_above = seen_from_above(screen_) && seen_from_above(state.screen);
-  const bool flies = (screen_ != state.screen && !both_above) || !same_free || aspect_ != aspect;
-  const bool long_way = seen_from_above(screen_) != seen_from_above(state.screen);
-  if (state.screen == interface::Screen::Walking && screen_ != interface::Screen::Walking) {
-    yaw_ = rig_.yaw;
-    distance_ = 9;
-  }
+  const bool flies = (screen_ != state.screen && !both_above) || above != above_ || !same_free ||
+                     aspect_ != aspect;
+  const bool long_way = above != above_;
+  const bool sets_out = state.screen == interface::Screen::Walking && !above &&
+                        (above_ || screen_ != interface::Screen::Walking);
   free_ = free;
   aspect_ = aspect;
   screen_ = state.screen;
+  above_ = above;
   if (!entered_) floor_ = wanted_floor(state, leader);
   show_floor(floor_);
+  if (sets_out) walking_.cut(in_view(museum_, state, leader).walker(leader), free_, aspect_);
   if (!entered_ || (flies && reduced_motion_)) {
     cut_to(state, leader);
   } else if (flies) {
@@ -126,6 +167,7 @@ std::uint32_t Stage::wanted_floor(const interface::InterfaceState& state,
 
 void Stage::show_floor(std::uint32_t floor) noexcept {
   floor_ = floor;
+  if (floor_ < museum_.floors.size()) walls_.show(museum_.floors[floor_].plan);
   overview_ = scene::overview_of(outlines_[floor_], height_of(museum_, floor_),
                                  museum_.kiosk.heading, free_, aspect_);
 }
@@ -152,29 +194,24 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
     if (const auto goal = interface::goal_of(museum_, state))
       return scene::beside(goal->standing.position, goal->position,
                            arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
-  if (state.screen == interface::Screen::Walking) {
-    const AheadPoints ahead = ahead_of(leader);
-    scene::CameraRig rig = scene::behind({leader.body, height, ahead.span()}, yaw_, free_, aspect_);
-    rig.distance = distance_;
-    return rig;
-  }
+  if (state.screen == interface::Screen::Walking && above_)
+    return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : overview_;
+  if (state.screen == interface::Screen::Walking)
+    return walking_.rig({leader.body, height, {}}, free_);
   return overview_;
 }
 
 void Stage::cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept {
-  if (reduced_motion_ && screen_ == interface::Screen::Walking) {
-    const AheadPoints ahead = ahead_of(leader);
-    const scene::Walker walker{leader.body, leader.height, ahead.span()};
-    yaw_ = scene::yaw_towards(walker, leader.body.heading);
-    distance_ = scene::behind(walker, yaw_, free_, aspect_).distance;
-  }
+  if (reduced_motion_ && screen_ == interface::Screen::Walking)
+    walking_.cut(in_view(museum_, state, leader).walker(leader), free_, aspect_);
   rig_ = wanted_rig(state, leader);
   flight_ = 1;
 }
 
 /// Are the guide and its next metres well within the picture?
-bool Stage::shows_walk(const Avatar& leader) const noexcept {
-  constexpr float edge = 0.1F;
+bool Stage::shows_walk(const interface::InterfaceState& state,
+                       const Avatar& leader) const noexcept {
+  constexpr float edge = 0.07F;
   constexpr std::size_t metres_ahead = 2;
   const scene::CameraView view = scene::view_of(rig_, aspect_);
   const double height = leader.height;
@@ -184,9 +221,24 @@ bool Stage::shows_walk(const Avatar& leader) const noexcept {
     const auto at = scene::project(view, to_world(place, height));
     return at && scene::contains(inner, at->x, at->y);
   };
-  const AheadPoints ahead = ahead_of(leader);
-  const auto next = ahead.span().first(std::min(metres_ahead, ahead.count));
+  const InView due = in_view(museum_, state, leader);
+  const auto next = due.ahead().first(std::min(metres_ahead, due.count));
   return is_inside(leader.body.position) && std::ranges::all_of(next, is_inside);
+}
+
+/// The guide goes another way than the picture shows: the camera flies round to it at once.
+void Stage::turn_to_way(const interface::InterfaceState& state, const Avatar& leader) noexcept {
+  if (!is_new_way_ || leader.next) return;
+  is_new_way_ = false;
+  if (screen_ != interface::Screen::Walking || state.screen != screen_ || above_) return;
+  const scene::Walker walker = in_view(museum_, state, leader).walker(leader);
+  const double yaw = scene::yaw_towards(walker, leader.body.heading);
+  const double turn = std::abs(scene::wrapped(yaw - walking_.yaw()));
+  if (turn < turned_enough) return;
+  walking_.cut(walker, free_, aspect_);
+  from_ = rig_;
+  flight_seconds_ = std::max((1 - flight_) * flight_seconds_, 0.5 + 0.25 * turn);
+  flight_ = 0;
 }
 
 void Stage::advance(const interface::InterfaceState& state, const Avatar& leader,
@@ -194,25 +246,52 @@ void Stage::advance(const interface::InterfaceState& state, const Avatar& leader
   change_floor(state, leader, seconds);
   if (reduced_motion_) {
     way_opacity_ = 1;
-    if (screen_ != interface::Screen::Walking || !shows_walk(leader)) cut_to(state, leader);
+    if (screen_ != interface::Screen::Walking || above_ || !shows_walk(state, leader))
+      cut_to(state, leader);
+    sink_walls(state, leader, -1);
     return;
   }
   flow_ = std::fmod(flow_ + seconds * flow_speed, flow_wraps);
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
-  const AheadPoints ahead = ahead_of(leader);
-  const scene::Walker walker{leader.body, leader.height, ahead.span()};
-  yaw_ = scene::turn_smoothly(yaw_, scene::yaw_towards(walker, leader.body.heading), seconds,
-                              turn_time_constant, most_turn);
-  const double roomy = scene::behind(walker, yaw_, free_, aspect_).distance;
-  distance_ += (roomy - distance_) * (1 - std::exp(-seconds / 0.8));
+  turn_to_way(state, leader);
+  walking_.advance(in_view(museum_, state, leader).walker(leader), free_, aspect_, seconds);
 
   flight_ = std::min(1.0, flight_ + seconds / flight_seconds_);
   const scene::CameraRig wanted = wanted_rig(state, leader);
   rig_ = flight_ < 1 ? scene::blend(from_, wanted, scene::smooth_step(flight_)) : wanted;
+  sink_walls(state, leader, seconds);
+}
+
+/// On a walk, and where it has led: nothing hides the guide, its next metres or the goal.
+void Stage::sink_walls(const interface::InterfaceState& state, const Avatar& leader,
+                       float seconds) noexcept {
+  constexpr double half_body = 0.3, half_object = 0.4;
+  constexpr double seen_ahead = 12;  ///< Metres: as far as the way is in most pictures.
+  std::array<scene::Sight, 16> sights;
+  std::size_t count = 0;
+  if (!seen_from_above(screen_) && leader.floor == floor_ && ride_of(leader) == nullptr) {
+    const InView due = in_view(museum_, state, leader);
+    sights[count++] = {leader.body.position, half_body};
+    const plan::Plan& way = *leader.plan;
+    const double left = way.points.size() < 2 ? 0 : way.reach.back() - leader.along;
+    for (double metres = 1; metres <= std::min(left, seen_ahead); ++metres)
+      sights[count++] = {plan::point_along(way, leader.along + metres)};
+    if (due.goals > 0) {
+      // From before what stands there: it may hang on a wall, which is to stand.
+      constexpr double before = 0.4;
+      const Vec2 end = to_floor(due.goal[0]), object = to_floor(due.goal[1]);
+      const double off = std::max(glm::distance(end, object), before);
+      sights[count++] = {end, half_object};
+      sights[count++] = {glm::mix(object, end, before / off), half_object};
+    }
+  }
+  walls_.advance(leader.body.position, scene::view_of(rig_, aspect_).eye,
+                 std::span(sights).first(count), seconds);
 }
 
 void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   ++revision_;
+  is_new_way_ = true;
   way_opacity_ = 0;
   way_kind_ = plan.order.kind;
   way_floor_ = plan.order.floor;
@@ -221,6 +300,18 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
   list.ribbon_point.assign(plan.points.begin(),
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
+  look_at_whole_way(list.ribbon_point);
+}
+
+/// From above, turned as the visitor stands, clear of the helps and the inset plan, which is on
+/// the other side where a language runs from right to left.
+void Stage::look_at_whole_way(std::span<const Vec2> way) noexcept {
+  constexpr double nearest = 18;
+  const scene::Rect inner{free_.x + 0.27F * free_.width, free_.y + 0.16F * free_.height,
+                          0.46F * free_.width, 0.66F * free_.height};
+  whole_way_ = scene::overview_of(way, height_of(museum_, way_floor_), museum_.kiosk.heading, inner,
+                                  aspect_);
+  whole_way_.distance = std::max(whole_way_.distance, nearest);
 }
 
 void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
@@ -234,8 +325,9 @@ void Stage::draw(const interface::InterfaceState& state, const Crowd& crowd,
   const float ride_veil = above || reduced_motion_ ? 0 : veil_over(museum_, leader);
   const float veil = std::max(ride_veil, reduced_motion_ ? 0 : changing_);
   list.focus_radius =
-      std::lerp(above ? veil > 0 ? overview_radius : 1e3F : 16.0F, veiled_radius, veil);
+      std::lerp(above_ ? veil > 0 ? overview_radius : 1e3F : 16.0F, veiled_radius, veil);
   list.fade = std::lerp(scene::DrawList{}.fade, 1.0F, veil);
+  list.walls = walls_.levels();
   list.goal_radius = 0;
   list.highlighted_exhibit = state.exhibit;
 

@@ -10,6 +10,8 @@
 #include "runtime/model/museum.h"
 #include "runtime/scene/camera.h"
 #include "runtime/scene/draw_list.h"
+#include "runtime/scene/sunk_walls.h"
+#include "runtime/scene/walking_camera.h"
 
 namespace docent::guide {
 
@@ -52,6 +54,8 @@ class Stage {
   /// The floor that is shown.
   std::uint32_t floor() const noexcept { return floor_; }
   const scene::CameraRig& rig() const noexcept { return rig_; }
+  /// How far walls have sunk, so as to hide nothing.
+  const scene::WallLevels& walls() const noexcept { return walls_.levels(); }
 
  private:
   void draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
@@ -69,8 +73,12 @@ class Stage {
                     float seconds) noexcept;
   std::optional<Placement> end_of_way(const interface::InterfaceState& state,
                                       const Avatar& leader) const noexcept;
+  void look_at_whole_way(std::span<const Vec2> way) noexcept;
   void cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept;
-  bool shows_walk(const Avatar& leader) const noexcept;
+  bool shows_walk(const interface::InterfaceState& state, const Avatar& leader) const noexcept;
+  void turn_to_way(const interface::InterfaceState& state, const Avatar& leader) noexcept;
+  void sink_walls(const interface::InterfaceState& state, const Avatar& leader,
+                  float seconds) noexcept;
 
   const Museum& museum_;
   bool reduced_motion_;
@@ -82,11 +90,14 @@ class Stage {
   double flight_seconds_ = 1;  ///< How long the flight takes.
   interface::Screen screen_ = interface::Screen::Welcome;
   bool entered_ = false;
+  bool above_ = true;  ///< Is the model seen from above?
   scene::Rect free_{0, 0, 1, 1};
   float aspect_ = 16.0F / 9;
-  double yaw_ = 0;             ///< Of the walking camera; turns slower than the guide.
-  double distance_ = 9;        ///< Of the walking camera.
-  scene::CameraRig overview_;  ///< The whole floor in the free part.
+  scene::WalkingCamera walking_;
+  scene::SunkWalls walls_;
+  bool is_new_way_ = false;     ///< Shown, and the camera has not turned to it yet.
+  scene::CameraRig overview_;   ///< The whole floor in the free part.
+  scene::CameraRig whole_way_;  ///< The way that is shown, from above.
   double flow_ = 0;  ///< Metres that patterns of ways have moved; wrapped where it cannot be seen.
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
   std::uint32_t revision_ = 0;

@@ -1,4 +1,6 @@
 /// The one rule of what pressing does.
+#include <algorithm>
+
 #include "runtime/interface/control.h"
 #include "runtime/interface/goal.h"
 
@@ -12,6 +14,7 @@ void forget_goal(InterfaceState& state) noexcept {
   state.place.reset();
   state.tour.reset();
   state.arrived = false;
+  state.pace = 0;
 }
 
 /// The guide leads the visitor to the goal, unless they are there.
@@ -162,6 +165,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
         state.floor.reset();
       } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      break;
+    case Action::Kind::Walk:
+      state.pace = static_cast<std::uint8_t>(std::clamp(action.argument, 1U, fastest_pace));
       break;
     case Action::Kind::Stop:
       forget_goal(state);

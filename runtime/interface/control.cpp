@@ -309,8 +309,20 @@ void add_collect(const ControlRequest& request, std::vector<Control>& out) {
   if (!state.exhibit || *state.exhibit >= request.museum.exhibits.size()) return;
   out.push_back(collect_control(request.museum, *state.exhibit, state));
 }
+/// Along with the guide; who goes along already goes faster, and then as it walks again.
+void add_walk(const ControlRequest& request, std::vector<Control>& out) {
+  struct Pace {
+    std::string_view word;
+    std::uint32_t next;
+  };
+  constexpr std::array paces{Pace{"walk", 1}, Pace{"walk_twice", 2}, Pace{"walk_four", 4}};
+  constexpr Pace slower{"walk_pace", 1};
+  const Pace& pace = request.state.pace < paces.size() ? paces[request.state.pace] : slower;
+  out.push_back(button(request.museum, "walk", pace.word, {Action::Kind::Walk, pace.next}));
+}
 void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   add_walking_on_card(request, out);
+  add_walk(request, out);
   if (!to_next_stop(request.museum, request.state)) add_collect(request, out);
   add_home(request, "home", out);
 }

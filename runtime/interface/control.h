@@ -71,6 +71,9 @@ struct InterfaceState {
   bool large_letters = false, high_contrast = false;
   bool low_reach = false;     ///< All that can be touched lies within reach of who sits.
   bool can_lower = false;     ///< The glass hangs so that this makes a difference.
+  /// How the visitor goes along on the walk: 0 not yet, they see the whole way from above; else so
+  /// many times as fast as the guide walks.
+  std::uint8_t pace = 0;
   bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
   bool can_resume = false;    ///< They have started over just now, and may take that back.
 
@@ -103,6 +106,7 @@ struct Action {
     Discard,          ///< Out of it again.
     ShowOwnTour,      ///< The list of what is in it; the walk goes on.
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
+    Walk,             ///< Along with the guide, `argument` times as fast as it walks.
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
     Stay,             ///< They are still there.
@@ -146,6 +150,14 @@ inline constexpr std::size_t most_languages_beside = 5;
 /// Are exhibits and places touched on the model while this screen is shown?
 constexpr bool shows_spots(Screen screen) noexcept {
   return screen == Screen::Welcome || screen == Screen::Choosing;
+}
+
+/// Times as fast as the guide walks.
+inline constexpr std::uint32_t fastest_pace = 4;
+
+/// Is the way seen from above as a whole, as it is until the visitor goes along?
+constexpr bool shows_whole_way(const InterfaceState& state) noexcept {
+  return state.screen == Screen::Walking && state.glass == Glass::Whole && state.pace == 0;
 }
 
 /// Does it put an exhibit into the visitor's own tour, or take it out?

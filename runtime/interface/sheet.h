@@ -176,6 +176,8 @@ float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
 float draw_sentences(Sheet& sheet, const PixelBox& box);
 /// The small plan with the way, on the model's upper corner.
 void draw_inset(Sheet& sheet, const PixelBox& free);
+/// "Walk with me" in the model's upper corner, beside the inset plan where there is one.
+void draw_walk(Sheet& sheet, const PixelBox& free);
 /// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
 /// box below that line.
 PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);

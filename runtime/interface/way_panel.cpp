@@ -131,4 +131,17 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   inset.figure = scene::srgb(info_of(kind).colour);
 }
 
+void draw_walk(Sheet& sheet, const PixelBox& free) {
+  const std::int32_t walk = sheet.control("walk");
+  if (walk < 0) return;
+  // As wide in every language, and whether or not there is a plan beside it.
+  constexpr float ordinary = 30, most = 0.45F;  // units; share of the model's width
+  const Measures& m = sheet.measures();
+  const float scale = sheet.request().shape.text_scale;
+  const float width = std::round(std::min(ordinary * m.unit * scale, most * free.width));
+  const std::array only{walk};
+  sheet.button(walk, {free.x + m.gap, free.y + m.gap, width, m.touch}, Sheet::Emphasis::Strong,
+               sheet.row_style(only, width));
+}
+
 }  // namespace docent::interface

@@ -9,6 +9,9 @@
 
 namespace docent {
 
+/// Metres above the floor at which walls and columns are cut.
+inline constexpr double cut_height = 1.45;
+
 /// What a piece of the building is made of; the renderer gives each its colour.
 enum class Surface : std::uint8_t {
   Floor,

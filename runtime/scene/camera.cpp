@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double overview_pitch = 0.94;  ///< 54 degrees: steep enough to see over walls...
 constexpr double walking_pitch = 0.84;   ///< ... and 48, where the model looks most like one.
 constexpr double arrival_pitch = 0.79;
-constexpr double nearest_distance = 9, farthest_distance = 12;
+constexpr double nearest_distance = 9, farthest_distance = 24;  ///< Mostly 12 is enough.
 constexpr double arrival_distance = 8.5;
 
 /// The floor direction of an angle, in the world frame.
@@ -37,6 +37,35 @@ float middle_x(const Rect& r) noexcept {
 }
 float middle_y(const Rect& r) noexcept {
   return r.y + r.height / 2;
+}
+
+/// Where the way and its goal are to be: the strip of helps covers the lowest tenth.
+Rect kept_clear(const Rect& free) noexcept {
+  return {free.x + 0.08F * free.width, free.y + 0.07F * free.height, 0.84F * free.width,
+          0.8F * free.height};
+}
+
+/// What the walking camera has to show; endless where some of it is behind the eye.
+Bounds bounds_of(const Walker& walker, const CameraView& view) noexcept {
+  constexpr float body_height = 1.75F;
+  Bounds bounds;
+  const auto add = [&](Vec3 place) {
+    if (const auto at = project(view, place))
+      bounds.add(*at);
+    else
+      bounds.add({1e9F, 1e9F});
+  };
+  const Vec3 stands = to_world(walker.body.position, walker.height);
+  add(stands);
+  add(stands + Vec3(0, body_height, 0));
+  for (const Vec2 p : walker.ahead) add(to_world(p, walker.height));
+  for (const Vec3 p : walker.goal) add(p);
+  return bounds;
+}
+
+/// By how much low to high has to move to lie within least to most.
+float into(float low, float high, float least, float most) noexcept {
+  return low < least ? least - low : high > most ? most - high : 0;
 }
 
 /// Metres of floor that one screen height shows at the target's distance.
@@ -170,29 +199,50 @@ double yaw_towards(const Walker& walker, double otherwise) noexcept {
   if (walker.ahead.empty()) return otherwise;
   Vec2 sum{};
   for (const Vec2 p : walker.ahead) sum += p - walker.body.position;
+  for (const Vec3 p : walker.goal) sum += to_floor(p) - walker.body.position;
   if (dot(sum, sum) < 0.01) return otherwise;
   return std::atan2(sum.y, sum.x);
 }
 
+CameraRig close_behind(const Walker& walker, double yaw, const Rect& free) noexcept {
+  return {.target = to_world(walker.body.position, walker.height) + Vec3(0, 0.9F, 0),
+          .yaw = yaw,
+          .pitch = walking_pitch,
+          .distance = nearest_distance,
+          .centre_x = middle_x(free),
+          .centre_y = free.y + free.height * 0.7F,
+          .vertical_fov = field_of_view(free)};
+}
+
 CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspect) noexcept {
-  CameraRig rig{.target = to_world(walker.body.position, walker.height) + Vec3(0, 0.9F, 0),
-                .yaw = yaw,
-                .pitch = walking_pitch,
-                .distance = nearest_distance,
-                .centre_x = middle_x(free),
-                .centre_y = free.y + free.height * 0.7F,
-                .vertical_fov = field_of_view(free)};
-  // Back off until the way ahead is in the free part of the picture.
-  const float edge_x = free.width * 0.06F, edge_y = free.height * 0.06F;
+  CameraRig rig = close_behind(walker, yaw, free);
+  // Back off until all that has to be seen fits; then move the picture until it is inside.
+  const Rect inner = kept_clear(free);
   for (; rig.distance < farthest_distance; rig.distance += 0.25) {
-    const CameraView view = view_of(rig, aspect);
-    const bool all_in_view = std::ranges::all_of(walker.ahead, [&](Vec2 p) {
-      const auto at = project(view, to_world(p, walker.height));
-      return at && at->x >= free.x + edge_x && at->x <= free.x + free.width - edge_x &&
-             at->y >= free.y + edge_y && at->y <= free.y + free.height - edge_y;
-    });
-    if (all_in_view) break;
+    const Bounds seen = bounds_of(walker, view_of(rig, aspect));
+    if (seen.right - seen.left > inner.width || seen.bottom - seen.top > inner.height) continue;
+    rig.centre_x += into(seen.left, seen.right, inner.x, inner.x + inner.width);
+    rig.centre_y += into(seen.top, seen.bottom, inner.y, inner.y + inner.height);
+    break;
   }
+  return rig;
+}
+
+CameraRig with_all_in_view(CameraRig rig, const Walker& walker, const Rect& free,
+                           float aspect) noexcept {
+  constexpr float edge = 0.025F;  // of the free part
+  const Rect inner{free.x + edge * free.width, free.y + edge * free.height,
+                   (1 - 2 * edge) * free.width, (1 - 2 * edge) * free.height};
+  Bounds seen = bounds_of(walker, view_of(rig, aspect));
+  for (int round = 0; round < 24; ++round) {
+    const float fill =
+        std::max((seen.right - seen.left) / inner.width, (seen.bottom - seen.top) / inner.height);
+    if (fill <= 1 || rig.distance >= farthest_distance) break;
+    rig.distance *= std::min(1.0005 * static_cast<double>(fill), 1.25);
+    seen = bounds_of(walker, view_of(rig, aspect));
+  }
+  rig.centre_x += into(seen.left, seen.right, inner.x, inner.x + inner.width);
+  rig.centre_y += into(seen.top, seen.bottom, inner.y, inner.y + inner.height);
   return rig;
 }
 

@@ -49,14 +49,19 @@ CameraRig overview_of(std::span<const Vec2> outline, double height, double yaw, 
 /// What the walking camera follows.
 struct Walker {
   Placement body;
-  double height = 0;            ///< Of the floor, metres.
-  std::span<const Vec2> ahead;  ///< The next metres of the way, nearest first; may be empty.
+  double height = 0;             ///< Of the floor, metres.
+  std::span<const Vec2> ahead;   ///< The next metres of the way, nearest first; may be empty.
+  std::span<const Vec3> goal{};  ///< World frame: what else has to be in the picture.
 };
 
 /// The distance along the way that is always in view, metres.
 inline constexpr double view_ahead = 6;
 
-/// Behind and above the guide, looking the way it is going: where the camera would be at rest.
+/// Behind and above the guide, from nearby, whatever else there is to be seen.
+CameraRig close_behind(const Walker& walker, double yaw, const Rect& free) noexcept;
+
+/// Behind and above the guide, looking the way it is going: where the camera would be at rest. The
+/// guide from head to foot, the way ahead and the goal are in the free part of the picture.
 CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspect) noexcept;
 
 /// The yaw that shows where the walker goes next.
@@ -65,6 +70,11 @@ double yaw_towards(const Walker& walker, double otherwise) noexcept;
 /// How far the camera looks aside, on arrival, from the way in which one looks at an exhibit:
 /// radians.
 inline constexpr double arrival_turn = 0.42;
+
+/// A rig of that camera backs off and moves its picture as little as puts all of that into the free
+/// part.
+CameraRig with_all_in_view(CameraRig rig, const Walker& walker, const Rect& free,
+                           float aspect) noexcept;
 
 /// Looks the way `yaw` over who stands there, with the exhibit in the upper third of `free`.
 CameraRig beside(Vec2 standing, Vec2 exhibit, double yaw, double height, const Rect& free,

@@ -101,6 +101,20 @@ struct MarkerDraw {
   bool operator==(const MarkerDraw&) const = default;
 };
 
+/// Metres above the floor to which walls sink where they would hide something.
+inline constexpr double sunk_height = 0.12;
+
+/// How far walls have sunk (sunk_walls.h), by cells of the floor: 0 stands, 255 is down. A cell
+/// lies in column and row of its number modulo `side`; walls beyond the window stand.
+struct WallLevels {
+  static constexpr int side = 128;
+  static constexpr double cell = 0.25;  ///< Metres.
+  std::int32_t column = 0, row = 0;     ///< The window's first cell, in cells from the origin.
+  bool any = false;                     ///< Has any wall sunk at all?
+  std::vector<std::uint8_t> level;      ///< Row by row, `side` squared; may be empty.
+  bool operator==(const WallLevels&) const = default;
+};
+
 /// Everything that one frame shows, in the order to be drawn. The guide reserves its vectors when
 /// it is made, so filling it does not allocate.
 struct DrawList {
@@ -113,6 +127,7 @@ struct DrawList {
   Vec2 goal{};                ///< Floor frame: it is a little brighter about the goal.
   float goal_radius = 0;      ///< Metres. 0: no goal.
   std::optional<std::uint32_t> highlighted_exhibit{};
+  WallLevels walls;
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
   std::vector<Vec3> joint;  ///< Of each matrix: where its joint is, world frame.

@@ -7,9 +7,9 @@ out vec3 normal;
 out vec2 uv;
 out vec2 light;
 void main() {
-  world = position;
+  world = placed(position);
   normal = normal_in;
   uv = uv_in;
   light = light_in;
-  gl_Position = view_projection * vec4(position, 1.0);
+  gl_Position = view_projection * vec4(world, 1.0);
 }

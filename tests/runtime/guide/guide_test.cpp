@@ -336,6 +336,112 @@ TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
 }
 
+/// Are the guide and what it is about to walk, and the goal where it is near, in the picture?
+bool shows_the_walk(Session& session) {
+  const scene::DrawList& list = session.guide().draw_list();
+  const Avatar& guide = session.guide().crowd()[0].avatar;
+  const plan::Plan& way = *guide.plan;
+  const scene::Rect free = session.guide().view()->free;
+  const auto shows = [&](Vec2 place) {
+    const auto at = scene::project(list.camera, to_world(place, guide.height));
+    return at && scene::contains(free, at->x, at->y);
+  };
+  bool all = shows(guide.body.position);
+  const double left = way.reach.empty() ? 0 : way.reach.back() - guide.along;
+  for (double metres = 1; metres <= std::min(left, 6.0); ++metres)
+    all = all && shows(plan::point_along(way, guide.along + metres));
+  return all && (left > 12 || way.points.empty() || shows(way.points.back()));
+}
+
+TEST(Guide, TurnsThePictureToTheNewWayWithinASecondAndAHalfOfAChangeOfMind) {
+  for (const std::size_t second : {1UL, 4UL, 7UL}) {
+    Session session;
+    session.key(input::Key::Enter);
+    session.run(1.5);
+    session.tap(first_exhibit());
+    session.run(10);
+    EXPECT_TRUE(shows_the_walk(session));
+    session.key(input::Key::Back);
+    session.run(0.5);
+    session.tap("exhibit:" + museum().exhibits[second].id, interface::Role::Spot);
+    session.run(1.5);
+    for (int i = 0; i < 1200 && session.guide().state().screen == interface::Screen::Walking; ++i) {
+      ASSERT_TRUE(shows_the_walk(session)) << museum().exhibits[second].id << " after " << i;
+      session.run(1.0 / 60);
+    }
+  }
+}
+
+TEST(Guide, LeavesTheWallStandingThatAnExhibitHangsOn) {
+  const auto hung = std::ranges::find(museum().exhibits, ExhibitPlace::OnWall, &Exhibit::place);
+  ASSERT_NE(hung, museum().exhibits.end());
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap("exhibit:" + hung->id, interface::Role::Spot);
+  for (int i = 0; i < 80 && !session.guide().state().arrived; ++i) session.run(1);
+  session.run(2);
+
+  ASSERT_TRUE(session.guide().state().arrived);
+  const scene::WallLevels& walls = session.guide().draw_list().walls;
+  const auto index = [](double metres) {
+    return static_cast<int>(std::floor(metres / scene::WallLevels::cell)) &
+           (scene::WallLevels::side - 1);
+  };
+  const Vec2 at = hung->placement.position;
+  EXPECT_EQ(
+      walls.level[static_cast<std::size_t>(index(at.y) * scene::WallLevels::side + index(at.x))],
+      0);
+}
+
+/// Is all of the way in the picture, on the floor that is shown?
+bool shows_the_whole_way(Session& session) {
+  const scene::DrawList& list = session.guide().draw_list();
+  const scene::Rect free = session.guide().view()->free;
+  const double height = session.guide().crowd()[0].avatar.height;
+  return !list.ribbon_point.empty() && std::ranges::all_of(list.ribbon_point, [&](Vec2 place) {
+    const auto at = scene::project(list.camera, to_world(place, height));
+    return at && scene::contains(free, at->x, at->y);
+  });
+}
+
+TEST(Guide, ShowsTheWholeWayAtOnceAndThenTheCameraGoesAlong) {
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap(first_exhibit());
+  session.run(1);
+  EXPECT_TRUE(shows_the_whole_way(session));
+  EXPECT_EQ(session.guide().state().pace, 0);
+  EXPECT_NE(session.guide().crowd()[0].avatar.gait, motion::Gait::Idle);
+
+  session.run(5);
+  EXPECT_EQ(session.guide().state().pace, 1);
+  EXPECT_TRUE(shows_the_walk(session));
+}
+
+/// Metres that the guide walks in two seconds of a walk, `Walk with me` pressed so often before.
+double metres_in_two_seconds(int presses) {
+  Session session;
+  session.key(input::Key::Enter);
+  session.run(1.5);
+  session.tap("exhibit:" + museum().exhibits[8].id, interface::Role::Spot);
+  session.run(3);
+  for (int i = 0; i < presses; ++i) session.tap("walk");
+  const Vec2 before = session.guide().crowd()[0].avatar.body.position;
+  session.run(2);
+  return glm::distance(session.guide().crowd()[0].avatar.body.position, before);
+}
+
+TEST(Guide, IsFollowedAtWalkingPaceOrTwoOrFourTimesAsFast) {
+  const double walking = metres_in_two_seconds(1);
+
+  EXPECT_GT(walking, 1.5);
+  EXPECT_GT(metres_in_two_seconds(2), 1.6 * walking);
+  EXPECT_GT(metres_in_two_seconds(3), 2.5 * walking);
+  EXPECT_LT(metres_in_two_seconds(4), 1.6 * walking);
+}
+
 TEST(Guide, StopsWhereItIs) {
   Session session;
   session.tap("begin");

@@ -53,6 +53,7 @@ TEST(ShownList, SeesEverythingButABodyExactly) {
   EXPECT_TRUE(differs_after([](DrawList& l) { l.highlighted_exhibit = 3; }));
   EXPECT_TRUE(differs_after([](DrawList& l) { l.goal_radius = 6; }));
   EXPECT_TRUE(differs_after([](DrawList& l) { l.floor = 1; }));
+  EXPECT_TRUE(differs_after([](DrawList& l) { l.walls.level = {1}; }));
   EXPECT_TRUE(differs_after([](DrawList& l) { l.avatars[0].look = 1; }));
   EXPECT_TRUE(differs_after([](DrawList& l) { l.avatars.clear(); }));
 }
