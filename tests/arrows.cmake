@@ -57,6 +57,7 @@ room(platform/headless USES ${model} platform platform/egl platform/image LIBRAR
 room(platform/hid USES ${model} runtime/input platform platform/file platform/journal LIBRARIES fmt/ hidapi/ linux/ ${posix})
 room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl platform/journal LIBRARIES fmt/ EGL/ drm.h drm_fourcc.h gbm.h linux/ xf86drm ${posix})
+room(platform/opus USES ${model} platform LIBRARIES opus/)
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
@@ -71,6 +72,7 @@ room(content/motion USES ${model} runtime/motion content content/import LIBRARIE
 room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
 room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
+room(content/speech USES ${model} platform/opus platform/signature content LIBRARIES fmt/ spawn.h ${posix})
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/film

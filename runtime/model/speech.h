@@ -17,7 +17,7 @@ namespace docent {
 /// are left out, and then at least `samples`. Samples are counted at 48 kHz, whatever the bandwidth
 /// is.
 struct SpeechSound {
-  static constexpr std::uint32_t rate = 48'000;      ///< Samples a second.
+  static constexpr std::uint32_t rate = 48'000;         ///< Samples a second.
   static constexpr std::uint32_t longest_frame = 2880;  ///< Samples: 60 ms, the most of one packet.
   static constexpr std::size_t longest_packet = 1275;   ///< Bytes.
 
@@ -44,8 +44,8 @@ constexpr std::uint32_t samples_of_packet(std::span<const std::byte> packet) noe
 /// not fit what is there.
 constexpr std::span<const std::byte> take_packet(std::span<const std::byte>& packets) noexcept {
   if (packets.size() < 2) return {};
-  const std::size_t length = std::to_integer<std::size_t>(packets[0]) +
-                             (std::to_integer<std::size_t>(packets[1]) << 8U);
+  const std::size_t length =
+      std::to_integer<std::size_t>(packets[0]) + (std::to_integer<std::size_t>(packets[1]) << 8U);
   if (length > packets.size() - 2) return {};
   const auto packet = packets.subspan(2, length);
   packets = packets.subspan(2 + length);
