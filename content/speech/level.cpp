@@ -7,8 +7,8 @@ namespace docent::speech {
 
 namespace {
 
-constexpr float audible = 0.003F;         // -50 dB
-constexpr double wanted_power = 0.01;     // an RMS of -20 dB, as speech is usually levelled
+constexpr float audible = 0.003F;      // -50 dB
+constexpr double wanted_power = 0.01;  // an RMS of -20 dB, as speech is usually levelled
 constexpr float most_peak = 0.9F, most_gain = 30;
 
 float peak_of(std::span<const float> samples) {

@@ -64,8 +64,7 @@ void encode(const Pcm& pcm, SpeechSound& sound) {
   std::vector<float> kept(heard.begin(), heard.end());
   level(kept);
   const auto encoded = opus::encode(kept, bits_per_second);
-  if (!encoded)
-    throw content::to_content_error(encoded.error(), "Opus", "not-encoded");
+  if (!encoded) throw content::to_content_error(encoded.error(), "Opus", "not-encoded");
   sound.skip = encoded->skip;
   sound.samples = encoded->samples;
   sound.packets = encoded->packets;
@@ -114,9 +113,8 @@ class Maker {
         for (const Piece& piece : language.pieces) wanted.emplace_back(&language, &piece);
     std::vector<SpeechSound> sounds(wanted.size());
     std::vector<std::string> faults(wanted.size());
-    content::for_each_index(wanted.size(), sources_.jobs, [&](std::size_t i) {
-      faults[i] = fill(*wanted[i].second, sounds[i]);
-    });
+    content::for_each_index(wanted.size(), sources_.jobs,
+                            [&](std::size_t i) { faults[i] = fill(*wanted[i].second, sounds[i]); });
     MadeSpeech made;
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (std::string& silent = wanted[i].first->told.silent; silent.empty()) silent = faults[i];
@@ -181,9 +179,9 @@ class Maker {
     sound.text = piece.text;
     sound.made_of = digest_of(piece, version());
     try {
-      encode(piece.is_recorded() ? piece.own->recording
-                                 : espeak_->say(piece.voice, piece.read_as()),
-             sound);
+      encode(
+          piece.is_recorded() ? piece.own->recording : espeak_->say(piece.voice, piece.read_as()),
+          sound);
       return {};
     } catch (const content::ContentError& error) {
       return fmt::format("'{}' cannot be said: {}", piece.text, error.what());

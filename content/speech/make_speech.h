@@ -17,8 +17,8 @@ struct WantedSpeech {
   std::vector<std::string> pieces;
 };
 
-/// How staff want a piece to be said: a recording, or else what the voice is to read for it, such as
-/// kana for kanji.
+/// How staff want a piece to be said: a recording, or else what the voice is to read for it, such
+/// as kana for kanji.
 struct OwnSpeech {
   std::uint32_t language = 0;
   std::string text;
@@ -39,8 +39,8 @@ struct SpeechSources {
 struct LanguageSpeech {
   std::string tag;
   std::size_t pieces = 0, recorded = 0, taken_over = 0;
-  double seconds = 0;     ///< Of sound.
-  std::string silent;     ///< Why it is not spoken; empty where it is.
+  double seconds = 0;  ///< Of sound.
+  std::string silent;  ///< Why it is not spoken; empty where it is.
 };
 
 struct MadeSpeech {

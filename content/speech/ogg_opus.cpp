@@ -94,14 +94,17 @@ struct Header {
 };
 
 Header read_header(std::string_view packet, const std::string& file) {
-  if (packet.starts_with("\x01vorbis") || packet.starts_with("\x7f" "FLAC"))
+  if (packet.starts_with("\x01vorbis") || packet.starts_with("\x7f"
+                                                             "FLAC"))
     unusable_ogg(file, "this Ogg file holds Vorbis or FLAC, which is not read");
-  if (packet.size() < 19 || !packet.starts_with("OpusHead")) unusable_ogg(file, "this is no Opus file");
+  if (packet.size() < 19 || !packet.starts_with("OpusHead"))
+    unusable_ogg(file, "this is no Opus file");
   const auto channels = static_cast<unsigned char>(packet[9]);
   if (channels < 1 || channels > 2 || packet[18] != 0)
     unusable_ogg(file, fmt::format("it has {} channels; one or two are read", channels));
   const auto gain = static_cast<std::int16_t>(little_endian(packet, 16, 2));  // in decibels / 256
-  return {.skip = little_endian(packet, 10, 2), .gain = std::pow(10.0F, static_cast<float>(gain) / 5120)};
+  return {.skip = little_endian(packet, 10, 2),
+          .gain = std::pow(10.0F, static_cast<float>(gain) / 5120)};
 }
 
 void append(std::span<const float> part, float gain, std::vector<float>& samples) {

@@ -18,11 +18,11 @@ struct Kind {
   std::string_view begins, name;
 };
 constexpr std::array kinds{
-    Kind{0, "ID3", "an MP3 file"},        Kind{0, "\xff\xfb", "an MP3 file"},
-    Kind{0, "\xff\xf3", "an MP3 file"},   Kind{0, "\xff\xf1", "an AAC file"},
-    Kind{0, "fLaC", "a FLAC file"},       Kind{4, "ftyp", "an M4A or MP4 file"},
-    Kind{0, "FORM", "an AIFF file"},      Kind{0, "\x1a\x45\xdf\xa3", "a WebM or Matroska file"},
-    Kind{0, "#!AMR", "an AMR file"},      Kind{0, "caff", "a CAF file"},
+    Kind{0, "ID3", "an MP3 file"},      Kind{0, "\xff\xfb", "an MP3 file"},
+    Kind{0, "\xff\xf3", "an MP3 file"}, Kind{0, "\xff\xf1", "an AAC file"},
+    Kind{0, "fLaC", "a FLAC file"},     Kind{4, "ftyp", "an M4A or MP4 file"},
+    Kind{0, "FORM", "an AIFF file"},    Kind{0, "\x1a\x45\xdf\xa3", "a WebM or Matroska file"},
+    Kind{0, "#!AMR", "an AMR file"},    Kind{0, "caff", "a CAF file"},
 };
 
 std::string_view name_of(std::string_view bytes) {

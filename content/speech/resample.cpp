@@ -30,9 +30,8 @@ struct Filter {
 };
 
 Filter make_filter(std::size_t phases, double cutoff) {
-  Filter filter{.phases = phases,
-                .reach = static_cast<std::ptrdiff_t>(std::ceil(half / cutoff)),
-                .taps = {}};
+  Filter filter{
+      .phases = phases, .reach = static_cast<std::ptrdiff_t>(std::ceil(half / cutoff)), .taps = {}};
   const auto width = static_cast<std::size_t>(2 * filter.reach);
   filter.taps.resize(phases * width);
   for (std::size_t phase = 0; phase < phases; ++phase) {
@@ -74,8 +73,7 @@ std::vector<float> resample(const Pcm& sound, std::uint32_t rate) {
     const std::size_t place = i * step;
     const float* taps =
         filter.taps.data() + place % phases * static_cast<std::size_t>(2 * filter.reach);
-    made[i] =
-        std::clamp(sample_at(sound.samples, place / phases, taps, filter.reach), -1.0F, 1.0F);
+    made[i] = std::clamp(sample_at(sound.samples, place / phases, taps, filter.reach), -1.0F, 1.0F);
   }
   return made;
 }

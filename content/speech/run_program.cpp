@@ -85,8 +85,8 @@ int start(const std::vector<std::string>& words, int input, int output, int erro
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-  const int failed = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(),
-                                    environ);
+  const int failed =
+      ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   return failed;
 }
@@ -101,8 +101,7 @@ bool take(int from, std::string& into, std::size_t most) {
 }
 
 /// Reads both to their ends; false where that takes too long or is too much.
-bool listen(Pipe& output, Pipe& errors, Outcome& outcome, Clock::time_point end,
-            std::size_t most) {
+bool listen(Pipe& output, Pipe& errors, Outcome& outcome, Clock::time_point end, std::size_t most) {
   std::array<pollfd, 2> waits{pollfd{output.read.get(), POLLIN, 0},
                               pollfd{errors.read.get(), POLLIN, 0}};
   const std::array<std::string*, 2> texts{&outcome.output, &outcome.errors};
@@ -134,8 +133,7 @@ Outcome run_program(const std::vector<std::string>& words, std::string_view inpu
   Pipe output, errors;
   Outcome outcome;
   pid_t process = -1;
-  if (const int failed =
-          start(words, text.get(), output.write.get(), errors.write.get(), process);
+  if (const int failed = start(words, text.get(), output.write.get(), errors.write.get(), process);
       failed != 0) {
     outcome.kind = Outcome::Kind::Missing;
     outcome.errors = std::strerror(failed);

@@ -15,9 +15,9 @@ struct Outcome {
   std::string errors;  ///< The first part of what it wrote to its standard error.
 };
 
-/// Runs a program of PATH without a shell: `words` are its name and arguments, `input` what it reads
-/// from its standard input. It is ended where it takes longer than `patience` or writes more than
-/// `most` bytes. Any thread.
+/// Runs a program of PATH without a shell: `words` are its name and arguments, `input` what it
+/// reads from its standard input. It is ended where it takes longer than `patience` or writes more
+/// than `most` bytes. Any thread.
 Outcome run_program(const std::vector<std::string>& words, std::string_view input,
                     std::chrono::milliseconds patience, std::size_t most = std::size_t{1} << 28U);
 

@@ -88,7 +88,7 @@ std::string plain(std::string_view text) {
 }
 
 [[noreturn]] void no_voice(const std::string& program, const std::string& what,
-                       const std::string& hint) {
+                           const std::string& hint) {
   throw content::ContentError(Errc::Environment, program, "no-voice", what, hint);
 }
 
@@ -120,9 +120,10 @@ std::string reading_fault(std::string_view phonemes) {
   };
   if (counter.words == 0) return "its voice reads nothing of it";
   if (share(counter.foreign) > most_foreign)
-    return fmt::format("its voice does not know the script: it reads {:.0f} of 100 words letter by "
-                       "letter, in English",
-                       100 * share(counter.foreign));
+    return fmt::format(
+        "its voice does not know the script: it reads {:.0f} of 100 words letter by "
+        "letter, in English",
+        100 * share(counter.foreign));
   if (share(counter.without_vowel) > most_without_vowel)
     return fmt::format("its voice does not know the vowels: {:.0f} of 100 words have none",
                        100 * share(counter.without_vowel));
@@ -150,20 +151,20 @@ std::string Espeak::run(std::vector<std::string> arguments, std::string_view tex
       no_voice(program_, "the program is not there", "install the package espeak-ng");
     case Outcome::Kind::TooSlow:
       no_voice(program_, fmt::format("the program did not end in {} s", patience / 1s),
-           "compile again when the machine has less to do");
+               "compile again when the machine has less to do");
     case Outcome::Kind::TooMuch:
       no_voice(program_, "the program makes more sound than a text can have",
-           "install the package espeak-ng anew");
+               "install the package espeak-ng anew");
     case Outcome::Kind::Ended:
       break;
   }
   if (outcome.status != 0)
     no_voice(program_,
-         outcome.errors.find("does not exist") != std::string::npos
-             ? "there is no voice for it"
-             : fmt::format("the program failed ({}): {}", outcome.status,
-                           first_line(outcome.errors)),
-         "record it yourself, in [[speech]] of museum.toml");
+             outcome.errors.find("does not exist") != std::string::npos
+                 ? "there is no voice for it"
+                 : fmt::format("the program failed ({}): {}", outcome.status,
+                               first_line(outcome.errors)),
+             "record it yourself, in [[speech]] of museum.toml");
   return std::move(outcome.output);
 }
 

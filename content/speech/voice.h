@@ -11,8 +11,8 @@ namespace docent::speech {
 std::string voice_name(std::string_view tag);
 
 /// What is wrong with how a voice reads, told by its phonemes (`espeak-ng --ipa`); empty where
-/// nothing is. A voice that does not know a script says "Chinese letter" for each of its letters, in
-/// English, and one that has no vowels to read has words without any.
+/// nothing is. A voice that does not know a script says "Chinese letter" for each of its letters,
+/// in English, and one that has no vowels to read has words without any.
 std::string reading_fault(std::string_view phonemes);
 
 /// espeak-ng, run as a program of its own: it is GPL-3, and a text that ends it ends nothing else.

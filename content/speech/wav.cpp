@@ -41,13 +41,13 @@ Format read_format(std::string_view chunk, const std::string& file) {
                         format.bits <= 32) ||
                        (format.kind == floats && format.bits == 32);
   if (!is_read)
-    unusable_wav(file, fmt::format("its sound is of kind {} with {} bits, which is not read", format.kind,
-                           format.bits));
+    unusable_wav(file, fmt::format("its sound is of kind {} with {} bits, which is not read",
+                                   format.kind, format.bits));
   if (format.channels < 1 || format.channels > 16)
     unusable_wav(file, fmt::format("it says that it has {} channels", format.channels));
   if (format.rate < least_rate || format.rate > most_rate)
-    unusable_wav(file, fmt::format("it has {} samples a second; {} to {} are read", format.rate, least_rate,
-                           most_rate));
+    unusable_wav(file, fmt::format("it has {} samples a second; {} to {} are read", format.rate,
+                                   least_rate, most_rate));
   return format;
 }
 

@@ -19,8 +19,8 @@ struct Encoded {
 inline constexpr std::uint32_t encoder_rate = 24'000;
 
 /// Encodes samples of one channel, `encoder_rate` a second, in [-1, 1], as speech. The same samples
-/// give the same packets on the same kind of processor. Fails where there are none, and where memory
-/// is out.
+/// give the same packets on the same kind of processor. Fails where there are none, and where
+/// memory is out.
 Result<Encoded> encode(std::span<const float> samples, int bits_per_second);
 
 /// libopus and its version, as it says itself.

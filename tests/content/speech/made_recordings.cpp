@@ -16,8 +16,8 @@ void put(std::string& bytes, std::uint64_t value, int count) {
   for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i));
 }
 
-std::string riff(std::uint32_t kind, std::uint32_t channels, std::uint32_t rate,
-                 std::uint32_t bits, const std::string& data) {
+std::string riff(std::uint32_t kind, std::uint32_t channels, std::uint32_t rate, std::uint32_t bits,
+                 const std::string& data) {
   std::string file = "RIFF";
   put(file, 36 + data.size(), 4);
   file += "WAVEfmt ";
@@ -81,7 +81,8 @@ std::string ogg_page(std::string_view body, std::span<const std::uint8_t> lacing
     sum ^= std::uint32_t{static_cast<unsigned char>(c)} << 24U;
     for (int bit = 0; bit < 8; ++bit) sum = (sum << 1U) ^ ((sum >> 31U) != 0 ? 0x04c11db7U : 0U);
   }
-  for (int i = 0; i < 4; ++i) page[22 + static_cast<std::size_t>(i)] = static_cast<char>(sum >> (8 * i));
+  for (int i = 0; i < 4; ++i)
+    page[22 + static_cast<std::size_t>(i)] = static_cast<char>(sum >> (8 * i));
   return page;
 }
 

@@ -3,52 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-
-#include "platform/opus/decoder.h"
 #include "tests/content/speech/made_recordings.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/tone_voice.h"
 
 namespace docent::speech {
 namespace {
 
 using test::tone;
+using test::ToneVoice;
 using testing::HasSubstr;
-
-/// A voice that says a tone of one second for every text, counts how often it is asked, and reads
-/// Japanese as Debian's does, except kana.
-class ToneVoice {
- public:
-  ToneVoice() {
-    const std::string wav = test::wav_of(tone(440, 22'050, 22'050), 22'050);
-    std::ofstream(folder_.path() / "tone.wav", std::ios::binary) << wav;
-    std::ofstream(program()) << "#!/bin/sh\n"
-                                "[ \"$1\" = --version ] && echo 'eSpeak NG text-to-speech: 9.9  "
-                                "Data at: /x' && exit 0\n"
-                                "text=$(cat)\n"
-                                "if [ \"$1\" = -q ]; then\n"
-                                "  case \"$text\" in *館*) echo '(en)letˈə(ja)';; *) echo aha;; esac\n"
-                                "else\n  echo \"$text\" >>"
-                             << folder_.path() / "said" << "\n  cat " << folder_.path() / "tone.wav"
-                             << "\nfi\n";
-    std::filesystem::permissions(program(), std::filesystem::perms::owner_all);
-  }
-  std::string program() const { return (folder_.path() / "espeak-ng").string(); }
-
-  /// Lines that it was asked to say since the last call.
-  std::size_t said() {
-    std::ifstream file(folder_.path() / "said");
-    std::size_t lines = 0;
-    for (std::string line; std::getline(file, line);) ++lines;
-    file.close();
-    std::filesystem::remove(folder_.path() / "said");
-    return lines;
-  }
-
- private:
-  test::TemporaryFolder folder_;
-};
 
 std::vector<WantedSpeech> two_languages() {
   return {{.language = 0, .tag = "en", .pieces = {"left", "door"}},
@@ -59,7 +22,8 @@ TEST(MakeSpeech, SpeaksLanguagesWhoseVoiceReadsThem) {
   ToneVoice voice;
   const auto wanted = two_languages();
 
-  const MadeSpeech made = make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program()});
+  const MadeSpeech made =
+      make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program()});
 
   ASSERT_EQ(made.sounds.size(), 2U);
   EXPECT_EQ(made.sounds[0].text, "door");
@@ -76,7 +40,8 @@ TEST(MakeSpeech, SpeaksLanguagesWhoseVoiceReadsThem) {
 TEST(MakeSpeech, MakesOnlyAnewWhatHasChanged) {
   ToneVoice voice;
   auto wanted = two_languages();
-  const MadeSpeech first = make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program()});
+  const MadeSpeech first =
+      make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program()});
   EXPECT_EQ(voice.said(), 2U);
 
   const MadeSpeech same = make_speech(
@@ -99,10 +64,10 @@ TEST(MakeSpeech, GivesTheSameForAnyNumberOfThreads) {
   wanted[0].tag = "en";
   for (int i = 0; i < 20; ++i) wanted[0].pieces.push_back(std::to_string(i));
 
-  const MadeSpeech one =
-      make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program(), .jobs = 1});
-  const MadeSpeech four =
-      make_speech({.wanted = wanted, .own = {}, .before = {}, .program = voice.program(), .jobs = 4});
+  const MadeSpeech one = make_speech(
+      {.wanted = wanted, .own = {}, .before = {}, .program = voice.program(), .jobs = 1});
+  const MadeSpeech four = make_speech(
+      {.wanted = wanted, .own = {}, .before = {}, .program = voice.program(), .jobs = 4});
 
   ASSERT_EQ(one.sounds.size(), 20U);
   ASSERT_EQ(four.sounds.size(), 20U);
@@ -121,7 +86,8 @@ TEST(MakeSpeech, LetsAReadingTeachAVoiceItsScript) {
   own.text = "館";
   own.reading = "かん";
 
-  const MadeSpeech made = make_speech({.wanted = wanted, .own = {&own, 1}, .before = {}, .program = voice.program()});
+  const MadeSpeech made =
+      make_speech({.wanted = wanted, .own = {&own, 1}, .before = {}, .program = voice.program()});
 
   ASSERT_EQ(made.sounds.size(), 3U);
   EXPECT_EQ(made.sounds[2].text, "館");

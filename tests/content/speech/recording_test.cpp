@@ -71,7 +71,10 @@ TEST(Recording, OfOpusHasItsLengthAndLoudness) {
 TEST(Recording, ThatIsNotReadIsCalledByItsName) {
   EXPECT_THAT(refusal("ID3\x04 and so on"), HasSubstr("an MP3 file; WAV and Opus"));
   EXPECT_THAT(refusal("fLaC and so on"), HasSubstr("a FLAC file"));
-  EXPECT_THAT(refusal(std::string("\0\0\0\x20" "ftypM4A ", 12)), HasSubstr("M4A"));
+  EXPECT_THAT(refusal(std::string("\0\0\0\x20"
+                                  "ftypM4A ",
+                                  12)),
+              HasSubstr("M4A"));
   EXPECT_THAT(refusal(""), HasSubstr("no sound that docent knows"));
   const std::string vorbis = "\x01vorbis and so on";
   const std::uint8_t lacing[] = {static_cast<std::uint8_t>(vorbis.size())};

@@ -28,7 +28,8 @@ TEST(Voice, IsKnownByItsPhonemes) {
   EXPECT_EQ(reading_fault("bɭʲɪʐˈaɪʂɨj ˈis tuaɭʲˈɛtɨ v muzʲˈej"), "");
   EXPECT_THAT(reading_fault(" (en)tʃˈaɪniːz(ja)lˈɛtə (en)tʃˈaɪniːz(ja)lˈɛtə hˈe jˈo ˈu kˈo sˈo"),
               HasSubstr("does not know the script"));
-  EXPECT_THAT(reading_fault("mˈi jlχ ʔtχm χˈalon vlˈi mdʁ"), HasSubstr("50 of 100 words have none"));
+  EXPECT_THAT(reading_fault("mˈi jlχ ʔtχm χˈalon vlˈi mdʁ"),
+              HasSubstr("50 of 100 words have none"));
   EXPECT_EQ(reading_fault(" \n \n"), "its voice reads nothing of it");
 }
 
