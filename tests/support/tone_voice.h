@@ -49,7 +49,8 @@ class ToneVoice {
     const auto samples = static_cast<std::uint32_t>(seconds * rate);
     std::string wav = "RIFF";
     const auto put = [&](std::uint32_t value, int count) {
-      for (int i = 0; i < count; ++i) wav += static_cast<char>(value >> (8U * static_cast<unsigned>(i)));
+      for (int i = 0; i < count; ++i)
+        wav += static_cast<char>(value >> (8U * static_cast<unsigned>(i)));
     };
     put(36 + 2 * samples, 4);
     wav += "WAVEfmt ";

@@ -76,8 +76,9 @@ TEST(CompileSpeech, SaysOnceThatThereIsNoVoiceAndGoesOn) {
   const auto told = staff.report.in_order();
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].severity, Severity::Warning);
-  EXPECT_EQ(told[0].message,
-            "nothing is spoken: espeak-ng: the program is not there; install the package espeak-ng");
+  EXPECT_EQ(
+      told[0].message,
+      "nothing is spoken: espeak-ng: the program is not there; install the package espeak-ng");
 }
 
 TEST(CompileSpeech, TellsWhatIsWrongWithARecording) {
