@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto between_looks = 100ms;  // how long a thread may overlook that it should stop
-constexpr int looks_anew = 50;    // after so many: a card may have come
+constexpr int looks_anew = 50;         // after so many: a card may have come
 
 struct CloseControls {
   void operator()(snd_hctl_t* controls) const noexcept { snd_hctl_close(controls); }
@@ -47,7 +47,8 @@ std::optional<Card> open_card(int number) {
 bool is_in(snd_hctl_elem_t* socket) {
   snd_ctl_elem_value_t* value = nullptr;
   if (snd_ctl_elem_value_malloc(&value) < 0) return false;
-  const bool in = snd_hctl_elem_read(socket, value) >= 0 && snd_ctl_elem_value_get_boolean(value, 0);
+  const bool in =
+      snd_hctl_elem_read(socket, value) >= 0 && snd_ctl_elem_value_get_boolean(value, 0);
   snd_ctl_elem_value_free(value);
   return in;
 }
@@ -79,9 +80,8 @@ class Cards {
   /// Waits until a card says something; false where one has gone.
   bool wait(std::chrono::milliseconds time) {
     std::this_thread::sleep_for(time);
-    return std::ranges::all_of(cards_, [](const Card& card) {
-      return snd_hctl_handle_events(card.controls.get()) >= 0;
-    });
+    return std::ranges::all_of(
+        cards_, [](const Card& card) { return snd_hctl_handle_events(card.controls.get()) >= 0; });
   }
 
   std::vector<Card> cards_;

@@ -10,8 +10,8 @@
 
 namespace docent::alsa {
 
-/// Is this control of a sound card the switch in the socket for headphones? "Headphone Jack", "Front
-/// Headphone Jack", "Headset Jack"; not the pair that means "nobody knows".
+/// Is this control of a sound card the switch in the socket for headphones? "Headphone Jack",
+/// "Front Headphone Jack", "Headset Jack"; not the pair that means "nobody knows".
 bool is_headphone_jack(std::string_view control) noexcept;
 
 /// Where headphones go in and out: waits up to the given time and says whether they are in; nothing

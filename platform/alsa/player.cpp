@@ -20,8 +20,8 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto retry = 2s;
-constexpr auto nap = 50ms;            // how long a thread may overlook that it should stop
-constexpr std::size_t block = 960;    // samples that are written at one go: 20 ms
+constexpr auto nap = 50ms;          // how long a thread may overlook that it should stop
+constexpr std::size_t block = 960;  // samples that are written at one go: 20 ms
 
 }  // namespace
 
@@ -33,8 +33,8 @@ struct Player::Work {
   Clock::time_point next_try{};
   bool has_told = false;  ///< The journal knows that there is no device.
   sound::Tempo tempo{};
-  std::uint32_t sentence = 0;            ///< That is being said.
-  std::uint32_t skip = 0, samples = 0;   ///< Of the sound that is decoded: still to come.
+  std::uint32_t sentence = 0;           ///< That is being said.
+  std::uint32_t skip = 0, samples = 0;  ///< Of the sound that is decoded: still to come.
   float gain = 0;
   std::array<float, opus::Decoder::longest> decoded{};
   std::array<float, block> part{};
@@ -111,8 +111,7 @@ struct Player::Work {
       skip = item.skip;
       samples = item.samples;
     }
-    std::span<const float> sound =
-        std::span(decoded).first(decoder.decode(item.packet, decoded));
+    std::span<const float> sound = std::span(decoded).first(decoder.decode(item.packet, decoded));
     const std::size_t skipped = std::min<std::size_t>(skip, sound.size());
     skip -= static_cast<std::uint32_t>(skipped);
     sound = sound.subspan(skipped);

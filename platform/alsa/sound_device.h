@@ -9,7 +9,8 @@
 
 namespace docent::alsa {
 
-/// Where sound goes: two channels of 16 bits, 48,000 samples a second each. For the player's thread.
+/// Where sound goes: two channels of 16 bits, 48,000 samples a second each. For the player's
+/// thread.
 class SoundDevice {
  public:
   SoundDevice() = default;

@@ -8,10 +8,12 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(HeadphoneJack, IsKnownByItsName) {
-  for (const char* name : {"Headphone Jack", "Front Headphone Jack", "Headset Jack", "Dock Headphone Jack"})
+  for (const char* name :
+       {"Headphone Jack", "Front Headphone Jack", "Headset Jack", "Dock Headphone Jack"})
     EXPECT_TRUE(is_headphone_jack(name)) << name;
-  for (const char* name : {"Headphone Playback Switch", "Mic Jack", "Headset Mic Jack", "HDMI/DP,pcm=3 Jack",
-                           "Speaker Phantom Jack", "Front Headphone Phantom Jack", ""})
+  for (const char* name :
+       {"Headphone Playback Switch", "Mic Jack", "Headset Mic Jack", "HDMI/DP,pcm=3 Jack",
+        "Speaker Phantom Jack", "Front Headphone Phantom Jack", ""})
     EXPECT_FALSE(is_headphone_jack(name)) << name;
 }
 

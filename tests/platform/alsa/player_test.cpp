@@ -55,7 +55,8 @@ class FakeDevice final : public SoundDevice {
     std::this_thread::sleep_for(1ms);
     const std::scoped_lock lock(heard_.mutex);
     if (heard_.samples.size() + samples.size() > heard_.fails_after)
-      return std::unexpected(Error{Errc::Environment, "sound device 'fake' takes no sound any more"});
+      return std::unexpected(
+          Error{Errc::Environment, "sound device 'fake' takes no sound any more"});
     heard_.samples.insert(heard_.samples.end(), samples.begin(), samples.end());
     return {};
   }
@@ -74,7 +75,8 @@ Player::Open opening(Heard& heard) {
     const std::scoped_lock lock(heard.mutex);
     ++heard.openings;
     if (heard.is_busy)
-      return std::unexpected(Error{Errc::Environment, "sound device 'fake' is used by another program"});
+      return std::unexpected(
+          Error{Errc::Environment, "sound device 'fake' is used by another program"});
     return std::make_unique<FakeDevice>(heard);
   };
 }
@@ -179,7 +181,8 @@ TEST(Player, SpeaksSoonAfterItIsAsked) {
     const auto asked = std::chrono::steady_clock::now();
     say(player, sound);
     while (heard.count() == before) std::this_thread::sleep_for(100us);
-    delays.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
+    delays.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
     ASSERT_TRUE(becomes([&] { return !player.is_speaking(); }));
   }
   std::ranges::sort(delays);

@@ -54,8 +54,8 @@ RC_GTEST_PROP(SpeechQueueProperty, OnlyTheLastSentenceIsHeard, ()) {
   unsigned last = 0;
   for (int turns = *rc::gen::inRange(1, 300); turns > 0; --turns) {
     last = *rc::gen::inRange(0U, 256U);
-    const SpeechSound sound =
-        sound_of(*rc::gen::inRange<std::size_t>(1, 40), *rc::gen::inRange<std::size_t>(1, 1276), last);
+    const SpeechSound sound = sound_of(*rc::gen::inRange<std::size_t>(1, 40),
+                                       *rc::gen::inRange<std::size_t>(1, 1276), last);
     const SpeechPart part{&sound, false};
     queue.say({&part, 1});
     ++said;

@@ -15,8 +15,8 @@ TEST(Volume, GrowsEvenlyToTheEar) {
   EXPECT_EQ(gain_of(1), 1);
   EXPECT_EQ(gain_of(2), 1);
   for (int tenth = 1; tenth < 10; ++tenth) {
-    const float step = gain_of(static_cast<float>(tenth + 1) / 10) /
-                       gain_of(static_cast<float>(tenth) / 10);
+    const float step =
+        gain_of(static_cast<float>(tenth + 1) / 10) / gain_of(static_cast<float>(tenth) / 10);
     EXPECT_NEAR(20 * std::log10(step), 4, 0.01);
   }
 }
