@@ -41,9 +41,8 @@ void Speaker::heed(guide::Guide& guide, const Museum& museum) noexcept {
 void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
   if (saying.utterance == nullptr) return player_->say({});
   const interface::Utterance& utterance = *saying.utterance;
-  const auto language =
-      std::ranges::find(museum.languages, utterance.language, &Language::tag) -
-      museum.languages.begin();
+  const auto language = std::ranges::find(museum.languages, utterance.language, &Language::tag) -
+                        museum.languages.begin();
   std::size_t count = 0;
   bool is_silent = true;
   for (const interface::SpokenPiece& piece : utterance.pieces) {
@@ -54,7 +53,8 @@ void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
     is_silent = is_silent && part.sound == nullptr;
   }
   if (is_silent) {  // a language without a voice: its captions are read in the time that they take
-    constexpr float pauses_a_second = SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
+    constexpr float pauses_a_second =
+        SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
     const float pauses = guide::seconds_of(utterance) * pauses_a_second;
     count = std::min(parts_.size(), static_cast<std::size_t>(pauses));
     std::fill_n(parts_.begin(), count, sound::SpeechPart{.sound = nullptr, .pause = true});
