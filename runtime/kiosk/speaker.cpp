@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "runtime/interface/speech.h"
+#include "runtime/sound/speech_queue.h"
 
 namespace docent::kiosk {
 
@@ -13,7 +14,7 @@ namespace {
 
 /// The device that is played on; nothing where nobody is to hear it.
 std::optional<std::string> device_of(const config::KioskConfig& config, bool is_simulated) {
-  const std::string device = config.sound_device.value_or("default");
+  std::string device = config.sound_device.value_or("default");
   if (device == "none" || (is_simulated && !device.starts_with("file:"))) return std::nullopt;
   return device;
 }

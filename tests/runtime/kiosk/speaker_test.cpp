@@ -39,8 +39,8 @@ std::vector<float> heard_in(const std::filesystem::path& file) {
   return samples;
 }
 
-/// A visit with headphones and open eyes: what comes out of the socket is what the database holds of
-/// the first sentence.
+/// A visit with headphones and open eyes: what comes out of the socket is what the database holds
+/// of the first sentence.
 TEST(Speaker, LetsTheFirstSentenceOfAVisitBeHeard) {
   const auto museum = sqlite::load_museum(test::sample_database());
   ASSERT_TRUE(museum.has_value()) << museum.error().what;
@@ -50,9 +50,9 @@ TEST(Speaker, LetsTheFirstSentenceOfAVisitBeHeard) {
   std::ofstream(run.file("kiosk.toml"))
       << "[sound]\ndevice = \"file:" << run.file("heard.wav").string() << "\"\n";
 
-  const test::ProgramRun played =
-      run.play("--config '" + run.file("kiosk.toml").string() + "' --speech '" +
-               run.file("said.csv").string() + "' --stats '" + run.file("stats.json").string() + "'");
+  const test::ProgramRun played = run.play("--config '" + run.file("kiosk.toml").string() +
+                                           "' --speech '" + run.file("said.csv").string() +
+                                           "' --stats '" + run.file("stats.json").string() + "'");
 
   ASSERT_EQ(played.exit_code, 0) << played.err;
   EXPECT_THAT(test::text_of(run.file("said.csv")),
