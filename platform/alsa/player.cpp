@@ -31,6 +31,7 @@ struct Player::Work {
   opus::Decoder decoder;
   std::unique_ptr<SoundDevice> device{};
   Clock::time_point next_try{};
+  std::string trouble{};  ///< Why there is no device.
   bool has_told = false;  ///< The journal knows that there is no device.
   sound::Tempo tempo{};
   std::uint32_t sentence = 0;           ///< That is being said.
@@ -45,19 +46,27 @@ struct Player::Work {
     if (device || Clock::now() < next_try) return;
     next_try = Clock::now() + retry;
     auto opened = player.open_();
-    if (!opened) return tell_loss(opened.error().what);
+    if (!opened) {
+      trouble = opened.error().what;
+      return;
+    }
     device = std::move(*opened);
     player.has_device_ = true;
     if (std::exchange(has_told, false))
       journal::tell(journal::Message::SoundBack, "the kiosk can be heard again");
   }
 
-  void tell_loss(const std::string& what) {
+  void lose(const std::string& what) {
     device.reset();
     player.has_device_ = false;
-    if (!std::exchange(has_told, true))
+    trouble = what;
+  }
+
+  /// A kiosk that has nothing to say needs no device: it is missed by the first sentence.
+  void tell_loss() {
+    if (!trouble.empty() && !std::exchange(has_told, true))
       journal::tell(journal::Message::SoundLost,
-                    what + "; nothing is heard until it is there, and it is tried again");
+                    trouble + "; nothing is heard until it is there, and it is tried again");
   }
 
   void write(std::span<const float> sound) {
@@ -66,7 +75,8 @@ struct Player::Work {
     sound::to_device(sound, gain, wanted, out);
     gain = wanted;
     if (device)
-      if (const auto written = device->write(out); !written) tell_loss(written.error().what);
+      if (const auto written = device->write(out); !written) lose(written.error().what);
+    if (!device) tell_loss();
     if (!device && player.is_paced_)
       std::this_thread::sleep_for(1s * static_cast<double>(sound.size()) / SpeechSound::rate);
   }

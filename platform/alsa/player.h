@@ -16,7 +16,8 @@
 namespace docent::alsa {
 
 /// Says sentences, on a thread of its own. A device that is not there, is taken, or goes in
-/// mid-sentence is told once in the journal and tried again every two seconds; meanwhile sentences
+/// mid-sentence is told once in the journal, by a sentence that nobody hears, and tried again every
+/// two seconds; meanwhile sentences
 /// take their time and nobody hears them.
 class Player {
  public:
