@@ -149,6 +149,31 @@ std::vector<KeypadSection> read_keypads(TomlNode& root, SectionReader& reader) {
   return keypads;
 }
 
+constexpr std::string_view sound_name = "sound";
+constexpr std::array sound_fields{
+    Field<SoundSection>{
+        "device", &SoundSection::device, Presence::Optional,
+        "The sound device that speech is heard from, as aplay -L lists them: "
+        "\"plughw:1,0\"; \"none\" for silence, \"file:NAME\" for a WAV file; ALSA's "
+        "own choice where it is not said"},
+    Field<SoundSection>{"volume",
+                        &SoundSection::volume,
+                        Presence::Optional,
+                        "How loud the loudest is that visitors can choose, of what the device "
+                        "can; 1 where it is not said",
+                        {0, 1}},
+};
+
+/// Takes `[sound]` out of the file's root and reads it.
+SoundSection read_sound(TomlNode& root, SectionReader& reader) {
+  SoundSection sound;
+  const auto entry = std::ranges::find(root.entries, sound_name, &TomlEntry::key);
+  if (entry == root.entries.end()) return sound;
+  reader.read<SoundSection>(entry->value, "[sound]", sound_fields, sound);
+  root.entries.erase(entry);
+  return sound;
+}
+
 bool is_hexadecimal(std::string_view text) {
   return std::ranges::all_of(
       text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
@@ -335,11 +360,14 @@ Loaded<KioskConfig> load_kiosk_config(const std::filesystem::path& file) {
   KioskFile written;
   SectionReader reader(FileIndex{}, file.string(), toml.diagnostics);
   std::vector<KeypadSection> keypads = read_keypads(*toml.root, reader);
+  const SoundSection sound = read_sound(*toml.root, reader);
   reader.read<KioskFile>(*toml.root, file.filename().string(), kiosk_file_fields, written);
   KioskSettings settings(file, toml.diagnostics);
   KioskConfig config = settings.from(written);
   for (const KeypadSection& keypad : keypads) settings.check(keypad);
   config.keypads = std::move(keypads);
+  if (sound.device.given) config.sound_device = sound.device.value;
+  if (sound.volume.given) config.sound_volume = sound.volume.value;
   return {.value = config, .diagnostics = std::move(toml.diagnostics)};
 }
 
@@ -348,7 +376,10 @@ std::vector<SectionManual> kiosk_manual() {
           {.heading = "[[keypad]]",
            .manual = "A keypad for visitors, once for each; where there is none, every keypad that "
                      "cannot write all letters is listened to",
-           .fields = manual_of<KeypadSection>(keypad_fields)}};
+           .fields = manual_of<KeypadSection>(keypad_fields)},
+          {.heading = "[sound]",
+           .manual = "How the kiosk is heard by those who do not see it",
+           .fields = manual_of<SoundSection>(sound_fields)}};
 }
 
 }  // namespace docent::config

@@ -19,6 +19,12 @@ struct KeypadSection {
   Place place;
 };
 
+/// What speech is heard from: `[sound]`.
+struct SoundSection {
+  Located<std::string> device;  ///< An ALSA name, "file:NAME", or "none".
+  Located<double> volume;       ///< 0 to 1: the loudest that a visitor can make it.
+};
+
 /// What an operator may change on a device. The defaults are what a new device ships with.
 struct KioskConfig {
   std::filesystem::path content = "/var/lib/docent/museum.db";
@@ -42,6 +48,10 @@ struct KioskConfig {
   int rotate = 0;  ///< Degrees clockwise by which the screen hangs turned: 0, 90, 180, 270.
   DisplayKind display = DisplayKind::Auto;
   std::vector<KeypadSection> keypads;  ///< `[[keypad]]`; none: those without letters.
+  /// What ALSA calls it; "file:NAME" writes a WAV file; "none" is silence. Not said: ALSA's own
+  /// choice, and on a display without a screen silence.
+  std::optional<std::string> sound_device;
+  double sound_volume = 1;    ///< 0 to 1. The loudest that a visitor can make it.
   std::string staff_pin;      ///< What `docent pin` printed; empty: there is no staff mode.
   int width = 0, height = 0;  ///< Pixels, `size = "1920x1080"`. 0: what the display prefers.
   int refresh = 0;            ///< Hertz, `size = "1920x1080@50"`. 0: what the display prefers.

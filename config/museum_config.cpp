@@ -310,6 +310,10 @@ class MuseumLoader {
     check_unique("tour", "id", config_.tours, &TourSection::id);
     for (const TourSection& tour : config_.tours) check_tour(tour);
     if (config_.sources.empty()) check_exhibits_of_tours();
+    for (const SpeechSection& speech : config_.speech)
+      if (!speech.recording.given && !speech.reading.given)
+        error(speech.place, "missing-field", "[[speech]] has neither a recording nor a reading", {},
+              "recording = \"speech/FILE.opus\", or reading = what the voice is to read");
   }
 
   /// Floors stand over one another as their ordinals say.
@@ -472,6 +476,7 @@ class MuseumLoader {
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
     check_file(config_.motion.clips, Wanted::FileOrFolder);
     check_file(config_.avatar.model);
+    for (SpeechSection& speech : config_.speech) check_file(speech.recording);
   }
 
   /// A file that cannot be taken is told, and nobody opens it.

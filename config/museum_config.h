@@ -126,6 +126,14 @@ struct TourSection {
   Located<double> minutes;
 };
 
+/// How a piece of what the kiosk says is to sound.
+struct SpeechSection {
+  Place place;
+  Located<std::string> language, text;
+  Located<std::string> recording;  ///< A file.
+  Located<std::string> reading;    ///< What the voice reads instead.
+};
+
 /// Where exhibits come from besides the files of exhibits/: a spreadsheet (CSV), of which a line is
 /// an object, or IIIF manifests. The fields of an exhibit name columns; IIIF needs none.
 struct SourceSection {
@@ -164,6 +172,7 @@ struct MuseumConfig {
   std::vector<CaseSection> cases;
   std::vector<ExhibitSection> exhibits;  ///< In the order of the files' names.
   std::vector<TourSection> tours;
+  std::vector<SpeechSection> speech;
   std::vector<std::string> languages;  ///< As given, else those of the texts. Never empty.
   std::vector<WordsFile> words;        ///< In the order of `languages`, where the file exists.
 };

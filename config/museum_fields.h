@@ -369,6 +369,29 @@ inline constexpr std::array tour_fields{
 
 inline constexpr std::array<std::string_view, 4> separators{",", ";", "|", "tab"};
 
+inline constexpr std::array speech_fields{
+    Field<SpeechSection>{"language",
+                         &SpeechSection::language,
+                         Presence::Required,
+                         "The tag of one of the museum's languages",
+                         {},
+                         Form::Identifier},
+    Field<SpeechSection>{"text",
+                         &SpeechSection::text,
+                         Presence::Required,
+                         "What is said: a title, a text or a word of the interface, whole",
+                         {},
+                         Form::Name},
+    Field<SpeechSection>{"recording",
+                         &SpeechSection::recording,
+                         Presence::Optional,
+                         "A recording of it, WAV or Opus; it wins over every voice",
+                         {},
+                         Form::File},
+    Field<SpeechSection>{"reading", &SpeechSection::reading, Presence::Optional,
+                         "What the voice reads instead, such as kana for kanji"},
+};
+
 inline constexpr std::array source_fields{
     Field<SourceSection>{"file",
                          &SourceSection::file,
@@ -450,6 +473,8 @@ void museum_sections(auto& visit, auto& config) {
   visit.many("case", "A case, plinth or table that the plan does not show", case_fields,
              config.cases);
   visit.many("tour", "A round of exhibits, one after another", tour_fields, config.tours);
+  visit.many("speech", "How something is said: staff's recording, or how a voice should read it",
+             speech_fields, config.speech);
 }
 
 /// The sections of a file of exhibits/.

@@ -17,6 +17,7 @@
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
 #include "platform/file/read_file.h"
+#include "platform/sqlite/content_reader.h"
 #include "runtime/model/result.h"
 
 namespace docent::command {
@@ -52,6 +53,8 @@ std::vector<terminal::Option> source_options(CompileRequest& request) {
        Times::AnyNumber},
       {"--no-motion", terminal::flag(request.no_motion),
        "Leave out clips, motion graph and avatar"},
+      {"--speech,!--no-speech", terminal::flag(options.with_speech),
+       "Make the sound of what is said, with espeak-ng and staff's recordings"},
       {"--mirrored,!--no-mirrored", terminal::flag(options.enrichment.mirrored),
        "Add clips seen in a mirror where they bring something new"},
       {"--turns,!--no-turns", terminal::flag(options.enrichment.turns),
@@ -135,6 +138,15 @@ std::optional<Museum> museum_before(const std::string& output) {
   }
 }
 
+/// What the output said before: its sounds are kept where nothing has changed. None where it is no
+/// database of this docent.
+std::vector<SpeechSound> speech_before(const std::string& output) {
+  if (!file::is_there(output)) return {};
+  const auto database = sqlite::open_database(output);
+  if (!database) return {};
+  return sqlite::read_speech(*database, output).value_or(std::vector<SpeechSound>{});
+}
+
 nlohmann::ordered_json found_json(const Museum& museum) {
   nlohmann::ordered_json found;
   for (const auto& [name, count] : compile::found_in(museum)) found[name] = count;
@@ -165,6 +177,7 @@ int run_compile(CompileRequest& request) {
   {
     compile::Progress progress(compile::progress_output(!is_for_people(request)));
     compile::Report report;
+    if (request.options.with_speech) request.options.speech_before = speech_before(request.output);
     const auto museum = compile_and_report(request, progress, report);
     if (!museum) return museum.error();
     if (is_for_people(request)) {

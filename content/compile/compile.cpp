@@ -15,6 +15,7 @@
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"
 #include "content/compile/compile_scenery.h"
+#include "content/compile/compile_speech.h"
 #include "content/compile/shipped_files.h"
 #include "content/compile/zone_rules.h"
 #include "content/content_error.h"
@@ -186,6 +187,15 @@ std::string joined(const config::LocatedList& days) {
   return text;
 }
 
+/// Gives the museum its voice. A check reads staff's recordings, and takes no time.
+void speak(const config::MuseumConfig& config, const CompileOptions& options, Museum& museum,
+           Report& report, Progress& progress) {
+  const bool is_made = options.with_speech && !options.only_check;
+  if (!is_made) return compile_speech(config, Speech::Check, {}, options.jobs, museum, report);
+  const auto stage = progress.start("speech");
+  compile_speech(config, Speech::Make, options.speech_before, options.jobs, museum, report);
+}
+
 /// A museum's folder.
 void compile_folder(const CompileOptions& options, Museum& museum, Report& report,
                     Progress& progress) {
@@ -200,6 +210,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
   if (!options.only_check) progress.plan("scenery", 40);
+  if (options.with_speech && !options.only_check) progress.plan("speech", 100);
   std::optional<AvatarTask> avatar;
   if (needs_avatar(options, &config, report))
     avatar.emplace(options, avatar_sources(options, &config), progress);
@@ -228,6 +239,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     compile_scenery(&config, drawn, museum);
   }
   if (avatar) avatar->finish(museum, report);
+  speak(config, options, museum, report, progress);
 }
 
 bool is_museum_folder(const CompileOptions& options) {

@@ -21,6 +21,8 @@ struct CompileOptions {
   import::Coordinates coordinates = import::Coordinates::Metres;
   std::vector<double> radii;  ///< Radius classes beyond 0 and the museum's body radius, metres.
   bool with_motion = true;
+  bool with_speech = true;
+  std::vector<SpeechSound> speech_before{};  ///< Of the last compilation; what is the same is kept.
   bool only_check = false;  ///< Only the report is wanted: what cannot be wrong is left out.
   unsigned jobs = 0;  ///< Threads, the same result for any number; 0: as many as the machine has.
 };

@@ -101,8 +101,8 @@ _docent_content() {
   esac
   case "$path" in
     'docent-content') if [[ $word == -* ]]; then _docent_offer -W '-h --help --version'; else _docent_offer -W 'compile check import translate info schema route tour at see near offset show graph figure walk film keygen sign verify release'; fi ;;
-    'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
-    'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
+    'docent-content compile') if [[ $word == -* ]]; then _docent_offer -W '-o --output --clips --coordinates --radius --no-motion --speech --no-speech --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
+    'docent-content check') if [[ $word == -* ]]; then _docent_offer -W '--clips --coordinates --radius --no-motion --speech --no-speech --mirrored --no-mirrored --turns --no-turns --jobs --json --quiet -h --help'; else _docent_offer -f; fi ;;
     'docent-content import') if [[ $word == -* ]]; then _docent_offer -W '-o --output --unit --origin --level --layers --json -h --help'; else _docent_offer -f; fi ;;
     'docent-content translate') if [[ $word == -* ]]; then _docent_offer -W '--out --in --from --to -h --help'; else _docent_offer -d; fi ;;
     'docent-content info') if [[ $word == -* ]]; then _docent_offer -W '--json -h --help'; else _docent_offer -f; fi ;;

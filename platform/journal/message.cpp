@@ -102,12 +102,20 @@ constexpr std::array kinds{
                 "A today.toml was refused",
                 "What was closed before stays closed, and nothing more is. The line says what is\n"
                 "wrong and where; mend the file, and it is taken up within a second."},
+    MessageKind{Message::SoundLost, Priority::Warning, "d0b6f3c3a1f44f2f9d3e0b8e53a7c1aa",
+                "The kiosk cannot be heard",
+                "Visitors who do not see the screen need it. The line says which sound device, and "
+                "why:\nnot plugged in, used by another program, or not `device` of [sound] in "
+                "/etc/docent/kiosk.toml\n(`aplay -L` lists the names). It is tried again every two "
+                "seconds."},
+    MessageKind{Message::SoundBack, Priority::Info, "5be5dfd26f0c4a3c8c7f4b1e0b6f94d2",
+                "The kiosk can be heard again", "Nothing is to be done."},
 };
 
 constexpr bool are_in_order() {
   for (std::size_t i = 0; i < kinds.size(); ++i)
     if (static_cast<std::size_t>(kinds[i].message) != i) return false;
-  return kinds.size() == static_cast<std::size_t>(Message::TodayRefused) + 1;
+  return kinds.size() == static_cast<std::size_t>(Message::SoundBack) + 1;
 }
 static_assert(are_in_order());
 

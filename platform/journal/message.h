@@ -33,6 +33,8 @@ enum class Message : std::uint8_t {
   ReportUnwritten,
   TodayTakenUp,
   TodayRefused,
+  SoundLost,
+  SoundBack,
 };
 
 /// As syslog(3) counts them.

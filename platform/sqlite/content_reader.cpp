@@ -161,6 +161,12 @@ class Reader {
   std::string fault_;
 };
 
+std::unexpected<Error> damaged(const std::filesystem::path& file, const std::string& fault) {
+  return std::unexpected(
+      Error{Errc::Damaged,
+            fmt::format("{}: is damaged ({}); recompile the content", file.string(), fault)});
+}
+
 }  // namespace
 
 Result<Museum> read_museum(const Database& database, const std::filesystem::path& file) {
@@ -169,11 +175,17 @@ Result<Museum> read_museum(const Database& database, const std::filesystem::path
   schema::tables(reader, museum);
   const std::string fault =
       reader.sound() ? schema::broken_invariant(museum) : reader.first_fault();
-  if (!fault.empty())
-    return std::unexpected(
-        Error{Errc::Damaged,
-              fmt::format("{}: is damaged ({}); recompile the content", file.string(), fault)});
+  if (!fault.empty()) return damaged(file, fault);
   return museum;
+}
+
+Result<std::vector<SpeechSound>> read_speech(const Database& database,
+                                             const std::filesystem::path& file) {
+  std::vector<SpeechSound> speech;
+  Reader reader(database.handle.get());
+  reader.rows("speech", speech);
+  if (!reader.sound()) return damaged(file, reader.first_fault());
+  return speech;
 }
 
 Result<Museum> load_museum(const std::filesystem::path& file) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "platform/sqlite/database.h"
 #include "runtime/model/museum.h"
@@ -12,6 +13,11 @@ namespace docent::sqlite {
 /// museum needs to. Fails as open_database does; a database whose rows do not make a museum is
 /// Damaged. `file` is only named in the error.
 Result<Museum> read_museum(const Database& database, const std::filesystem::path& file);
+
+/// Only what the museum says, as it was compiled: for whoever makes it anew, and takes over what
+/// has not changed. Nothing of it is checked but that each row can be read.
+Result<std::vector<SpeechSound>> read_speech(const Database& database,
+                                             const std::filesystem::path& file);
 
 /// Opens and reads.
 Result<Museum> load_museum(const std::filesystem::path& file);

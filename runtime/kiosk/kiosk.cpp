@@ -30,6 +30,7 @@
 #include "runtime/kiosk/service_notice.h"
 #include "runtime/kiosk/setup_screen.h"
 #include "runtime/kiosk/signals.h"
+#include "runtime/kiosk/speaker.h"
 #include "runtime/kiosk/staff.h"
 #include "runtime/kiosk/staff_facts.h"
 #include "runtime/kiosk/staff_words.h"
@@ -90,7 +91,8 @@ class Kiosk {
             [this](const StaffWords& words) { return staff_facts(words); },
             [keypads = named_keypads(config)](const StaffWords& words) {
               return device_facts(keypads, words);
-            }) {
+            }),
+        speaker_(config, simulated_) {
     database_ = options.content.value_or(config.content);
   }
 
@@ -148,6 +150,7 @@ class Kiosk {
   Selection selection_;
   std::unique_ptr<Exhibition> exhibition_;
   Rehearsal rehearsal_;
+  Speaker speaker_;
   Statistics statistics_;
   clock::FrameClock clock_;
   std::array<input::InputEvent, 256> events_{};
@@ -267,15 +270,17 @@ Result<void> Kiosk::frame() {
           rehearsal_.play(time_, guide(), [this](const input::InputEvent& e) { take(e); });
       !played)
     return played;
-  if (const std::optional<bool> are_in = rehearsal_.take_headphones()) {
-    has_headphones_ = *are_in;
-    guide().headphones(has_headphones_);
-  }
+  for (const std::optional<bool> are_in : {rehearsal_.take_headphones(), speaker_.headphones()})
+    if (are_in) {
+      has_headphones_ = *are_in;
+      guide().headphones(has_headphones_);
+    }
   heed_closures();
   touched_.reset();
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
   make_frame(passed);
+  speaker_.heed(guide(), exhibition_->museum);
   if (statistics_.frames++ == 0)
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);

@@ -15,6 +15,7 @@
 #include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/model/place.h"
 #include "runtime/model/scenery.h"
+#include "runtime/model/speech.h"
 #include "runtime/model/tour.h"
 
 namespace docent {
@@ -69,6 +70,7 @@ struct Museum {
   std::vector<Exhibit> exhibits;
   std::vector<Tour> tours;
   std::vector<EncodedImage> images;
+  std::vector<SpeechSound> speech;  ///< By language and text, each once; none: it is silent.
   std::uint32_t kiosk_floor = 0;
   Placement kiosk;  ///< "You are here"; the heading is where the visitor looks.
   /// Where they have names: all of them, the first being the one above. stand_at() changes that.

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <tuple>
 
 #include "runtime/model/hours/opening_hours.h"
 #include "runtime/model/hours/time_zone.h"
@@ -386,6 +388,20 @@ bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
          are_triangles(mesh.indices, mesh.vertices.size());
 }
 
+/// Can each piece be found and played to its end?
+bool keeps_speech(const std::vector<SpeechSound>& speech, std::size_t languages) {
+  const auto sound = [=](const SpeechSound& piece) {
+    const auto held = samples_of_packets(piece.packets);
+    return piece.language < languages && piece.samples > 0 && held &&
+           *held >= std::uint64_t{piece.skip} + piece.samples;
+  };
+  const auto in_order = [](const SpeechSound& a, const SpeechSound& b) {
+    return std::tie(a.language, a.text) < std::tie(b.language, b.text);
+  };
+  return std::ranges::all_of(speech, sound) &&
+         std::ranges::adjacent_find(speech, std::not_fn(in_order)) == speech.end();
+}
+
 std::string broken_floor(const Floor& floor) {
   if (!keeps(floor.plan)) return "its walls";
   if (!keeps(floor.diagram, floor.plan.vertex.size())) return "its Voronoi diagram";
@@ -418,6 +434,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(connection, museum)) return "connection '" + connection.id + "'";
   for (const Place& place : museum.places)
     if (!keeps(place, museum)) return "place '" + place.id + "'";
+  if (!keeps_speech(museum.speech, museum.languages.size())) return "its speech";
   if (!keeps_hours(museum)) return "its hours";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   for (const KioskPlace& kiosk : museum.kiosks)

@@ -186,6 +186,15 @@ void columns(auto& row, MaybeConst<EncodedImage> auto& image) {
   row("bytes", image.bytes);
 }
 
+void columns(auto& row, MaybeConst<SpeechSound> auto& piece) {
+  row("language", piece.language);
+  row("text", piece.text);
+  row("made_of", piece.made_of);
+  row("skip", piece.skip);
+  row("samples", piece.samples);
+  row("packets", piece.packets);
+}
+
 void columns(auto& row, MaybeConst<Joint> auto& joint) {
   row("name", joint.name);
   row("parent", joint.parent);
@@ -271,6 +280,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   for (std::size_t i = 0; i < museum.tours.size(); ++i)
     store.texts("tour.title", i, museum.tours[i].title);
   store.rows("image", museum.images);
+  store.rows("speech", museum.speech);
 
   store.rows("joint", museum.motion.skeleton.joint);
   store.rows("motion_clip", museum.motion.clips);

@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 10 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 13 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -213,6 +213,16 @@ CREATE TABLE image (
   width INTEGER NOT NULL,
   height INTEGER NOT NULL,
   bytes BLOB NOT NULL           -- a PNG or JPEG file
+);
+
+CREATE TABLE speech (           -- what the kiosk says, by pieces, sorted by language and text
+  id INTEGER PRIMARY KEY,
+  language INTEGER NOT NULL,
+  text TEXT NOT NULL,
+  made_of TEXT NOT NULL,        -- a digest of all that its sound depends on
+  skip INTEGER NOT NULL,        -- samples at 48 kHz that are left out at the beginning
+  samples INTEGER NOT NULL,     -- and how many follow
+  packets BLOB NOT NULL         -- Opus packets of one frame, each after its length (u16)
 );
 
 CREATE TABLE joint (            -- parents before children

@@ -33,8 +33,8 @@ class Boathouse : public testing::Test {
                 "1=" + (drawings() / "upper.dxf").string(), "-o", museum().string()});
   }
   Outcome compile() const {
-    return run(program("docent-content"),
-               {"compile", museum().string(), "-o", database().string(), "--no-motion", "--quiet"});
+    return run(program("docent-content"), {"compile", museum().string(), "-o", database().string(),
+                                           "--no-motion", "--no-speech", "--quiet"});
   }
   nlohmann::json route(const std::string& exhibits) const {
     const Outcome told =
@@ -114,8 +114,8 @@ TEST(ImportedMuseum, OfARealDrawingIsCompiledWithExhibitsInItsHalls) {
       "[[exhibit]]\nid = \"east\"\nposition = [80, 14]\nfacing = 180\ntitle.en = \"East\"\n");
 
   const Outcome compiled =
-      run(program("docent-content"),
-          {"compile", museum.string(), "-o", database.string(), "--no-motion", "--quiet"});
+      run(program("docent-content"), {"compile", museum.string(), "-o", database.string(),
+                                      "--no-motion", "--no-speech", "--quiet"});
   ASSERT_EQ(compiled.exit_code, 0) << compiled.err;
   const Outcome told =
       run(program("docent-content"),

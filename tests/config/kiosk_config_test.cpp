@@ -158,6 +158,24 @@ TEST(KioskConfig, SaysWhereAKeypadIsNotAsTheListTellsIt) {
   EXPECT_THAT(message("keypad = 3\n"), testing::HasSubstr("[[keypad]]"));
 }
 
+TEST(KioskConfig, ReadsWhatSpeechIsHeardFrom) {
+  const auto loaded = loaded_from("[sound]\ndevice = \"plughw:1,0\"\nvolume = 0.7\n");
+
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  EXPECT_EQ(loaded.value->sound_device, "plughw:1,0");
+  EXPECT_EQ(loaded.value->sound_volume, 0.7);
+  EXPECT_EQ(loaded_from("").value->sound_device, std::nullopt);
+  EXPECT_EQ(loaded_from("").value->sound_volume, 1);
+
+  const auto message = [](const std::string& text) {
+    const auto wrong = loaded_from(text);
+    return wrong.diagnostics.empty() ? std::string() : wrong.diagnostics[0].message;
+  };
+  EXPECT_THAT(message("[sound]\nvolume = 11\n"), testing::HasSubstr("volume"));
+  EXPECT_THAT(message("[sound]\ndevise = \"x\"\n"), testing::HasSubstr("devise"));
+  EXPECT_THAT(message("sound = 3\n"), testing::HasSubstr("[sound]"));
+}
+
 TEST(KioskConfig, TakesNoPinThatAnybodyCouldRead) {
   const auto loaded = loaded_from("staff_pin = \"4711\"\n");
 

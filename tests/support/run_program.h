@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
@@ -24,8 +25,18 @@ inline std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// Speech takes seconds, and few tests listen: a museum is compiled without it where --speech is
+/// not asked for.
+inline std::string with_speech_or_without(const char* name, const std::string& arguments) {
+  const bool is_compilation =
+      std::string_view(name) == "docent-content" && arguments.starts_with("compile ");
+  const bool is_to_speak = arguments.find("--speech") != std::string::npos;
+  return is_compilation && !is_to_speak ? arguments + " --no-speech" : arguments;
+}
+
 /// Runs one of our programs with arguments as a shell takes them.
-inline ProgramRun run_program(const char* name, const std::string& arguments) {
+inline ProgramRun run_program(const char* name, const std::string& given_arguments) {
+  const std::string arguments = with_speech_or_without(name, given_arguments);
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string();
   const std::string err = (folder.path() / "err").string();

@@ -109,6 +109,17 @@ inline Museum small_museum() {
   museum.scenery.push_back(museum.scenery.front());
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
+  // Two frames of 20 ms of silence, less what the encoder looks ahead.
+  const std::byte contents{0x48}, quiet{0xff}, none{};
+  museum.speech.push_back(
+      {.language = 0,
+       .text = "Jade disc",
+       .made_of = "5a",
+       .skip = 312,
+       .samples = 1500,
+       .packets = {std::byte{2}, none, contents, quiet, std::byte{2}, none, contents, quiet}});
+  museum.speech.push_back(museum.speech.front());
+  museum.speech.back().language = 1;
   museum.kiosk = {{1, 1}, 0.5};
   museum.kiosks = {{.id = "foyer", .floor = 0, .placement = {{1, 1}, 0.5}},
                    {.id = "cafe", .floor = 0, .placement = {{9, 4}, -1.5}}};

@@ -206,6 +206,13 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"strolling visitors", [](Museum& m) { m.ambient.look_most = 3; }},
       {"strolling visitors", [](Museum& m) { m.ambient.look_most = INFINITY; }},
       {"language", [](Museum& m) { m.languages.clear(); }},
+      {"speech", [](Museum& m) { m.speech[1].language = 2; }},
+      {"speech", [](Museum& m) { m.speech[1].language = 0; }},
+      {"speech", [](Museum& m) { m.speech[0].samples = 1609; }},
+      {"speech", [](Museum& m) { m.speech[0].samples = 0; }},
+      {"speech", [](Museum& m) { m.speech[0].packets.pop_back(); }},
+      {"speech", [](Museum& m) { m.speech[0].packets[1] = std::byte{1}; }},
+      {"speech", [](Museum& m) { m.speech[0].packets[6] = std::byte{0x4c}; }},
       {"motion", [](Museum& m) { m.motion.skeleton.joint[1].parent = JointIndex{1}; }},
       {"motion", [](Museum& m) { m.motion.skeleton.part[3] = JointIndex{2}; }},
       {"motion", [](Museum& m) { m.motion.clips[0].rotation[1].x = NAN; }},
@@ -300,6 +307,19 @@ TEST(ContentReader, SaysThatClassesAreDamagedWhichCannotBeDecoded) {
     EXPECT_EQ(museum.error().code, Errc::Damaged);
     EXPECT_THAT(museum.error().what, HasSubstr("motion_class"));
   }
+}
+
+TEST(ContentReader, ReadsWhatIsSaidWithoutTheRest) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "museum.db";
+  write::write_museum(small_museum(), file);
+
+  const auto speech = read_speech(*open_database(file), file);
+
+  ASSERT_TRUE(speech.has_value()) << speech.error().what;
+  ASSERT_EQ(speech->size(), 2U);
+  EXPECT_EQ(speech->back().text, "Jade disc");
+  EXPECT_EQ(speech->back().packets, small_museum().speech.back().packets);
 }
 
 TEST(ContentWriter, GivesTheSameBytesForTheSameMuseum) {

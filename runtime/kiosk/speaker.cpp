@@ -1,0 +1,66 @@
+#include "runtime/kiosk/speaker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "runtime/interface/speech.h"
+#include "runtime/sound/speech_queue.h"
+
+namespace docent::kiosk {
+
+namespace {
+
+/// The device that is played on; nothing where nobody is to hear it.
+std::optional<std::string> device_of(const config::KioskConfig& config, bool is_simulated) {
+  std::string device = config.sound_device.value_or("default");
+  if (device == "none" || (is_simulated && !device.starts_with("file:"))) return std::nullopt;
+  return device;
+}
+
+}  // namespace
+
+Speaker::Speaker(const config::KioskConfig& config, bool is_simulated)
+    : is_simulated_(is_simulated), loudest_(static_cast<float>(config.sound_volume)) {
+  const std::optional<std::string> device = device_of(config, is_simulated);
+  if (!device) return;
+  player_ = alsa::Player::of(*device);
+  if (!is_simulated) jacks_ = std::make_unique<alsa::JackWatch>();
+}
+
+void Speaker::heed(guide::Guide& guide, const Museum& museum) noexcept {
+  if (!player_) return;
+  const guide::Voice& voice = guide.voice();
+  player_->set_volume(loudest_ * static_cast<float>(voice.volume()) / interface::loudest);
+  player_->set_speed(voice.speed());
+  if (const guide::Saying* saying = voice.saying()) say(*saying, museum);
+  if (!is_simulated_) return guide.heard(player_->is_speaking());
+  while (player_->is_speaking()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
+  if (saying.utterance == nullptr) return player_->say({});
+  const interface::Utterance& utterance = *saying.utterance;
+  const auto language = std::ranges::find(museum.languages, utterance.language, &Language::tag) -
+                        museum.languages.begin();
+  std::size_t count = 0;
+  bool is_silent = true;
+  for (const interface::SpokenPiece& piece : utterance.pieces) {
+    if (count == parts_.size()) break;
+    sound::SpeechPart& part = parts_[count++];
+    part.sound = find_sound(museum.speech, static_cast<std::uint32_t>(language), piece.text);
+    part.pause = piece.pause;
+    is_silent = is_silent && part.sound == nullptr;
+  }
+  if (is_silent) {  // a language without a voice: its captions are read in the time that they take
+    constexpr float pauses_a_second =
+        SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
+    const float pauses = guide::seconds_of(utterance) * pauses_a_second;
+    count = std::min(parts_.size(), static_cast<std::size_t>(pauses));
+    std::fill_n(parts_.begin(), count, sound::SpeechPart{.sound = nullptr, .pause = true});
+  }
+  player_->say(std::span(parts_).first(count));
+}
+
+}  // namespace docent::kiosk

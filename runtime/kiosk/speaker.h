@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "config/kiosk_config.h"
+#include "platform/alsa/jack_watch.h"
+#include "platform/alsa/player.h"
+#include "runtime/guide/guide.h"
+#include "runtime/model/museum.h"
+
+namespace docent::kiosk {
+
+/// Lets what the guide says be heard, from the sounds of its museum, and tells it of headphones.
+///
+/// Simulated time is not heard, except in a file: each sentence is then written whole, whatever
+/// time it would take.
+class Speaker {
+ public:
+  Speaker(const config::KioskConfig& config, bool is_simulated);
+
+  /// After each step of the guide: what has begun is played, and the guide knows when it has ended.
+  /// Never waits where time is real, and allocates nothing.
+  void heed(guide::Guide& guide, const Museum& museum) noexcept;
+
+  /// Headphones that went in or out since the last call.
+  std::optional<bool> headphones() noexcept { return jacks_ ? jacks_->changed() : std::nullopt; }
+
+ private:
+  void say(const guide::Saying& saying, const Museum& museum) noexcept;
+
+  std::unique_ptr<alsa::Player> player_;    ///< Null: nothing is heard.
+  std::unique_ptr<alsa::JackWatch> jacks_;  ///< Null: nobody watches.
+  bool is_simulated_;
+  float loudest_;
+  std::array<sound::SpeechPart, 512> parts_{};
+};
+
+}  // namespace docent::kiosk

@@ -1,0 +1,43 @@
+#include "content/speech/run_program.h"
+
+#include <gtest/gtest.h>
+
+namespace docent::speech {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = Outcome::Kind;
+
+TEST(RunProgram, GivesTheInputAndTakesTheOutput) {
+  const std::string text(1'000'000, 'x');
+  const Outcome outcome = run_program({"cat"}, text, 20s);
+  EXPECT_EQ(outcome.kind, Kind::Ended);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.output, text);
+}
+
+TEST(RunProgram, HandsArgumentsOverAsTheyAre) {  // no shell reads them
+  EXPECT_EQ(run_program({"echo", "$HOME; `ls` *", "\"two\""}, {}, 20s).output,
+            "$HOME; `ls` * \"two\"\n");
+}
+
+TEST(RunProgram, TellsStatusAndComplaints) {
+  const Outcome outcome = run_program({"sh", "-c", "echo no >&2; exit 7"}, {}, 20s);
+  EXPECT_EQ(outcome.status, 7);
+  EXPECT_EQ(outcome.errors, "no\n");
+  EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}, {}, 20s).status, 137);
+}
+
+TEST(RunProgram, TellsThatAProgramIsMissing) {
+  EXPECT_EQ(run_program({"no-such-program-of-docent"}, "text", 20s).kind, Kind::Missing);
+}
+
+TEST(RunProgram, EndsWhatTakesTooLongOrSaysTooMuch) {
+  EXPECT_EQ(run_program({"sleep", "1000"}, {}, 50ms).kind, Kind::TooSlow);
+  EXPECT_EQ(run_program({"sh", "-c", "exec >&- 2>&-; exec sleep 1000"}, {}, 50ms).kind,
+            Kind::TooSlow);
+  EXPECT_EQ(run_program({"yes"}, {}, 20s, 100'000).kind, Kind::TooMuch);
+}
+
+}  // namespace
+}  // namespace docent::speech

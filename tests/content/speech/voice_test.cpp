@@ -1,0 +1,109 @@
+#include "content/speech/voice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "content/content_error.h"
+#include "tests/content/speech/made_recordings.h"
+#include "tests/support/temporary_folder.h"
+
+namespace docent::speech {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Voice, OfChineseIsTheOneThatReadsItsOwnPinyin) {
+  EXPECT_EQ(voice_name("zh"), "cmn-latn-pinyin");
+  EXPECT_EQ(voice_name("zh-Hans"), "cmn-latn-pinyin");
+  EXPECT_EQ(voice_name("en-GB"), "en");
+  EXPECT_EQ(voice_name("de"), "de");
+}
+
+// What espeak-ng 1.51 of Debian 12 answers to a line of each language.
+TEST(Voice, IsKnownByItsPhonemes) {
+  EXPECT_EQ(reading_fault("tˈʌtʃ tə bɪɡˈɪn\nwˈɛlkʌm"), "");
+  EXPECT_EQ(reading_fault("tɕˈiɛ5n tsʰˈai̪51 tsˈou21 jˈiou51"), "");
+  EXPECT_EQ(reading_fault("bɭʲɪʐˈaɪʂɨj ˈis tuaɭʲˈɛtɨ v muzʲˈej"), "");
+  EXPECT_THAT(reading_fault(" (en)tʃˈaɪniːz(ja)lˈɛtə (en)tʃˈaɪniːz(ja)lˈɛtə hˈe jˈo ˈu kˈo sˈo"),
+              HasSubstr("does not know the script"));
+  EXPECT_THAT(reading_fault("mˈi jlχ ʔtχm χˈalon vlˈi mdʁ"),
+              HasSubstr("50 of 100 words have none"));
+  EXPECT_EQ(reading_fault(" \n \n"), "its voice reads nothing of it");
+}
+
+TEST(Voice, MayNameSomethingInForeignLetters) {
+  EXPECT_EQ(reading_fault("eɪ̯n rˈʊntɡaŋ ɪm mjuːzˈeːʊm mɪt diːm (en)bˈɪtɹ(de) ʊnt nˈɔxt mˈeːɐ "
+                          "vˈɔɾtən dˈi nˈɪxts ˈɛndɐn ˈan dˈem"),
+            "");
+}
+
+/// A program that says that it is espeak-ng, and then does as `script` says.
+class FakeEspeak {
+ public:
+  explicit FakeEspeak(std::string_view script) {
+    std::ofstream(file()) << "#!/bin/sh\n"
+                             "[ \"$1\" = --version ] && echo 'eSpeak NG text-to-speech: 9.9  Data "
+                             "at: /x' && exit 0\n"
+                          << script << "\n";
+    std::filesystem::permissions(file(), std::filesystem::perms::owner_all);
+  }
+  std::string file() const { return (folder_.path() / "espeak-ng").string(); }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+std::string what_is_said_of(const auto& run) {
+  try {
+    run();
+    return {};
+  } catch (const content::ContentError& error) {
+    return error.what();
+  }
+}
+
+TEST(Espeak, SaysItsVersion) {
+  EXPECT_EQ(Espeak::find(FakeEspeak("").file()).version(), "9.9");
+}
+
+TEST(Espeak, ThatIsMissingOrAnotherProgramIsToldInASentence) {
+  EXPECT_EQ(what_is_said_of([] { Espeak::find("no-such-program-of-docent"); }),
+            "the program is not there");
+  EXPECT_EQ(what_is_said_of([] { Espeak::find("true"); }), "the program does not say its version");
+}
+
+TEST(Espeak, ThatFailsIsToldInASentence) {
+  const FakeEspeak failing("echo 'out of luck' >&2; exit 3");
+  EXPECT_EQ(what_is_said_of([&] { Espeak::find(failing.file()).say("en", "hello"); }),
+            "the program failed (3): out of luck");
+  const FakeEspeak voiceless("echo 'Error: The specified voice does not exist.' >&2; exit 1");
+  EXPECT_EQ(what_is_said_of([&] { Espeak::find(voiceless.file()).phonemes("xx", "hello"); }),
+            "there is no voice for it");
+  const FakeEspeak babbling("echo no sound");
+  EXPECT_EQ(what_is_said_of([&] { Espeak::find(babbling.file()).say("en", "hello"); }),
+            "this is no WAV file");
+}
+
+TEST(Espeak, GetsTheTextByItsInputWithoutItsOwnCodes) {
+  const FakeEspeak listening("cat");
+  EXPECT_EQ(Espeak::find(listening.file()).phonemes("en", "-w file; [[h@l'oU]] [[["),
+            "-w file; [ h@l'oU]] [ [\n");
+}
+
+TEST(Espeak, OfThisMachineSpeaks) {
+  if (std::system("espeak-ng --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no espeak-ng";
+  const Espeak espeak = Espeak::find();
+  const Pcm said = espeak.say("en", "Welcome to the museum");
+  EXPECT_GT(said.samples.size(), said.rate);
+  EXPECT_GT(test::power(said.samples), 0.001);
+  EXPECT_EQ(reading_fault(espeak.phonemes("en", "Welcome to the museum")), "");
+  EXPECT_NE(reading_fault(espeak.phonemes("ja", "博物館へようこそ")), "");
+  EXPECT_NE(reading_fault(espeak.phonemes("he", "ברוכים הבאים למוזיאון של העיר")), "");
+  EXPECT_EQ(reading_fault(espeak.phonemes(voice_name("zh"), "第一展厅在右边")), "");
+  EXPECT_EQ(what_is_said_of([&] { espeak.say("xx", "hello"); }), "there is no voice for it");
+}
+
+}  // namespace
+}  // namespace docent::speech

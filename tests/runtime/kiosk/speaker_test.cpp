@@ -1,0 +1,96 @@
+#include "runtime/kiosk/speaker.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "platform/opus/decoder.h"
+#include "platform/sqlite/content_reader.h"
+#include "runtime/sound/volume.h"
+#include "tests/support/kiosk_run.h"
+#include "tests/support/sample_database.h"
+
+namespace docent::kiosk {
+namespace {
+
+std::vector<float> decoded(const SpeechSound& sound) {
+  opus::Decoder decoder = *opus::Decoder::open();
+  std::vector<float> all, part(opus::Decoder::longest);
+  std::span<const std::byte> rest = sound.packets;
+  while (!rest.empty()) {
+    const std::size_t more = decoder.decode(take_packet(rest), part);
+    all.insert(all.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(more));
+  }
+  return {all.begin() + sound.skip, all.begin() + sound.skip + sound.samples};
+}
+
+/// The left channel.
+std::vector<float> heard_in(const std::filesystem::path& file) {
+  const std::string bytes = test::text_of(file);
+  std::vector<float> samples;
+  for (std::size_t at = 44; at + 4 <= bytes.size(); at += 4) {
+    std::int16_t sample = 0;
+    std::memcpy(&sample, bytes.data() + at, sizeof sample);
+    samples.push_back(static_cast<float>(sample) / 32767);
+  }
+  return samples;
+}
+
+/// A visit with headphones and open eyes: what comes out of the socket is what the database holds
+/// of the first sentence.
+TEST(Speaker, LetsTheFirstSentenceOfAVisitBeHeard) {
+  const auto museum = sqlite::load_museum(test::sample_database());
+  ASSERT_TRUE(museum.has_value()) << museum.error().what;
+  const SpeechSound* wanted = find_sound(museum->speech, 0, "What would you like to see?");
+  if (wanted == nullptr) GTEST_SKIP() << "the sample museum was compiled without espeak-ng";
+  const test::VisitRun run("1 key ENTER\n2 headphones in\n4 quit\n");
+  std::ofstream(run.file("kiosk.toml"))
+      << "[sound]\ndevice = \"file:" << run.file("heard.wav").string() << "\"\n";
+
+  const test::ProgramRun played = run.play("--config '" + run.file("kiosk.toml").string() +
+                                           "' --speech '" + run.file("said.csv").string() +
+                                           "' --stats '" + run.file("stats.json").string() + "'");
+
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  EXPECT_THAT(test::text_of(run.file("said.csv")),
+              testing::HasSubstr(",en,What would you like to see?"));
+  const std::vector<float> heard = heard_in(run.file("heard.wav"));
+  const std::vector<float> said = decoded(*wanted);
+  ASSERT_GT(heard.size(), said.size());
+  const float gain = sound::gain_of(0.5F);
+  double best = 0, energy_said = 0;
+  for (const float sample : said) energy_said += std::pow(double{sample} * gain, 2);
+  // It is somewhere among what is heard, as loud as it should be: whole blocks of 20 ms.
+  for (std::size_t at = 0; at + said.size() <= heard.size(); ++at) {
+    double together = 0, energy = 1e-9;
+    for (std::size_t i = 0; i < said.size(); i += 16) {
+      together += double{said[i]} * gain * heard[at + i];
+      energy += std::pow(heard[at + i], 2);
+    }
+    best = std::max(best, together / std::sqrt(energy * energy_said / 16));
+    if (best > 0.98) break;
+  }
+  EXPECT_GT(best, 0.98);
+  EXPECT_EQ(test::number_in(test::text_of(run.file("stats.json")), "allocations_in_frames"), 0);
+}
+
+/// Every language of the sample museum has a sound for each of its pieces, in less than 30 MB.
+TEST(Speaker, HasTheSampleMuseumsVoices) {
+  const auto museum = sqlite::load_museum(test::sample_database());
+  ASSERT_TRUE(museum.has_value());
+  if (museum->speech.empty()) GTEST_SKIP() << "the sample museum was compiled without espeak-ng";
+  std::size_t bytes = 0;
+  std::vector<bool> speaks(museum->languages.size());
+  for (const SpeechSound& sound : museum->speech) {
+    bytes += sound.packets.size();
+    speaks[sound.language] = true;
+  }
+  EXPECT_LT(bytes, 30'000'000U);
+  EXPECT_EQ(std::ranges::count(speaks, false), 0);
+}
+
+}  // namespace
+}  // namespace docent::kiosk
