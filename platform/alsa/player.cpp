@@ -107,6 +107,7 @@ struct Player::Work {
   }
 
   void take(const sound::SpeechQueue::Item& item) {
+    if (item.archived) return take_archived(item);
     if (item.packet.empty()) {
       std::ranges::fill(decoded, 0.0F);
       for (std::uint32_t left = item.samples; left > 0 && !is_interrupted();) {
@@ -116,12 +117,30 @@ struct Player::Work {
       }
       return;
     }
-    if (item.begins) {
-      decoder.forget();
-      skip = item.skip;
-      samples = item.samples;
+    if (item.begins) begin(item);
+    take_packet_of_sound(item.packet);
+  }
+
+  void begin(const sound::SpeechQueue::Item& item) {
+    decoder.forget();
+    skip = item.skip;
+    samples = item.samples;
+  }
+
+  void take_archived(const sound::SpeechQueue::Item& item) {
+    const std::shared_ptr<sound::SoundArchive> archive = player.archive_.load();
+    if (!archive) return;
+    begin(item);
+    std::span<const std::byte> rest = archive->packets(*item.archived);
+    while (!rest.empty() && !is_interrupted()) {
+      const auto packet = take_packet(rest);
+      if (packet.empty()) return;
+      take_packet_of_sound(packet);
     }
-    std::span<const float> sound = std::span(decoded).first(decoder.decode(item.packet, decoded));
+  }
+
+  void take_packet_of_sound(std::span<const std::byte> packet) {
+    std::span<const float> sound = std::span(decoded).first(decoder.decode(packet, decoded));
     const std::size_t skipped = std::min<std::size_t>(skip, sound.size());
     skip -= static_cast<std::uint32_t>(skipped);
     sound = sound.subspan(skipped);
@@ -156,6 +175,11 @@ std::unique_ptr<Player> Player::of(const std::string& device) {
 Player::~Player() {
   thread_.request_stop();
   awake_.release();
+}
+
+void Player::use(std::shared_ptr<sound::SoundArchive> archive) noexcept {
+  say({});
+  archive_.store(std::move(archive));
 }
 
 void Player::say(std::span<const sound::SpeechPart> parts) noexcept {

@@ -69,8 +69,8 @@ struct InterfaceState {
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
   bool speaks = false;                  ///< What they do and may do is read aloud.
   bool large_letters = false, high_contrast = false;
-  bool low_reach = false;     ///< All that can be touched lies within reach of who sits.
-  bool can_lower = false;     ///< The glass hangs so that this makes a difference.
+  bool low_reach = false;  ///< All that can be touched lies within reach of who sits.
+  bool can_lower = false;  ///< The glass hangs so that this makes a difference.
   /// How the visitor goes along on the walk: 0 not yet, they see the whole way from above; else so
   /// many times as fast as the guide walks.
   std::uint8_t pace = 0;

@@ -15,6 +15,7 @@
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
 #include "platform/sqlite/signature_block.h"
+#include "platform/sqlite/speech_archive.h"
 #include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/plan/order_tours.h"
@@ -159,6 +160,32 @@ std::string summary(const Museum& museum) {
                      many(museum.languages.size(), "language"));
 }
 
+namespace {
+
+/// Minutes of speech are heard by few visitors, a sentence at a time: they are read when they are
+/// said. Null, and the sounds stay in memory, where the file is not what it was.
+std::shared_ptr<sound::SoundArchive> leave_sounds_on_disk(const std::filesystem::path& database,
+                                                          std::vector<SpeechSound>& speech) {
+  if (speech.empty()) return {};
+  std::shared_ptr<sound::SoundArchive> archive = sqlite::open_speech_archive(database, speech);
+  if (!archive) return {};
+  // Copies lie close together; what is emptied in its place leaves holes too small to give back.
+  std::vector<SpeechSound> light;
+  light.reserve(speech.size());
+  for (const SpeechSound& sound : speech)
+    light.push_back({.language = sound.language,
+                     .text = sound.text,
+                     .made_of = {},
+                     .skip = sound.skip,
+                     .samples = sound.samples,
+                     .packets = {},
+                     .archived = static_cast<std::uint32_t>(light.size())});
+  speech = std::move(light);
+  return archive;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const Selection& selection,
                                                     const guide::GuideSettings& settings) {
@@ -172,6 +199,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   exhibition->museum = std::move(*museum);
   exhibition->content = std::move(content);
   keep_what_is_walked(exhibition->museum);
+  exhibition->sounds = leave_sounds_on_disk(database, exhibition->museum.speech);
   const Museum& kept = exhibition->museum;
   exhibition->scenery_pictures.resize(kept.images.size());
   auto pictures_made = make_scenery_pictures(kept, exhibition->scenery_pictures);

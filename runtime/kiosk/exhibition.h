@@ -15,6 +15,7 @@
 #include "runtime/model/result.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/body_detail.h"
+#include "runtime/sound/sound_archive.h"
 
 namespace docent::kiosk {
 
@@ -23,6 +24,7 @@ namespace docent::kiosk {
 struct Exhibition {
   Museum museum;
   ContentFacts content;
+  std::shared_ptr<sound::SoundArchive> sounds;  ///< Null: all of the museum's are in memory.
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
   std::unique_ptr<TodayWatch> today;

@@ -280,7 +280,7 @@ Result<void> Kiosk::frame() {
   if (guide().counters().touches != touches) touched_ = clock::monotonic_now();
 
   make_frame(passed);
-  speaker_.heed(guide(), exhibition_->museum);
+  speaker_.heed(guide(), exhibition_->museum, exhibition_->sounds);
   if (statistics_.frames++ == 0)
     statistics_.start_to_first_frame = clock::monotonic_now() - started_;
   if (touched_) statistics_.input_to_frame.add(clock::monotonic_now() - *touched_);

@@ -29,8 +29,11 @@ Speaker::Speaker(const config::KioskConfig& config, bool is_simulated)
   if (!is_simulated) jacks_ = std::make_unique<alsa::JackWatch>();
 }
 
-void Speaker::heed(guide::Guide& guide, const Museum& museum) noexcept {
+void Speaker::heed(guide::Guide& guide, const Museum& museum,
+                   const std::shared_ptr<sound::SoundArchive>& archive) noexcept {
   if (!player_) return;
+  if (archive.get() != archive_) player_->use(archive);
+  archive_ = archive.get();
   const guide::Voice& voice = guide.voice();
   player_->set_volume(loudest_ * static_cast<float>(voice.volume()) / interface::loudest);
   player_->set_speed(voice.speed());

@@ -27,6 +27,8 @@ struct SpeechSound {
   std::uint32_t skip = 0;
   std::uint32_t samples = 0;
   std::vector<std::byte> packets;
+  /// Under which number they lie in an archive (runtime/sound/sound_archive.h), if not here.
+  std::optional<std::uint32_t> archived{};
 };
 
 /// How many samples a packet holds; 0 where it is none of one frame and one channel.

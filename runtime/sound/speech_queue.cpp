@@ -26,6 +26,11 @@ bool SpeechQueue::push(const SpeechSound& sound) noexcept {
                 .samples = sound.samples,
                 .size = 0,
                 .begins = 1};
+  if (sound.archived) {
+    header.size = sizeof(*sound.archived);
+    header.is_archived = 1;
+    return push(header, std::as_bytes(std::span(&*sound.archived, 1)));
+  }
   std::span<const std::byte> rest = sound.packets;
   while (!rest.empty()) {
     const auto packet = take_packet(rest);
@@ -61,7 +66,13 @@ bool SpeechQueue::pop(Item& item) noexcept {
             .begins = header.begins != 0,
             .skip = header.skip,
             .samples = header.samples,
-            .packet = packet};
+            .packet = packet,
+            .archived = std::nullopt};
+    if (header.is_archived == 0) return true;
+    std::uint32_t number = 0;
+    std::memcpy(&number, packet.data(), sizeof number);
+    item.archived = number;
+    item.packet = {};
     return true;
   }
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "runtime/model/speech.h"
@@ -19,7 +20,8 @@ struct SpeechPart {
 
 /// Sentences on their way from the frame thread to the player's: one thread pushes, one pops;
 /// neither waits for the other and nothing allocates. Packets are copied, so that sounds may go
-/// away as soon as they are queued. What one sentence holds beyond `capacity` is left out.
+/// away as soon as they are queued; of those in an archive their numbers. What one sentence holds
+/// beyond `capacity` is left out.
 class SpeechQueue {
  public:
   static constexpr std::size_t capacity = std::size_t{1} << 20U;  ///< Bytes: some 6 minutes.
@@ -31,7 +33,8 @@ class SpeechQueue {
     bool begins = false;         ///< A sound begins: the decoder forgets what was before.
     std::uint32_t skip = 0;      ///< Samples to leave out, where it begins.
     std::uint32_t samples = 0;   ///< Of the sound that begins, or of silence where nothing follows.
-    std::span<const std::byte> packet;  ///< Valid until the next pop. Empty: silence.
+    std::span<const std::byte> packet;      ///< Valid until the next pop. Empty: silence.
+    std::optional<std::uint32_t> archived;  ///< Instead of a packet: all of an archive's sound.
   };
 
   /// Begins a sentence, which ends the one before; without parts there is silence. For the thread
@@ -50,7 +53,7 @@ class SpeechQueue {
  private:
   struct Header {
     std::uint32_t sentence = 0, skip = 0, samples = 0;
-    std::uint16_t size = 0, begins = 0;
+    std::uint16_t size = 0, begins = 0, is_archived = 0;
   };
   bool push(const Header& header, std::span<const std::byte> packet) noexcept;
   bool push(const SpeechSound& sound) noexcept;

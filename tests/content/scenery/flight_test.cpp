@@ -86,11 +86,14 @@ TEST(Flight, RisesByStepsOfAHandsBreadthAtMost) {
     const double rise = *rc::gen::inRange(50, 800) / 100.0;
     const bool down = *rc::gen::arbitrary<bool>();
 
-    const std::vector<double> heights =
+    std::vector<double> heights =
         heights_of_treads(with(hall_with_stairwell(), {passage(down ? -rise : rise)}));
 
     RC_ASSERT(!heights.empty());
-    double before = 0;
+    // Going down, the uppermost tread is level with this floor, and from the lowest one goes down
+    // to the other.
+    if (down) heights.push_back(-rise);
+    double before = down ? 1e-5 : 0;
     for (const double height : heights) {
       RC_ASSERT(std::abs(height - before) <= 0.17 + 1e-4);
       RC_ASSERT((height < before) == down);

@@ -109,6 +109,32 @@ TEST(Player, SaysASentenceToItsEnd) {
   EXPECT_TRUE(player.has_device());
 }
 
+/// Holds one sound, whatever number is asked for.
+class OneSound : public sound::SoundArchive {
+ public:
+  explicit OneSound(std::vector<std::byte> packets) : packets_(std::move(packets)) {}
+  std::span<const std::byte> packets(std::uint32_t) override { return packets_; }
+
+ private:
+  std::vector<std::byte> packets_;
+};
+
+TEST(Player, SaysSoundsOfAnArchiveAsThoseInMemory) {
+  Heard heard;
+  Player player(opening(heard));
+  SpeechSound one = tone(200, 0.5);
+  player.use(std::make_shared<OneSound>(std::exchange(one.packets, {})));
+  one.archived = 3;
+
+  say(player, one);
+
+  ASSERT_TRUE(becomes([&] { return !player.is_speaking(); }));
+  EXPECT_EQ(heard.count(), 2U * 48'000 / 2);
+  player.use(nullptr);
+  say(player, one);
+  EXPECT_TRUE(becomes([&] { return !player.is_speaking(); })) << "silent, without an archive";
+}
+
 TEST(Player, EndsASentenceForTheNext) {
   Heard heard;
   Player player(opening(heard));

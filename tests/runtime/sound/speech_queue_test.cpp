@@ -48,6 +48,25 @@ TEST(SpeechQueue, GivesSoundsAndPausesInTheirOrder) {
   EXPECT_FALSE(queue.pop(item));
 }
 
+TEST(SpeechQueue, GivesTheNumberOfASoundInAnArchive) {
+  SpeechQueue queue;
+  SpeechSound sound = sound_of(1, 40, 7);
+  sound.packets = {};
+  sound.archived = 70'000;
+  const SpeechPart part{&sound, true};
+
+  queue.say({&part, 1});
+
+  SpeechQueue::Item item;
+  ASSERT_TRUE(queue.pop(item));
+  EXPECT_EQ(item.archived, 70'000U);
+  EXPECT_EQ(item.samples, sound.samples);
+  EXPECT_TRUE(item.packet.empty());
+  ASSERT_TRUE(queue.pop(item));
+  EXPECT_EQ(item.archived, std::nullopt);
+  EXPECT_FALSE(queue.pop(item));
+}
+
 RC_GTEST_PROP(SpeechQueueProperty, OnlyTheLastSentenceIsHeard, ()) {
   SpeechQueue queue;
   std::uint32_t said = 0;
