@@ -231,7 +231,8 @@ void Stage::turn_to_way(const interface::InterfaceState& state, const Avatar& le
   if (!is_new_way_ || leader.next) return;
   is_new_way_ = false;
   if (screen_ != interface::Screen::Walking || state.screen != screen_ || above_) return;
-  const scene::Walker walker = in_view(museum_, state, leader).walker(leader);
+  const InView due = in_view(museum_, state, leader);
+  const scene::Walker walker = due.walker(leader);
   const double yaw = scene::yaw_towards(walker, leader.body.heading);
   const double turn = std::abs(scene::wrapped(yaw - walking_.yaw()));
   if (turn < turned_enough) return;
