@@ -30,8 +30,7 @@ bool holds(sqlite3* database, std::span<const SpeechSound> speech) {
     if (sqlite3_step(statement.get()) != SQLITE_ROW ||
         sqlite3_column_int64(statement.get(), 0) != static_cast<std::int64_t>(i))
       return false;
-    const auto* text = static_cast<const char*>(
-        static_cast<const void*>(sqlite3_column_text(statement.get(), 1)));
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement.get(), 1));
     if (text == nullptr || speech[i].made_of != text) return false;
   }
   return sqlite3_step(statement.get()) == SQLITE_DONE;
