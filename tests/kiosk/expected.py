@@ -10,7 +10,7 @@ from picture import Picture, read_png
 
 SIZE = (320, 200)  # small: every pixel is drawn by a processor that is itself simulated
 SAME_SCREEN = 2.0  # the mean difference of a channel: of one screen 0.01, of two of them 8
-RIBBON_PIXELS = 150  # the way on the floor has at least 399; welcome and choosing have at most 7 of that colour
+RIBBON_PIXELS = 45  # the way on the floor, seen from above, has 101; welcome and choosing have at most 7 of that colour
 
 
 @dataclass(frozen=True)
