@@ -459,13 +459,15 @@ class Month {
     wait_for(gap_ * (0.5 + share()) - at);
   }
 
-  /// Nobody touches the glass again: who left is noticed a minute after the guide stands, however
-  /// long it still walks, rides and waits for a lift. In seconds.
+  /// Nobody touches the glass again: who left is noticed a minute after the guide stands and what
+  /// is read aloud has ended, however long it still walks, rides and waits for a lift. In seconds.
   double empty_the_glass() {
     constexpr double longest_walk = 1800, notices_after = 60 + 6;
     double seconds = 0;
     for (double stood = 0; !kiosk_.guide().is_vacant(); seconds += 0.1) {
-      stood = guide::stands(kiosk_.guide().crowd()[0].avatar) ? stood + 0.1 : 0;
+      const bool rests =
+          guide::stands(kiosk_.guide().crowd()[0].avatar) && !kiosk_.guide().voice().is_busy();
+      stood = rests ? stood + 0.1 : 0;
       if (stood > notices_after || seconds > longest_walk) {
         ++never_vacant_;
         break;
