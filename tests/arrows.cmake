@@ -62,7 +62,7 @@ room(platform/alsa USES ${model} runtime/sound platform platform/journal platfor
 room(platform/opus USES ${model} platform LIBRARIES opus/)
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/pin USES ${model} LIBRARIES sodium/)
-room(platform/sqlite USES ${model} runtime/sound runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
+room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
 room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)
 

@@ -128,10 +128,10 @@ struct Player::Work {
   }
 
   void take_archived(const sound::SpeechQueue::Item& item) {
-    const std::shared_ptr<sound::SoundArchive> archive = player.archive_.load();
+    const std::shared_ptr<BlobArchive> archive = player.archive_.load();
     if (!archive) return;
     begin(item);
-    std::span<const std::byte> rest = archive->packets(*item.archived);
+    std::span<const std::byte> rest = archive->read(*item.archived);
     while (!rest.empty() && !is_interrupted()) {
       const auto packet = take_packet(rest);
       if (packet.empty()) return;
@@ -177,7 +177,7 @@ Player::~Player() {
   awake_.release();
 }
 
-void Player::use(std::shared_ptr<sound::SoundArchive> archive) noexcept {
+void Player::use(std::shared_ptr<BlobArchive> archive) noexcept {
   say({});
   archive_.store(std::move(archive));
 }

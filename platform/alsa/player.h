@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "platform/alsa/sound_device.h"
+#include "runtime/model/blob_archive.h"
 #include "runtime/model/result.h"
-#include "runtime/sound/sound_archive.h"
 #include "runtime/sound/speech_queue.h"
 
 namespace docent::alsa {
@@ -35,7 +35,7 @@ class Player {
   // For the frame thread; none of these waits or allocates.
 
   /// Where the packets of archived sounds are read from now on; whatever is being said ends.
-  void use(std::shared_ptr<sound::SoundArchive> archive) noexcept;
+  void use(std::shared_ptr<BlobArchive> archive) noexcept;
   /// Says a sentence; the one before ends at once. Without parts it is silent.
   void say(std::span<const sound::SpeechPart> parts) noexcept;
   /// From 0 to 1, and how many times as fast as usual: from now on, in mid-sentence too.
@@ -52,7 +52,7 @@ class Player {
   std::atomic<float> volume_{0.5F}, speed_{1};
   std::atomic<std::uint32_t> ended_{0};  ///< The last sentence that was said to its end.
   std::atomic<bool> has_device_{false};
-  std::atomic<std::shared_ptr<sound::SoundArchive>> archive_{};
+  std::atomic<std::shared_ptr<BlobArchive>> archive_{};
   std::counting_semaphore<> awake_{0};
   Open open_;
   bool is_paced_;

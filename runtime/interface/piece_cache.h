@@ -30,7 +30,8 @@ struct TextPiece {
 struct PieceMakers {
   SetText set_text;
   SetPicture set_picture;
-  std::function<void()> rest{};  ///< Called when a visitor has left, to tidy up; may be empty.
+  std::function<void()> rest{};  ///< Called when a visitor has left or reads another language,
+                                 ///< to tidy up; may be empty.
 };
 
 /// Makes each text and each picture of the views once, in the size in which it is drawn, and

@@ -14,8 +14,8 @@
 #include "platform/image/image.h"
 #include "platform/pango/text_setter.h"
 #include "platform/sqlite/content_reader.h"
+#include "platform/sqlite/file_archive.h"
 #include "platform/sqlite/signature_block.h"
-#include "platform/sqlite/speech_archive.h"
 #include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/plan/order_tours.h"
@@ -27,10 +27,13 @@ namespace {
 /// A picture on a wall of the model is seldom larger on the screen, and never what one looks at.
 constexpr std::uint32_t scenery_picture_side = 144;
 
-/// A picture that cannot be decoded is left out: its exhibit is shown without one.
-Pixels decode(const Museum& museum, std::uint32_t image) {
+/// A picture that cannot be decoded is left out: its exhibit is shown without one. `archive`: where
+/// it lies; null: in memory.
+Pixels decode(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
   if (image >= museum.images.size()) return {};
-  return image::decode_image(museum.images[image].bytes).value_or(Pixels{});
+  const std::span<const std::byte> bytes =
+      archive != nullptr ? archive->read(image) : std::span(museum.images[image].bytes);
+  return image::decode_image(bytes).value_or(Pixels{});
 }
 
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
@@ -164,10 +167,11 @@ namespace {
 
 /// Minutes of speech are heard by few visitors, a sentence at a time: they are read when they are
 /// said. Null, and the sounds stay in memory, where the file is not what it was.
-std::shared_ptr<sound::SoundArchive> leave_sounds_on_disk(const std::filesystem::path& database,
-                                                          std::vector<SpeechSound>& speech) {
+std::shared_ptr<BlobArchive> leave_sounds_on_disk(const ContentFacts& content,
+                                                  std::vector<SpeechSound>& speech) {
   if (speech.empty()) return {};
-  std::shared_ptr<sound::SoundArchive> archive = sqlite::open_speech_archive(database, speech);
+  std::shared_ptr<BlobArchive> archive =
+      sqlite::open_archive(content.path, sqlite::Archived::Speech, content.checksum);
   if (!archive) return {};
   // Copies lie close together; what is emptied in its place leaves holes too small to give back.
   std::vector<SpeechSound> light;
@@ -199,13 +203,16 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   exhibition->museum = std::move(*museum);
   exhibition->content = std::move(content);
   keep_what_is_walked(exhibition->museum);
-  exhibition->sounds = leave_sounds_on_disk(database, exhibition->museum.speech);
+  exhibition->sounds = leave_sounds_on_disk(exhibition->content, exhibition->museum.speech);
   const Museum& kept = exhibition->museum;
   exhibition->scenery_pictures.resize(kept.images.size());
   auto pictures_made = make_scenery_pictures(kept, exhibition->scenery_pictures);
-  interface::SetPicture set_picture = [&kept](std::uint32_t image, std::uint32_t width,
-                                              std::uint32_t height) {
-    return image::fill(decode(kept, image), width, height);
+  // Pictures as they came are read when the worker sets one; null, and they stay in memory.
+  const std::shared_ptr<BlobArchive> pictures = sqlite::open_archive(
+      exhibition->content.path, sqlite::Archived::Images, exhibition->content.checksum);
+  interface::SetPicture set_picture = [&kept, pictures](std::uint32_t image, std::uint32_t width,
+                                                        std::uint32_t height) {
+    return image::fill(decode(kept, pictures.get(), image), width, height);
   };
   // What visitors of the last hours needed is not kept for months.
   const auto rest = [] {
@@ -224,6 +231,8 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       selection.today, selection.is_simulated);
   exhibition->body_levels = scene::levels_of(kept.avatar);
   for (std::future<void>& made : pictures_made) made.get();
+  if (pictures)
+    for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
   give_back_freed_memory();  // What the making took, as long as another museum is shown beside it.
   return exhibition;
 }

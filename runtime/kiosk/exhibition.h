@@ -11,11 +11,11 @@
 #include "runtime/guide/guide.h"
 #include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/today_watch.h"
+#include "runtime/model/blob_archive.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/result.h"
 #include "runtime/plan/planner.h"
 #include "runtime/scene/body_detail.h"
-#include "runtime/sound/sound_archive.h"
 
 namespace docent::kiosk {
 
@@ -24,7 +24,7 @@ namespace docent::kiosk {
 struct Exhibition {
   Museum museum;
   ContentFacts content;
-  std::shared_ptr<sound::SoundArchive> sounds;  ///< Null: all of the museum's are in memory.
+  std::shared_ptr<BlobArchive> sounds;  ///< Null: all of the museum's are in memory.
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
   std::unique_ptr<TodayWatch> today;

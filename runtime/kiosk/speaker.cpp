@@ -30,7 +30,7 @@ Speaker::Speaker(const config::KioskConfig& config, bool is_simulated)
 }
 
 void Speaker::heed(guide::Guide& guide, const Museum& museum,
-                   const std::shared_ptr<sound::SoundArchive>& archive) noexcept {
+                   const std::shared_ptr<BlobArchive>& archive) noexcept {
   if (!player_) return;
   if (archive.get() != archive_) player_->use(archive);
   archive_ = archive.get();

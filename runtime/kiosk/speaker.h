@@ -24,7 +24,7 @@ class Speaker {
   /// Never waits where time is real, and allocates nothing.
   /// `archive`: of the museum's sounds; null where they are all in memory.
   void heed(guide::Guide& guide, const Museum& museum,
-            const std::shared_ptr<sound::SoundArchive>& archive) noexcept;
+            const std::shared_ptr<BlobArchive>& archive) noexcept;
 
   /// Headphones that went in or out since the last call.
   std::optional<bool> headphones() noexcept { return jacks_ ? jacks_->changed() : std::nullopt; }
@@ -32,9 +32,9 @@ class Speaker {
  private:
   void say(const guide::Saying& saying, const Museum& museum) noexcept;
 
-  std::unique_ptr<alsa::Player> player_;          ///< Null: nothing is heard.
-  std::unique_ptr<alsa::JackWatch> jacks_;        ///< Null: nobody watches.
-  const sound::SoundArchive* archive_ = nullptr;  ///< That the player has.
+  std::unique_ptr<alsa::Player> player_;    ///< Null: nothing is heard.
+  std::unique_ptr<alsa::JackWatch> jacks_;  ///< Null: nobody watches.
+  const BlobArchive* archive_ = nullptr;    ///< That the player has.
   bool is_simulated_;
   float loudest_;
   std::array<sound::SpeechPart, 512> parts_{};

@@ -27,7 +27,7 @@ struct SpeechSound {
   std::uint32_t skip = 0;
   std::uint32_t samples = 0;
   std::vector<std::byte> packets;
-  /// Under which number they lie in an archive (runtime/sound/sound_archive.h), if not here.
+  /// Under which number they lie in an archive (blob_archive.h), if not here.
   std::optional<std::uint32_t> archived{};
 };
 

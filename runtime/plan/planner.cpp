@@ -157,7 +157,10 @@ void Planner::answer(const interface::ViewRequest& asked) {
       interface::make_view(museum_, request, cache_, *closed_.load(), way ? &*way : nullptr);
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
-  if (request.state.screen == interface::Screen::Welcome) cache_.rest();
+  // Letters of a language that nobody reads any more; on a shared glass somebody may.
+  const bool reads_another = !request.state.seat && request.state.language != language_;
+  language_ = request.state.language;
+  if (request.state.screen == interface::Screen::Welcome || reads_another) cache_.rest();
 }
 
 }  // namespace docent::plan

@@ -72,6 +72,7 @@ class Planner {
   std::optional<motion::WalkGraph> walking_;  ///< None where the museum's motion cannot walk.
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
   interface::PieceCache cache_;                              ///< Used by the worker only.
+  std::uint32_t language_ = 0;                               ///< Of its last view. Likewise.
   path::BuildingMap building_;                               ///< Of all floors.
   std::optional<directions::Doorways> doorways_;             ///< Found when they are first needed.
   std::atomic<std::shared_ptr<const Closures>> closed_;      ///< Just now; never null.

@@ -110,10 +110,10 @@ TEST(Player, SaysASentenceToItsEnd) {
 }
 
 /// Holds one sound, whatever number is asked for.
-class OneSound : public sound::SoundArchive {
+class OneSound : public BlobArchive {
  public:
   explicit OneSound(std::vector<std::byte> packets) : packets_(std::move(packets)) {}
-  std::span<const std::byte> packets(std::uint32_t) override { return packets_; }
+  std::span<const std::byte> read(std::uint32_t) override { return packets_; }
 
  private:
   std::vector<std::byte> packets_;
