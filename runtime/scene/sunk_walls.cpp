@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/model/geometry/segment.h"
 #include "runtime/model/scenery.h"
 
 namespace docent::scene {
@@ -29,13 +30,6 @@ std::size_t cell_of(int column, int row) noexcept {
 
 int column_of(double metres) noexcept {
   return static_cast<int>(std::floor(metres / cell));
-}
-
-double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) noexcept {
-  const Vec2 along = b - a;
-  const double square = dot(along, along);
-  const double share = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, a + along * share);
 }
 
 /// How far along `from` to `to` the segment a to b crosses it, metres; below 0: nowhere.
