@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/personality.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,6 +75,23 @@ struct Pipe {
   }
 };
 
+/// What this thread starts lies at the same addresses each time, where the system allows that.
+class SamePlaces {
+ public:
+  SamePlaces() : before_(::personality(asks)) {
+    if (before_ >= 0) ::personality(static_cast<unsigned long>(before_) | ADDR_NO_RANDOMIZE);
+  }
+  SamePlaces(const SamePlaces&) = delete;
+  SamePlaces& operator=(const SamePlaces&) = delete;
+  ~SamePlaces() {
+    if (before_ >= 0) ::personality(static_cast<unsigned long>(before_));
+  }
+
+ private:
+  static constexpr unsigned long asks = 0xffffffff;
+  int before_;
+};
+
 /// Starts it; the error number where it cannot be.
 int start(const std::vector<std::string>& words, int input, int output, int errors,
           pid_t& process) {
@@ -85,6 +103,7 @@ int start(const std::vector<std::string>& words, int input, int output, int erro
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  const SamePlaces same;
   const int failed =
       ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);

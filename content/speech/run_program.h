@@ -17,7 +17,8 @@ struct Outcome {
 
 /// Runs a program of PATH without a shell: `words` are its name and arguments, `input` what it
 /// reads from its standard input. It is ended where it takes longer than `patience` or writes more
-/// than `most` bytes. Any thread.
+/// than `most` bytes. Where the system allows it, it lies at the same addresses each time, so that
+/// it says the same even of memory that it never wrote. Any thread.
 Outcome run_program(const std::vector<std::string>& words, std::string_view input,
                     std::chrono::milliseconds patience, std::size_t most = std::size_t{1} << 28U);
 

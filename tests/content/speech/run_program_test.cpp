@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/personality.h>
+
 namespace docent::speech {
 namespace {
 
@@ -26,6 +28,15 @@ TEST(RunProgram, TellsStatusAndComplaints) {
   EXPECT_EQ(outcome.status, 7);
   EXPECT_EQ(outcome.errors, "no\n");
   EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"}, {}, 20s).status, 137);
+}
+
+TEST(RunProgram, LaysProgramsWhereTheyLayAndItselfWhereItLies) {
+  if (run_program({"setarch", "-R", "true"}, {}, 20s).status != 0)
+    GTEST_SKIP() << "this system lets no program choose where it lies";
+  const std::vector<std::string> look{"sh", "-c", "cut -d' ' -f1 /proc/self/maps | head -n 1"};
+  const std::string first = run_program(look, {}, 20s).output;
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(run_program(look, {}, 20s).output, first);
+  EXPECT_EQ(::personality(0xffffffff) & ADDR_NO_RANDOMIZE, 0) << "of this program nothing changes";
 }
 
 TEST(RunProgram, TellsThatAProgramIsMissing) {
