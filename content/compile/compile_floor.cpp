@@ -168,7 +168,7 @@ CompiledFloor compile_floor(const std::string& name, std::span<const std::string
     floor.roadmap = floor::medial_axis(floor.plan, floor.diagram);
   }
   const auto stage = progress.start("paths");
-  floor.sight = floor::make_sight_map(floor.plan);
+  floor.sight = floor::make_sight_map(floor.plan, floor.diagram);
   floor.tangent_graphs.resize(radii.size());
   floor.hub_labels.resize(radii.size());
   content::for_each_index(radii.size(), jobs, [&](std::size_t i) {

@@ -9,6 +9,7 @@
 
 #include "content/content_error.h"
 #include "content/floor/corners_on_sides.h"
+#include "content/floor/crossings.h"
 #include "content/floor/ring_overlay.h"
 #include "runtime/model/geometry/polygon.h"
 #include "runtime/model/geometry/segment.h"
@@ -26,6 +27,8 @@ constexpr double spike_width = 1e-4;
 constexpr double smallest_floor = 0.01;
 constexpr double smallest_plan = 0.5;  ///< Metres.
 constexpr double largest_plan = 1e5;   ///< Metres.
+/// A million are overlaid in minutes, and a plan that is one has a few a side.
+constexpr double most_crossings = 1e6;
 
 /// A ring on its way to becoming walls.
 struct DrawnRing {
@@ -232,6 +235,21 @@ void check_size(const import::ImportedPlan& imported) {
                            : "convert the plan to metres; --coordinates wgs84 is for degrees only");
 }
 
+/// Refuses a plan whose sides cross each other nearly everywhere, as those of a ring do whose
+/// points have lost their order: to mend it would take hours.
+void check_crossings(const import::ImportedPlan& imported, const std::vector<DrawnRing>& drawn) {
+  const Crossings found = estimate_crossings(rings_of(drawn));
+  if (found.count <= most_crossings) return;
+  const import::SourcePlace place = place_of(drawn[found.ring], found.side);
+  throw content::ContentError(
+      place.file < imported.files.size() ? imported.files[place.file] : "", place.line,
+      place.column, "cannot-mend",
+      fmt::format("the outlines of this plan cross at some {:.0f} million places; the side that "
+                  "begins here crosses {} others",
+                  found.count / 1e6, found.of_that_side),
+      "write the points of each ring in their order round it");
+}
+
 import::SourcePlace place_near(const DrawnRing& drawn, Vec2 point) {
   const auto nearest = std::ranges::min_element(
       drawn.ring.vertex, {}, [point](Vec2 v) { return glm::distance(v, point); });
@@ -417,7 +435,9 @@ FloorPlan mend(const import::ImportedPlan& imported, std::vector<Diagnostic>& me
   const Reporter reporter(imported.files, mendings);
   check_size(imported);
 
-  const std::vector<DrawnRing> drawn = tidy(collect(imported), &reporter);
+  std::vector<DrawnRing> collected = collect(imported);
+  check_crossings(imported, collected);
+  const std::vector<DrawnRing> drawn = tidy(std::move(collected), &reporter);
   RingOverlay walls = overlay(rings_of(drawn), Fill::Polygons);
   report(walls, drawn, reporter);
   const std::vector<std::vector<Vec2>> rings = drop_specks(

@@ -8,12 +8,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "content/content_error.h"
+#include "content/floor/bend.h"
 #include "runtime/model/geometry/orientation.h"
 #include "runtime/model/none.h"
 
@@ -28,6 +33,9 @@ constexpr double cells_per_vertex = 10, entries_per_vertex = 400;
 constexpr double most_entries = 8e7;
 /// So many corners tell how much all of them see.
 constexpr std::size_t most_sampled = 256;
+/// The tangents of one radius are one value as well, of 48 bytes each, and the compiler holds those
+/// of several radii: of points, who have most, so many.
+constexpr double most_straight_ways = 8e6;
 /// What the rounding of a sight line's end on a wall is given. Metres.
 constexpr double margin = 1e-6;
 
@@ -336,54 +344,92 @@ void lay_grid(const FloorPlan& plan, double seen_area, SightMap& map) {
   map.rows = 1 + static_cast<std::uint32_t>(extent.y / map.cell_size);
 }
 
-/// What each corner sees of the floor, of all corners together, judged by some of them.
-double seen_area(const Mesh& mesh, const std::vector<std::uint32_t>& eyes) {
-  View view(mesh);
-  double area = 0;
-  const std::size_t step = 1 + eyes.size() / most_sampled;
-  for (std::size_t i = 0; i < eyes.size(); i += step)
-    view.look(
-        eyes[i], [](std::uint32_t) {},
-        [&](const std::array<Vec2, 3>& triangle) {
-          area += std::abs(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+/// The corners of a plan, as they look about.
+struct Eyes {
+  std::vector<std::uint32_t> eye;              ///< The point of the mesh that each is at.
+  std::vector<std::vector<std::uint32_t>> at;  ///< Those at each point of the mesh.
+  std::vector<Bend> bend;
+};
+
+/// Puts those at the points seen into `found`, each once, ascending, without the one that looks.
+template <class Reach>
+void look_about(View& view, const Eyes& eyes, std::uint32_t from, std::vector<std::uint32_t>& found,
+                Reach reach) {
+  found.clear();
+  const auto see = [&](std::uint32_t point) {
+    found.insert(found.end(), eyes.at[point].begin(), eyes.at[point].end());
+  };
+  view.look(eyes.eye[from], see, reach);
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  std::erase(found, from);
+}
+
+/// What all corners together see, judged by some of them.
+struct Sample {
+  double area = 0;           ///< Of the floor, by each corner. Square metres.
+  double straight_ways = 0;  ///< Of points, from corner to corner.
+};
+
+Sample sample(View& view, const Eyes& eyes) {
+  Sample sample;
+  std::vector<std::uint32_t> seen;
+  const std::size_t step = 1 + eyes.eye.size() / most_sampled;
+  for (std::size_t i = 0; i < eyes.eye.size(); i += step) {
+    look_about(
+        view, eyes, static_cast<std::uint32_t>(i), seen, [&](const std::array<Vec2, 3>& triangle) {
+          sample.area += std::abs(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
         });
-  return area * static_cast<double>(step);
+    for (const std::uint32_t other : seen)
+      sample.straight_ways += straight_ways_of_a_point(eyes.bend[i], eyes.bend[other]);
+  }
+  sample.area *= static_cast<double>(step);
+  sample.straight_ways *= static_cast<double>(step);
+  return sample;
+}
+
+/// Refuses a floor whose ways no database would hold.
+void check_straight_ways(double ways) {
+  if (ways <= most_straight_ways) return;
+  throw content::ContentError(
+      "", 0, 0, "too-many-lines",
+      fmt::format("the corners of this floor see each other along some {:.0f} million lines, and a "
+                  "kiosk holds at most {:.0f} million: nearly every corner sees every other",
+                  ways / 1e6, most_straight_ways / 1e6),
+      "leave away what is jagged or drawn too finely, or make several floors of it");
 }
 
 }  // namespace
 
-SightMap make_sight_map(const FloorPlan& plan) {
+SightMap make_sight_map(const FloorPlan& plan, const VoronoiDiagram& diagram) {
   SightMap map;
   map.corner = corners_of(plan);
   const Mesh mesh = triangulate(plan);
-  std::vector<std::uint32_t> eyes;
-  std::vector<std::vector<std::uint32_t>> corners_at(mesh.point.size());
+  Eyes eyes{.eye = {}, .at = {}, .bend = bends_at(plan, diagram, map.corner)};
+  eyes.at.resize(mesh.point.size());
   for (std::uint32_t c = 0; c < map.corner.size(); ++c) {
-    eyes.push_back(mesh.point_of[map.corner[c]]);
-    corners_at[eyes[c]].push_back(c);
+    eyes.eye.push_back(mesh.point_of[map.corner[c]]);
+    eyes.at[eyes.eye[c]].push_back(c);
   }
-  lay_grid(plan, seen_area(mesh, eyes), map);
-
   View view(mesh);
+  const Sample sampled = sample(view, eyes);
+  check_straight_ways(sampled.straight_ways);
+  lay_grid(plan, sampled.area, map);
+
   CellMarks marks(map);
   NarrowTriangles narrow(map.cell_size);
   std::vector<std::vector<std::uint32_t>> seen_from(std::size_t{map.columns} * map.rows);
   std::vector<std::uint32_t> seen;
   for (std::uint32_t c = 0; c < map.corner.size(); ++c) {
-    seen.clear();
-    const auto see = [&](std::uint32_t point) {
-      seen.insert(seen.end(), corners_at[point].begin(), corners_at[point].end());
-    };
     const auto cover = [&](const std::array<Vec2, 3>& triangle) {
       marks.cover(triangle, c, [&](std::size_t cell) { seen_from[cell].push_back(c); });
     };
-    view.look(eyes[c], see,
-              [&](const std::array<Vec2, 3>& triangle) { narrow.add(triangle, cover); });
+    look_about(view, eyes, c, seen,
+               [&](const std::array<Vec2, 3>& triangle) { narrow.add(triangle, cover); });
     narrow.finish(cover);
-    std::ranges::sort(seen);
-    seen.erase(std::ranges::unique(seen).begin(), seen.end());
-    std::erase(seen, c);
-    map.pair_other.insert(map.pair_other.end(), seen.begin(), seen.end());
+    std::ranges::copy_if(seen, std::back_inserter(map.pair_other), [&](std::uint32_t other) {
+      return some_disc_goes_straight(eyes.bend[c], eyes.bend[other]);
+    });
     map.pair_first.push_back(static_cast<std::uint32_t>(map.pair_other.size()));
   }
   for (const auto& listed : seen_from) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "content/content_error.h"
+#include "content/floor/crossings.h"
 #include "content/floor/voronoi.h"
 #include "tests/content/floor/plans.h"
 #include "tests/support/reference_data.h"
@@ -199,6 +201,41 @@ TEST(Mend, RefusesDegreesThatPoseAsMetres) {
     EXPECT_EQ(error.code, "not-in-metres");
     EXPECT_THAT(error.hint, HasSubstr("wgs84"));
   }
+}
+
+TEST(Mend, RefusesARingWhosePointsHaveLostTheirOrderAtOnce) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0, 300);
+  Points ring;
+  for (int i = 0; i < 20000; ++i) ring.push_back({anywhere(random), anywhere(random)});
+  std::vector<Diagnostic> mendings;
+  try {
+    floor::mend(drawn(ring), mendings);
+    FAIL() << "mended a tangle";
+  } catch (const content::ContentError& error) {
+    EXPECT_EQ(error.code, "cannot-mend");
+    EXPECT_THAT(error.hint, HasSubstr("order"));
+  }
+}
+
+TEST(Crossings, AreEstimatedWithinATenthForManySides) {
+  std::vector<floor::OverlayRing> bars;
+  for (int i = 0; i < 1000; ++i) {
+    const double at = i / 10.0;
+    bars.push_back({{{-1, at}, {101, at}, {101, at + 0.05}, {-1, at + 0.05}}});
+    bars.push_back({{{at, -1}, {at, 101}, {at + 0.05, 101}, {at + 0.05, -1}}});
+  }
+
+  const floor::Crossings found = floor::estimate_crossings(bars);
+
+  EXPECT_NEAR(found.count, 4e6, 4e5);
+  EXPECT_EQ(found.of_that_side, 2000U);
+}
+
+TEST(Crossings, AreCountedWhereSidesAreFew) {
+  const std::vector<floor::OverlayRing> bow_tie{{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}};
+  EXPECT_EQ(floor::estimate_crossings(bow_tie).count, 1);
+  EXPECT_EQ(floor::estimate_crossings({}).count, 0);
 }
 
 TEST(Mend, LeavesNoTraceOfASpeckThatTouchesAWall) {

@@ -23,7 +23,7 @@ Floor floor_of(const FloorPlan& plan, std::initializer_list<double> radii) {
   Floor floor;
   floor.plan = plan;
   floor.diagram = floor::voronoi_diagram(plan);
-  floor.sight = floor::make_sight_map(plan);
+  floor.sight = floor::make_sight_map(plan, floor.diagram);
   floor.roadmap = floor::medial_axis(plan, floor.diagram);
   for (const double radius : radii) {
     floor.tangent_graphs.push_back(path::make_tangent_graph(plan, floor.sight, radius));
