@@ -22,7 +22,7 @@ namespace {
 struct KioskFile {
   Located<std::string> content, display, size, output, screen_on, staff_pin;
   Located<std::int64_t> idle_reset, rotate, visitors, mount_height;
-  Located<double> text_scale, screen_inches;
+  Located<double> text_scale, screen_inches, same_key_delay;
   Located<bool> mirror, reduced_motion, pixel_shift;
   Located<LocatedList> keys;
   Located<std::string> kiosk, source, group;
@@ -118,6 +118,12 @@ constexpr std::array kiosk_file_fields{
     Field<KioskFile>{"reduced_motion", &KioskFile::reduced_motion, Presence::Optional,
                      "Nothing moves but a guide on its way: the camera cuts, cards appear at once, "
                      "nobody strolls; false where it is not said"},
+    Field<KioskFile>{"same_key_delay",
+                     &KioskFile::same_key_delay,
+                     Presence::Optional,
+                     "Seconds after a key of the keypad during which the same key does nothing, "
+                     "for hands that tremble; 0 where it is not said",
+                     {0, 2}},
     Field<KioskFile>{"staff_pin", &KioskFile::staff_pin, Presence::Optional,
                      "What opens the staff's screens, as docent pin prints it; where it is not "
                      "said nothing opens them"},
@@ -277,6 +283,7 @@ class KioskSettings {
     config.output = written.output.value;
     config.mirror = written.mirror.value;
     config.reduced_motion = written.reduced_motion.value;
+    config.same_key_delay = written.same_key_delay.value;
     config.pixel_shift = written.pixel_shift.value;
     if (written.screen_on.given) set_hours(written.screen_on, config);
     if (written.staff_pin.given) set_staff_pin(written.staff_pin, config);

@@ -58,6 +58,7 @@ struct KioskConfig {
   std::string output;   ///< The connector to draw on, "HDMI-A-1". Empty: the first connected one.
   bool mirror = false;  ///< The same picture on every connected screen.
   bool reduced_motion = false;  ///< Nothing moves but the guide on its way.
+  double same_key_delay = 0;    ///< 0 to 2. Seconds during which the same key does nothing.
   bool pixel_shift = false;     ///< The picture wanders by a few pixels, against burning in.
   std::optional<WeeklyHours> screen_on;  ///< When the screen is lit. Not said: always.
 };

@@ -41,12 +41,15 @@ Crossings estimate_crossings(std::span<const OverlayRing> rings) {
   for (std::size_t i = 0; i < judged; ++i) {
     // In step with no pattern of the drawing.
     const double share = std::fmod(static_cast<double>(i) * std::numbers::phi, 1.0);
-    const std::size_t picked = judged == sides.size()
-                                   ? i
-                                   : static_cast<std::size_t>(share * static_cast<double>(sides.size()));
+    const std::size_t picked =
+        judged == sides.size()
+            ? i
+            : static_cast<std::size_t>(share * static_cast<double>(sides.size()));
     const NumberedSide& side = sides[picked];
-    const auto crossed = static_cast<std::size_t>(std::ranges::count_if(
-        sides, [&](const NumberedSide& other) { return parts(side, other) && parts(other, side); }));
+    const auto crossed =
+        static_cast<std::size_t>(std::ranges::count_if(sides, [&](const NumberedSide& other) {
+          return parts(side, other) && parts(other, side);
+        }));
     ends += crossed;
     if (crossed > found.of_that_side)
       found.ring = side.ring, found.side = side.side, found.of_that_side = crossed;

@@ -16,6 +16,7 @@
 #include "platform/gles/renderer.h"
 #include "platform/journal/journal.h"
 #include "platform/terminal/command_line.h"
+#include "runtime/input/same_key.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/change_over.h"
 #include "runtime/kiosk/edges.h"
@@ -92,6 +93,7 @@ class Kiosk {
             [keypads = named_keypads(config)](const StaffWords& words) {
               return device_facts(keypads, words);
             }),
+        same_key_(config.same_key_delay),
         speaker_(config, simulated_) {
     database_ = options.content.value_or(config.content);
   }
@@ -146,6 +148,7 @@ class Kiosk {
   Teller teller_;
   ChangeOver change_;
   Staff staff_;
+  input::SameKey same_key_;
   std::filesystem::path database_;
   Selection selection_;
   std::unique_ptr<Exhibition> exhibition_;
@@ -236,6 +239,7 @@ guide::Seconds Kiosk::since_last_frame() noexcept {
 
 /// The staff's screens come first; what is not theirs is the visitors'.
 void Kiosk::take(const input::InputEvent& event) noexcept {
+  if (!same_key_.takes(event, time_)) return;
   if (!staff_.take(event, time_)) guide().touch(staff_.corrected(event));
 }
 

@@ -97,6 +97,7 @@ TEST(KioskConfig, BelievesTheScreensOwnSizeUnlessTheOperatorSaysAnother) {
 TEST(KioskConfig, TakesWhatAnOperatorSaysOfTheScreens) {
   const auto loaded = loaded_from(
       "size = \"1920x1080@50\"\noutput = \"HDMI-A-2\"\nmirror = true\nreduced_motion = true\n"
+      "same_key_delay = 0.5\n"
       "pixel_shift = true\nscreen_on = \"Mo-Fr 08:30-18:00\"\n");
 
   EXPECT_TRUE(loaded.diagnostics.empty());
@@ -106,6 +107,7 @@ TEST(KioskConfig, TakesWhatAnOperatorSaysOfTheScreens) {
   EXPECT_EQ(loaded.value->output, "HDMI-A-2");
   EXPECT_TRUE(loaded.value->mirror);
   EXPECT_TRUE(loaded.value->reduced_motion);
+  EXPECT_EQ(loaded.value->same_key_delay, 0.5);
   EXPECT_TRUE(loaded.value->pixel_shift);
   ASSERT_TRUE(loaded.value->screen_on.has_value());
   EXPECT_TRUE(holds(*loaded.value->screen_on, 0, 9 * 60));

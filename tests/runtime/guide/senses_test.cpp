@@ -74,6 +74,23 @@ TEST(Senses, AreAsOneVisitorWantsThemAndNormalForTheNext) {
   EXPECT_EQ(kiosk.guide.state(), interface::InterfaceState{});
 }
 
+TEST(Senses, ThatAreOnHaveAFrame) {
+  Kiosk kiosk({.width = 1920, .height = 1080});
+  const auto has_frame = [&](std::string_view name) {
+    const interface::View& view = *kiosk.guide.view();
+    return std::ranges::any_of(view.elements, [&](const interface::Element& element) {
+      return element.quad.fill == scene::QuadFill::Frame && element.control >= 0 &&
+             view.controls[static_cast<std::size_t>(element.control)].name == name;
+    });
+  };
+  EXPECT_FALSE(has_frame("contrast"));
+  kiosk.tap("contrast");
+  EXPECT_TRUE(has_frame("contrast"));
+  EXPECT_FALSE(has_frame("larger"));
+  kiosk.tap("contrast");
+  EXPECT_FALSE(has_frame("contrast"));
+}
+
 TEST(Senses, OfferLowReachWhereTheGlassHangsHigh) {
   EXPECT_FALSE(Kiosk({.width = 1920, .height = 1080}).offers("lower"));
   EXPECT_FALSE(Kiosk({.width = 1920, .height = 1080, .mount_mm = 800}).offers("lower"));
