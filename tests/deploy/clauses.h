@@ -7,8 +7,8 @@
 #include <vector>
 
 /// What docent does about each clause of EN 301 549 that has to do with a kiosk: chapter 5 (generic
-/// requirements) and chapter 8 (hardware), by the numbers of V3.2.1. The page deploy/ACCESSIBILITY.md
-/// is made of this table, so that nobody claims there what no test proves.
+/// requirements) and chapter 8 (hardware), by the numbers of V3.2.1. The page
+/// deploy/ACCESSIBILITY.md is made of this table, so that nobody claims there what no test proves.
 namespace docent::test {
 
 struct Clause {

@@ -19,8 +19,7 @@ using testing::HasSubstr;
 
 /// "Suite.Name" of every test in the tree.
 std::set<std::string, std::less<>> all_tests() {
-  static const std::regex written(
-      R"((?:TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+))");
+  static const std::regex written(R"((?:TEST|TEST_F|TEST_P|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+))");
   std::set<std::string, std::less<>> tests;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_dir() / "tests")) {
     if (entry.path().extension() != ".cpp") continue;
@@ -59,9 +58,8 @@ TEST(AccessibilityPage, HasEveryClauseOfChapterFive) {
   std::set<std::string_view> numbers;
   for (const Clause& clause : clauses()) numbers.insert(clause.number);
   for (int i = 1; i <= 16; ++i) EXPECT_TRUE(numbers.contains("5.1.3." + std::to_string(i))) << i;
-  for (const char* number :
-       {"5.1.2.2", "5.1.4", "5.1.5", "5.1.6.1", "5.1.6.2", "5.1.7", "5.2", "5.3", "5.4", "5.5.1",
-        "5.5.2", "5.6.1", "5.6.2", "5.7", "5.8", "5.9"})
+  for (const char* number : {"5.1.2.2", "5.1.4", "5.1.5", "5.1.6.1", "5.1.6.2", "5.1.7", "5.2",
+                             "5.3", "5.4", "5.5.1", "5.5.2", "5.6.1", "5.6.2", "5.7", "5.8", "5.9"})
     EXPECT_TRUE(numbers.contains(number)) << number;
 }
 

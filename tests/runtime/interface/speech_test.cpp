@@ -10,6 +10,7 @@
 #include <set>
 
 #include "runtime/interface/layout.h"
+#include "tests/runtime/interface/any_request.h"
 #include "tests/support/sample_museum.h"
 #include "tests/support/shipped_languages.h"
 
@@ -54,78 +55,10 @@ void expect_prepared(const Utterance& said) {
   }
 }
 
-directions::Directions any_directions() {
-  using namespace directions;
-  const auto rooms = static_cast<std::uint32_t>(museum().rooms.size());
-  const auto places = static_cast<std::uint32_t>(museum().places.size());
-  const auto room = [&] {
-    return *rc::gen::oneOf(rc::gen::inRange(0U, rooms), rc::gen::just(none));
-  };
-  Directions way;
-  for (int parts = *rc::gen::inRange(1, 4); parts > 0; --parts) {
-    FloorPart& part = way.parts.emplace_back();
-    part.room = room();
-    for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
-      const auto of = *rc::gen::inRange(0U, 12U);
-      part.doors.push_back({.from = part.last_room(),
-                            .to = room(),
-                            .side = static_cast<Side>(*rc::gen::inRange(0, 6)),
-                            .nth = of == 0 ? 0 : *rc::gen::inRange(1U, of + 1),
-                            .of = of});
-    }
-    for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
-      part.turns.push_back(
-          {static_cast<Side>(*rc::gen::inRange(1, 4)), *rc::gen::inRange(0, 90) / 1.0});
-    if (parts > 1)
-      part.then = RideStep{static_cast<ConnectionKind>(*rc::gen::inRange(0, 4)),
-                           *rc::gen::arbitrary<bool>(), *rc::gen::inRange(0U, 2U)};
-  }
-  way.goal = {.room = room(),
-              .setting = static_cast<Setting>(*rc::gen::inRange(0, 4)),
-              .where = static_cast<Where>(*rc::gen::inRange(0, 5)),
-              .beside = none};
-  // Only what everybody finds has a word for what is beside it.
-  const std::uint32_t beside = *rc::gen::inRange(0U, places);
-  const std::string word = fmt::format("beside_{}", info_of(museum().places[beside].kind).name);
-  if (museum().languages.front().words.contains(word)) way.goal.beside = beside;
-  way.metres = *rc::gen::inRange(1, 5000);
-  way.seconds = way.metres / *rc::gen::element(0.4, 1.0, 2.0);
-  way.step_free = *rc::gen::arbitrary<bool>();
-  return way;
-}
-
-ViewRequest any_request() {
-  ViewRequest request;
-  InterfaceState& state = request.state;
-  state.screen =
-      *rc::gen::element(Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived);
-  state.language = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().languages.size()));
-  state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::Languages);
-  state.page = *rc::gen::inRange(0U, 8U);
-  state.arrived = state.screen == Screen::Arrived;
-  state.asks_to_stay = *rc::gen::inRange(0, 5) == 0;
-  if (*rc::gen::arbitrary<bool>())
-    state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().exhibits.size()));
-  else if (*rc::gen::arbitrary<bool>())
-    state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
-  else
-    state.seeks = museum().places[*rc::gen::inRange<std::size_t>(0, museum().places.size())].kind;
-  if (state.exhibit && *rc::gen::arbitrary<bool>())
-    state.tour = TourWalk{0, *rc::gen::inRange(0U, 7U)};
-  if (*rc::gen::arbitrary<bool>()) {
-    request.route_summary = RouteSummary{path::RouteStatus::Ok, 42.4, 55};
-    if (*rc::gen::arbitrary<bool>())
-      request.route_summary = RouteSummary{
-          .status = path::RouteStatus::NoRoute,
-          .hindrance = *rc::gen::element(Hindrance::Door, Hindrance::Lift, Hindrance::Steps)};
-  }
-  return request;
-}
-
 TEST(Speech, IsMadeOfPreparedPiecesAloneInEveryLanguage) {
   EXPECT_TRUE(rc::check("screens, ways and languages", [] {
-    const ViewRequest request = any_request();
-    const ShownWay way{.directions = any_directions(), .line = {}};
+    const ViewRequest request = any_request(museum());
+    const ShownWay way{.directions = any_directions(museum()), .line = {}};
     const Speech speech = speech_in(request, *rc::gen::arbitrary<bool>() ? &way : nullptr);
 
     expect_prepared(speech.opening);
