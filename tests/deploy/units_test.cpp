@@ -34,6 +34,16 @@ TEST(Units, HoldKeyboardsWhileTheKioskLivesAndNoLonger) {
   EXPECT_THAT(lock, HasSubstr("\nExecStop=/usr/bin/rm -f /run/docent-locked\n"));
 }
 
+TEST(Units, WaitForTheGuideLongerThanTheBootLoadersDiskStaysMounted) {
+  const std::string unit = deployed("disk/docent-good.service");
+
+  EXPECT_THAT(deployed("image"), HasSubstr("/efi     vfat  umask=0077,noauto,x-systemd.automount,"
+                                           "x-systemd.idle-timeout="));
+  for (const char* key : {"RequiresMountsFor=", "Requires=", "BindsTo="})
+    EXPECT_THAT(unit, testing::Not(testing::ContainsRegex(fmt::format("{}[^\n]*efi", key))));
+  EXPECT_THAT(unit, HasSubstr("\nAfter=efi.automount\n"));
+}
+
 TEST(UdevRule, InhibitsNoKeyboardWithoutTheLock) {
   const std::string rules = deployed("udev/70-docent.rules");
 

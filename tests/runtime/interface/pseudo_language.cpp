@@ -12,13 +12,14 @@ constexpr std::array<std::string_view, 26> accented_small{
 constexpr std::array<std::string_view, 26> accented_large{
     "Á", "Ɓ", "Ç", "Ð", "É", "Ƒ", "Ĝ", "Ĥ", "Í", "Ĵ", "Ķ", "Ļ", "Ḿ",
     "Ñ", "Ó", "Þ", "Ɋ", "Ŕ", "Š", "Ţ", "Ú", "Ṽ", "Ŵ", "Ẋ", "Ý", "Ž"};
-constexpr std::array<std::string_view, 26> hebrew{
-    "א", "ב", "ג", "ד", "ה", "ו", "ז", "ח", "ט", "י", "כ", "ל", "מ",
-    "נ", "ס", "ע", "פ", "צ", "ק", "ר", "ש", "ת", "ם", "ן", "ץ", "ף"};
+constexpr std::array<std::string_view, 26> hebrew{"א", "ב", "ג", "ד", "ה", "ו", "ז", "ח", "ט",
+                                                  "י", "כ", "ל", "מ", "נ", "ס", "ע", "פ", "צ",
+                                                  "ק", "ר", "ש", "ת", "ם", "ן", "ץ", "ף"};
 
 std::string_view letter(Pseudo kind, char c) {
   if (c >= 'a' && c <= 'z')
-    return (kind == Pseudo::RightToLeft ? hebrew : accented_small)[static_cast<std::size_t>(c - 'a')];
+    return (kind == Pseudo::RightToLeft ? hebrew
+                                        : accented_small)[static_cast<std::size_t>(c - 'a')];
   return (kind == Pseudo::RightToLeft ? hebrew : accented_large)[static_cast<std::size_t>(c - 'A')];
 }
 

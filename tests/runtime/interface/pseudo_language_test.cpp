@@ -23,14 +23,17 @@ using test::Pseudo;
 
 /// Has this been translated? English letters were not.
 bool is_translated(std::string_view text) {
-  return std::ranges::none_of(text, [](unsigned char c) { return std::isalpha(c) != 0 && c < 128; });
+  return std::ranges::none_of(text,
+                              [](unsigned char c) { return std::isalpha(c) != 0 && c < 128; });
 }
 
 Museum museum_in(Pseudo kind) {
   Museum museum = test::in_pseudo_language(test::sample_museum_without_walls(), kind);
   museum.floors.push_back(museum.floors.front());
-  museum.floors.back().title = {{museum.languages.front().tag, test::in_pseudo(kind, "Upper floor")}};
-  museum.floors.front().title = {{museum.languages.front().tag, test::in_pseudo(kind, "Ground floor")}};
+  museum.floors.back().title = {
+      {museum.languages.front().tag, test::in_pseudo(kind, "Upper floor")}};
+  museum.floors.front().title = {
+      {museum.languages.front().tag, test::in_pseudo(kind, "Ground floor")}};
   return museum;
 }
 
@@ -44,7 +47,8 @@ TEST_P(PseudoLanguage, IsAllThatIsShown) {
     ViewRequest request = any_request(museum_);
     const ShownWay way{.directions = any_directions(museum_), .line = {}};
     PieceCache cache({boxes, {}}, 1, 1 << 20);
-    const auto view = make_view(museum_, request, cache, {}, request.route_summary ? &way : nullptr);
+    const auto view =
+        make_view(museum_, request, cache, {}, request.route_summary ? &way : nullptr);
     for (const OnGlass& item : on_glass(museum_, *view, request.shape, 30, -1)) {
       RC_LOG() << item.name << ": " << item.label << '\n';
       RC_ASSERT(is_translated(item.label));
@@ -59,8 +63,8 @@ TEST_P(PseudoLanguage, TellsWhatWasForgotten) {
   PieceCache cache({boxes, {}}, 1, 1 << 20);
   const auto view = make_view(museum_, request, cache);
   const auto items = on_glass(museum_, *view, request.shape, 30, -1);
-  const auto forgotten = std::ranges::count_if(
-      items, [](const OnGlass& item) { return !is_translated(item.label); });
+  const auto forgotten =
+      std::ranges::count_if(items, [](const OnGlass& item) { return !is_translated(item.label); });
   EXPECT_GT(forgotten, 0);
   EXPECT_LT(forgotten, 4) << "in the list, on the model, and nowhere else";
 }
@@ -90,8 +94,8 @@ TEST_P(PseudoLanguage, IsAllThatIsSaid) {
 TEST_P(PseudoLanguage, FitsOnEveryScreen) {
   EXPECT_TRUE(rc::check("every screen and size", [this] {
     ViewRequest request = any_request(museum_);
-    const auto [width, height] = *rc::gen::element(
-        std::pair{1024U, 768U}, std::pair{1920U, 1080U}, std::pair{1080U, 1920U});
+    const auto [width, height] =
+        *rc::gen::element(std::pair{1024U, 768U}, std::pair{1920U, 1080U}, std::pair{1080U, 1920U});
     request.shape = {.width = width, .height = height, .diagonal_inches = 32};
     request.state.large_letters = *rc::gen::arbitrary<bool>();
     PieceCache cache({boxes, {}}, 1, 1 << 20);
