@@ -83,7 +83,7 @@ room(content/film
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion runtime/interface config platform platform/file platform/image platform/signature platform/terminal content content/import content/floor
-       content/motion content/avatar content/character content/scenery content/speech
+       content/motion content/avatar content/character content/object content/scenery content/speech
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
   USES ${model} runtime/schema runtime/path runtime/motion runtime/scene runtime/release config platform/file platform/image platform/signature

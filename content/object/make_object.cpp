@@ -36,9 +36,9 @@ LitShape near_shape(const Shape& shape) {
   return {};  // 39,000 corners have no more vertices
 }
 
-LitShape distant_shape(const Shape& shape) {
+LitShape distant_shape(const Shape& shape, std::size_t triangles) {
   Shape simple = without_seams(shape);
-  simplify(simple, ExhibitObject::most_distant_triangles);
+  simplify(simple, triangles);
   return lit(std::move(simple), crease_angle);
 }
 
@@ -54,14 +54,14 @@ import::gltf::Model blurred(const import::gltf::Model& model) {
 }  // namespace
 
 MadeObject make_object(const import::object::ObjectFile& source, const std::string& file,
-                       const ObjectWish& wish) {
+                       const ObjectWish& wish, std::size_t distant_triangles) {
   MadeObject made;
   made.warnings = source.model.warnings;
   Shape shape = shape_of(source.model, file, made.notes);
   stand_up(source, wish, shape, made.notes);
   made.triangles = shape.indices.size() / 3;
   LitShape near = near_shape(shape);
-  LitShape distant = distant_shape(near.shape);
+  LitShape distant = distant_shape(near.shape, distant_triangles);
   const Box box = box_of(near.shape);
   near.occlusion = occlusion_of(near.shape, near.normals);
   distant.occlusion = occlusion_of(distant.shape, distant.normals);

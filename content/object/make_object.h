@@ -18,9 +18,11 @@ struct MadeObject {
 };
 
 /// Makes an object of a file that was read: upright, in metres, standing on its base, of at most
-/// ObjectDetail::most_triangles and ExhibitObject::most_bytes. The same file gives the same bytes.
-/// ContentError (`unreadable-model`) where there is nothing to see.
+/// ObjectDetail::most_triangles and ExhibitObject::most_bytes, and of so many triangles from afar.
+/// The same file gives the same bytes. ContentError (`unreadable-model`) where there is nothing to
+/// see.
 MadeObject make_object(const import::object::ObjectFile& source, const std::string& file,
-                       const ObjectWish& wish = {});
+                       const ObjectWish& wish = {},
+                       std::size_t distant_triangles = ExhibitObject::most_distant_triangles);
 
 }  // namespace docent::object

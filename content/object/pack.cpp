@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -67,6 +69,20 @@ PartKey key_of(const Model& model, std::int32_t material) {
   if (!import::gltf::has_picture(model, material)) return {};
   const import::gltf::Material& it = model.materials[entry(material)];
   return {it.image, {wrap_of(it.wrap[0]), wrap_of(it.wrap[1])}};
+}
+
+/// The parts with most triangles keep their picture; what is left over has its colours by vertex.
+std::set<PartKey> pictured_parts(const Model& model, const Shape& shape) {
+  std::map<PartKey, std::size_t> corners;
+  for (const std::uint32_t i : shape.indices) ++corners[key_of(model, shape.vertices[i].material)];
+  corners.erase(PartKey{});
+  std::vector<std::pair<std::size_t, PartKey>> largest;
+  for (const auto& [key, count] : corners) largest.emplace_back(count, key);
+  std::ranges::sort(largest, std::greater{});
+  largest.resize(std::min(largest.size(), ObjectDetail::most_parts - 1));
+  std::set<PartKey> parts;
+  for (const auto& [count, key] : largest) parts.insert(key);
+  return parts;
 }
 
 bool is_mask(const Model& model, std::int32_t image) {
@@ -142,17 +158,24 @@ ObjectDetail pack_detail(const LitShape& lit, const Model& model, const Box& box
     low = v == 0 ? shape.vertices[v].uv : glm::min(low, shape.vertices[v].uv);
     high = v == 0 ? shape.vertices[v].uv : glm::max(high, shape.vertices[v].uv);
   }
+  const std::set<PartKey> pictured = pictured_parts(model, shape);
+  const auto part_of = [&](std::int32_t material) {
+    const PartKey key = key_of(model, material);
+    return pictured.contains(key) ? key : PartKey{};
+  };
   detail.uv_low = low;
   detail.uv_size = high - low;
   for (std::size_t v = 0; v < shape.vertices.size(); ++v) {
     ObjectVertex& vertex = detail.mesh.vertices.emplace_back(packed(lit, v, box));
     const ShapeVertex& it = shape.vertices[v];
-    vertex.colour = bytes_of(plain_colour(model, it));
+    vertex.colour = bytes_of(part_of(it.material).image >= 0
+                                 ? plain_colour(model, it)
+                                 : import::gltf::colour_at(model, it.material, it.uv, it.tint));
     vertex.uv = {share(it.uv.x, low.x, detail.uv_size.x), share(it.uv.y, low.y, detail.uv_size.y)};
   }
   std::map<PartKey, std::vector<std::uint32_t>> parts;
   for (std::size_t k = 0; k + 2 < shape.indices.size(); k += 3) {
-    auto& part = parts[key_of(model, shape.vertices[shape.indices[k]].material)];
+    auto& part = parts[part_of(shape.vertices[shape.indices[k]].material)];
     part.insert(part.end(), &shape.indices[k], &shape.indices[k] + 3);
   }
   std::vector<std::int32_t> images;

@@ -40,6 +40,7 @@ class Reader {
 };
 
 bool covers(std::span<const ObjectPart> parts, std::size_t corners, std::size_t pictures) {
+  if (std::max(parts.size(), pictures) > ObjectDetail::most_parts) return false;
   std::size_t next = 0;
   for (const ObjectPart& part : parts) {
     if (part.first_index != next || part.index_count % 3 != 0) return false;

@@ -15,8 +15,8 @@ std::vector<std::byte> encode(const ObjectDetail& detail);
 
 /// Replaces the detail by the one that the bytes hold; false, and nothing changed, where they hold
 /// none that keeps its promises: every index names a vertex, parts cover the triangles in order,
-/// and there are at most ObjectDetail::most_triangles. Pictures are not looked into. Safe on any
-/// bytes: takes memory in proportion to their length.
+/// and there are at most ObjectDetail::most_triangles and most_parts. Pictures are not looked into.
+/// Safe on any bytes: takes memory in proportion to their length.
 [[nodiscard]] bool decode(std::span<const std::byte> bytes, ObjectDetail& detail);
 
 /// Does every corner name a vertex, and do three make a triangle?

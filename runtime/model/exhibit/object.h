@@ -40,7 +40,7 @@ struct ObjectPart {
 
 /// An object as one sees it from nearby. Its parts cover its triangles one after another.
 struct ObjectDetail {
-  static constexpr std::size_t most_triangles = 30'000;
+  static constexpr std::size_t most_triangles = 30'000, most_parts = 16;
 
   ObjectMesh mesh;
   std::vector<ObjectPart> parts;
