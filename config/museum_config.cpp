@@ -472,7 +472,10 @@ class MuseumLoader {
 
   void check_files() {
     for (FloorSection& floor : config_.floors) check_file(floor.plan);
-    for (ExhibitSection& exhibit : config_.exhibits) check_file(exhibit.image);
+    for (ExhibitSection& exhibit : config_.exhibits) {
+      check_file(exhibit.image);
+      check_file(exhibit.model);
+    }
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
     check_file(config_.motion.clips, Wanted::FileOrFolder);
     check_file(config_.avatar.model);

@@ -116,6 +116,9 @@ struct ExhibitSection {
   Located<bool> closed;
   Located<std::string> hours;
   Located<double> weight, looking_seconds;
+  Located<std::string> model;  ///< A file: its own shape.
+  Located<double> height;      ///< Of the object, metres.
+  Located<std::string> up;     ///< The axis of the file that is up: "y" or "z".
 };
 struct TourSection {
   Place place;

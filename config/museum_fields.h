@@ -288,6 +288,8 @@ inline constexpr std::array case_fields{
                        "Metres: the side of a square, or [across its front, deep]", size_limits},
 };
 
+inline constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
+
 inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"id",
                           &ExhibitSection::id,
@@ -343,6 +345,27 @@ inline constexpr std::array exhibit_fields{
                           Presence::Optional,
                           "How long a visitor looks at it; 60 where it is not said",
                           {0, 3600}},
+    Field<ExhibitSection>{"model",
+                          &ExhibitSection::model,
+                          Presence::Optional,
+                          "The object itself, as a scan or a model: a GLB, glTF, OBJ, PLY or STL "
+                          "file; it stands in its case or on a plinth instead of its picture",
+                          {},
+                          Form::File},
+    Field<ExhibitSection>{"height",
+                          &ExhibitSection::height,
+                          Presence::Optional,
+                          "How high the object of `model` is, metres; as the file has it where it "
+                          "is not said",
+                          {0.002, 30}},
+    Field<ExhibitSection>{"up",
+                          &ExhibitSection::up,
+                          Presence::Optional,
+                          "Which axis of the file of `model` is up; as its kind usually has it "
+                          "where it is not said",
+                          {},
+                          Form::OneOf,
+                          up_axes},
 };
 
 inline constexpr std::array tour_fields{

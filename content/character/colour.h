@@ -23,7 +23,6 @@ class Colours {
 
  private:
   const import::gltf::Material* material_of(const SurfaceVertex& vertex) const;
-  Vec4 picture_at(const import::gltf::Material& material, glm::vec2 uv) const;
 
   const import::gltf::Model& model_;
 };

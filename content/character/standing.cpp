@@ -16,6 +16,7 @@
 
 #include "content/character/find_bones.h"
 #include "content/content_error.h"
+#include "content/import/gltf/placing.h"
 
 namespace docent::character {
 namespace {
@@ -25,15 +26,6 @@ using import::gltf::Model;
 
 /// Of a person's bones, most lie half a metre from the hips and none much more than one.
 constexpr float farthest_bone = 10;
-
-std::vector<Mat4> worlds_of(const Model& model) {
-  std::vector<Mat4> world(model.nodes.size(), Mat4{1});
-  for (const std::int32_t n : model.order) {
-    const import::gltf::Node& node = model.nodes[entry(n)];
-    world[entry(n)] = node.parent < 0 ? node.local : world[entry(node.parent)] * node.local;
-  }
-  return world;
-}
 
 std::vector<Vec3> places_of(const std::vector<Mat4>& world) {
   std::vector<Vec3> place;
@@ -153,7 +145,7 @@ float elevation(Vec3 upper_arm, Vec3 hand) {
 
 Standing stand_up(const Model& model, const std::string& file, std::vector<std::string>& notes) {
   Standing standing;
-  standing.rest = worlds_of(model);
+  standing.rest = import::gltf::world_of_nodes(model);
   standing.bones = find_bones(model, places_of(standing.rest), file);
   standing.bind = binds_of(model, standing.rest, standing.bones);
   bool is_turned_up = false;

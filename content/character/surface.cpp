@@ -13,6 +13,7 @@
 
 #include "content/character/find_bones.h"
 #include "content/content_error.h"
+#include "content/import/gltf/placing.h"
 
 namespace docent::character {
 namespace {
@@ -23,44 +24,8 @@ constexpr float farthest_part = 10;
 using import::gltf::entry;
 using import::gltf::Model;
 using import::gltf::Node;
+using import::gltf::Placing;
 using import::gltf::Primitive;
-
-/// Where a primitive's vertices are: the blended transform of each.
-class Placing {
- public:
-  Placing(const Model& model, const std::vector<Mat4>& world, std::int32_t node,
-          const Primitive& primitive)
-      : primitive_{primitive}, rigid_{world[entry(node)]} {
-    const std::int32_t skin = model.nodes[entry(node)].skin;
-    if (skin < 0 || primitive.joint.empty()) return;
-    const import::gltf::Skin& it = model.skins[entry(skin)];
-    for (std::size_t j = 0; j < it.joints.size(); ++j)
-      joint_.push_back(world[entry(it.joints[j])] * it.inverse_bind[j]);
-  }
-  Mat4 at(std::size_t vertex) const {
-    if (joint_.empty()) return rigid_;
-    Mat4 blend{0};
-    for (std::size_t k = 0; k < 4; ++k)
-      if (const float share = primitive_.weight[vertex][static_cast<int>(k)]; share > 0)
-        blend +=
-            share * joint_[std::min<std::size_t>(primitive_.joint[vertex][k], joint_.size() - 1)];
-    return blend;
-  }
-
- private:
-  const Primitive& primitive_;
-  Mat4 rigid_;
-  std::vector<Mat4> joint_;
-};
-
-template <typename Take>
-void for_each_primitive(const Model& model, Take take) {
-  for (const std::int32_t n : model.order) {
-    const Node& node = model.nodes[entry(n)];
-    if (!node.in_scene || node.mesh < 0) continue;
-    for (const Primitive& primitive : model.meshes[entry(node.mesh)].primitives) take(n, primitive);
-  }
-}
 
 /// Which bone each node goes with.
 class BoneOfNode {
@@ -211,7 +176,7 @@ void refuse_far_parts(const Model& model, const Standing& standing, std::int32_t
 Extent extent_of(const Model& model, const Standing& standing) {
   Extent extent;
   bool is_first = true;
-  for_each_primitive(model, [&](std::int32_t node, const Primitive& primitive) {
+  import::gltf::for_each_primitive(model, [&](std::int32_t node, const Primitive& primitive) {
     extent.triangles += primitive.indices.size() / 3;
     const Placing placing(model, standing.rest, node, primitive);
     for (std::size_t v = 0; v < primitive.position.size(); ++v) {
@@ -229,7 +194,7 @@ Surface surface_of(const Model& model, const Standing& standing, const std::stri
   const BoneOfNode bone_of(model, standing);
   const std::vector<bool> is_held = held_at_once(model, bone_of, notes);
   Surface surface;
-  for_each_primitive(model, [&](std::int32_t n, const Primitive& primitive) {
+  import::gltf::for_each_primitive(model, [&](std::int32_t n, const Primitive& primitive) {
     if (is_held[entry(n)]) return;
     const std::int32_t skin = model.nodes[entry(n)].skin;
     const bool is_skinned = skin >= 0 && !primitive.joint.empty();

@@ -31,6 +31,7 @@ constexpr TablePart table_parts[] = {
     {"language", "texts", "exhibits"},
     {"text", "texts", "exhibits"},
     {"image", "images", "images"},
+    {"object", "objects", "objects"},
     {"speech", "speech", "speech"},
     {"joint", "clips", "motion"},
     {"motion_clip", "clips", "motion"},

@@ -14,6 +14,7 @@
 #include "content/compile/compile_exhibits.h"
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"
+#include "content/compile/compile_objects.h"
 #include "content/compile/compile_scenery.h"
 #include "content/compile/compile_speech.h"
 #include "content/compile/shipped_files.h"
@@ -209,6 +210,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   plan_floor_stages(progress);
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
+  progress.plan("objects", 20);
   if (!options.only_check) progress.plan("scenery", 40);
   if (options.with_speech && !options.only_check) progress.plan("speech", 100);
   std::optional<AvatarTask> avatar;
@@ -233,6 +235,11 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     const auto stage = progress.start("images");
     compile_images(config, options.only_check ? Images::Check : Images::Make, options.jobs, museum,
                    report);
+  }
+  {
+    const auto stage = progress.start("objects");
+    compile_objects(config, options.only_check ? Objects::Check : Objects::Make, options.jobs,
+                    museum, report);
   }
   if (!options.only_check && !report.has_errors()) {
     const auto stage = progress.start("scenery");

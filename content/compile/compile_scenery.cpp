@@ -78,18 +78,25 @@ DrawnFloor drawn_floor(const CompiledFloor& compiled) {
 void compile_scenery(const config::MuseumConfig* config, std::span<const DrawnFloor> drawn,
                      Museum& museum) {
   const std::vector<float> aspects = image_aspects(museum);
+  std::vector<Vec3> objects(museum.exhibits.size(), Vec3{0});
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (const std::int32_t object = museum.exhibits[i].object; object >= 0)
+      objects[i] = museum.objects[static_cast<std::size_t>(object)].size;
+  std::vector<ObjectStand> stands(museum.exhibits.size());
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
     scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
     options.passages = passages_of(museum, i);
+    options.objects = objects;
     options.taken = taken(drawn, museum.exhibits.size());
     // The overview is turned as the visitor stands at the kiosk.
     for (const KioskPlace& kiosk : museum.kiosks | std::views::reverse)
       if (kiosk.floor == i) options.up = kiosk.placement.heading;
     if (museum.kiosk_floor == i) options.up = museum.kiosk.heading;
     museum.scenery.push_back(scenery::make_scenery(drawn[i].plan, museum.exhibits, aspects,
-                                                   paving_of(config, museum, i), options));
+                                                   paving_of(config, museum, i), options, stands));
   }
+  for (std::size_t i = 0; i < stands.size(); ++i) museum.exhibits[i].stand = stands[i];
 }
 
 }  // namespace docent::compile

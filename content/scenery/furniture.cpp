@@ -103,18 +103,12 @@ Outline rounded(const Outline& outline) {
 // Heights of furniture, metres.
 constexpr double toe_height = 0.07;
 constexpr double case_height = 0.74;
-constexpr double glass_top = 1.5;
 constexpr double pedestal_height = 0.72;
 constexpr double low_pedestal_height = 0.36;
 constexpr double bevel = 0.025;
 
 bool is_low_pedestal(const Outline& outline) {
   return extents(outline).most > 2.0;
-}
-
-double top_of(HoleKind kind, const Outline& outline) {
-  if (kind == HoleKind::Case) return case_height;
-  return is_low_pedestal(outline) ? low_pedestal_height : pedestal_height;
 }
 
 /// A body that stands on a shadow gap and has its upper edge taken off.
@@ -320,6 +314,20 @@ Board standing_board(const ExhibitStand& stand) {
 
 }  // namespace
 
+double top_of(HoleKind kind, const Outline& outline) {
+  if (kind == HoleKind::Case) return case_height;
+  return is_low_pedestal(outline) ? low_pedestal_height : pedestal_height;
+}
+
+void build_plinth(const Outline& outline, double height, MeshBuilder& mesh) {
+  constexpr double least_body = 0.2;
+  if (height >= least_body) return build_body(outline, height, mesh);
+  mesh.use(Surface::CaseBody);
+  const std::array rows{0.0, height};
+  mesh.sides(outline, rows);
+  mesh.lid(outline, height);
+}
+
 Outline outline_of(const FloorPlan& plan, const Ring& ring) {
   const auto first = plan.vertex.begin() + ring.first;
   Outline outline(first, first + ring.count);
@@ -371,11 +379,7 @@ void build_stand(const ExhibitStand& stand, MeshBuilder& mesh, std::vector<Block
   if (!stand.hole && !stand.on_wall) {
     const Vec2 half =
         has_base(stand) ? 0.5 * stand.taken : Vec2{board.width / 2 + 0.04, depth / 2 + 0.06};
-    const Outline base = rectangle(stand.placement.position, board.heading, half);
-    mesh.use(Surface::CaseBody);
-    constexpr std::array rows{0.0, 0.03};
-    mesh.sides(base, rows);
-    mesh.lid(base, rows[1]);
+    build_plinth(rectangle(stand.placement.position, board.heading, half), 0.03, mesh);
   }
   blockers.push_back(
       {rectangle(board.foot - forward * (depth / 2), board.heading, {board.width / 2, depth / 2}),

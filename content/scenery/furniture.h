@@ -36,6 +36,14 @@ struct Blocker {
 void build_hole(HoleKind kind, const Outline& hole, MeshBuilder& mesh,
                 std::vector<Blocker>& blockers);
 
+/// Metres: where the glass of a case ends.
+inline constexpr double glass_top = 1.5;
+/// How high the top of a case's body or of a pedestal is, metres.
+double top_of(HoleKind kind, const Outline& outline);
+
+/// A closed body on its shadow gap: a plinth.
+void build_plinth(const Outline& outline, double height, MeshBuilder& mesh);
+
 /// An exhibit as a picture: hung on its wall, or standing up on its case, pedestal or the floor.
 struct ExhibitStand {
   std::int32_t exhibit = -1;

@@ -11,6 +11,7 @@
 #include "content/scenery/furniture.h"
 #include "content/scenery/lift_car.h"
 #include "content/scenery/mesh_builder.h"
+#include "content/scenery/object_stand.h"
 #include "content/scenery/plates.h"
 #include "runtime/model/geometry/polygon.h"
 
@@ -191,7 +192,7 @@ Sun late_afternoon(double up) {
 
 Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
                      std::span<const float> image_aspect, std::span<const PavedArea> paving,
-                     const SceneryOptions& options) {
+                     const SceneryOptions& options, std::span<ObjectStand> stands) {
   if (plan.vertex.empty()) return {};
   FloorPlan drawn = plan;  // with alcoves that nobody walks in
   std::vector<std::vector<Outline>> lift_doors;
@@ -226,7 +227,17 @@ Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
     if (!options.taken.empty()) stand.taken = options.taken[e];
     if (!stand.on_wall)
       stand.hole = hole_under(outlines, kinds, exhibits[e].placement.position, stand.on);
-    build_stand(stand, mesh, blockers);
+    if (options.objects.empty() || options.objects[e] == Vec3{0}) {
+      build_stand(stand, mesh, blockers);
+      continue;
+    }
+    const PlacedObject placed = place_object(stand, options.objects[e]);
+    if (!placed.plinth.empty()) {
+      build_plinth(placed.plinth, placed.plinth_height, mesh);
+      blockers.push_back({placed.plinth, placed.plinth_height});
+    }
+    blockers.push_back(placed.shade);
+    if (!stands.empty()) stands[e] = placed.stand;
   }
   for (const Blocker& blocker : blockers) {
     if (blocker.height < 0)

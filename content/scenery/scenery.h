@@ -31,6 +31,9 @@ struct SceneryOptions {
   /// What the exhibits that stand free take of the floor, one per exhibit or none at all: metres
   /// across their front and deep; 0 for those that take none.
   std::vector<Vec2> taken{};
+  /// How large the exhibits' own shapes are, one per exhibit or none at all: metres wide, high and
+  /// deep; all 0 for those that are a picture.
+  std::vector<Vec3> objects{};
   double texel = 0.05;  ///< Metres a lightmap texel; larger where the floor would need too many.
 };
 
@@ -41,8 +44,10 @@ struct SceneryOptions {
 /// `image_aspect` holds width over height of each exhibit's picture, one per exhibit.
 /// SceneryPart::exhibit counts in `exhibits`. Floor that no area covers is oak. A plan without
 /// interior gives an empty scenery. The result does not depend on the machine's threads.
+/// Where exhibits have shapes of their own (`objects`) there is what these stand on, and no
+/// picture; `stands`, one per exhibit or none at all, then says where.
 Scenery make_scenery(const FloorPlan& plan, std::span<const Exhibit> exhibits,
                      std::span<const float> image_aspect, std::span<const PavedArea> paving,
-                     const SceneryOptions& options = {});
+                     const SceneryOptions& options = {}, std::span<ObjectStand> stands = {});
 
 }  // namespace docent::scenery

@@ -37,4 +37,28 @@ void Holdings::set_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels
   parts_->body = make_body(mesh, levels);
 }
 
+void Holdings::add_object(std::uint32_t object, Vec3 size, const ObjectMesh& distant) {
+  std::vector<Objects::Entry>& entries = parts_->objects.entries;
+  if (entries.size() <= object) entries.resize(object + 1);
+  entries[object] = {size, make_object_shape(distant)};
+}
+
+void Holdings::begin_object_detail(const ObjectDetail& detail) noexcept {
+  parts_->objects.coming = make_object_shape(detail);
+}
+
+void Holdings::add_object_picture(std::size_t picture, std::span<const Pixels> levels) noexcept {
+  add_picture(parts_->objects.coming, picture, levels);
+}
+
+void Holdings::show_object_detail(std::uint32_t object) noexcept {
+  parts_->objects.detail = std::move(parts_->objects.coming);
+  parts_->objects.coming = {};
+  parts_->objects.near = object;
+}
+
+void Holdings::drop_object_detail() noexcept {
+  parts_->objects.detail = {};
+}
+
 }  // namespace docent::gles

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "platform/image/image.h"
+#include "runtime/model/exhibit/object.h"
 #include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/model/scenery.h"
 #include "runtime/scene/body_detail.h"
@@ -44,6 +45,15 @@ class Holdings {
                    std::span<const scene::TextureId> image_of);
   /// The body that every avatar wears; `levels` are that mesh's.
   void set_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels);
+
+  /// Keeps an exhibit's object as it is from afar; `object` is its index, in ascending order.
+  void add_object(std::uint32_t object, Vec3 size, const ObjectMesh& distant);
+  /// The shape of one object from nearby; its pictures follow one by one, and then it is shown
+  /// instead of the one before. None of this allocates.
+  void begin_object_detail(const ObjectDetail& detail) noexcept;
+  void add_object_picture(std::size_t picture, std::span<const Pixels> levels) noexcept;
+  void show_object_detail(std::uint32_t object) noexcept;
+  void drop_object_detail() noexcept;
 
   struct Parts;
   const Parts& parts() const noexcept { return *parts_; }  ///< For the renderer.

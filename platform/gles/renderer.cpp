@@ -6,6 +6,7 @@
 
 #include "platform/gles/avatar_pass.h"
 #include "platform/gles/holdings_parts.h"
+#include "platform/gles/object_pass.h"
 #include "platform/gles/program.h"
 #include "platform/gles/quad_pass.h"
 #include "platform/gles/scene_buffer.h"
@@ -86,6 +87,7 @@ struct Renderer::Parts {
   SceneBuffer buffer;
   Picture picture;
   SceneryPass scenery;
+  ObjectPass objects;
   AvatarPass avatars;
   WayPass way;
   QuadPass quads;
@@ -96,7 +98,8 @@ struct Renderer::Parts {
 };
 
 Result<void> Renderer::Parts::compile() {
-  for (auto made : {scenery.compile(), avatars.compile(), way.compile(), quads.compile()})
+  for (auto made :
+       {scenery.compile(), objects.compile(), avatars.compile(), way.compile(), quads.compile()})
     if (!made) return made;
   auto copier = link_program("copy", {shaders::copy_vert}, {shaders::copy_frag});
   if (!copier) return std::unexpected(copier.error());
@@ -119,6 +122,7 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
   glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   avatars.draw_bodies(rows);
+  objects.draw(list, held.objects);
   const Building* building = held.building(list.floor);
   if (building) {
     scenery.draw_solids(*building, list.highlighted_exhibit, held.textures);
@@ -222,6 +226,7 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
   list.ribbons.back().count = 2;
   list.ribbons.back().length = 1;
   list.markers.emplace_back();
+  list.objects.emplace_back();
   list.palette.assign(most_joints, Mat4(1));
   list.avatars.emplace_back();
   for (const scene::QuadFill fill :

@@ -16,8 +16,15 @@ Database open_for_reading(const std::filesystem::path& file) {
 }
 
 const char* query_of(Archived what) noexcept {
-  return what == Archived::Speech ? "SELECT packets FROM speech WHERE id = ?"
-                                  : "SELECT bytes FROM image WHERE id = ?";
+  switch (what) {
+    case Archived::Speech:
+      return "SELECT packets FROM speech WHERE id = ?";
+    case Archived::Images:
+      return "SELECT bytes FROM image WHERE id = ?";
+    case Archived::Objects:
+      break;
+  }
+  return "SELECT detail FROM object WHERE id = ?";
 }
 
 class FileArchive : public BlobArchive {

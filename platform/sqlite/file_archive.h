@@ -9,8 +9,9 @@
 
 namespace docent::sqlite {
 
-/// What can stay in a database file: museum.speech[i].packets, museum.images[i].bytes.
-enum class Archived : std::uint8_t { Speech, Images };
+/// What can stay in a database file: museum.speech[i].packets, museum.images[i].bytes,
+/// museum.objects[i].detail.
+enum class Archived : std::uint8_t { Speech, Images, Objects };
 
 /// These bytes of a database file, by their index in the museum. The file is held open: another
 /// that takes its name changes nothing. Null where it is not the file with that checksum

@@ -1,5 +1,6 @@
 #include "runtime/guide/exhibit_shape.h"
 
+#include <cmath>
 #include <limits>
 
 namespace docent::guide {
@@ -22,6 +23,16 @@ ExhibitShape shape_of(const Museum& museum, std::uint32_t exhibit) {
     for (const SceneryPart& part : museum.scenery[it.floor].parts)
       if (part.exhibit == static_cast<std::int32_t>(exhibit))
         take_in(museum.scenery[it.floor], part);
+  if (it.object >= 0 && it.floor < museum.floors.size()) {
+    const ObjectStand& stand = it.stand;
+    const Vec3 size =
+        static_cast<float>(stand.scale) * museum.objects[static_cast<std::size_t>(it.object)].size;
+    // Whichever way it is turned.
+    const float half = std::hypot(size.x, size.z) / 2;
+    const Vec3 foot = to_world(stand.position, museum.floors[it.floor].plan.height + stand.base);
+    low = foot - Vec3{half, 0, half};
+    high = foot + Vec3{half, size.y, half};
+  }
   const double height = it.floor < museum.floors.size() ? museum.floors[it.floor].plan.height : 0;
   if (low.x > high.x) low = high = to_world(it.placement.position, height + breast_height);
   const Vec2 a = to_floor(low), b = to_floor(high);

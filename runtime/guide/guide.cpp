@@ -49,6 +49,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   list_.joint.reserve(list_.palette.capacity());
   const auto guides =
       static_cast<std::size_t>(std::ranges::count_if(crowd_.members(), leaves_a_trail));
+  list_.objects.reserve(museum.exhibits.size());
   list_.ribbons.reserve(guides);
   list_.ribbon_point.reserve(most_ribbon_points + (guides - 1) * points_of_a_trail);
   list_.markers.reserve(std::max(most_markers, museum.exhibits.size() + 8) +
@@ -332,6 +333,10 @@ const scene::DrawList& Guide::draw_list() noexcept {
   for (const Agent& one : crowd_.members())
     if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
   stage_.draw(state(), crowd_, led_visitors(), list_);
+  const bool is_near =
+      state().screen == interface::Screen::Walking || state().screen == interface::Screen::Arrived;
+  draw_objects(museum_, stage_.floor(), sessions_[0].table(),
+               is_near ? state().exhibit : std::nullopt, list_);
   const double floor_height = museum_.floors[stage_.floor()].plan.height;
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {

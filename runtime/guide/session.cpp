@@ -1,6 +1,7 @@
 #include "runtime/guide/session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "runtime/guide/step_aside.h"
@@ -75,7 +76,8 @@ bool Session::touch(const input::InputEvent& event, Overlay& surface) noexcept {
 }
 
 bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
-  const std::int32_t control = surface.touch_up(gesture.finger);
+  const std::int32_t touched = surface.touch_up(gesture.finger);
+  const std::int32_t control = has_turned(gesture.finger) ? -1 : touched;
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
   if (state_.asks_to_stay) {
@@ -112,6 +114,8 @@ void Session::press_key(input::Key key) noexcept {
   idle_seconds_ = 0;
   if (state_.asks_to_stay) return act({interface::Action::Kind::Stay});
   if (press_key_of_voice(key)) return;
+  if (table_.exhibit() && (key == input::Key::Left || key == input::Key::Right))
+    return table_.turn(key == input::Key::Left);
   switch (key) {
     case input::Key::Up:
     case input::Key::Left:
@@ -136,6 +140,25 @@ void Session::press_key(input::Key key) noexcept {
     default:
       return;
   }
+}
+
+// What the visitor turns.
+
+void Session::turn_object(float seconds) noexcept {
+  const bool is_before_it = state_.screen == interface::Screen::Arrived &&
+                            state_.glass == interface::Glass::Whole &&
+                            has_object(context_.museum, state_.exhibit);
+  table_.put(is_before_it ? state_.exhibit : std::nullopt);
+  if (is_before_it && view() != nullptr)
+    table_.step(gestures_.fingers(), view()->free, !context_.reduced_motion, seconds);
+}
+
+/// Did a finger turn the object, and so press nothing?
+bool Session::has_turned(const input::Finger& finger) const noexcept {
+  constexpr float far = 0.02F;
+  return table_.exhibit() && view() != nullptr &&
+         scene::contains(view()->free, finger.start.x, finger.start.y) &&
+         std::abs(finger.at.x - finger.start.x) > far;
 }
 
 // What the visitor hears.
@@ -351,6 +374,7 @@ void Session::take_way() noexcept {
 // What time brings.
 
 void Session::step(float seconds, float absent_after) noexcept {
+  turn_object(seconds);
   take_way();
   step_aside();
   notice_arrival();

@@ -9,6 +9,7 @@
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/exhibit_shape.h"
 #include "runtime/guide/overlay.h"
+#include "runtime/guide/turn_table.h"
 #include "runtime/guide/voice.h"
 #include "runtime/input/gesture.h"
 #include "runtime/interface/layout.h"
@@ -79,6 +80,8 @@ class Session {
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }
   const interface::View* view() const noexcept { return overlay_.view(); }
+  /// The object that the visitor stands before.
+  const TurnTable& table() const noexcept { return table_; }
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
   /// Has the guide left its way for its place beside what it leads to?
@@ -101,6 +104,8 @@ class Session {
   void begin_visit() noexcept;
   void take_way() noexcept;
   void step_aside() noexcept;
+  void turn_object(float seconds) noexcept;
+  bool has_turned(const input::Finger& finger) const noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;
   void ask_to_stay(float absent_after) noexcept;
@@ -123,6 +128,7 @@ class Session {
   input::GestureRecogniser gestures_;
   Overlay overlay_;
   Voice voice_;
+  TurnTable table_;
   bool has_headphones_ = false;
   std::optional<interface::InterfaceState> left_{};  ///< What starting over can be taken back to.
   float left_seconds_ = 0;                           ///< Since then.

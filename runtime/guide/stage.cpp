@@ -6,6 +6,7 @@
 #include <span>
 
 #include "runtime/guide/step_aside.h"
+#include "runtime/guide/turn_table.h"
 #include "runtime/scene/look.h"
 
 namespace docent::guide {
@@ -191,9 +192,15 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                                    const Avatar& leader) const noexcept {
   const double height = leader.height;
   if (state.screen == interface::Screen::Arrived)
-    if (const auto goal = interface::goal_of(museum_, state))
+    if (const auto goal = interface::goal_of(museum_, state)) {
+      if (state.glass == interface::Glass::Whole && has_object(museum_, state.exhibit)) {
+        const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
+        return scene::close_up(foot_of(museum_, exhibit), size_of(museum_, exhibit),
+                               arrival_yaw(*goal, leader.body.position), free_, aspect_);
+      }
       return scene::beside(goal->standing.position, goal->position,
                            arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
+    }
   if (state.screen == interface::Screen::Walking && above_)
     return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : overview_;
   if (state.screen == interface::Screen::Walking)

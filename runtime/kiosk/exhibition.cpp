@@ -113,6 +113,7 @@ void forget_what_is_uploaded(Exhibition& exhibition) {
   exhibition.scenery_pictures.clear();
   exhibition.body_levels = {};
   exhibition.museum.scenery.clear();
+  for (ExhibitObject& object : exhibition.museum.objects) object.distant = {};
   // Whole, because a vector that is given an empty list keeps its memory.
   SkinnedMesh& body = exhibition.museum.avatar;
   body = SkinnedMesh{.vertices = {},
@@ -188,6 +189,21 @@ std::shared_ptr<BlobArchive> leave_sounds_on_disk(const ContentFacts& content,
   return archive;
 }
 
+/// Objects as they are from nearby stay in the file, but for where it is not what it was.
+std::unique_ptr<ObjectDetails> details_of(Exhibition& exhibition) {
+  std::vector<ExhibitObject>& objects = exhibition.museum.objects;
+  if (objects.empty()) return {};
+  std::shared_ptr<BlobArchive> archive = sqlite::open_archive(
+      exhibition.content.path, sqlite::Archived::Objects, exhibition.content.checksum);
+  if (!archive)
+    return std::make_unique<ObjectDetails>([&objects](std::uint32_t object) {
+      return std::span<const std::byte>(objects[object].detail);
+    });
+  for (ExhibitObject& object : objects) object.detail = {};
+  return std::make_unique<ObjectDetails>(
+      [archive](std::uint32_t object) { return archive->read(object); });
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
@@ -230,6 +246,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       [&planner = *exhibition->planner](const Closures& closures) { planner.close(closures); },
       selection.today, selection.is_simulated);
   exhibition->body_levels = scene::levels_of(kept.avatar);
+  exhibition->details = details_of(*exhibition);
   for (std::future<void>& made : pictures_made) made.get();
   if (pictures)
     for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
@@ -241,12 +258,17 @@ bool upload_next(Exhibition& exhibition) {
   if (exhibition.is_uploaded) return false;
   const std::size_t pictures = exhibition.scenery_pictures.size();
   const std::size_t floors = exhibition.museum.scenery.size();
+  const std::size_t objects = exhibition.museum.objects.size();
   const std::size_t next = exhibition.uploaded;
   bool is_whole = true;
   if (next < pictures) {
     exhibition.holdings.add_scenery_image(scenery_texture(next), exhibition.scenery_pictures[next]);
   } else if (next < pictures + floors) {
     is_whole = !upload_building(exhibition, static_cast<std::uint32_t>(next - pictures));
+  } else if (next < pictures + floors + objects) {
+    const std::size_t index = next - pictures - floors;
+    const ExhibitObject& object = exhibition.museum.objects[index];
+    exhibition.holdings.add_object(static_cast<std::uint32_t>(index), object.size, object.distant);
   } else {
     exhibition.holdings.set_body(exhibition.museum.avatar, exhibition.body_levels);
     forget_what_is_uploaded(exhibition);
@@ -259,6 +281,14 @@ bool upload_next(Exhibition& exhibition) {
 void upload(Exhibition& exhibition) {
   while (upload_next(exhibition)) {
   }
+}
+
+bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
+                    bool waits) noexcept {
+  if (!exhibition.details || !exhibition.is_uploaded) return false;
+  exhibition.details->want(object);
+  if (waits) exhibition.details->wait();
+  return exhibition.details->upload_next(exhibition.holdings);
 }
 
 bool apply_pieces(Exhibition& exhibition) noexcept {

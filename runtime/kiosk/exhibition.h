@@ -10,6 +10,7 @@
 #include "platform/signature/key.h"
 #include "runtime/guide/guide.h"
 #include "runtime/kiosk/kiosk_status.h"
+#include "runtime/kiosk/object_details.h"
 #include "runtime/kiosk/today_watch.h"
 #include "runtime/model/blob_archive.h"
 #include "runtime/model/museum.h"
@@ -29,11 +30,12 @@ struct Exhibition {
   std::unique_ptr<guide::Guide> guide;
   std::unique_ptr<TodayWatch> today;
   gles::Holdings holdings;
+  std::unique_ptr<ObjectDetails> details;  ///< Null where no exhibit is a shape of its own.
   /// By image, with their smaller ones, until they are in texture memory.
   std::vector<std::vector<Pixels>> scenery_pictures;
   scene::BodyLevels body_levels;  ///< Likewise.
-  std::size_t uploaded = 0;       ///< Of its pictures, buildings and its body, in this order.
-  bool is_uploaded = false;       ///< All of them.
+  std::size_t uploaded = 0;  ///< Of its pictures, buildings, objects and its body, in this order.
+  bool is_uploaded = false;  ///< All of them.
 
   Exhibition() = default;
   Exhibition(const Exhibition&) = delete;
@@ -68,6 +70,11 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
 bool upload_next(Exhibition& exhibition);
 /// All of them.
 void upload(Exhibition& exhibition);
+
+/// Fetches the object that is looked at, or about to be, from nearby; false where nothing changed.
+/// Frame thread; does not allocate. `waits`: until it has been read.
+bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
+                    bool waits) noexcept;
 
 /// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
 /// does not allocate.

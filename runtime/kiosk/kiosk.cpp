@@ -325,7 +325,9 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   if (apply_pieces(*exhibition_)) presenter_.forget();
   watch.uploaded();
   staff_.step(time_, glass, exhibition_->holdings);
-  const scene::DrawList& list = staff_.over(guide().draw_list());
+  const scene::DrawList& drawn = guide().draw_list();
+  if (look_at_object(*exhibition_, drawn.near_object, simulated_)) presenter_.forget();
+  const scene::DrawList& list = staff_.over(drawn);
   watch.listed();
   const FrameFacts facts = facts_of_frame(passed);
   const bool is_drawn = presenter_.show(list, exhibition_->holdings, facts, statistics_);

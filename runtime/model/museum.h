@@ -70,6 +70,7 @@ struct Museum {
   std::vector<Exhibit> exhibits;
   std::vector<Tour> tours;
   std::vector<EncodedImage> images;
+  std::vector<ExhibitObject> objects;
   std::vector<SpeechSound> speech;  ///< By language and text, each once; none: it is silent.
   std::uint32_t kiosk_floor = 0;
   Placement kiosk;  ///< "You are here"; the heading is where the visitor looks.

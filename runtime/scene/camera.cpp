@@ -265,6 +265,30 @@ CameraRig beside(Vec2 standing, Vec2 exhibit, double yaw, double height, const R
   return rig;
 }
 
+CameraRig close_up(Vec3 foot, Vec3 size, double yaw, const Rect& free, float aspect) noexcept {
+  constexpr double pitch = 0.42, nearest = 1.5;
+  constexpr float share = 0.55F, seen = 0.5359F;  // twice the tangent of 15 degrees
+  const float across = std::hypot(size.x, size.z);
+  const float tall =
+      size.y * static_cast<float>(std::cos(pitch)) + across * static_cast<float>(std::sin(pitch));
+  const float free_aspect = aspect * free.width / std::max(free.height, 0.1F);
+  const float needed = std::max({tall / share, across / (share * free_aspect), 0.02F});
+  CameraRig rig;
+  rig.target = foot + Vec3{0, size.y / 2, 0};
+  rig.yaw = yaw;
+  rig.pitch = pitch;
+  rig.distance = needed / seen;
+  rig.centre_x = middle_x(free);
+  rig.centre_y = free.y + 0.47F * free.height;
+  rig.vertical_fov = field_of_view(free);
+  if (rig.distance < nearest) {
+    const auto longer = static_cast<float>(nearest / rig.distance);
+    rig.vertical_fov = 2 * std::atan(std::tan(rig.vertical_fov / 2) / longer);
+    rig.distance = nearest;
+  }
+  return rig;
+}
+
 double turn_smoothly(double current, double wanted, double seconds, double time_constant,
                      double max_rate) noexcept {
   const double off = wrapped(wanted - current);

@@ -80,6 +80,11 @@ CameraRig with_all_in_view(CameraRig rig, const Walker& walker, const Rect& free
 CameraRig beside(Vec2 standing, Vec2 exhibit, double yaw, double height, const Rect& free,
                  float aspect) noexcept;
 
+/// Looks the way `yaw` at an object from so near that it takes half of `free`, whichever way it is
+/// turned: small ones through a longer lens and not from nearer than a person would. `foot` is in
+/// the world frame, `size` metres.
+CameraRig close_up(Vec3 foot, Vec3 size, double yaw, const Rect& free, float aspect) noexcept;
+
 /// The angle `current` moved towards `wanted`, exponentially with `time_constant` (seconds), by at
 /// most `max_rate` radians a second.
 double turn_smoothly(double current, double wanted, double seconds, double time_constant,

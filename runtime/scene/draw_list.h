@@ -73,6 +73,16 @@ struct AvatarDraw {
   Vec3 centre{};           ///< World frame: the hips.
 };
 
+/// An exhibit's own shape: Museum::objects[object], on its foot in the world frame.
+struct ObjectDraw {
+  std::uint32_t object = 0;
+  Vec3 foot{};
+  float heading = 0;  ///< Radians, floor frame: where its front looks.
+  float scale = 1;    ///< Of its own size.
+  float glow = 0;     ///< How much brighter it is than it is lit.
+  bool operator==(const ObjectDraw&) const = default;
+};
+
 /// A way on the floor: `count` points of DrawList::ribbon_point from `first`. Width and pattern
 /// follow the kind.
 struct RibbonDraw {
@@ -131,6 +141,9 @@ struct DrawList {
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
   std::vector<Vec3> joint;  ///< Of each matrix: where its joint is, world frame.
+  std::vector<ObjectDraw> objects;
+  /// The one that is looked at, or about to be: it is drawn from nearby, where that is at hand.
+  std::optional<std::uint32_t> near_object{};
   std::vector<RibbonDraw> ribbons;
   std::vector<Vec2> ribbon_point;
   std::vector<MarkerDraw> markers;

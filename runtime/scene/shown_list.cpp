@@ -39,7 +39,8 @@ bool ShownList::differs(const DrawList& list, float pixels_high) const noexcept 
          list.focus != kept_.focus || list.focus_radius != kept_.focus_radius ||
          list.goal != kept_.goal || list.goal_radius != kept_.goal_radius ||
          list.highlighted_exhibit != kept_.highlighted_exhibit || list.quads != kept_.quads ||
-         list.walls != kept_.walls || list.markers != kept_.markers ||
+         list.walls != kept_.walls || list.objects != kept_.objects ||
+         list.near_object != kept_.near_object || list.markers != kept_.markers ||
          list.ribbons != kept_.ribbons || list.ribbon_point != kept_.ribbon_point ||
          bodies_differ(list, pixels_high);
 }
@@ -74,6 +75,8 @@ void ShownList::keep(const DrawList& list) {
   kept_.goal_radius = list.goal_radius;
   kept_.highlighted_exhibit = list.highlighted_exhibit;
   kept_.walls = list.walls;
+  kept_.near_object = list.near_object;
+  copy_into(kept_.objects, list.objects);
   copy_into(kept_.avatars, list.avatars);
   copy_into(kept_.palette, list.palette);
   copy_into(kept_.joint, list.joint);

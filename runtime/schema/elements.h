@@ -1,6 +1,7 @@
 #pragma once
 
 #include "runtime/model/connection.h"
+#include "runtime/model/exhibit/object.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
@@ -54,6 +55,13 @@ void fields(auto& io, MaybeConst<Transition> auto& t) {
 
 void fields(auto& io, MaybeConst<SkinnedVertex> auto& v) {
   io(v.position, v.normal, v.joint, v.weight, v.material, v.occlusion);
+}
+
+void fields(auto& io, MaybeConst<ObjectVertex> auto& v) {
+  io(v.position, v.normal, v.uv, v.colour, v.occlusion);
+}
+void fields(auto& io, MaybeConst<ObjectPart> auto& p) {
+  io(p.first_index, p.index_count, p.picture, p.wrap);
 }
 
 }  // namespace docent::schema

@@ -10,6 +10,7 @@
 
 #include "runtime/model/hours/opening_hours.h"
 #include "runtime/model/hours/time_zone.h"
+#include "runtime/schema/object_blob.h"
 
 namespace docent::schema {
 
@@ -214,11 +215,29 @@ bool sound_time(double value) {
   return std::isfinite(value) && value >= 0;
 }
 
+/// Is it as the kiosk will find it when it is first looked at from nearby?
+bool keeps(const ExhibitObject& object) {
+  const auto sound_length = [](float metres) { return std::isfinite(metres) && metres >= 0; };
+  ObjectDetail detail;
+  return sound_length(object.size.x) && sound_length(object.size.y) &&
+         sound_length(object.size.z) && is_whole(object.distant) &&
+         object.distant.triangles.size() / 3 <= ExhibitObject::most_distant_triangles &&
+         object.detail.size() <= ExhibitObject::most_bytes && decode(object.detail, detail);
+}
+
+bool stands(const Exhibit& exhibit, const Museum& museum) {
+  const ObjectStand& stand = exhibit.stand;
+  return exhibit.object >= -1 &&
+         exhibit.object < static_cast<std::int64_t>(museum.objects.size()) &&
+         finite(stand.position) && std::isfinite(stand.base) && std::isfinite(stand.scale) &&
+         stand.scale > 0;
+}
+
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
   return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
          exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
          finite(exhibit.placement) && finite(exhibit.viewing_point) && sound_time(exhibit.weight) &&
-         sound_time(exhibit.looking_seconds);
+         sound_time(exhibit.looking_seconds) && stands(exhibit, museum);
 }
 
 bool keeps(const Tour& tour, std::size_t exhibits) {
@@ -426,6 +445,8 @@ std::string broken_invariant(const Museum& museum) {
   for (const Room& room : museum.rooms)
     if (room.floor >= museum.floors.size() || !finite(room.label) || !all_finite(room.outline))
       return "room '" + room.id + "'";
+  for (const ExhibitObject& object : museum.objects)
+    if (!keeps(object)) return "object '" + object.name + "'";
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
   for (const Tour& tour : museum.tours)

@@ -158,6 +158,11 @@ void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
   row("hours", exhibit.hours);
   row("weight", exhibit.weight);
   row("looking_seconds", exhibit.looking_seconds);
+  row("object", exhibit.object);
+  row("object_x", exhibit.stand.position.x);
+  row("object_y", exhibit.stand.position.y);
+  row("object_base", exhibit.stand.base);
+  row("object_scale", exhibit.stand.scale);
 }
 
 void columns(auto& row, MaybeConst<Place> auto& place) {
@@ -184,6 +189,16 @@ void columns(auto& row, MaybeConst<EncodedImage> auto& image) {
   row("width", image.width);
   row("height", image.height);
   row("bytes", image.bytes);
+}
+
+void columns(auto& row, MaybeConst<ExhibitObject> auto& object) {
+  row("name", object.name);
+  row("width", object.size.x);
+  row("height", object.size.y);
+  row("depth", object.size.z);
+  row("distant_vertex", object.distant.vertices);
+  row("distant_triangle", object.distant.triangles);
+  row("detail", object.detail);
 }
 
 void columns(auto& row, MaybeConst<SpeechSound> auto& piece) {
@@ -280,6 +295,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   for (std::size_t i = 0; i < museum.tours.size(); ++i)
     store.texts("tour.title", i, museum.tours[i].title);
   store.rows("image", museum.images);
+  store.rows("object", museum.objects);
   store.rows("speech", museum.speech);
 
   store.rows("joint", museum.motion.skeleton.joint);

@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 13 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 14 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -183,7 +183,12 @@ CREATE TABLE exhibit (
   closed INTEGER NOT NULL,
   hours TEXT NOT NULL,
   weight REAL NOT NULL,         -- how much it is worth seeing, where not all can be seen
-  looking_seconds REAL NOT NULL
+  looking_seconds REAL NOT NULL,
+  object INTEGER NOT NULL,      -- -1: it has no shape of its own
+  object_x REAL NOT NULL,       -- where that stands
+  object_y REAL NOT NULL,
+  object_base REAL NOT NULL,    -- metres above the floor
+  object_scale REAL NOT NULL    -- of its own size
 );
 
 CREATE TABLE place (            -- what visitors ask for besides exhibits
@@ -213,6 +218,17 @@ CREATE TABLE image (
   width INTEGER NOT NULL,
   height INTEGER NOT NULL,
   bytes BLOB NOT NULL           -- a PNG or JPEG file
+);
+
+CREATE TABLE object (           -- an exhibit's own shape
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,           -- its file
+  width REAL NOT NULL,
+  height REAL NOT NULL,
+  depth REAL NOT NULL,
+  distant_vertex BLOB NOT NULL, -- ObjectVertex: from afar
+  distant_triangle BLOB NOT NULL, -- u16
+  detail BLOB NOT NULL          -- from nearby, with its pictures: object_blob.h
 );
 
 CREATE TABLE speech (           -- what the kiosk says, by pieces, sorted by language and text

@@ -37,8 +37,10 @@ DracoMesh::Attribute unpacked(const draco::Mesh& mesh, std::uint64_t id, const P
   const draco::PointAttribute* attribute =
       mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
   if (attribute == nullptr) part.fail(fmt::format("has no attribute {}", id));
-  DracoMesh::Attribute out{
-      .id = id, .components = static_cast<std::size_t>(attribute->num_components()), .value = {}};
+  DracoMesh::Attribute out{.id = id,
+                           .components = static_cast<std::size_t>(attribute->num_components()),
+                           .value = {},
+                           .is_normalised = attribute->normalized()};
   if (out.components == 0 || out.components > 4) part.fail("has an attribute of a strange size");
   std::array<float, 4> element{};
   for (std::uint32_t p = 0; p < mesh.num_points(); ++p) {

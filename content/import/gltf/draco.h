@@ -15,6 +15,7 @@ struct DracoMesh {
     std::uint64_t id = 0;
     std::size_t components = 0;
     std::vector<float> value;
+    bool is_normalised = false;  ///< Whole numbers became shares already.
   };
   std::vector<Attribute> attributes;
 };

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "content/import/gltf/scene.h"
+#include "content/import/gltf/texture.h"
 #include "content/import/picture/read_picture.h"
 #include "platform/image/image.h"
 
@@ -79,20 +80,6 @@ std::optional<std::string> bytes_of_image(Source& source, const Part& part) {
   return std::string(source.view(part["bufferView"].whole(0, UINT32_MAX)).bytes);
 }
 
-Result<Pixels> decode(std::string_view bytes) {
-  constexpr std::uint32_t side = 8192;
-  constexpr std::uint64_t pixels = 16'777'216;
-  const auto span = std::as_bytes(std::span(bytes));
-  if (bytes.size() > 12 && bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") {
-    try {
-      return read_webp(span, {.side = side, .pixels = pixels});
-    } catch (const content::ContentError& error) {
-      return std::unexpected(Error{Errc::InvalidInput, error.what()});
-    }
-  }
-  return image::decode_image(span, {.side = side, .pixels = pixels});
-}
-
 }  // namespace
 
 std::vector<Material> read_materials(Source& source) {
@@ -102,6 +89,29 @@ std::vector<Material> read_materials(Source& source) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     materials.push_back(material_of(source, parts.at(i)));
   return materials;
+}
+
+Result<Pixels> decode_texture(std::string_view bytes) {
+  constexpr std::uint32_t side = 8192;
+  constexpr std::uint64_t pixels = 16'777'216;
+  // No visitor sees more of it than that.
+  constexpr std::uint32_t longest_side = 1024;
+  const auto span = std::as_bytes(std::span(bytes));
+  if (bytes.starts_with("\xABKTX 20"))
+    return std::unexpected(
+        Error{Errc::InvalidInput,
+              "it is a KTX2 picture, which cannot be read here: write it as PNG, "
+              "JPEG or WebP"});
+  if (bytes.size() > 12 && bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP") {
+    try {
+      return image::shrink(read_webp(span, {.side = side, .pixels = pixels}), longest_side);
+    } catch (const content::ContentError& error) {
+      return std::unexpected(Error{Errc::InvalidInput, error.what()});
+    }
+  }
+  Result<Pixels> decoded = image::decode_image(span, {.side = side, .pixels = pixels});
+  if (decoded) *decoded = image::shrink(std::move(*decoded), longest_side);
+  return decoded;
 }
 
 Pixels read_image(Source& source, std::size_t index) {
@@ -114,10 +124,8 @@ Pixels read_image(Source& source, std::size_t index) {
                     part.name(), plain_name(part["uri"].text())));
     return {};
   }
-  // No vertex shows more of it than that.
-  constexpr std::uint32_t longest_side = 1024;
-  Result<Pixels> pixels = decode(*bytes);
-  if (pixels) return image::shrink(std::move(*pixels), longest_side);
+  Result<Pixels> pixels = decode_texture(*bytes);
+  if (pixels) return std::move(*pixels);
   source.warn(fmt::format("{} cannot be shown ({}); its material's colour is used without it",
                           part.name(), pixels.error().what));
   return {};

@@ -62,13 +62,24 @@ class PrimitiveReader {
       if (id.is_there())
         for (const DracoMesh::Attribute& a : draco_.attributes)
           if (a.id == id.whole(0, UINT32_MAX))
-            return {.components = a.components, .count = draco_.vertices, .value = a.value};
+            return unpacked_numbers(a, source_.root()["accessors"].at(part.whole(0, UINT32_MAX)));
     }
     Numbers numbers = read_numbers(source_, part.whole(0, UINT32_MAX), part);
     if (primitive_.position.empty()) return numbers;
     if (numbers.count != primitive_.position.size())
       part.fail(fmt::format("has {} elements, and POSITION has {}", numbers.count,
                             primitive_.position.size()));
+    return numbers;
+  }
+
+  /// What Draco unpacked, as shares where the accessor says so (KHR_mesh_quantization).
+  Numbers unpacked_numbers(const DracoMesh::Attribute& a, const Part& accessor) const {
+    Numbers numbers{.components = a.components, .count = draco_.vertices, .value = a.value};
+    if (a.is_normalised || !accessor["normalized"].flag_or(false)) return numbers;
+    constexpr std::array largest{127.0F, 255.0F, 32767.0F, 65535.0F};
+    const std::uint64_t type = accessor["componentType"].whole(5120, 5126) - 5120;
+    for (float& value : numbers.value)
+      if (type < largest.size()) value = std::max(value / largest[type], -1.0F);
     return numbers;
   }
 

@@ -32,8 +32,13 @@ void check_extensions(const Source& source) {
   for (std::size_t i = 0; i < required.size(); ++i) {
     const std::string name = required.at(i).text();
     if (std::ranges::find(known_extensions, name) == known_extensions.end() &&
-        !name.starts_with("KHR_materials_") && !name.starts_with("VRMC_materials_"))
+        !name.starts_with("KHR_materials_") && !name.starts_with("VRMC_materials_")) {
+      if (name == "KHR_texture_basisu")
+        required.at(i).fail(
+            "is KHR_texture_basisu: its pictures are KTX2, which cannot be read here; export them "
+            "as PNG, JPEG or WebP");
       required.at(i).fail(fmt::format("is {}, which cannot be read here", plain_name(name)));
+    }
   }
 }
 
@@ -104,14 +109,15 @@ Model parse_model(std::string_view bytes, const std::string& file, const ReadBes
   return model;
 }
 
+ReadBeside beside_on_disk(const std::filesystem::path& model) {
+  return [folder = model.parent_path()](const std::string& name) -> std::optional<std::string> {
+    Result<std::string> read = file::read_file(folder / name);
+    return read ? std::optional(std::move(*read)) : std::nullopt;
+  };
+}
+
 Model read_model(const std::filesystem::path& file) {
-  const std::string bytes = content::read_source(file);
-  const std::filesystem::path folder = file.parent_path();
-  return parse_model(bytes, file.string(),
-                     [&](const std::string& name) -> std::optional<std::string> {
-                       Result<std::string> read = file::read_file(folder / name);
-                       return read ? std::optional(std::move(*read)) : std::nullopt;
-                     });
+  return parse_model(content::read_source(file), file.string(), beside_on_disk(file));
 }
 
 }  // namespace docent::import::gltf

@@ -14,6 +14,12 @@ namespace docent::import::gltf {
 /// folder. Empty where there is none.
 using ReadBeside = std::function<std::optional<std::string>(const std::string& name)>;
 
+/// Does such a name stay in the folder that it is looked up in?
+bool stays_below(std::string_view name);
+
+/// Reads files that lie beside a model on the disk.
+ReadBeside beside_on_disk(const std::filesystem::path& model);
+
 /// Reads glTF 2.0 (text or GLB) and VRM: what the scene shows, its skins, base colours, and what
 /// VRM says. Meshes may be compressed (KHR_draco_mesh_compression, EXT_meshopt_compression) or
 /// quantised.

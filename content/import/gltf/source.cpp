@@ -55,7 +55,8 @@ std::string without_percents(std::string_view uri) {
   return name;
 }
 
-/// Does a name stay in the folder that it is looked up in?
+}  // namespace
+
 bool stays_below(std::string_view name) {
   if (name.empty() || name.starts_with('/') || name.contains('\\') || name.contains(':') ||
       name.contains('\0'))
@@ -67,8 +68,6 @@ bool stays_below(std::string_view name) {
   }
   return true;
 }
-
-}  // namespace
 
 Source::Source(std::string_view bytes, const std::string& file, const ReadBeside& beside)
     : file_{file}, container_{open_container(bytes, file)}, beside_{beside} {}

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/model/exhibit/object.h"
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/model/local_text.h"
 
@@ -27,6 +28,9 @@ struct Exhibit {
   std::string hours{};      ///< When it can be seen (opening_hours.h); empty: always.
   /// How much it is worth seeing, where not all can be seen; not negative, and how long one looks.
   double weight = 1, looking_seconds = ordinary_look;
+
+  std::int32_t object = -1;  ///< Index into Museum::objects: its own shape; -1: it has none.
+  ObjectStand stand{};       ///< Of the object, where it has one.
 
   static constexpr double ordinary_look = 60;
 };

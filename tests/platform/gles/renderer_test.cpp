@@ -175,6 +175,70 @@ class Rendering : public ::testing::Test {
   std::optional<Holdings> holdings_;
 };
 
+/// A cube of that colour, all of its faces from eight corners.
+ObjectMesh cube(std::array<std::uint8_t, 3> colour) {
+  ObjectMesh mesh;
+  for (unsigned i = 0; i < 8; ++i) {
+    ObjectVertex& v = mesh.vertices.emplace_back();
+    for (unsigned axis = 0; axis < 3; ++axis) v.position[axis] = (i >> axis & 1U) != 0 ? 65535 : 0;
+    v.normal = {0, 127};
+    v.colour = colour;
+  }
+  mesh.triangles = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+  return mesh;
+}
+
+TEST_F(Rendering, DrawsAnObjectOnItsFootAndTurnsItsFront) {
+  holdings_->add_object(0, {2, 1, 0.1F}, cube({30, 60, 200}));
+  scene::DrawList list = view_of_hall(small);
+  list.objects.push_back({.object = 0, .foot = to_world({6, 3}, 0.5)});
+  list.objects.push_back({.object = 7});  // which is nowhere
+  const auto is_blue = [&](const Pixels& picture, Vec2 at) {
+    const auto [x, y] = pixel_of(list.camera, to_world(at, 1.0), small);
+    const Rgb it = pixel(picture, x, y);
+    return it.b > it.r + 40;
+  };
+  list.objects[0].heading = 1.5708F;  // it looks north, so it is broad from west to east
+  const Pixels north = drawn(list);
+  list.objects[0].heading = 0;
+  const Pixels east = drawn(list);
+
+  EXPECT_TRUE(is_blue(north, {5.2, 3}));
+  EXPECT_TRUE(is_blue(north, {6.8, 3}));
+  EXPECT_FALSE(is_blue(north, {6, 3.8}));
+  EXPECT_FALSE(is_blue(east, {5.2, 3}));
+  EXPECT_TRUE(is_blue(east, {6, 2.4}));
+}
+
+TEST_F(Rendering, DrawsAnObjectFromNearbyOnceItsDetailIsThere) {
+  holdings_->add_object(0, {2, 2, 2}, cube({200, 40, 30}));
+  scene::DrawList list = view_of_hall(small);
+  list.objects.push_back({.object = 0, .foot = to_world({6, 3})});
+  list.near_object = 0;
+  const auto [x, y] = pixel_of(list.camera, to_world({6, 3}, 1.9), small);
+  const auto is_red = [&] {
+    const Rgb it = pixel(drawn(list), x, y);
+    return it.r > it.g + 40;
+  };
+  ObjectDetail detail;
+  detail.mesh = cube({255, 255, 255});
+  detail.parts = {{.first_index = 0, .index_count = 36, .picture = 0, .wrap = {}}};
+  const Pixels green{1, 1, {std::byte{30}, std::byte{200}, std::byte{30}, std::byte{255}}};
+
+  EXPECT_TRUE(is_red());
+  holdings_->begin_object_detail(detail);
+  holdings_->add_object_picture(0, {&green, 1});
+  EXPECT_TRUE(is_red()) << "it is not whole yet";
+  holdings_->show_object_detail(0);
+  EXPECT_FALSE(is_red());
+  list.near_object.reset();
+  EXPECT_TRUE(is_red());
+  list.near_object = 0;
+  holdings_->drop_object_detail();
+  EXPECT_TRUE(is_red());
+}
+
 TEST_F(Rendering, ShowsPaperWhereThereIsNothing) {
   const scene::DrawList list = paper_only();
 
