@@ -23,6 +23,7 @@ Quat mirrored(Quat q, Side side) noexcept {
 
 constexpr Vec3 up{0, 1, 0}, forwards{0, 0, 1};
 constexpr float longest_stretch = 0.965F;  ///< Of the arm: nobody points with a locked elbow.
+constexpr float palm_share = 0.5F;   ///< Of the hand, from the wrist to the middle of the palm.
 constexpr float finger_gap = 0.04F;  ///< Metres that the fingers stay off a target within reach.
 
 std::optional<Arm> find_arm(const Skeleton& skeleton, Side side) {
@@ -189,6 +190,31 @@ void aim_hand(const Bone& plain, Vec3 along, Vec3 thumb, ArmPosture& posture) no
   posture.wrist_flexion = -glm::dot(turn, fore.thumb);
 }
 
+/// Brings the wrist `wrist` metres from the shoulder in a direction; the elbow hangs, as far as the
+/// shoulder's twist makes it.
+void bend(const Arm& arm, Vec3 direction, float wrist, ArmPosture& posture) noexcept {
+  constexpr float most_twist = 0.75F;
+  const float cosine = cosine_between(arm.upper, wrist, arm.fore);
+  const float sine = std::sqrt(1 - cosine * cosine);
+  const Vec3 behind = -hanging_towards(direction).thumb;
+  const Vec3 below = square_to(direction, -up, behind);
+  const float twist = std::clamp(angle_about(direction, behind, below), -most_twist, most_twist);
+  const Vec3 elbow = glm::angleAxis(twist, direction) * behind;
+  posture.upper = direction * cosine + elbow * sine;
+  const Vec3 hinge = glm::cross(elbow, direction);
+  const Vec3 thumb = glm::cross(hinge, posture.upper);
+  posture.twist = -angle_about(posture.upper, hanging_towards(posture.upper).thumb, thumb);
+  posture.flexion = std::acos(-cosine_between(arm.upper, arm.fore, wrist));
+}
+
+/// The middle of the palm of a left arm, trunk's frame.
+Vec3 palm_place(const Skeleton& skeleton, const Arm& arm, const ArmPosture& posture) noexcept {
+  const Bone upper = upper_bone(posture);
+  return shoulder_place(skeleton, arm, posture) + arm.upper * upper.along +
+         arm.fore * bent(upper, posture.flexion).along +
+         palm_share * arm.hand * bones_of(posture).hand.along;
+}
+
 }  // namespace
 
 Arms find_arms(const Skeleton& skeleton) {
@@ -232,20 +258,7 @@ ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& 
   const float shortest = std::sqrt(arm.upper * arm.upper + arm.fore * arm.fore);  // a right angle
   const float wrist =
       std::clamp(glm::length(line()) - arm.hand - finger_gap, std::min(shortest, longest), longest);
-  const float cosine = cosine_between(arm.upper, wrist, arm.fore);
-  const float sine = std::sqrt(1 - cosine * cosine);
-
-  // The elbow hangs, as far as the shoulder's twist makes it.
-  constexpr float most_twist = 0.75F;
-  const Vec3 behind = -hanging_towards(direction).thumb;
-  const Vec3 below = square_to(direction, -up, behind);
-  const float twist = std::clamp(angle_about(direction, behind, below), -most_twist, most_twist);
-  const Vec3 elbow = glm::angleAxis(twist, direction) * behind;
-  posture.upper = direction * cosine + elbow * sine;
-  const Vec3 hinge = glm::cross(elbow, direction);
-  const Vec3 thumb = glm::cross(hinge, posture.upper);
-  posture.twist = -angle_about(posture.upper, hanging_towards(posture.upper).thumb, thumb);
-  posture.flexion = std::acos(-cosine_between(arm.upper, arm.fore, wrist));
+  bend(arm, direction, wrist, posture);
   posture = within_limits(posture);
 
   constexpr float palm_up = 0.4F;  // the thumb leans outwards by that
@@ -253,6 +266,41 @@ ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& 
   aim_hand(bent(upper_bone(posture), posture.flexion), direction,
            glm::angleAxis(-palm_up, direction) * upright, posture);
   return within_limits(posture);
+}
+
+ArmPosture holding(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                   const Grip& grip) noexcept {
+  constexpr int tries = 6;  // the wrist's limits turn the hand, and the palm goes with it
+  const Quat back = glm::inverse(trunk.rotation);
+  const Vec3 palm = mirrored(back * (grip.place - trunk.place), arm.side);
+  const Vec3 fingers = mirrored(back * grip.fingers, arm.side);
+  const Vec3 thumb = mirrored(back * grip.thumb, arm.side);
+  const float longest = 0.995F * (arm.upper + arm.fore);
+  const float shortest = std::abs(arm.upper - arm.fore) + 0.12F;
+  ArmPosture posture;
+  Vec3 wrist = palm - palm_share * arm.hand * fingers;
+  for (int i = 0; i < tries; ++i) {
+    Vec3 line = wrist - shoulder_place(skeleton, arm, posture);
+    const float far = glm::length(line);
+    if (far < 1e-3F) break;
+    if (i < 2) {
+      help_with_collar(line / far, posture);
+      line = wrist - shoulder_place(skeleton, arm, posture);
+    }
+    const float distance = std::clamp(glm::length(line), std::min(shortest, longest), longest);
+    bend(arm, glm::normalize(line), distance, posture);
+    posture = within_limits(posture);
+    aim_hand(bent(upper_bone(posture), posture.flexion), fingers, thumb, posture);
+    posture = within_limits(posture);
+    wrist += palm - palm_place(skeleton, arm, posture);
+  }
+  return posture;
+}
+
+Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const PoseView& pose) noexcept {
+  const JointPlace wrist = place_of(skeleton, static_cast<JointIndex>(arm.joint[arm.wrist]), pose);
+  const Vec3 out = mirrored(Vec3(1, 0, 0), arm.side);
+  return wrist.place + wrist.rotation * (arm.rest[2] * out * (palm_share * arm.hand));
 }
 
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,

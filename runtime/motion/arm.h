@@ -67,6 +67,21 @@ ArmPosture within_limits(const ArmPosture& posture) noexcept;
 ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
                     Vec3 target) noexcept;
 
+/// How a hand holds something. World frame.
+struct Grip {
+  Vec3 place{};           ///< Of the middle of the palm.
+  Vec3 fingers{0, 0, 1};  ///< Where the fingers point, ...
+  Vec3 thumb{0, 1, 0};    ///< ... and the thumb; unit vectors, as nearly as the wrist allows.
+};
+
+/// Takes hold: the palm is at the grip wherever the joints allow it, else as near as they do, and
+/// the elbow hangs.
+ArmPosture holding(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                   const Grip& grip) noexcept;
+
+/// The middle of the palm in a pose, world frame.
+Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const PoseView& pose) noexcept;
+
 /// The hand at head's height, palm towards `target` (world), waving; `seconds` since it began.
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,
                   double seconds) noexcept;

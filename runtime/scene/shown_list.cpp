@@ -39,9 +39,9 @@ bool ShownList::differs(const DrawList& list, float pixels_high) const noexcept 
          list.focus != kept_.focus || list.focus_radius != kept_.focus_radius ||
          list.goal != kept_.goal || list.goal_radius != kept_.goal_radius ||
          list.highlighted_exhibit != kept_.highlighted_exhibit || list.quads != kept_.quads ||
-         list.walls != kept_.walls || list.markers != kept_.markers ||
-         list.ribbons != kept_.ribbons || list.ribbon_point != kept_.ribbon_point ||
-         bodies_differ(list, pixels_high);
+         list.walls != kept_.walls || list.leaves != kept_.leaves ||
+         list.markers != kept_.markers || list.ribbons != kept_.ribbons ||
+         list.ribbon_point != kept_.ribbon_point || bodies_differ(list, pixels_high);
 }
 
 bool ShownList::bodies_differ(const DrawList& list, float pixels_high) const noexcept {
@@ -74,6 +74,7 @@ void ShownList::keep(const DrawList& list) {
   kept_.goal_radius = list.goal_radius;
   kept_.highlighted_exhibit = list.highlighted_exhibit;
   kept_.walls = list.walls;
+  copy_into(kept_.leaves, list.leaves);
   copy_into(kept_.avatars, list.avatars);
   copy_into(kept_.palette, list.palette);
   copy_into(kept_.joint, list.joint);
