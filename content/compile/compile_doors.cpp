@@ -16,10 +16,10 @@ void hang(const config::DoorSection& section, Door& door) {
                : opens == "pull"                        ? DoorOpens::Pull
                                                         : DoorOpens::Push;
   const bool is_wide = glm::distance(door.a, door.b) > widest_leaf;
-  door.hinge = swing == "left"                  ? DoorHinge::A
-               : swing == "right"               ? DoorHinge::B
+  door.hinge = swing == "left"                ? DoorHinge::A
+               : swing == "right"             ? DoorHinge::B
                : swing == "double" || is_wide ? DoorHinge::Both
-                                                : DoorHinge::A;
+                                              : DoorHinge::A;
 }
 
 }  // namespace

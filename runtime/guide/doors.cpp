@@ -3,29 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
+#include "runtime/model/none.h"
 #include "runtime/scene/leaf_mesh.h"
 
 namespace docent::guide {
 namespace {
 
-constexpr double foreseen = 2.6;  ///< Seconds of its way for which who comes is looked at...
-constexpr int looks = 66;            ///< ... so many times.
-constexpr double near_a_leaf = 3;        ///< Metres from a leaf's middle to who may come to it.
-constexpr double close_by_leaf = 1.6;       ///< Metres: a leaf does not close on who is nearer.
-constexpr double stays_open = 3;     ///< Seconds.
+constexpr double foreseen = 2.6;       ///< Seconds of its way for which who comes is looked at...
+constexpr int looks = 66;              ///< ... so many times.
+constexpr double near_a_leaf = 3;      ///< Metres from a leaf's middle to who may come to it.
+constexpr double close_by_leaf = 2.6;  ///< Metres: a leaf does not close on who is nearer.
+constexpr double stays_open = 4;       ///< Seconds.
 constexpr double closing_speed = 0.55, closing_gain = 0.6;  ///< Radians a second, and per second².
-constexpr double eased = 0.2;  ///< Seconds over which the turning is spread, ahead.
-constexpr double bar_away = scene::bar_surface + 0.01;  ///< Metres from a leaf's middle to the palm on its bar.
-constexpr double farthest_reach = 0.56;  ///< Metres level from the shoulder to the bar.
-constexpr double shoulder_aside = 0.17;
+constexpr double opens_early = 1.0;                         ///< Seconds.
+constexpr double nearly_open = 0.03;  ///< Radians short of open, where a hand lets go.
+constexpr double eased = 0.2;         ///< Seconds over which the turning is spread, ahead.
+constexpr double bar_away =
+    scene::bar_surface + 0.01;         ///< Metres from a leaf's middle to the palm on its bar.
 constexpr double worth_a_hand = 0.01;  ///< Radians.
 
 /// What of a body must be clear of a leaf: the trunk, and the feet that stride ahead of it.
 struct Disc {
   double ahead, radius;
 };
-constexpr std::array pushing_body{Disc{0.02, 0.24}, Disc{0.2, 0.17}};
+constexpr std::array pushing_body{Disc{0.02, 0.32}, Disc{0.2, 0.22}};
 
 Vec2 heading_of(const Placement& place) noexcept {
   return {std::cos(place.heading), std::sin(place.heading)};
@@ -84,56 +88,145 @@ bool passes(const Leaf& leaf, const Foresight& ahead) noexcept {
   return false;
 }
 
-/// How far a shoulder has to reach for a grip at worst while the leaf turns; more where the arm
-/// has to cross the body.
-double farthest(const HungLeaf& leaf, double grip, Side side, const Foresight& ahead,
-                std::span<const double> angle, std::size_t first, std::size_t last) noexcept {
+/// What a hand does on the bar of a leaf, as who turns it sees it.
+motion::Grip grip_on(const HungLeaf& leaf, double angle, const Grasp& grasp,
+                     double floor_height) noexcept {
+  const Vec2 towards = direction_of(leaf, angle);
+  const Vec2 back = direction_of(leaf, angle - std::numbers::pi / 2);
+  const Vec2 inwards = (grasp.side == Side::Right ? 1.0 : -1.0) * Vec2{back.y, -back.x};
+  return {.place = to_world(leaf.hinge + grasp.along * towards + bar_away * back,
+                            floor_height + scene::bar_height),
+          .fingers = glm::normalize(to_world(-0.8 * back, 0.55)),
+          .thumb = to_world(inwards)};
+}
+
+/// A turning leaf as who turns it sees it, moment by moment.
+struct Turning {
+  HungLeaf leaf;
+  std::array<double, looks> angle{};
+  std::size_t first = 0, last = 0;  ///< When it turns.
+};
+
+/// Is a leaf that is open towards who comes out of their way as it is?
+bool is_out_of_the_way(const Leaf& leaf, double sign, const Foresight& ahead) noexcept {
+  if (sign * leaf.angle > -worth_a_hand) return false;
+  return std::ranges::all_of(ahead.place, [&](const Placement& place) {
+    return std::ranges::all_of(pushing_body, [&](const Disc& disc) {
+      const Vec2 middle = place.position + disc.ahead * heading_of(place);
+      return distance_to_leaf(leaf.hung, leaf.angle, middle) > disc.radius - 0.07;
+    });
+  });
+}
+
+/// How far who comes will have turned a leaf by then, if they turn it from `now` on: as far as they
+/// need it soon. A leaf that is half open is opened further while the hand still lies before the
+/// body, and it neither starts nor stops with a jerk.
+/// `most`: what they have needed so far; grows to what they need at the first of these moments.
+std::array<double, looks> foresee_angles(const HungLeaf& leaf, double now, const Foresight& ahead,
+                                         double& most) noexcept {
+  constexpr double half_open = 0.7;  // radians
+  std::array<double, looks> need, angle;
+  most = std::max(most, needed(leaf, ahead.place[0]));
+  need[0] = most;
+  for (std::size_t i = 1; i < looks; ++i)
+    need[i] = std::max(need[i - 1], needed(leaf, ahead.place[i]));
+  const auto at = [&](double index) {
+    const double i = std::min(index, looks - 1.0);
+    const auto before = static_cast<std::size_t>(i);
+    return std::lerp(need[before], need[std::min<std::size_t>(before + 1, looks - 1)],
+                     i - static_cast<double>(before));
+  };
+  for (std::size_t i = 0; i < looks; ++i) {
+    const double share = std::clamp((need[i] - worth_a_hand) / half_open, 0.0, 1.0);
+    const double early = opens_early * share * share * (3 - 2 * share);
+    double sum = 0;
+    constexpr int parts = 6;
+    for (int k = 0; k < parts; ++k)
+      sum += at(static_cast<double>(i) + (early + eased * k / (parts - 1)) / ahead.apart);
+    angle[i] = std::max(i > 0 ? angle[i - 1] : now, sum / parts);
+  }
+  return angle;
+}
+
+/// Where no hand reaches it, a leaf opens by itself, in time.
+double opened_by_itself(double now, std::span<const double, looks> wanted,
+                        double seconds) noexcept {
+  constexpr double speed = 1.5, gain = 3;  // radians a second, and per second and radian
+  const double left = std::max(0.0, wanted.back() - now);
+  return std::max(wanted.front(), now + std::min(speed, gain * left) * seconds);
+}
+
+/// How who comes will turn a leaf; nothing where it is open enough.
+std::optional<Turning> foresee_turning(const Leaf& leaf, double sign,
+                                       const Foresight& ahead) noexcept {
+  if (is_out_of_the_way(leaf, sign, ahead)) return {};
+  const double now = sign * leaf.angle;
+  Turning turning{.leaf = seen(leaf.hung, sign)};
+  double most = 0;
+  turning.angle = foresee_angles(turning.leaf, now, ahead, most);
+  if (turning.angle.back() <= now + worth_a_hand) return {};
+  while (turning.angle[turning.first + 1] <= now + 1e-4) ++turning.first;
+  turning.last = looks - 1;
+  while (turning.angle[turning.last - 1] >= turning.angle.back() - 1e-3) --turning.last;
+  return turning;
+}
+
+/// The trunk, where a body will be, held as it is now.
+motion::JointPlace trunk_at(const Placement& now, const Placement& then,
+                            const motion::JointPlace& trunk) noexcept {
+  const Quat turn = glm::angleAxis(static_cast<float>(then.heading - now.heading), Vec3(0, 1, 0));
+  return {to_world(then.position) + turn * (trunk.place - to_world(now.position)),
+          turn * trunk.rotation};
+}
+
+/// How far a palm is from its grip at worst while the leaf turns, metres, and a little more the
+/// farther the arm has to reach.
+double discomfort(const Skeleton& skeleton, const Avatar& avatar, const Foresight& ahead,
+                  const Turning& turning, const Grasp& grasp, double height) noexcept {
+  constexpr std::size_t samples = 16;
+  constexpr float sway = 0.12F;  // of a trunk that walks, radians
+  const motion::Arm& arm = *avatar.limbs.arms[grasp.side];
+  const Mat4& now = avatar.world[index_of(arm.trunk)];
+  const motion::JointPlace trunk{Vec3(now[3]), glm::normalize(glm::quat_cast(now))};
   double worst = 0;
-  for (std::size_t i = first; i <= last; ++i) {
-    const Placement& place = ahead.place[i];
-    const Vec2 out = (side == Side::Left ? 1.0 : -1.0) * Vec2{-heading_of(place).y, heading_of(place).x};
-    const Vec2 towards = direction_of(leaf, angle[i]);
-    const Vec2 back = direction_of(leaf, angle[i] - 1.5707963);
-    const Vec2 hand = leaf.hinge + grip * towards + bar_away * back;
-    const Vec2 line = hand - place.position - shoulder_aside * out;
-    const double crossed = std::max(0.0, -dot(line, out) - 0.12);
-    worst = std::max(worst, glm::length(line) + 0.5 * crossed);
+  for (std::size_t i = 0; i < samples; ++i) {
+    const std::size_t at = turning.first + (turning.last - turning.first) * i / (samples - 1);
+    const motion::Grip grip = grip_on(turning.leaf, turning.angle[at], grasp, height);
+    motion::JointPlace then = trunk_at(avatar.body, ahead.place[at], trunk);
+    then.rotation = glm::angleAxis(i % 2 == 0 ? sway : -sway, Vec3(0, 1, 0)) * then.rotation;
+    const motion::ArmPosture posture = motion::holding(skeleton, arm, then, grip);
+    const double off = glm::distance(motion::palm_of(skeleton, arm, then, posture), grip.place);
+    worst =
+        std::max(worst, off + 0.01 * static_cast<double>(glm::distance(then.place, grip.place)));
   }
   return worst;
 }
 
-/// Which hand takes the bar, and where.
-void choose_grip(const HungLeaf& leaf, const Foresight& ahead, std::span<const double> angle,
-                 std::span<const bool, 2> is_free, Leaf::Push& push) noexcept {
-  std::size_t first = 0, last = 0;
-  for (std::size_t i = 0; i < angle.size(); ++i) {
-    if (angle[i] <= angle.front() + worth_a_hand) first = i;
-    if (i > 0 && angle[i] > angle[i - 1] + 1e-4) last = i;
-  }
-  double best = farthest_reach;
+/// Which hand takes the bar, and where; none where none can hold it all the while.
+std::optional<Grasp> choose_grasp(const Skeleton& skeleton, const Avatar& avatar,
+                                  const Foresight& ahead, const Turning& turning,
+                                  double height) noexcept {
+  constexpr double good_enough = 0.025;
+  std::optional<Grasp> chosen;
+  double best = good_enough;
   for (const Side side : both_sides) {
-    if (!is_free[index_of(side)]) continue;
-    for (double grip = 0.25 * leaf.width; grip < 0.93 * leaf.width; grip += 0.05) {
-      const double worst = farthest(leaf, grip, side, ahead, angle, first, std::max(first, last));
+    if (!avatar.limbs.arms[side] || avatar.manner.held[index_of(side)]) continue;
+    const double width = turning.leaf.width;
+    for (double along = 0.2 * width; along < 0.92 * width; along += 0.08 * width) {
+      const Grasp grasp{side, along};
+      const double worst = discomfort(skeleton, avatar, ahead, turning, grasp, height);
       if (worst >= best) continue;
       best = worst;
-      push.side = side;
-      push.grip = grip;
+      chosen = grasp;
     }
   }
+  return chosen;
 }
 
 }  // namespace
 
 motion::Grip grip_of(const Leaf& leaf, const Leaf::Push& push, double floor_height) noexcept {
-  const HungLeaf it = seen(leaf.hung, push.sign);
-  const double angle = push.sign * leaf.angle;
-  const Vec2 towards = direction_of(it, angle), back = direction_of(it, angle - 1.5707963);
-  const Vec2 inwards = (push.side == Side::Right ? 1.0 : -1.0) * Vec2{back.y, -back.x};
-  return {.place = to_world(it.hinge + push.grip * towards + bar_away * back,
-                            floor_height + scene::bar_height),
-          .fingers = glm::normalize(to_world(-0.8 * back, 0.55)),
-          .thumb = to_world(inwards)};
+  return grip_on(seen(leaf.hung, push.sign), push.sign * leaf.angle, *push.grasp, floor_height);
 }
 
 Doors::Doors(const Museum& museum) : museum_(museum) {
@@ -166,50 +259,36 @@ void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept 
     const Foresight ahead = foresee(one.avatar, seconds);
     if (!passes(leaf, ahead)) continue;
     Leaf::Push push{.who = who, .sign = -side_of(leaf, one.avatar.body.position)};
-    const HungLeaf it = seen(leaf.hung, push.sign);
-    std::array<double, looks> angle;
-    const double now = push.sign * leaf.angle;
-    double most = now, begins = foreseen;
-    for (std::size_t i = 0; i < angle.size(); ++i) {
-      most = std::max(most, needed(it, ahead.place[i]));
-      if (most > now + worth_a_hand)
-        begins = std::min(begins, static_cast<double>(i) * ahead.apart);
-      angle[i] = most;
-    }
-    if (begins > leads || most <= now + worth_a_hand) continue;
-    const auto& held = one.avatar.manner.held;
-    const std::array<bool, 2> is_free{!held[0], !held[1]};
-    choose_grip(it, ahead, angle, is_free, push);
+    const std::optional<Turning> turning = foresee_turning(leaf, push.sign, ahead);
+    if (push.sign * leaf.angle < -worth_a_hand) continue;  // it closes first
+    if (!turning || static_cast<double>(turning->first) * ahead.apart > leads) continue;
+    push.grasp = choose_grasp(museum_.motion.skeleton, one.avatar, ahead, *turning,
+                              museum_.floors[leaf.floor].plan.height);
     leaf.push = push;
     leaf.rate = 0;
     return;
   }
 }
 
-/// As far as it must be worth_a_hand for who walks there, and some way ahead of that, so that it neither
-/// starts nor stops with a jerk.
+/// As far as it must be worth_a_hand for who walks there, and some way ahead of that, so that it
+/// neither starts nor stops with a jerk.
 void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
   Leaf::Push& push = *leaf.push;
   const Agent& one = crowd[push.who];
   const HungLeaf it = seen(leaf.hung, push.sign);
   const double now = push.sign * leaf.angle;
   const Foresight ahead = foresee(one.avatar, seconds);
-  const auto eases = static_cast<std::size_t>(std::ceil(eased / ahead.apart));
-  double most = now, sum = 0;
-  for (std::size_t i = 0; i < ahead.place.size(); ++i) {
-    most = std::max(most, needed(it, ahead.place[i]));
-    if (i <= eases) sum += most;
-  }
-  const double angle = std::max(now, sum / static_cast<double>(eases + 1));
-  leaf.angle = push.sign * angle;
+  const std::array<double, looks> angle = foresee_angles(it, now, ahead, push.needed);
+  const bool is_done = angle.back() <= now + nearly_open || !is_near(leaf, one, near_a_leaf);
+  if (!is_done)
+    leaf.angle = push.sign * (push.grasp ? angle.front() : opened_by_itself(now, angle, seconds));
   leaf.unused = 0;
   push.since += seconds;
-  const bool is_done = most <= angle + 1e-3 || !is_near(leaf, one, near_a_leaf);
-  if (push.side) {
+  if (push.grasp) {
     std::optional<Held> held;
     if (!is_done)
       held = Held{grip_of(leaf, push, museum_.floors[leaf.floor].plan.height), push.since};
-    crowd.hold(push.who, *push.side, held);
+    crowd.hold(push.who, push.grasp->side, held);
   }
   if (is_done) leaf.push.reset();
 }
@@ -219,10 +298,15 @@ void Doors::close(double seconds, Leaf& leaf, const Crowd& crowd) noexcept {
   leaf.unused += seconds;
   for (const Agent& one : crowd.members()) {
     if (leaf.angle == 0) break;
-    const bool is_beside = is_near(leaf, one, close_by_leaf);
-    const bool comes = !is_beside && is_near(leaf, one, near_a_leaf) && !stands(one.avatar) &&
-                       passes(leaf, foresee(one.avatar, seconds));
-    if (is_beside || comes) leaf.unused = 0;
+    if (!is_near(leaf, one, near_a_leaf)) continue;
+    const Foresight ahead = foresee(one.avatar, seconds);
+    const bool comes = !stands(one.avatar) && passes(leaf, ahead);
+    const double sign = -side_of(leaf, one.avatar.body.position);
+    if (comes && sign * leaf.angle < 0 && !is_out_of_the_way(leaf, sign, ahead)) {
+      leaf.unused = std::max(leaf.unused, stays_open + seconds);  // half open towards them
+      break;
+    }
+    if (comes || is_near(leaf, one, close_by_leaf)) leaf.unused = 0;
   }
   const double open = std::abs(leaf.angle);
   const bool closes = leaf.unused > stays_open && open > 0;
@@ -237,8 +321,7 @@ void Doors::draw(std::uint32_t floor, scene::DrawList& list) const noexcept {
     list.leaves.push_back({.hinge = leaf.hung.hinge,
                            .along = direction_of(leaf.hung, leaf.angle),
                            .width = static_cast<float>(leaf.hung.width),
-                           .floor_height =
-                               static_cast<float>(museum_.floors[floor].plan.height)});
+                           .floor_height = static_cast<float>(museum_.floors[floor].plan.height)});
   }
 }
 

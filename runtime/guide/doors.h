@@ -11,22 +11,28 @@
 
 namespace docent::guide {
 
+/// Where on a leaf's bar a hand is.
+struct Grasp {
+  Side side = Side::Right;  ///< The hand.
+  double along = 0.5;       ///< Metres from the hinge.
+};
+
 /// A leaf of a door, as it is now.
 struct Leaf {
   std::uint32_t floor = 0, door = 0;  ///< Indices: of the museum's floors, of the floor's doors.
   DoorOpens opens = DoorOpens::Push;
   HungLeaf hung;
-  double angle = 0;      ///< Radians; positive to the left of the door's line from a to b.
-  double rate = 0;       ///< Radians a second, of a leaf that closes.
+  double angle = 0;     ///< Radians; positive to the left of the door's line from a to b.
+  double rate = 0;      ///< Radians a second, of a leaf that closes.
   double unused = 1e9;  ///< Seconds since somebody was near it.
 
   /// Who pushes it, if somebody does.
   struct Push {
     std::uint32_t who = 0;
-    double sign = 1;             ///< Of the angle to which it is turned.
-    double grip = 0.5;           ///< Metres from the hinge to the hand.
-    std::optional<Side> side{};  ///< Of the hand; none where no hand reaches it.
-    double since = 0;            ///< Seconds.
+    double sign = 1;               ///< Of the angle to which it is turned.
+    std::optional<Grasp> grasp{};  ///< None where no hand reaches it all the while.
+    double needed = 0;             ///< Radians that who pushes it has needed so far.
+    double since = 0;              ///< Seconds.
   };
   std::optional<Push> push{};
 };

@@ -54,8 +54,8 @@ Frame frame_of(const LeafDraw& leaf) noexcept {
 
 void append_board(const LeafDraw& leaf, std::vector<SceneryVertex>& mesh) noexcept {
   const auto top = static_cast<float>(cut_height) - below_cut;
-  append_box(frame_of(leaf),
-             {{gap, gap, -thickness / 2}, {leaf.width - gap, top, thickness / 2}}, mesh);
+  append_box(frame_of(leaf), {{gap, gap, -thickness / 2}, {leaf.width - gap, top, thickness / 2}},
+             mesh);
 }
 
 void append_bars(const LeafDraw& leaf, std::vector<SceneryVertex>& mesh) noexcept {

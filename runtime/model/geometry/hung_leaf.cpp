@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "runtime/model/geometry/door_leaf.h"
 #include "runtime/model/geometry/segment.h"
@@ -23,15 +24,17 @@ double angle_clear_of(const HungLeaf& leaf, Vec2 middle, double radius) noexcept
   const double distance = std::hypot(x, y);
   if (distance >= leaf.width + radius) return 0;
   const double bearing = std::atan2(y, x);
-  if (distance <= radius) return std::clamp(bearing + 1.6, 0.0, widest_angle);
+  // Who grazes the hinges: the nearer they are, the less it matters where the leaf is.
+  if (distance <= radius)
+    return std::clamp((bearing + std::numbers::pi / 2) * distance / radius, 0.0, widest_angle);
   const double reach = std::sqrt(distance * distance - radius * radius);
   // The leaf touches the disc, or only the leaf's end does.
-  const double apart = reach <= leaf.width
-                           ? std::asin(radius / distance)
-                           : std::acos(std::clamp((leaf.width * leaf.width + distance * distance -
-                                                   radius * radius) /
-                                                      (2 * leaf.width * distance),
-                                                  -1.0, 1.0));
+  const double apart =
+      reach <= leaf.width
+          ? std::asin(radius / distance)
+          : std::acos(std::clamp((leaf.width * leaf.width + distance * distance - radius * radius) /
+                                     (2 * leaf.width * distance),
+                                 -1.0, 1.0));
   return std::clamp(bearing + apart, 0.0, widest_angle);
 }
 
