@@ -134,19 +134,15 @@ void SceneryPass::prepare_leaves(std::span<const scene::LeafDraw> leaves) noexce
                   leaves_.mesh.data());
 }
 
-/// As high as the walls about them.
+/// They do not sink: a hand may be on them.
 void SceneryPass::draw_leaves() const noexcept {
   if (leaves_.mesh.empty()) return;
   glBindVertexArray(leaves_.array.get());
-  if (walls_.any)
-    use(wall_, false);
-  else
-    solid_.use();
-  const GLint albedo = walls_.any ? wall_.albedo : at_.solid_albedo;
+  solid_.use();
   const auto bars = static_cast<GLint>(leaves_.bars);
-  set(albedo, theme_.oak);
+  set(at_.solid_albedo, theme_.oak);
   glDrawArrays(GL_TRIANGLES, 0, bars);
-  set(albedo, scene::srgb(0x6B5A49));
+  set(at_.solid_albedo, scene::srgb(0x6B5A49));
   glDrawArrays(GL_TRIANGLES, bars, static_cast<GLint>(leaves_.mesh.size()) - bars);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "runtime/model/geometry/polyline.h"
 
@@ -20,8 +19,9 @@ motion::CarefulPlace placed(motion::CarefulPlace care, Vec2 at) {
   return care;
 }
 
-/// Where the segment p q crosses the door.
-std::optional<Vec2> crossing(Vec2 p, Vec2 q, const Door& door) {
+}  // namespace
+
+std::optional<Vec2> crossing(Vec2 p, Vec2 q, const Door& door) noexcept {
   const Vec2 run = q - p, along = door.b - door.a;
   const double across = cross(run, along);
   if (across == 0) return {};
@@ -29,8 +29,6 @@ std::optional<Vec2> crossing(Vec2 p, Vec2 q, const Door& door) {
   if (share < 0 || share > 1 || of_door < 0 || of_door > 1) return {};
   return p + share * run;
 }
-
-}  // namespace
 
 std::vector<motion::CarefulPlace> careful_places(const Museum& museum, const Plan& plan) {
   std::vector<motion::CarefulPlace> places;

@@ -12,6 +12,7 @@
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
 #include "runtime/plan/care.h"
+#include "runtime/plan/lead_through_doors.h"
 #include "runtime/plan/leg.h"
 #include "runtime/plan/stretch.h"
 
@@ -319,8 +320,9 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     plan->then = leg.then;
     plan->metres_after = leg.metres_after;
     plan->seconds_after = leg.seconds_after;
-    plan->length = leg.way.length + leg.metres_after;
-    way = std::move(leg.way.points);
+    way = lead_through_doors(museum_, map_, leg.way.points);
+    const double longer = polyline_length(way) - polyline_length(leg.way.points);
+    plan->length = leg.way.length + longer + leg.metres_after;
     keep_way(way, *plan);
     plan->is_new_way = true;
   }

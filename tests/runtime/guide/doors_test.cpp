@@ -44,12 +44,12 @@ Doorway doorway(DoorOpens opens, DoorHinge hinge = DoorHinge::Both, double width
 
 /// What was seen of somebody who walked through.
 struct Passage {
-  double farthest_hand = 0;       ///< Metres from a handle whose leaf was turned, ...
-  double turned_by_itself = 0;    ///< ... radians that a leaf turned open without one.
-  double nearest = 1e9;           ///< Metres between bones and leaves, less their thickness.
-  double most_open = 0;           ///< Radians.
+  double farthest_hand = 0;     ///< Metres from a handle whose leaf was turned, ...
+  double turned_by_itself = 0;  ///< ... radians that a leaf turned open without one.
+  double nearest = 1e9;         ///< Metres between bones and leaves, less their thickness.
+  double most_open = 0;         ///< Radians.
   double held_seconds = 0;
-  double hardest = 0;             ///< The largest change of a leaf's rate between two frames.
+  double hardest = 0;  ///< The largest change of a leaf's rate between two frames.
   bool arrived = false;
 };
 
@@ -197,6 +197,25 @@ TEST(ADoor, IsFoundOpenByWhoComesNextAndClosesOnceNobodyIsNear) {
   Passage later;
   for (int i = 0; i < 60 * 12; ++i) walker.step(who, 1.0 / 60, later);
   for (const Leaf& leaf : walker.doors.leaves()) EXPECT_EQ(leaf.angle, 0);
+}
+
+TEST(ADoor, IsPassedInItsMiddleByTheShortestWayToo) {
+  const Doorway it = doorway(DoorOpens::Push);
+  Walker walker(it);
+  const std::uint32_t who = walker.enters(it.place(-2.5, 0.5, 1));
+  walker.crowd.send(who, it.floor, it.place(2.5, 1.5, 1), RouteKind::Shortest);
+  Passage seen;
+  double nearest_to_middle = 1e9;
+  const Vec2 middle = 0.5 * (it.it().a + it.it().b);
+  for (int i = 0; i < 60 * 15; ++i) {
+    walker.step(who, 1.0 / 60, seen);
+    nearest_to_middle =
+        std::min(nearest_to_middle, glm::distance(walker.crowd[who].avatar.body.position, middle));
+  }
+  EXPECT_LT(nearest_to_middle, 0.05);
+  EXPECT_LE(seen.farthest_hand, 0.02);
+  EXPECT_LT(seen.turned_by_itself, 1e-3);
+  EXPECT_GT(seen.nearest, 0);
 }
 
 TEST(ADoor, SlowsWhoComesToIt) {
