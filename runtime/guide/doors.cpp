@@ -12,8 +12,8 @@
 namespace docent::guide {
 namespace {
 
-constexpr double foreseen = 2.6;       ///< Seconds of its way for which who comes is looked at...
-constexpr int looks = 66;              ///< ... so many times.
+constexpr double foreseen = 3.4;       ///< Seconds of its way for which who comes is looked at...
+constexpr int looks = 69;              ///< ... so many times.
 constexpr double near_a_leaf = 3;      ///< Metres from a leaf's middle to who may come to it.
 constexpr double close_by_leaf = 2.6;  ///< Metres: a leaf does not close on who is nearer.
 constexpr double stays_open = 4;       ///< Seconds.
@@ -206,7 +206,7 @@ double discomfort(const Skeleton& skeleton, const Avatar& avatar, const Foresigh
 std::optional<Grasp> choose_grasp(const Skeleton& skeleton, const Avatar& avatar,
                                   const Foresight& ahead, const Turning& turning,
                                   double height) noexcept {
-  constexpr double good_enough = 0.025;
+  constexpr double good_enough = 0.04;
   std::optional<Grasp> chosen;
   double best = good_enough;
   for (const Side side : both_sides) {
@@ -264,6 +264,8 @@ void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept 
     if (!turning || static_cast<double>(turning->first) * ahead.apart > leads) continue;
     push.grasp = choose_grasp(museum_.motion.skeleton, one.avatar, ahead, *turning,
                               museum_.floors[leaf.floor].plan.height);
+    const double left = static_cast<double>(turning->first) * ahead.apart;
+    if (!push.grasp && left > motion::longest_change + 0.02) continue;  // nearer by, perhaps
     leaf.push = push;
     leaf.rate = 0;
     return;

@@ -11,13 +11,16 @@
 namespace docent::plan {
 namespace {
 
-constexpr double straight = 0.5;  ///< Metres before and behind a door that are walked straight.
-constexpr std::array leaves_way_by{1.6, 1.2, 0.9, 2.2, 3.0};  ///< Metres before, and likewise after.
+constexpr double straight = 0.5;   ///< Metres before a door that are walked straight, ...
+constexpr double past_leaf = 0.2;  ///< ... and beyond the end of an open leaf behind it.
+constexpr std::array leaves_way_by{1.6, 1.2, 0.9, 2.2,
+                                   3.0};  ///< Metres before, and likewise after.
 
 /// Where one goes through, and in which direction: along the door's own `across`, or against it.
 struct Passing {
   double along = 0;  ///< Metres of the way.
   Vec2 at{}, ahead{};
+  double width = 1;  ///< Metres, of a leaf.
 };
 
 std::optional<Passing> find_passing(std::span<const Vec2> way, const FloorPlan& plan,
@@ -37,17 +40,19 @@ std::optional<Passing> find_passing(std::span<const Vec2> way, const FloorPlan& 
     const double side = dot(way[i] - way[i - 1], hung.across) > 0 ? 1 : -1;
     return Passing{.along = along + glm::distance(way[i - 1], *at),
                    .at = hung.hinge + share * hung.width * hung.along,
-                   .ahead = side * hung.across};
+                   .ahead = side * hung.across,
+                   .width = hung.width};
   }
   return {};
 }
 
 /// The way with its part about the passing replaced; nothing where a wall is in the way.
 std::optional<std::vector<Vec2>> led_through(std::span<const Vec2> way, const path::FloorMap& map,
-                                             const Passing& passing, double radius) {
+                                             const Passing& passing, double straight_behind,
+                                             double radius) {
   const double length = polyline_length(way);
   const Vec2 before = passing.at - straight * passing.ahead;
-  const Vec2 behind = passing.at + straight * passing.ahead;
+  const Vec2 behind = passing.at + straight_behind * passing.ahead;
   if (!map.walls().capsule_clear(before, behind, radius)) return {};
   // Where it leaves the way, and where it is back on it.
   const auto joint = [&](double direction, Vec2 end) -> std::optional<double> {
@@ -78,8 +83,14 @@ std::vector<Vec2> lead_through_doors(const Museum& museum, const path::FloorMap&
   std::vector<Vec2> led(way.begin(), way.end());
   for (const Door& door : map.plan().doors) {
     if (door.closed) continue;
-    if (const auto passing = find_passing(led, map.plan(), door))
-      if (auto other = led_through(led, map, *passing, museum.body_radius)) led = std::move(*other);
+    const auto passing = find_passing(led, map.plan(), door);
+    if (!passing) continue;
+    for (const double behind : {passing->width + past_leaf, straight}) {
+      auto other = led_through(led, map, *passing, behind, museum.body_radius);
+      if (!other) continue;
+      led = std::move(*other);
+      break;
+    }
   }
   return led;
 }
