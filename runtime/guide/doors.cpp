@@ -76,6 +76,33 @@ double side_of(const Leaf& leaf, Vec2 place) noexcept {
   return dot(place - leaf.hung.hinge, leaf.hung.across) > 0 ? 1 : -1;
 }
 
+/// Radians, or metres of one that slides.
+double opening_of(const Leaf& leaf) noexcept {
+  return leaf.opens == DoorOpens::Sliding ? leaf.slid : std::abs(leaf.angle);
+}
+void set_opening(double opening, Leaf& leaf) noexcept {
+  if (leaf.opens == DoorOpens::Sliding)
+    leaf.slid = opening;
+  else
+    leaf.angle = std::copysign(opening, leaf.opens == DoorOpens::Pull ? -1 : leaf.angle);
+}
+
+/// From there, no hand opens it: it slides, or it would have to be pulled.
+bool opens_by_itself(const Leaf& leaf, Vec2 from) noexcept {
+  return leaf.opens == DoorOpens::Sliding ||
+         (leaf.opens == DoorOpens::Pull && side_of(leaf, from) < 0);
+}
+
+void open_by_itself(double seconds, Leaf& leaf) noexcept {
+  constexpr double angle = 1.5, speed = 1.3, gain = 3;  // radians; radians or metres a second
+  const double full = leaf.opens == DoorOpens::Sliding ? 0.92 * leaf.hung.width : angle;
+  const double open = opening_of(leaf);
+  const double wanted = -std::min(speed, gain * (full - open));  // a rate is of closing
+  leaf.rate += std::clamp(wanted - leaf.rate, -gain * seconds, gain * seconds);
+  leaf.unused = 0;
+  set_opening(std::clamp(open - leaf.rate * seconds, 0.0, full), leaf);
+}
+
 /// Does it pass the leaf, from one side to the other?
 bool passes(const Leaf& leaf, const Foresight& ahead) noexcept {
   constexpr double body_width = 0.35;
@@ -245,6 +272,8 @@ void Doors::step(double seconds, Crowd& crowd) noexcept {
     if (!leaf.push) begin_push(seconds, leaf, crowd);
     if (leaf.push)
       turn(seconds, leaf, crowd);
+    else if (is_awaited(seconds, leaf, crowd))
+      open_by_itself(seconds, leaf);
     else
       close(seconds, leaf, crowd);
   }
@@ -257,7 +286,7 @@ void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept 
     const Agent& one = crowd[who];
     if (!is_near(leaf, one, near_a_leaf) || stands(one.avatar)) continue;
     const Foresight ahead = foresee(one.avatar, seconds);
-    if (!passes(leaf, ahead)) continue;
+    if (!passes(leaf, ahead) || opens_by_itself(leaf, one.avatar.body.position)) continue;
     Leaf::Push push{.who = who, .sign = -side_of(leaf, one.avatar.body.position)};
     const std::optional<Turning> turning = foresee_turning(leaf, push.sign, ahead);
     if (push.sign * leaf.angle < -worth_a_hand) continue;  // it closes first
@@ -295,11 +324,20 @@ void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
   if (is_done) leaf.push.reset();
 }
 
+/// Does somebody come before whom it opens by itself?
+bool Doors::is_awaited(double seconds, const Leaf& leaf, const Crowd& crowd) const noexcept {
+  return std::ranges::any_of(crowd.members(), [&](const Agent& one) {
+    return is_near(leaf, one, near_a_leaf) && !stands(one.avatar) &&
+           opens_by_itself(leaf, one.avatar.body.position) &&
+           passes(leaf, foresee(one.avatar, seconds));
+  });
+}
+
 /// A leaf that nobody uses closes by itself, gently; it waits for who is near, or comes.
 void Doors::close(double seconds, Leaf& leaf, const Crowd& crowd) noexcept {
   leaf.unused += seconds;
   for (const Agent& one : crowd.members()) {
-    if (leaf.angle == 0) break;
+    if (opening_of(leaf) == 0) break;
     if (!is_near(leaf, one, near_a_leaf)) continue;
     const Foresight ahead = foresee(one.avatar, seconds);
     const bool comes = !stands(one.avatar) && passes(leaf, ahead);
@@ -310,17 +348,17 @@ void Doors::close(double seconds, Leaf& leaf, const Crowd& crowd) noexcept {
     }
     if (comes || is_near(leaf, one, close_by_leaf)) leaf.unused = 0;
   }
-  const double open = std::abs(leaf.angle);
+  const double open = opening_of(leaf);
   const bool closes = leaf.unused > stays_open && open > 0;
   const double wanted = closes ? std::min(closing_speed, 1.6 * open + 0.02) : 0;
   leaf.rate += std::clamp(wanted - leaf.rate, -4 * closing_gain * seconds, closing_gain * seconds);
-  leaf.angle = std::copysign(std::max(0.0, open - leaf.rate * seconds), leaf.angle);
+  set_opening(std::max(0.0, open - leaf.rate * seconds), leaf);
 }
 
 void Doors::draw(std::uint32_t floor, scene::DrawList& list) const noexcept {
   for (const Leaf& leaf : leaves_) {
     if (leaf.floor != floor || list.leaves.size() == list.leaves.capacity()) continue;
-    list.leaves.push_back({.hinge = leaf.hung.hinge,
+    list.leaves.push_back({.hinge = leaf.hung.hinge - leaf.slid * leaf.hung.along,
                            .along = direction_of(leaf.hung, leaf.angle),
                            .width = static_cast<float>(leaf.hung.width),
                            .floor_height = static_cast<float>(museum_.floors[floor].plan.height)});

@@ -23,6 +23,7 @@ struct Leaf {
   DoorOpens opens = DoorOpens::Push;
   HungLeaf hung;
   double angle = 0;     ///< Radians; positive to the left of the door's line from a to b.
+  double slid = 0;      ///< Metres, of a sliding one, towards its hinges.
   double rate = 0;      ///< Radians a second, of a leaf that closes.
   double unused = 1e9;  ///< Seconds since somebody was near it.
 
@@ -39,7 +40,8 @@ struct Leaf {
 
 /// The leaves of all doors that staff have marked. Whoever goes through one that is closed turns it
 /// with a hand on its bar and walks on; it is always turned far enough for who walks there. Whoever
-/// comes next finds it open; when nobody has been near it for a while it closes by itself.
+/// comes next finds it open; when nobody has been near it for a while it closes by itself. One that
+/// slides, or would have to be pulled, opens by itself before whoever comes.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Doors {
@@ -57,6 +59,7 @@ class Doors {
  private:
   void begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept;
   void turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept;
+  bool is_awaited(double seconds, const Leaf& leaf, const Crowd& crowd) const noexcept;
   void close(double seconds, Leaf& leaf, const Crowd& crowd) noexcept;
 
   const Museum& museum_;

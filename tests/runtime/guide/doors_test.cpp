@@ -65,7 +65,9 @@ double distance_to_bones(const Avatar& avatar, const Skeleton& skeleton, const L
     const Vec3 a(avatar.world[index_of(parent)][3]), b(avatar.world[j][3]);
     for (int i = 0; i <= 4; ++i) {
       const Vec3 at = glm::mix(a, b, static_cast<float>(i) / 4);
-      nearest = std::min(nearest, distance_to_leaf(leaf.hung, leaf.angle, to_floor(at)));
+      HungLeaf hung = leaf.hung;
+      hung.hinge -= leaf.slid * hung.along;
+      nearest = std::min(nearest, distance_to_leaf(hung, leaf.angle, to_floor(at)));
     }
   }
   return nearest - thickness_of_bones;
@@ -197,6 +199,19 @@ TEST(ADoor, IsFoundOpenByWhoComesNextAndClosesOnceNobodyIsNear) {
   Passage later;
   for (int i = 0; i < 60 * 12; ++i) walker.step(who, 1.0 / 60, later);
   for (const Leaf& leaf : walker.doors.leaves()) EXPECT_EQ(leaf.angle, 0);
+}
+
+TEST(ADoor, ThatSlidesOrComesTowardsTheGuideIsOpenBeforeItIsReached) {
+  for (const DoorOpens opens : {DoorOpens::Pull, DoorOpens::Sliding})
+    for (const double side : {-1.0, 1.0}) {
+      const Doorway it = doorway(opens);
+      Walker walker(it);
+      const std::uint32_t who = walker.enters(it.place(3.5 * side, 0, -side));
+      const Passage seen = walker.walk(who, it.place(-2.5 * side, 0, -side));
+      EXPECT_TRUE(seen.arrived);
+      EXPECT_GT(seen.nearest, 0);
+      if (opens == DoorOpens::Pull && side > 0) expect_opened_by_hand(seen);
+    }
 }
 
 TEST(ADoor, IsPassedInItsMiddleByTheShortestWayToo) {
