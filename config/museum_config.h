@@ -78,9 +78,12 @@ struct RoomSection {
   Located<bool> closed;
   Located<std::string> hours;
 };
+inline constexpr std::array<std::string_view, 3> door_openings{"push", "pull", "sliding"};
+inline constexpr std::array<std::string_view, 5> door_swings{"none", "left", "right", "double",
+                                                             "sliding"};
 struct DoorSection {
   Place place;
-  Located<std::string> id, name, floor;
+  Located<std::string> id, name, floor, opens, swing;
   Located<Vec2> a, b;
   Located<bool> closed;
   Located<std::string> hours;

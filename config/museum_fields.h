@@ -259,6 +259,25 @@ inline constexpr std::array door_fields{
                        "rooms, a door opens the wall"},
     Field<DoorSection>{"b", &DoorSection::b, Presence::Required,
                        "The other side of the doorway: [east, north] in metres"},
+    Field<DoorSection>{"opens",
+                       &DoorSection::opens,
+                       Presence::Optional,
+                       "How it opens for who comes from where a is on the left: push (a leaf that "
+                       "swings both ways, pushed by hand from either side), pull (its leaf comes "
+                       "towards them, by itself; from the other side it is pushed) or sliding (by "
+                       "itself); it stands open where neither this nor 'swing' is said",
+                       {},
+                       Form::OneOf,
+                       door_openings},
+    Field<DoorSection>{"swing",
+                       &DoorSection::swing,
+                       Presence::Optional,
+                       "Where its leaf hangs, seen from where a is on the left: left (at a), right "
+                       "(at b), double (two leaves), none (no leaf) or sliding; double where it is "
+                       "not said and the door is wider than 1.3 m, else left",
+                       {},
+                       Form::OneOf,
+                       door_swings},
     Field<DoorSection>{"closed", &DoorSection::closed, Presence::Optional,
                        "true while nobody may pass"},
     Field<DoorSection>{"hours", &DoorSection::hours, Presence::Optional, hours_manual},

@@ -11,6 +11,7 @@
 #include "content/compile/add_collections.h"
 #include "content/compile/add_languages.h"
 #include "content/compile/compile_avatar.h"
+#include "content/compile/compile_doors.h"
 #include "content/compile/compile_exhibits.h"
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"

@@ -1,5 +1,7 @@
 #include "content/compile/compile_exhibits.h"
 
+#include "content/compile/compile_doors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,17 +34,6 @@ namespace {
 
 double to_radians(double degrees) {
   return degrees * std::numbers::pi / 180;
-}
-
-/// The doors of a floor that have both ends.
-std::vector<const config::DoorSection*> door_sections(const config::MuseumConfig& config,
-                                                      std::size_t floor) {
-  std::vector<const config::DoorSection*> sections;
-  for (const config::DoorSection& section : config.doors)
-    if (section.a.given && section.b.given &&
-        config::floor_index(config, section.floor.value) == floor)
-      sections.push_back(&section);
-  return sections;
 }
 
 class ExhibitCompiler {
@@ -562,17 +553,6 @@ Placement most_open_place(const Floor& floor) {
   if (widest == clearance.end()) return {};
   const auto node = static_cast<std::size_t>(widest - clearance.begin());
   return {floor.roadmap.position[node], std::numbers::pi / 2};
-}
-
-std::vector<Door> doors_of(const config::MuseumConfig& config, std::size_t floor) {
-  std::vector<Door> doors;
-  for (const config::DoorSection* section : door_sections(config, floor))
-    doors.push_back({.name = section->called().value,
-                     .a = section->a.value,
-                     .b = section->b.value,
-                     .closed = section->closed.value,
-                     .hours = section->hours.value});
-  return doors;
 }
 
 LocalText plain_texts(const config::LocatedTexts& texts) {

@@ -16,9 +16,6 @@ LocalText plain_texts(const config::LocatedTexts& texts);
 /// The floor's most open place, looking north: where a kiosk stands that nobody placed.
 Placement most_open_place(const Floor& floor);
 
-/// The doors that staff wrote for a floor.
-std::vector<Door> doors_of(const config::MuseumConfig& config, std::size_t floor);
-
 /// Makes rooms, the kiosk's place, exhibits and strollers of what staff wrote, and puts them
 /// into the museum, whose floors are there already. `floors` has one entry per floor of the config,
 /// without walls where the plan was no use: what stands on such a floor is not placed. Problems go

@@ -10,21 +10,6 @@
 namespace docent::gles {
 namespace {
 
-void describe_scenery_vertices() noexcept {
-  constexpr auto stride = static_cast<GLsizei>(sizeof(SceneryVertex));
-  const auto floats = [&](GLuint index, GLint count, std::size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, stride, buffer_offset(offset));
-  };
-  floats(0, 3, offsetof(SceneryVertex, position));
-  floats(1, 3, offsetof(SceneryVertex, normal));
-  floats(2, 2, offsetof(SceneryVertex, uv));
-  static_assert(offsetof(SceneryVertex, sun) == offsetof(SceneryVertex, sky) + 1);
-  glEnableVertexAttribArray(3);
-  glVertexAttribPointer(3, 2, GL_UNSIGNED_BYTE, GL_TRUE, stride,
-                        buffer_offset(offsetof(SceneryVertex, sky)));
-}
-
 void make_lightmap(const Scenery& scenery, Building& building) noexcept {
   building.lightmap = make_texture();
   bind_texture(static_cast<GLuint>(Unit::LightMap), building.lightmap.get());
@@ -137,6 +122,21 @@ void describe_geometry(Building& building) noexcept {
 }
 
 }  // namespace
+
+void describe_scenery_vertices() noexcept {
+  constexpr auto stride = static_cast<GLsizei>(sizeof(SceneryVertex));
+  const auto floats = [&](GLuint index, GLint count, std::size_t offset) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, stride, buffer_offset(offset));
+  };
+  floats(0, 3, offsetof(SceneryVertex, position));
+  floats(1, 3, offsetof(SceneryVertex, normal));
+  floats(2, 2, offsetof(SceneryVertex, uv));
+  static_assert(offsetof(SceneryVertex, sun) == offsetof(SceneryVertex, sky) + 1);
+  glEnableVertexAttribArray(3);
+  glVertexAttribPointer(3, 2, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+                        buffer_offset(offsetof(SceneryVertex, sky)));
+}
 
 bool carry_on(Building& building, const Scenery& scenery,
               std::span<const scene::TextureId> image_of) {

@@ -22,6 +22,9 @@ struct Building {
   std::vector<bool> hangs;                 ///< By exhibit: is it on a wall?
 };
 
+/// Describes the vertices of the buffer that is bound to the array that is.
+void describe_scenery_vertices() noexcept;
+
 /// Carries a building there, from the first time on some more of it, at most a megabyte each time;
 /// false once nothing is left. One without vertices stays without an array.
 bool carry_on(Building& building, const Scenery& scenery,

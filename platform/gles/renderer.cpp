@@ -152,7 +152,7 @@ void Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held, 
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
   way.prepare(list);
-  scenery.prepare(list.walls);
+  scenery.prepare(list.walls, list.leaves);
   avatars.prepare(list, held.body, Vec3(block.sun), size);
   bind_texture(static_cast<GLuint>(Unit::LightMap), building ? building->lightmap.get() : 0);
   buffer.fit(size);
@@ -221,6 +221,7 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
   list.camera.eye = {0, 10, 0};
   list.walls.any = true;
   list.walls.level.resize(std::size_t{scene::WallLevels::side} * scene::WallLevels::side);
+  list.leaves.emplace_back();
   list.ribbon_point = {{0, 0}, {1, 0}};
   list.ribbons.emplace_back();
   list.ribbons.back().count = 2;

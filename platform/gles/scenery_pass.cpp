@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "platform/gles/shaders.h"
+#include "runtime/scene/leaf_mesh.h"
 
 namespace docent::gles {
 namespace {
@@ -60,6 +61,7 @@ Result<void> SceneryPass::compile() {
     one.sinking.cut = it["cut"];
   }
   make_levels();
+  make_leaf_array();
   at_ = {solid_["albedo"], solid_["glow"], picture_["glow"], floor_["albedo"], floor_["grain"]};
   return {};
 }
@@ -89,7 +91,9 @@ void SceneryPass::make_levels() {
   walls_.level.resize(std::size_t{scene::WallLevels::side} * scene::WallLevels::side);
 }
 
-void SceneryPass::prepare(const scene::WallLevels& walls) noexcept {
+void SceneryPass::prepare(const scene::WallLevels& walls,
+                          std::span<const scene::LeafDraw> leaves) noexcept {
+  prepare_leaves(leaves);
   constexpr auto side = scene::WallLevels::side;
   bind_texture(static_cast<GLuint>(Unit::WallLevels), levels_.get());
   const bool is_whole = walls.level.size() == walls_.level.size();
@@ -102,6 +106,44 @@ void SceneryPass::prepare(const scene::WallLevels& walls) noexcept {
   walls_.any = walls.any && is_whole;
   walls_.column = walls.column;
   walls_.row = walls.row;
+}
+
+void SceneryPass::make_leaf_array() {
+  constexpr std::size_t most = scene::most_leaves;
+  leaves_.shown.reserve(most);
+  leaves_.mesh.reserve(most * (scene::vertices_of_a_leaf + scene::vertices_of_its_bars));
+  leaves_.array = make_vertex_array();
+  glBindVertexArray(leaves_.array.get());
+  leaves_.vertices = make_buffer();
+  glBindBuffer(GL_ARRAY_BUFFER, leaves_.vertices.get());
+  glBufferData(GL_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(leaves_.mesh.capacity() * sizeof(SceneryVertex)), nullptr,
+               GL_DYNAMIC_DRAW);
+  describe_scenery_vertices();
+  glBindVertexArray(0);
+}
+
+void SceneryPass::prepare_leaves(std::span<const scene::LeafDraw> leaves) noexcept {
+  leaves = leaves.first(std::min(leaves.size(), scene::most_leaves));
+  if (std::ranges::equal(leaves, leaves_.shown)) return;
+  leaves_.shown.assign(leaves.begin(), leaves.end());
+  leaves_.bars = scene::make_leaves(leaves, leaves_.mesh);
+  glBindBuffer(GL_ARRAY_BUFFER, leaves_.vertices.get());
+  glBufferSubData(GL_ARRAY_BUFFER, 0,
+                  static_cast<GLsizeiptr>(leaves_.mesh.size() * sizeof(SceneryVertex)),
+                  leaves_.mesh.data());
+}
+
+/// They do not sink: a hand may be on them.
+void SceneryPass::draw_leaves() const noexcept {
+  if (leaves_.mesh.empty()) return;
+  glBindVertexArray(leaves_.array.get());
+  solid_.use();
+  const auto bars = static_cast<GLint>(leaves_.bars);
+  set(at_.solid_albedo, theme_.oak);
+  glDrawArrays(GL_TRIANGLES, 0, bars);
+  set(at_.solid_albedo, scene::srgb(0x6B5A49));
+  glDrawArrays(GL_TRIANGLES, bars, static_cast<GLint>(leaves_.mesh.size()) - bars);
 }
 
 void SceneryPass::use(const Sinking& sinking, bool hangs) const noexcept {
@@ -163,6 +205,7 @@ void SceneryPass::draw_solids(const Building& building, std::optional<std::uint3
     draw_surface(building, surface);
   }
   draw_pictures(building, highlighted, textures);
+  draw_leaves();
 }
 
 void SceneryPass::draw_floors(const Building& building) const noexcept {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "platform/gles/building.h"
 #include "platform/gles/program.h"
@@ -14,9 +16,10 @@ class SceneryPass {
  public:
   Result<void> compile();
 
-  /// Takes over how far walls have sunk. Before a frame is drawn.
-  void prepare(const scene::WallLevels& walls) noexcept;
-  /// Walls, cases, pictures; the exhibit that is `highlighted` glows.
+  /// Takes over how far walls have sunk, and where the leaves of doors are. Before a frame is
+  /// drawn.
+  void prepare(const scene::WallLevels& walls, std::span<const scene::LeafDraw> leaves) noexcept;
+  /// Walls, doors, cases, pictures; the exhibit that is `highlighted` glows.
   void draw_solids(const Building& building, std::optional<std::uint32_t> highlighted,
                    const Textures& textures) const noexcept;
   /// Floors and the table that the model stands on (Surface::Ground): after what stands on them, so
@@ -34,6 +37,9 @@ class SceneryPass {
     GLint albedo = -1, glow = -1, window = -1, cut = -1;
   };
   void make_levels();
+  void make_leaf_array();
+  void prepare_leaves(std::span<const scene::LeafDraw> leaves) noexcept;
+  void draw_leaves() const noexcept;
   void use(const Sinking& sinking, bool hangs) const noexcept;
   void draw_walls(const Building& building) const noexcept;
   void draw_pictures(const Building& building, std::optional<std::uint32_t> highlighted,
@@ -46,6 +52,14 @@ class SceneryPass {
   } at_{};
   GlTexture levels_;
   scene::WallLevels walls_;  ///< Those in the texture.
+  /// The leaves of doors: those that `mesh` was made of, and which of its vertices are bars.
+  struct {
+    std::vector<scene::LeafDraw> shown;
+    std::vector<SceneryVertex> mesh;
+    std::size_t bars = 0;
+    GlBuffer vertices;
+    GlVertexArray array;
+  } leaves_;
   scene::Theme theme_;
 };
 

@@ -216,6 +216,22 @@ bool has_finished(const Avatar& avatar) noexcept {
   return !avatar.next && avatar.plan->is_whole && avatar.seconds >= avatar.plan->seconds();
 }
 
+Placement place_ahead(const Avatar& avatar, double seconds) noexcept {
+  const plan::Plan* plan = avatar.plan.get();
+  double at = avatar.seconds + seconds;
+  if (avatar.next && at >= change_of(avatar)) {
+    at -= change_of(avatar);
+    plan = avatar.next.get();
+  }
+  const motion::Walk& walk = plan->walk;
+  if (walk.body.empty()) return avatar.body;
+  const double last = static_cast<double>(walk.body.size() - 1);
+  const double frame = std::clamp(at * walk.frame_rate, 0.0, last);
+  const auto before = static_cast<std::size_t>(frame);
+  return interpolated(walk.body[before], walk.body[std::min(before + 1, walk.body.size() - 1)],
+                      frame - static_cast<double>(before));
+}
+
 std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept {
   const motion::Walk& walk = avatar.plan->walk;
   if (walk.root.empty()) return 0;

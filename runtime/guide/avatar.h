@@ -54,6 +54,9 @@ double ride_share(const Museum& museum, const Avatar& avatar) noexcept;
 /// Is it at the end of its plan?
 bool has_finished(const Avatar& avatar) noexcept;
 
+/// Where its plans will have it some seconds from now.
+Placement place_ahead(const Avatar& avatar, double seconds) noexcept;
+
 /// The frame of the plan's walk from which a new plan can take over, `lead` seconds from now.
 std::uint32_t frame_ahead(const Avatar& avatar, double lead) noexcept;
 

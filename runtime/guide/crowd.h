@@ -77,6 +77,10 @@ class Crowd {
   /// Wherever it is and whatever it does, it goes out of sight and appears at that place, standing,
   /// as soon as there is room. What it is told meanwhile it does from there.
   void appear(std::uint32_t who, std::uint32_t floor, const Placement& place) noexcept;
+  /// A hand of it is on something from the next step on, until it is told otherwise.
+  void hold(std::uint32_t who, Side side, const std::optional<Held>& held) noexcept {
+    members_[who].avatar.manner.held[index_of(side)] = held;
+  }
   /// It lifts a hand to its visitor in the next step, whatever it does.
   void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.

@@ -34,6 +34,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       settings_(settings),
       crowd_(museum, planner),
       strollers_(museum),
+      doors_(museum),
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
       stage_(museum, settings.reduced_motion) {
@@ -44,6 +45,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
     strollers_.enter(crowd_);
   take_seats();
   list_.walls = stage_.walls();
+  list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
   list_.avatars.reserve(crowd_.size());
   list_.palette.reserve(crowd_.size() * leader().world.size());
   list_.joint.reserve(list_.palette.capacity());
@@ -140,6 +142,7 @@ AvatarState Guide::state_of(std::uint32_t who) const noexcept {
   const Agent& one = crowd_[who];
   const motion::Gesture gesture = one.avatar.manner.gesture;
   const bool gestures = gesture == motion::Gesture::Wave || gesture == motion::Gesture::Point;
+  if (holds(one.avatar.manner)) return AvatarState::Gesture;
   switch (one.avatar.gait) {
     case motion::Gait::Turn:
       return AvatarState::Turn;
@@ -286,6 +289,7 @@ void Guide::step(Seconds dt) noexcept {
 }
 
 void Guide::walk(float seconds) noexcept {
+  doors_.step(seconds, crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();
@@ -330,8 +334,10 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.palette.clear();
   list_.joint.clear();
   list_.quads.clear();
+  list_.leaves.clear();
   for (const Agent& one : crowd_.members())
     if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
+  doors_.draw(stage_.floor(), list_);
   stage_.draw(state(), crowd_, led_visitors(), list_);
   const bool is_near =
       state().screen == interface::Screen::Walking || state().screen == interface::Screen::Arrived;

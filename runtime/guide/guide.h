@@ -9,6 +9,7 @@
 
 #include "runtime/guide/attention.h"
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/doors.h"
 #include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
@@ -121,6 +122,7 @@ class Guide {
   bool is_vacant() const noexcept;
   /// All who walk; the guides come first.
   const Crowd& crowd() const noexcept { return crowd_; }
+  const Doors& doors() const noexcept { return doors_; }
   AvatarState state_of(std::uint32_t who) const noexcept;
   const GuideCounters& counters() const noexcept { return counters_; }
 
@@ -148,6 +150,7 @@ class Guide {
   GuideSettings settings_;
   Crowd crowd_;
   Strollers strollers_;
+  Doors doors_;
   std::vector<ExhibitShape> exhibit_shapes_;
   Attention attention_;
   std::vector<Placement> homes_;    ///< Of the guides.

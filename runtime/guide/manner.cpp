@@ -79,6 +79,7 @@ void notice(const Company& company, const Bearing& bearing, Manner& manner) noex
 }
 
 Doing doing_of(const Company& company, const Manner& manner) noexcept {
+  if (holds(manner)) return {};
   const double greeting = manner.clock - manner.greeted;
   if (company.visitor && !company.calm && greeting < greeting_seconds)
     return {Gesture::Wave, *company.visitor, greeting};
@@ -209,7 +210,10 @@ void behave(const Skeleton& skeleton, const motion::Arms& arms, const Company& c
   for (const Side side : both_sides) {
     if (!arms[side]) continue;
     motion::ArmOrder order;
-    if (side == manner.side) order = {doing.gesture, doing.target, doing.since};
+    if (const auto& held = manner.held[index_of(side)])
+      order = {.gesture = Gesture::Hold, .seconds = held->since, .grip = held->grip};
+    else if (side == manner.side)
+      order = {.gesture = doing.gesture, .target = doing.target, .seconds = doing.since};
     motion::move_arm(skeleton, *arms[side], order, seconds, manner.arm[index_of(side)], pose);
   }
 }

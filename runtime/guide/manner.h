@@ -29,6 +29,12 @@ struct Bearing {
   bool stands = true, walks = false;
 };
 
+/// A hand that is to be on something.
+struct Held {
+  motion::Grip grip;
+  double since = 0;  ///< Seconds for which it has been sent there.
+};
+
 /// What a body does besides walking: it greets, looks round to whom it leads, points, waves, and
 /// glances about. Chance is a function of the time and of who it is (runtime/motion/chance.h).
 struct Manner {
@@ -44,8 +50,14 @@ struct Manner {
   Side side = Side::Right;  ///< Of the arm that it uses.
   motion::Gesture gesture = motion::Gesture::None;
   motion::Gaze gaze;
+  std::array<std::optional<Held>, 2> held{};  ///< By Side. Then neither arm does anything else.
   std::array<motion::ArmMotion, 2> arm{};
 };
+
+/// Is a hand of it on something, or on its way there?
+inline bool holds(const Manner& manner) noexcept {
+  return manner.held[0] || manner.held[1];
+}
 
 /// Lifts a hand to its visitor, from the next frame on.
 void greet(Manner& manner) noexcept;

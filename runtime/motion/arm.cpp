@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <limits>
 #include <numbers>
 
 #include "runtime/motion/chance.h"
@@ -21,8 +22,11 @@ Quat mirrored(Quat q, Side side) noexcept {
   return {q.w, q.x, sign * q.y, sign * q.z};
 }
 
+constexpr auto pi = std::numbers::pi_v<float>;
+constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Vec3 up{0, 1, 0}, forwards{0, 0, 1};
 constexpr float longest_stretch = 0.965F;  ///< Of the arm: nobody points with a locked elbow.
+constexpr float palm_share = 0.5F;   ///< Of the hand, from the wrist to the middle of the palm.
 constexpr float finger_gap = 0.04F;  ///< Metres that the fingers stay off a target within reach.
 
 std::optional<Arm> find_arm(const Skeleton& skeleton, Side side) {
@@ -189,6 +193,40 @@ void aim_hand(const Bone& plain, Vec3 along, Vec3 thumb, ArmPosture& posture) no
   posture.wrist_flexion = -glm::dot(turn, fore.thumb);
 }
 
+/// Brings the wrist `wrist` metres from the shoulder in a direction; the elbow hangs, as far as the
+/// shoulder's twist makes it, and is spread outwards by `flare` from there.
+void bend(const Arm& arm, Vec3 direction, float wrist, float flare, ArmPosture& posture) noexcept {
+  constexpr float most_twist = 0.75F;
+  const float cosine = cosine_between(arm.upper, wrist, arm.fore);
+  const float sine = std::sqrt(1 - cosine * cosine);
+  const Vec3 behind = -hanging_towards(direction).thumb;
+  const Vec3 below = square_to(direction, -up, behind);
+  const float twist = std::clamp(angle_about(direction, behind, below), -most_twist, most_twist);
+  const Vec3 elbow = glm::angleAxis(twist + flare, direction) * behind;
+  posture.upper = direction * cosine + elbow * sine;
+  const Vec3 hinge = glm::cross(elbow, direction);
+  const Vec3 thumb = glm::cross(hinge, posture.upper);
+  posture.twist = -angle_about(posture.upper, hanging_towards(posture.upper).thumb, thumb);
+  posture.flexion = std::acos(-cosine_between(arm.upper, arm.fore, wrist));
+}
+
+/// An elbow has no room behind the body: the nearer the hand, or the farther across the body, the
+/// more it goes out to the side.
+float flare_of(Vec3 direction, float stretch) noexcept {
+  constexpr float from = 0.85F, to = 0.4F, near = 1.2F, across = 1.1F;
+  const float share = std::clamp((from - stretch) / (from - to), 0.0F, 1.0F);
+  return near * share * share * (3 - 2 * share) * (1 - std::max(0.0F, direction.x)) +
+         across * std::max(0.0F, -direction.x);
+}
+
+/// The middle of the palm of a left arm, trunk's frame.
+Vec3 palm_place(const Skeleton& skeleton, const Arm& arm, const ArmPosture& posture) noexcept {
+  const Bone upper = upper_bone(posture);
+  return shoulder_place(skeleton, arm, posture) + arm.upper * upper.along +
+         arm.fore * bent(upper, posture.flexion).along +
+         palm_share * arm.hand * bones_of(posture).hand.along;
+}
+
 }  // namespace
 
 Arms find_arms(const Skeleton& skeleton) {
@@ -200,14 +238,20 @@ Arms find_arms(const Skeleton& skeleton) {
 ArmPosture within_limits(const ArmPosture& posture) noexcept {
   namespace most = arm_limits;
   ArmPosture p = posture;
-  const float raised = std::min(std::acos(std::clamp(-p.upper.y, -1.0F, 1.0F)), most::elevation);
+  float raised = std::min(std::acos(std::clamp(-p.upper.y, -1.0F, 1.0F)), most::elevation);
   const float level = std::hypot(p.upper.x, p.upper.z);
   if (level > 1e-4F) {
     // An arm that hangs may swing anywhere a little; the further it is raised the less behind.
+    constexpr float hangs = 0.35F, straight_behind = 2.4F;
+    float azimuth = std::atan2(p.upper.x, p.upper.z);
+    const bool is_behind = azimuth > most::outwards || azimuth < -straight_behind;
+    const float too_far = azimuth > 0 ? azimuth - most::outwards : pi;
+    if (is_behind && raised - most::extension < too_far)
+      raised = std::min(raised, most::extension);
+    else if (raised >= hangs)
+      azimuth = std::clamp(azimuth, -most::inwards, most::outwards);
     const float sine = std::sin(raised);
-    const float azimuth = std::atan2(p.upper.x, p.upper.z);
-    const float a = raised < 0.35F ? azimuth : std::clamp(azimuth, -most::inwards, most::outwards);
-    p.upper = {sine * std::sin(a), -std::cos(raised), sine * std::cos(a)};
+    p.upper = {sine * std::sin(azimuth), -std::cos(raised), sine * std::cos(azimuth)};
   }
   p.twist = std::clamp(p.twist, -most::twist_in, most::twist_out);
   p.flexion = std::clamp(p.flexion, 0.0F, most::flexion);
@@ -232,20 +276,7 @@ ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& 
   const float shortest = std::sqrt(arm.upper * arm.upper + arm.fore * arm.fore);  // a right angle
   const float wrist =
       std::clamp(glm::length(line()) - arm.hand - finger_gap, std::min(shortest, longest), longest);
-  const float cosine = cosine_between(arm.upper, wrist, arm.fore);
-  const float sine = std::sqrt(1 - cosine * cosine);
-
-  // The elbow hangs, as far as the shoulder's twist makes it.
-  constexpr float most_twist = 0.75F;
-  const Vec3 behind = -hanging_towards(direction).thumb;
-  const Vec3 below = square_to(direction, -up, behind);
-  const float twist = std::clamp(angle_about(direction, behind, below), -most_twist, most_twist);
-  const Vec3 elbow = glm::angleAxis(twist, direction) * behind;
-  posture.upper = direction * cosine + elbow * sine;
-  const Vec3 hinge = glm::cross(elbow, direction);
-  const Vec3 thumb = glm::cross(hinge, posture.upper);
-  posture.twist = -angle_about(posture.upper, hanging_towards(posture.upper).thumb, thumb);
-  posture.flexion = std::acos(-cosine_between(arm.upper, arm.fore, wrist));
+  bend(arm, direction, wrist, 0, posture);
   posture = within_limits(posture);
 
   constexpr float palm_up = 0.4F;  // the thumb leans outwards by that
@@ -253,6 +284,46 @@ ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& 
   aim_hand(bent(upper_bone(posture), posture.flexion), direction,
            glm::angleAxis(-palm_up, direction) * upright, posture);
   return within_limits(posture);
+}
+
+ArmPosture holding(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                   const Grip& grip) noexcept {
+  constexpr int tries = 8;  // the wrist's limits turn the hand, and the palm goes with it
+  const Quat back = glm::inverse(trunk.rotation);
+  const Vec3 palm = mirrored(back * (grip.place - trunk.place), arm.side);
+  const Vec3 fingers = mirrored(back * grip.fingers, arm.side);
+  const Vec3 thumb = mirrored(back * grip.thumb, arm.side);
+  const float longest = 0.995F * (arm.upper + arm.fore);
+  const float shortest = std::abs(arm.upper - arm.fore) + 0.12F;
+  ArmPosture posture, best;
+  float least = infinity;
+  Vec3 wrist = palm - palm_share * arm.hand * fingers;
+  for (int i = 0; i < tries && least > 5e-4F; ++i) {
+    Vec3 line = wrist - shoulder_place(skeleton, arm, posture);
+    if (i < 2 && glm::length(line) > 1e-3F) {
+      help_with_collar(glm::normalize(line), posture);
+      line = wrist - shoulder_place(skeleton, arm, posture);
+    }
+    if (glm::length(line) < 1e-3F) break;
+    const Vec3 direction = glm::normalize(line);
+    const float distance = std::clamp(glm::length(line), std::min(shortest, longest), longest);
+    bend(arm, direction, distance, flare_of(direction, distance / longest), posture);
+    posture = within_limits(posture);
+    aim_hand(bent(upper_bone(posture), posture.flexion), fingers, thumb, posture);
+    posture = within_limits(posture);
+    const Vec3 off = palm - palm_place(skeleton, arm, posture);
+    if (glm::length(off) < least) {
+      least = glm::length(off);
+      best = posture;
+    }
+    wrist += off;
+  }
+  return best;
+}
+
+Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+             const ArmPosture& posture) noexcept {
+  return trunk.place + trunk.rotation * mirrored(palm_place(skeleton, arm, posture), arm.side);
 }
 
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,

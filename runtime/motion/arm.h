@@ -50,6 +50,7 @@ struct ArmPosture {
 /// What people's joints allow (American Academy of Orthopaedic Surgeons 1965), with some left over.
 namespace arm_limits {
 inline constexpr float elevation = 2.6F;                  ///< Of the upper arm from hanging.
+inline constexpr float extension = 0.95F;                 ///< Of the upper arm behind the body.
 inline constexpr float inwards = 0.8F, outwards = 1.95F;  ///< Of a raised one from straight ahead.
 inline constexpr float twist_in = 1.1F, twist_out = 1.5F;
 inline constexpr float flexion = 2.5F;
@@ -66,6 +67,22 @@ ArmPosture within_limits(const ArmPosture& posture) noexcept;
 /// nearly as they do.
 ArmPosture pointing(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
                     Vec3 target) noexcept;
+
+/// How a hand holds something. World frame.
+struct Grip {
+  Vec3 place{};           ///< Of the middle of the palm.
+  Vec3 fingers{0, 0, 1};  ///< Where the fingers point, ...
+  Vec3 thumb{0, 1, 0};    ///< ... and the thumb; unit vectors, as nearly as the wrist allows.
+};
+
+/// Takes hold: the palm is at the grip wherever the joints allow it, else as near as they do, and
+/// the elbow hangs.
+ArmPosture holding(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                   const Grip& grip) noexcept;
+
+/// The middle of the palm of an arm that is held so, from a trunk that is there. World frame.
+Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+             const ArmPosture& posture) noexcept;
 
 /// The hand at head's height, palm towards `target` (world), waving; `seconds` since it began.
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,

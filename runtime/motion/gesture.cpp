@@ -11,9 +11,9 @@ namespace {
 
 /// A change takes so long: by its angle, and never so quick that it looks thrown.
 constexpr float seconds_a_radian = 0.54F, quickest = 0.5F, slowest = 0.85F;
-constexpr double longest_change = 2 * slowest;
 /// The hand follows the forearm, which follows the upper arm.
 constexpr float lag_at_elbow = 1.1F, lag_at_wrist = 1.25F;
+static_assert(longest_change >= slowest * lag_at_wrist);
 
 Vec3 turn_between(Quat from, Quat to) noexcept {
   return rotation_vector(glm::normalize(to * glm::inverse(from)));
@@ -68,6 +68,8 @@ ArmRotations wanted_by(const Skeleton& skeleton, const Arm& arm, const ArmOrder&
       return rotations_of(arm, waving(skeleton, arm, trunk, order.target, order.seconds));
     case Gesture::Tell:
       return rotations_of(arm, telling(order.seconds));
+    case Gesture::Hold:
+      return rotations_of(arm, holding(skeleton, arm, trunk, order.grip));
     case Gesture::None:
       break;
   }

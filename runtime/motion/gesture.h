@@ -14,6 +14,7 @@ enum class Gesture : std::uint8_t {
   Wave,
   Point,
   Tell,  ///< A hand that goes along with words.
+  Hold,  ///< A hand on something: a handle, an object, another hand.
 };
 
 /// What an arm is to do at this moment.
@@ -21,6 +22,7 @@ struct ArmOrder {
   Gesture gesture = Gesture::None;
   Vec3 target{};       ///< World: who is waved to, or what is pointed at.
   double seconds = 0;  ///< Since the gesture began; less than before where it is another.
+  Grip grip{};         ///< Of Hold.
 };
 
 /// An arm on its way from one doing to the next. It takes over place and speed of each joint and
@@ -40,6 +42,9 @@ struct ArmMotion {
   ArmRotations shown{}, walked{};             ///< In the last frame; what the walk had there.
   std::array<Vec3, Arm::most_joints> rate{};  ///< Of what was shown, radians a second.
 };
+
+/// So many seconds after an order, at most, a hand is where it is ordered to be.
+inline constexpr double longest_change = 1.0625;
 
 /// Poses an arm as it is ordered to be, over what the walk does with it, `seconds` after the last
 /// frame. To be called once the trunk is posed. Does not allocate.

@@ -119,6 +119,7 @@ class WalkMaker {
     pace.speed = graph_.speed;
     pace.turning_rate = graph_.turning_rate;
     pace.most_share = request_.pace;
+    pace.careful = request_.careful;
     if (request_.fidelity == Fidelity::Raw) pace.turning_rate = 1e9;
     return pace;
   }

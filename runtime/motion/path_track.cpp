@@ -65,6 +65,10 @@ std::vector<double> speed_shares(const PathTrack& track, const TrackPace& pace) 
     const double fastest = std::sqrt(bend_acceleration / std::max(bend, 1e-6)) / pace.speed;
     share[next - 1] = std::min(share[next - 1], std::max(slowest, fastest));
   }
+  for (const CarefulPlace& place : pace.careful)
+    for (std::size_t i = 0; i < count; ++i)
+      if (glm::distance(track.position[i], place.at) < place.radius)
+        share[i] = std::min(share[i], std::max(slowest, place.share));
   const double careful = std::max(0.5, 1 - joining_care * std::abs(pace.first_turn));
   const auto joining = static_cast<std::size_t>(joining_way / track.spacing);
   for (std::size_t i = 0; i < std::min(joining, count); ++i) share[i] = std::min(share[i], careful);

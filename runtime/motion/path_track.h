@@ -5,6 +5,7 @@
 
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/motion/careful_place.h"
 
 namespace docent::motion {
 
@@ -16,6 +17,7 @@ struct TrackPace {
                               ///< beginning and cannot shed at once; 0 from standing.
   double most_share = 1;      ///< Share of the ordinary speed that is walked at most.
   double first_turn = 0;      ///< Radians between how the body moves and how the track begins.
+  std::span<const CarefulPlace> careful{};  ///< Where it is slower.
 };
 
 /// Where the body's circle goes along a path, and which way it faces: the polyline with its corners

@@ -8,6 +8,7 @@
 
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/result.h"
+#include "runtime/motion/careful_place.h"
 
 namespace docent::motion {
 
@@ -72,6 +73,7 @@ struct WalkRequest {
   /// be too near to a wall.
   std::span<const Vec2> old_path_ahead;
   double pace = 1;  ///< Share of the clips' speed that is walked at most, in (0, 1].
+  std::span<const CarefulPlace> careful;  ///< Where it slows down.
   Fidelity fidelity = Fidelity::Exact;
 };
 

@@ -143,12 +143,14 @@ path::Way find_way(const Museum& museum, const path::FloorMap& map, RouteKind ki
 
 motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order,
                         const Placement& from, std::span<const Vec2> points,
-                        std::optional<double> final_heading) {
+                        std::optional<double> final_heading,
+                        std::span<const motion::CarefulPlace> careful) {
   motion::WalkRequest request;
   request.path = points;
   request.start = from;
   request.final_heading = final_heading;
   request.pace = order.pace;
+  request.careful = careful;
   std::vector<Vec2> ahead;
   if (order.previous != nullptr && order.previous->walk.joint_count > 0) {
     ahead = way_ahead(*order.previous, order.previous_frame);

@@ -37,9 +37,11 @@ path::Way find_way(const Museum& museum, const path::FloorMap& map, RouteKind ki
 void keep_way(std::span<const Vec2> points, Plan& plan);
 
 /// The walk along some points. It goes on from the order's previous plan, if there is one.
+/// `careful`: where it slows down.
 motion::Walk walk_along(const motion::WalkGraph* walking, const WalkOrder& order,
                         const Placement& from, std::span<const Vec2> points,
-                        std::optional<double> final_heading);
+                        std::optional<double> final_heading,
+                        std::span<const motion::CarefulPlace> careful = {});
 
 /// The frame at which the next stretch best takes over from a walk: soon after the last transition
 /// before the one that leads to the stand, while all others that the clip offers are still ahead.

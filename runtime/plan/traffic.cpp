@@ -11,6 +11,8 @@
 #include "runtime/interface/goal.h"
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/motion/path_track.h"
+#include "runtime/plan/care.h"
+#include "runtime/plan/lead_through_doors.h"
 #include "runtime/plan/leg.h"
 #include "runtime/plan/stretch.h"
 
@@ -318,8 +320,9 @@ std::unique_ptr<Plan> Traffic::get_on(const WalkOrder& order) {
     plan->then = leg.then;
     plan->metres_after = leg.metres_after;
     plan->seconds_after = leg.seconds_after;
-    plan->length = leg.way.length + leg.metres_after;
-    way = std::move(leg.way.points);
+    way = lead_through_doors(museum_, map_, leg.way.points);
+    const double longer = polyline_length(way) - polyline_length(leg.way.points);
+    plan->length = leg.way.length + longer + leg.metres_after;
     keep_way(way, *plan);
     plan->is_new_way = true;
   }
@@ -355,7 +358,8 @@ bool Traffic::walk_alone(Plan& plan, const Placement& from, std::span<const Vec2
         arrives ? std::vector<Vec2>(way.begin(), way.end()) : first_part(way, most);
     std::optional<double> facing;
     if (arrives) facing = plan.end.heading;
-    motion::Walk walk = walk_along(walking_, plan.order, from, points, facing);
+    motion::Walk walk =
+        walk_along(walking_, plan.order, from, points, facing, careful_places(museum_, plan));
     for (float& along : walk.along) along += static_cast<float>(done);
     if (commit(plan, std::move(walk))) {
       most = std::min(most, length) / 2;
@@ -372,7 +376,7 @@ bool Traffic::walk_alone(Plan& plan, const Placement& from, std::span<const Vec2
 bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done) {
   const WalkOrder& order = plan.order;
   if (!order.seconds) {
-    plan.seconds_to_goal = polyline_length(way) / speed_of(order) + plan.seconds_after;
+    plan.seconds_to_goal = seconds_along(plan, way);
     return walk_alone(plan, from, way, done);
   }
   const std::span<const std::uint32_t> detected = order.near.agents();
@@ -384,13 +388,20 @@ bool Traffic::advance(Plan& plan, const Placement& from, std::span<const Vec2> w
     const crowd::Passage passage = find_passage(order, from, way, near);
     members_[order.avatar].line = passage.line;
     plan.in_the_way = passage.in_the_way;
-    plan.seconds_to_goal = polyline_length(way) / speed_of(order) + plan.seconds_after;
+    plan.seconds_to_goal = seconds_along(plan, way);
     const std::optional<std::uint32_t> met = walk(plan, {from, way, done, passage, near});
     if (!met) return true;
     // Who was far away when it was asked, and is met on the way, is looked at as well.
     if (*met == order.avatar || is_looked_at(*met)) return false;
     near.push_back(*met);
   }
+}
+
+/// A guess, with what it takes longer where it takes care.
+double Traffic::seconds_along(const Plan& plan, std::span<const Vec2> way) const {
+  const double speed = speed_of(plan.order);
+  return polyline_length(way) / speed + seconds_of_care(careful_places(museum_, plan), way, speed) +
+         plan.seconds_after;
 }
 
 double Traffic::speed_of(const WalkOrder& order) const noexcept {
@@ -429,7 +440,8 @@ motion::Walk Traffic::walk_to(const Plan& plan, const Advance& advance, std::uin
                      : first_part(advance.way, passage.along[stop]);
   std::optional<double> facing;
   if (arrives) facing = plan.end.heading;
-  return walk_along(walking_, plan.order, advance.from, points, facing);
+  return walk_along(walking_, plan.order, advance.from, points, facing,
+                    careful_places(museum_, plan));
 }
 
 std::optional<std::uint32_t> Traffic::walk(Plan& plan, const Advance& advance) {

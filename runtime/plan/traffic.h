@@ -51,6 +51,7 @@ class Traffic {
   /// plan's own. False where the body has to stay.
   bool advance(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
   bool walk_alone(Plan& plan, const Placement& from, std::span<const Vec2> way, double done);
+  double seconds_along(const Plan& plan, std::span<const Vec2> way) const;
   double speed_of(const WalkOrder& order) const noexcept;
   crowd::Passage find_passage(const WalkOrder& order, const Placement& from,
                               std::span<const Vec2> way, std::span<const std::uint32_t> near) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -125,6 +126,18 @@ struct WallLevels {
   bool operator==(const WallLevels&) const = default;
 };
 
+/// A leaf of a door, from its hinges along the floor.
+struct LeafDraw {
+  Vec2 hinge{};            ///< Floor frame.
+  Vec2 along{1, 0};        ///< Where its free end is; of length 1.
+  float width = 1;         ///< Metres.
+  float floor_height = 0;  ///< World y.
+  bool operator==(const LeafDraw&) const = default;
+};
+
+/// Of a floor, at most.
+inline constexpr std::size_t most_leaves = 64;
+
 /// Everything that one frame shows, in the order to be drawn. The guide reserves its vectors when
 /// it is made, so filling it does not allocate.
 struct DrawList {
@@ -138,6 +151,7 @@ struct DrawList {
   float goal_radius = 0;      ///< Metres. 0: no goal.
   std::optional<std::uint32_t> highlighted_exhibit{};
   WallLevels walls;
+  std::vector<LeafDraw> leaves;
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
   std::vector<Vec3> joint;  ///< Of each matrix: where its joint is, world frame.

@@ -40,9 +40,9 @@ bool ShownList::differs(const DrawList& list, float pixels_high) const noexcept 
          list.goal != kept_.goal || list.goal_radius != kept_.goal_radius ||
          list.highlighted_exhibit != kept_.highlighted_exhibit || list.quads != kept_.quads ||
          list.walls != kept_.walls || list.objects != kept_.objects ||
-         list.near_object != kept_.near_object || list.markers != kept_.markers ||
-         list.ribbons != kept_.ribbons || list.ribbon_point != kept_.ribbon_point ||
-         bodies_differ(list, pixels_high);
+         list.leaves != kept_.leaves || list.near_object != kept_.near_object ||
+         list.markers != kept_.markers || list.ribbons != kept_.ribbons ||
+         list.ribbon_point != kept_.ribbon_point || bodies_differ(list, pixels_high);
 }
 
 bool ShownList::bodies_differ(const DrawList& list, float pixels_high) const noexcept {
@@ -77,6 +77,7 @@ void ShownList::keep(const DrawList& list) {
   kept_.walls = list.walls;
   kept_.near_object = list.near_object;
   copy_into(kept_.objects, list.objects);
+  copy_into(kept_.leaves, list.leaves);
   copy_into(kept_.avatars, list.avatars);
   copy_into(kept_.palette, list.palette);
   copy_into(kept_.joint, list.joint);

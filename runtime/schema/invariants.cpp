@@ -65,7 +65,8 @@ bool keeps_rings(const FloorPlan& plan) {
 bool keeps(const FloorPlan& plan) {
   return plan.next.size() == plan.vertex.size() && all_finite(plan.vertex) && finite(plan.height) &&
          keeps_rings(plan) && std::ranges::all_of(plan.doors, [](const Door& door) {
-           return finite(door.a) && finite(door.b);
+           return finite(door.a) && finite(door.b) && door.opens < DoorOpens::Count &&
+                  door.hinge < DoorHinge::Count;
          });
 }
 

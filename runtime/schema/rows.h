@@ -71,6 +71,8 @@ void columns(auto& row, MaybeConst<Door> auto& door) {
   row("by", door.b.y);
   row("closed", door.closed);
   row("hours", door.hours);
+  row("opens", door.opens);
+  row("hinge", door.hinge);
 }
 
 void columns(auto& row, MaybeConst<VoronoiDiagram> auto& diagram) {

@@ -84,6 +84,8 @@ CREATE TABLE door (
   by REAL NOT NULL,
   closed INTEGER NOT NULL,      -- for good: the plan has a wall there
   hours TEXT NOT NULL,
+  opens INTEGER NOT NULL,       -- DoorOpens
+  hinge INTEGER NOT NULL,       -- DoorHinge
   PRIMARY KEY (floor, id)
 ) WITHOUT ROWID;
 

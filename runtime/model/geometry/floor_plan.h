@@ -14,12 +14,27 @@ struct Ring {
   std::uint32_t count = 0;
 };
 
+/// How a door is opened by whoever comes from the side from which `a` is on the left; from the
+/// other side, in brackets.
+enum class DoorOpens : std::uint8_t {
+  None,     ///< It has no leaf, or stands open always.
+  Push,     ///< Pushed (pushed too: it swings both ways).
+  Pull,     ///< Pulled (pushed).
+  Sliding,  ///< Slid aside.
+  Count
+};
+
+/// Which end of a door its leaf hangs at; of a sliding one, to which it is slid.
+enum class DoorHinge : std::uint8_t { A, B, Both, Count };
+
 /// A doorway that staff can close. Its segment crosses free floor between two walls.
 struct Door {
   std::string name;  ///< Stable: what staff call it, or its id.
   Vec2 a{}, b{};
   bool closed = false;  ///< For good: the plan has a wall there.
   std::string hours{};  ///< When it is open (opening_hours.h); empty: always.
+  DoorOpens opens = DoorOpens::None;
+  DoorHinge hinge = DoorHinge::Both;  ///< Both: it has two leaves.
 };
 
 /// The walls of one floor, mended: what remains is the walkable interior.
