@@ -32,7 +32,9 @@ Vec3 random_target(std::mt19937& chance, const JointPlace& trunk, Side side) {
 
 void expect_human(const test::MeasuredArm& arm) {
   EXPECT_LE(arm.elevation, arm_limits::elevation + 0.01F);
-  if (arm.elevation > 0.5F && arm.elevation < 2.5F) {
+  const bool is_behind = arm.azimuth > arm_limits::outwards || arm.azimuth < -2.39F;
+  const bool is_extended = is_behind && arm.elevation <= arm_limits::extension + 0.01F;
+  if (arm.elevation > 0.5F && arm.elevation < 2.5F && !is_extended) {
     EXPECT_GE(arm.azimuth, -arm_limits::inwards - 0.01F);
     EXPECT_LE(arm.azimuth, arm_limits::outwards + 0.01F);
   }
@@ -62,6 +64,24 @@ TEST_P(AnyFigure, PointsWithArmAndHandWithinFiveCentimetresOfAThousandTargets) {
     EXPECT_GT(glm::dot(joints.back() - joints[arm.wrist], target - joints[arm.wrist]), 0) << i;
   }
   EXPECT_LT(worst, 0.05F);
+}
+
+TEST_P(AnyFigure, HoldsWhatIsWithinReachBeforeTheBody) {
+  for (const Side side : both_sides) {
+    const Arm& arm = *figure.arms[side];
+    const JointPlace trunk = figure.trunk(side);
+    for (const float aside : {0.05F, 0.2F, 0.35F})
+      for (const float ahead : {0.3F, 0.4F}) {
+        const Vec3 out(sign_of(side), 0, 0);
+        const Grip grip{trunk.place + trunk.rotation * (aside * out + Vec3(0, -0.15F, ahead)),
+                        trunk.rotation * Vec3(0, 0.5F, 0.85F), trunk.rotation * -out};
+
+        const ArmPosture posture = holding(figure.skeleton, arm, trunk, grip);
+
+        EXPECT_LT(glm::distance(palm_of(figure.skeleton, arm, trunk, posture), grip.place), 0.01F);
+        expect_human(test::measured(figure.hold(side, posture), arm, trunk));
+      }
+  }
 }
 
 TEST_P(AnyFigure, NeverHurtsAJointWhereverTheTargetIs) {
