@@ -8,6 +8,7 @@
 #include <set>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/keyboard.h"
 #include "runtime/interface/phrases.h"
 
 namespace docent::interface {
@@ -101,6 +102,7 @@ class Gatherer {
   void add_words();
   void add_numbers();
   void add_names();
+  void add_letters();
   std::set<std::string, std::less<>> pieces;
 
  private:
@@ -144,6 +146,13 @@ void Gatherer::add_names() {
   }
 }
 
+/// The keys of the language, and of any that a visitor may have typed in before.
+void Gatherer::add_letters() {
+  if (language_ >= museum_.languages.size()) return;
+  for (const std::u16string_view row : keyboard_of(museum_.languages[language_].tag).rows)
+    for (const char16_t letter : row) add(said_of(letter));
+}
+
 }  // namespace
 
 std::vector<std::string> spoken_pieces(const Museum& museum, std::uint32_t language) {
@@ -151,6 +160,7 @@ std::vector<std::string> spoken_pieces(const Museum& museum, std::uint32_t langu
   gatherer.add_words();
   gatherer.add_numbers();
   gatherer.add_names();
+  gatherer.add_letters();
   return {gatherer.pieces.begin(), gatherer.pieces.end()};
 }
 

@@ -1,0 +1,115 @@
+#include "runtime/interface/finder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_museum.h"
+#include "tests/support/shipped_languages.h"
+
+namespace docent::interface {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::StartsWith;
+
+/// With a gallery of bronzes: the tripod and two that are not called so.
+const Museum& museum() {
+  static const Museum it = [] {
+    Museum all = test::in_all_shipped_languages(test::sample_museum_without_walls());
+    all.rooms.push_back({.id = "bronzes", .title = {{"en", "Bronze"}}, .outline = {}});
+    for (const std::size_t exhibit : {5, 6, 7})
+      all.exhibits[exhibit].room = static_cast<std::uint32_t>(all.rooms.size() - 1);
+    return all;
+  }();
+  return it;
+}
+
+/// Names of what is found, as controls bear them.
+std::vector<std::string> found(std::u16string_view letters, std::uint32_t language = 0) {
+  InterfaceState state;
+  state.language = language;
+  state = after(state, {Action::Kind::Search});
+  for (const char16_t letter : letters) state = after(state, {Action::Kind::Type, letter});
+  Finder finder(museum());
+  finder.look_up(state);
+  std::vector<std::string> names;
+  for (const Control& control : controls_of(museum(), state, 60))
+    if (control.role == Role::ListItem) names.push_back(control.name);
+  return names;
+}
+
+TEST(AFinder, FindsAnExhibitByItsTitleInAnyLanguageThatStaffWrote) {
+  EXPECT_THAT(found(u"tripod"), ElementsAre("exhibit:tripod-ding"));
+  EXPECT_THAT(found(u"tripdo"), Contains("exhibit:tripod-ding"));
+  EXPECT_EQ(found(u"鼎").front(), "exhibit:tripod-ding");
+}
+
+TEST(AFinder, FindsAnExhibitByItsNumber) {
+  EXPECT_EQ(found(u"6").front(), "exhibit:" + museum().exhibits[5].id);
+}
+
+TEST(AFinder, FindsAllOfAGalleryAfterWhatIsCalledSo) {
+  const auto names = found(u"bronze");
+
+  EXPECT_EQ(names.front(), "exhibit:tripod-ding") << "Bronze Tripod, in the gallery Bronze";
+  EXPECT_EQ(names.size(), 3U);
+}
+
+TEST(AFinder, FindsKindsOfPlacesInTheWordsOfTheLanguage) {
+  EXPECT_THAT(found(u"toi"), Contains("place:toilets"));
+  const auto german = std::ranges::find(museum().languages, "de", &Language::tag);
+  const auto language = static_cast<std::uint32_t>(german - museum().languages.begin());
+  EXPECT_THAT(found(u"ausg", language), Contains("place:exit"));
+}
+
+TEST(AFinder, FindsNothingForNoLettersAndForgetsWhatItFound) {
+  InterfaceState state = after({}, {Action::Kind::Search});
+  state = after(state, {Action::Kind::Type, u'b'});
+  Finder finder(museum());
+  finder.look_up(state);
+  ASSERT_GT(state.found.total, 0U);
+
+  state = after(state, {Action::Kind::Erase});
+
+  EXPECT_EQ(state.found, Found{});
+  EXPECT_EQ(state.typed, Typed{});
+}
+
+TEST(Searching, LeavesNothingForTheNextVisitor) {
+  InterfaceState state = after({}, {Action::Kind::Search});
+  for (const char16_t letter : std::u16string_view(u"bronze"))
+    state = after(state, {Action::Kind::Type, letter});
+  state = after(state, {Action::Kind::TypeNumbers, 1});
+  Finder(museum()).look_up(state);
+  ASSERT_EQ(state.screen, Screen::Searching);
+
+  state = after(state, {Action::Kind::Home});
+  state.can_resume = false;
+
+  EXPECT_EQ(state, InterfaceState{});
+}
+
+TEST(Searching, GoesWhereWhatWasFoundIsAndComesBackToTheSameLetters) {
+  InterfaceState state = after({}, {Action::Kind::Search});
+  state = after(state, {Action::Kind::Type, u'b'});
+  Finder(museum()).look_up(state);
+  const Typed typed = state.typed;
+
+  state = after(state, meant_by(museum(), state.found.entry[0]));
+  EXPECT_EQ(state.screen, Screen::Walking);
+  state = after(after(state, {Action::Kind::ShowExhibits}), {Action::Kind::Search});
+
+  EXPECT_EQ(state.screen, Screen::Searching);
+  EXPECT_EQ(state.typed, typed);
+}
+
+TEST(Searching, TakesNoMoreLettersThanItHasRoomFor) {
+  InterfaceState state = after({}, {Action::Kind::Search});
+  for (int i = 0; i < 100; ++i) state = after(state, {Action::Kind::Type, u'a'});
+
+  EXPECT_EQ(state.typed.count, Typed::most);
+}
+
+}  // namespace
+}  // namespace docent::interface
