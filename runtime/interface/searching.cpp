@@ -31,11 +31,14 @@ struct KeySizes {
   float least = 54, most_wide = 90, most_tall = 80, gap = 11;
 };
 KeySizes key_sizes(const ScreenShape& shape) noexcept {
-  constexpr float finger = 15, apart = 3, widest = 24, tallest = 19;  // millimetres
+  constexpr float finger = 15, apart = 3, widest = 24;  // millimetres
+  const float tallest = is_landscape(shape) ? 19 : 26;
   const Measures m = measures_of(shape);
-  return {.least = std::ceil(std::max(finger * m.mm, 7 * m.unit)),
-          .most_wide = std::floor(widest * m.mm),
-          .most_tall = std::floor(tallest * m.mm),
+  const float least = std::ceil(std::max(finger * m.mm, 7 * m.unit));
+  // A large glass is looked at from farther off.
+  return {.least = least,
+          .most_wide = std::floor(std::max(widest * m.mm, 1.5F * least)),
+          .most_tall = std::floor(std::max(tallest * m.mm, 1.15F * least)),
           .gap = std::ceil(apart * m.mm)};
 }
 
@@ -190,15 +193,23 @@ std::vector<KeyRow> rows_as_known(const Sheet& sheet) {
   return rows;
 }
 
-/// The same keys in lines of so many, where there is no room for the rows.
-std::vector<KeyRow> rows_of(const Sheet& sheet, float columns) {
+/// The same keys in at most so many lines of so many, where there is no room for the rows: letters
+/// in lines of one length, and the wide keys below them, or after them where there is no room.
+std::vector<KeyRow> rows_of(const Sheet& sheet, float most_columns, float most_lines) {
+  std::vector<std::int32_t> letters;
+  for (const std::u16string_view row : letter_rows(sheet.museum(), sheet.request().state))
+    for (const char16_t letter : row) letters.push_back(sheet.control(key_name(letter)));
+  const auto count = static_cast<float>(letters.size());
+  const float lines = std::ceil(count / most_columns);
+  const bool has_last = lines + 1 <= most_lines;
+  const float columns = has_last ? std::max(wide_cells, std::ceil(count / lines)) : most_columns;
   std::vector<KeyRow> rows(1);
   const auto add = [&](std::int32_t control, float wide) {
     if (rows.back().cells + wide > columns) rows.emplace_back();
     rows.back().add(control, wide);
   };
-  for (const std::u16string_view letters : letter_rows(sheet.museum(), sheet.request().state))
-    for (const char16_t letter : letters) add(sheet.control(key_name(letter)), 1);
+  for (const std::int32_t letter : letters) add(letter, 1);
+  if (has_last) rows.emplace_back();
   for (const WideKey& key : wide_keys) add(sheet.control(key.name), key.least);
   return rows;
 }
@@ -215,7 +226,6 @@ struct KeyBoard {
   float wide = 0, tall = 0, gap = 0;
 
   float height() const noexcept { return static_cast<float>(rows.size()) * (tall + gap) - gap; }
-  float width() const noexcept { return widest_of(rows) * (wide + gap) - gap; }
 };
 KeyBoard key_board(const Sheet& sheet, float width, float height) {
   const KeySizes sizes = key_sizes(sheet.request().shape);
@@ -229,7 +239,8 @@ KeyBoard key_board(const Sheet& sheet, float width, float height) {
     return board.wide >= sizes.least && board.tall >= sizes.least;
   };
   if (fit()) return board;
-  board.rows = rows_of(sheet, std::floor((width + board.gap) / (sizes.least + board.gap)));
+  board.rows = rows_of(sheet, std::floor((width + board.gap) / (sizes.least + board.gap)),
+                       std::floor((height + board.gap) / (sizes.least + board.gap)));
   fit();
   board.wide = std::max(board.wide, sizes.least);
   board.tall = std::max(board.tall, sizes.least);
@@ -338,7 +349,8 @@ void lay_out_searching(Sheet& sheet, const PixelBox& content) {
   const float more = m.margin - m.unit;
   const PixelBox room{content.x - more, top, content.width + 2 * more, foot - m.gap - top};
   const KeyBoard keys = key_board(sheet, room.width, room.height);
-  draw_keys(sheet, keys, {room.x, room.bottom() - keys.height(), room.width, keys.height()});
+  const float spare = std::max(0.0F, room.height - keys.height());
+  draw_keys(sheet, keys, {room.x, std::round(room.y + spare / 2), room.width, keys.height()});
 }
 
 float draw_search_board(Sheet& sheet, const PixelBox& free) {

@@ -11,7 +11,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::StartsWith;
 
 /// With a gallery of bronzes: the tripod and two that are not called so.
 const Museum& museum() {
@@ -54,6 +53,29 @@ TEST(AFinder, FindsAllOfAGalleryAfterWhatIsCalledSo) {
 
   EXPECT_EQ(names.front(), "exhibit:tripod-ding") << "Bronze Tripod, in the gallery Bronze";
   EXPECT_EQ(names.size(), 3U);
+}
+
+TEST(AFinder, FindsByArtistSubjectAndPeriodAndByHowATextIsRead) {
+  Museum tagged = museum();
+  tagged.exhibits[2].artist = {{"en", "Émile Gallé"}};
+  tagged.exhibits[3].subject = tagged.exhibits[4].subject = {{"en", "Hunting"}, {"de", "Jagd"}};
+  tagged.exhibits[4].period = {{"en", "Baroque"}};
+  tagged.exhibits[7].title["zh"] = "鸮尊";
+  tagged.readings["鸮尊"] = "xiao zun";
+  Finder finder(tagged);
+  const auto first = [&](std::u16string_view letters) {
+    InterfaceState state;
+    for (const char16_t letter : letters) state = after(state, {Action::Kind::Type, letter});
+    finder.look_up(state);
+    return std::vector(state.found.entry.begin(), state.found.entry.begin() + state.found.count);
+  };
+
+  EXPECT_THAT(first(u"galle"), ElementsAre(2));
+  EXPECT_THAT(first(u"hunt"), ElementsAre(3, 4));
+  EXPECT_THAT(first(u"jagd"), ElementsAre(3, 4));
+  EXPECT_THAT(first(u"hunting baro"), ElementsAre(4));
+  EXPECT_THAT(first(u"xiaozun"), ElementsAre(7));
+  EXPECT_THAT(first(u"xz"), ElementsAre(7));
 }
 
 TEST(AFinder, FindsKindsOfPlacesInTheWordsOfTheLanguage) {

@@ -59,9 +59,9 @@ ViewRequest any_search() {
     state.exhibit = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().exhibits.size()));
   state = after(state, {Action::Kind::Search});
   state.types_numbers = *rc::gen::inRange(0, 4) == 0;
-  for (const char16_t letter : *rc::gen::element(std::u16string(), std::u16string(u"b"),
-                                                 std::u16string(u"bronze tripod of the king"),
-                                                 std::u16string(u"xqzj")))
+  for (const char16_t letter :
+       *rc::gen::element(std::u16string(), std::u16string(u"b"),
+                         std::u16string(u"bronze tripod of the king"), std::u16string(u"xqzj")))
     state = after(state, {Action::Kind::Type, letter});
   static Finder finder(museum());
   finder.look_up(state);
@@ -83,8 +83,8 @@ TEST(TheSearchScreen, HasKeysOfFifteenMillimetresThreeApartInEveryLanguageOnEver
     RC_LOG() << museum().languages[request.state.language].tag << ", " << request.shape.width
              << " x " << request.shape.height << ", " << request.shape.diagonal_inches
              << " inches, large " << request.state.large_letters << "\n";
-    const float mm = std::hypot(view->pixel_width, view->pixel_height) /
-                     (request.shape.diagonal_inches * 25.4F);
+    const float mm =
+        std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
     for (std::size_t i = 0; i < view->controls.size(); ++i) {
       const Control& control = view->controls[i];
       const scene::Rect& r = control.rect;
