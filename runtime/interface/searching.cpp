@@ -64,7 +64,7 @@ SearchShape search_shape(const ScreenShape& shape) noexcept {
   search.columns = list.columns;
   search.results = panel;
   if (!is_landscape(shape)) {
-    constexpr float most_of_model = 0.36F;
+    constexpr float most_of_model = 0.42F;
     search.has_keys_below = true;
     search.results = panel - most_rows * (keys.least + keys.gap) - m.gap;
     search.is_on_panel = search.results >= head + row;

@@ -72,7 +72,7 @@ TEST(AFinder, FindsByArtistSubjectAndPeriodAndByHowATextIsRead) {
 
   EXPECT_THAT(first(u"galle"), ElementsAre(2));
   EXPECT_THAT(first(u"hunt"), ElementsAre(3, 4));
-  EXPECT_THAT(first(u"jagd"), ElementsAre(3, 4));
+  EXPECT_EQ(first(u"jagd").front(), 3U) << "before jade, which has a letter wrong";
   EXPECT_THAT(first(u"hunting baro"), ElementsAre(4));
   EXPECT_THAT(first(u"xiaozun"), ElementsAre(7));
   EXPECT_THAT(first(u"xz"), ElementsAre(7));
