@@ -65,10 +65,11 @@ void discard(InterfaceState& state, std::uint32_t exhibit) noexcept {
     show_list(state, Listed::Exhibits);
 }
 
-/// Other letters: what they find is not known yet. No letters find nothing.
+/// Other letters: what they find is not known yet.
 void letters_changed(InterfaceState& state) noexcept {
+  state.browses.reset();
   state.found = {};
-  state.found.is_current = state.typed.count == 0;
+  state.found.is_current = false;
   state.page = 0;
 }
 
@@ -77,12 +78,13 @@ void search(InterfaceState& state) noexcept {
   state.screen = Screen::Searching;
   state.lists = Listed::Found;
   state.page = 0;
+  if (state.typed.count == 0) letters_changed(state);
 }
 
 /// Whoever has chosen it from the list goes on where they were.
 void speak(InterfaceState& state, std::uint32_t language) noexcept {
   state.language = language;
-  if (state.typed.count > 0) letters_changed(state);  // the language's own come first
+  if (state.typed.count > 0 && !state.browses) letters_changed(state);  // its own come first
   if (state.screen != Screen::Choosing || state.lists != Listed::Languages) return;
   show_list(state, Listed::Exhibits);
   if (has_goal(state)) state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
@@ -131,6 +133,11 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Erase:
       erase(state.typed);
       letters_changed(state);
+      break;
+    case Action::Kind::Browse:
+      state.typed = {};
+      letters_changed(state);
+      state.browses = action.argument;
       break;
     case Action::Kind::Clear:
       state.typed = {};
@@ -216,6 +223,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.own_tour = {};
       state.typed = {};
       state.found = {};
+      state.browses.reset();
       state.types_numbers = false;
       show_list(state, Listed::Exhibits);
       state.screen = Screen::Welcome;

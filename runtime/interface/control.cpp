@@ -182,6 +182,14 @@ Control found_item(const Museum& museum, std::uint32_t entry, const InterfaceSta
     return exhibit_control(museum, action.argument, Role::ListItem, state);
   if (action.kind == Action::Kind::Seek)
     return kind_control(museum, static_cast<PlaceKind>(action.argument), state);
+  if (action.kind == Action::Kind::Browse) {
+    const Group group = group_of(museum, entry);
+    return {.name = group.name,
+            .role = Role::ListItem,
+            .label = *group.title,
+            .action = action,
+            .rect = {}};
+  }
   Control control = place_spot(museum, action.argument, state);
   control.role = Role::ListItem;
   return control;

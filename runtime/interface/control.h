@@ -72,6 +72,8 @@ struct InterfaceState {
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
   Typed typed{};                        ///< What they search for; until they leave.
   Found found{};
+  /// A gallery, a subject or a period whose exhibits they look through, as an entry (finder.h).
+  std::optional<std::uint32_t> browses{};
   bool types_numbers = false;  ///< The keys are digits.
   bool speaks = false;         ///< What they do and may do is read aloud.
   bool large_letters = false, high_contrast = false;
@@ -114,6 +116,7 @@ struct Action {
     Search,           ///< The keyboard, and what was found so far; the walk goes on.
     Type,             ///< The letter `argument`.
     Erase,            ///< The last letter.
+    Browse,           ///< What belongs to the gallery, subject or period that is entry `argument`.
     Clear,            ///< All letters.
     TypeNumbers,      ///< Keys of digits, where `argument` is 1; 0: of letters.
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
@@ -142,9 +145,10 @@ enum class Role : std::uint8_t {
 /// tests all read it.
 struct Control {
   /// Stable, the same in every language: `exhibit:ID`, `collect:ID`, `place:KIND`, `tour:ID`,
-  /// `search`, `key:LETTER`, `next`, `route:shortest`, `language:TAG`, `home`... A spot bears its
-  /// exhibit's name; a list item of that name, where there is one, comes first. A place on the
-  /// model is `spot:ID`.
+  /// `search`, `key:LETTER`, `gallery:ID`,
+  /// `subject:ID` and `period:ID` (of the first exhibit that has it), `next`, `route:shortest`,
+  /// `language:TAG`, `home`... A spot bears its exhibit's name; a list item of that name, where
+  /// there is one, comes first. A place on the model is `spot:ID`.
   std::string name;
   Role role = Role::Button;
   LocalText label;

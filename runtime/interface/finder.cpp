@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "runtime/interface/places.h"
@@ -17,13 +18,47 @@ constexpr std::uint8_t by_title = 0, by_number = 1, by_artist = 2, by_inventory 
                        by_gallery = 12;
 constexpr std::uint8_t other_language = 250;  ///< That staff wrote and the kiosk does not speak.
 
-// Entries: the exhibits, the kinds of places by their numbers, the places.
+// Entries: the exhibits, the kinds of places by their numbers, the places, the galleries; the
+// subjects and the periods, by the first exhibit that has them.
 
 std::uint32_t first_kind(const Museum& museum) noexcept {
   return static_cast<std::uint32_t>(museum.exhibits.size());
 }
 std::uint32_t first_place(const Museum& museum) noexcept {
   return first_kind(museum) + static_cast<std::uint32_t>(PlaceKind::Count);
+}
+
+std::uint32_t first_room(const Museum& museum) noexcept {
+  return first_place(museum) + static_cast<std::uint32_t>(museum.places.size());
+}
+std::uint32_t first_subject(const Museum& museum) noexcept {
+  return first_room(museum) + static_cast<std::uint32_t>(museum.rooms.size());
+}
+std::uint32_t first_period(const Museum& museum) noexcept {
+  return first_subject(museum) + static_cast<std::uint32_t>(museum.exhibits.size());
+}
+
+/// Takes entries one after another, as many as there is room for.
+void take(Found& found, std::uint32_t entry) noexcept {
+  ++found.total;
+  if (found.count < Found::most) found.entry[found.count++] = entry;
+}
+
+/// The galleries that have exhibits, and what has a subject or a period of its own.
+void take_groups(const Museum& museum, Found& found) {
+  for (std::uint32_t room = 0; room < museum.rooms.size(); ++room)
+    if (!museum.rooms[room].title.empty() &&
+        std::ranges::find(museum.exhibits, room, &Exhibit::room) != museum.exhibits.end())
+      take(found, first_room(museum) + room);
+  const auto take_tags = [&](LocalText Exhibit::* tag, std::uint32_t first) {
+    std::set<LocalText> seen;
+    for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
+      if (const LocalText& text = museum.exhibits[i].*tag;
+          !text.empty() && seen.insert(text).second)
+        take(found, first + i);
+  };
+  take_tags(&Exhibit::subject, first_subject(museum));
+  take_tags(&Exhibit::period, first_period(museum));
 }
 
 /// Gathers all that can be found in a museum.
@@ -105,14 +140,45 @@ class Gathering {
 Action meant_by(const Museum& museum, std::uint32_t entry) noexcept {
   if (entry < first_kind(museum)) return {Action::Kind::Choose, entry};
   if (entry < first_place(museum)) return {Action::Kind::Seek, entry - first_kind(museum)};
-  return {Action::Kind::GoToPlace, entry - first_place(museum)};
+  if (entry < first_room(museum)) return {Action::Kind::GoToPlace, entry - first_place(museum)};
+  return {Action::Kind::Browse, entry};
+}
+
+Group group_of(const Museum& museum, std::uint32_t entry) {
+  Group group{.name = {}, .kind = {}, .title = nullptr, .exhibits = {}};
+  const auto gather = [&](const auto& belongs) {
+    for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i)
+      if (belongs(museum.exhibits[i])) group.exhibits.push_back(i);
+  };
+  if (entry < first_subject(museum)) {
+    const std::uint32_t room = entry - first_room(museum);
+    group.name = "gallery:" + museum.rooms[room].id;
+    group.kind = "browse_gallery";
+    group.title = &museum.rooms[room].title;
+    gather([&](const Exhibit& exhibit) { return exhibit.room == room; });
+    return group;
+  }
+  const bool is_period = entry >= first_period(museum);
+  LocalText Exhibit::* const tag = is_period ? &Exhibit::period : &Exhibit::subject;
+  const Exhibit& first =
+      museum.exhibits[entry - (is_period ? first_period(museum) : first_subject(museum))];
+  group.name = (is_period ? "period:" : "subject:") + first.id;
+  group.kind = is_period ? "browse_period" : "browse_subject";
+  group.title = &(first.*tag);
+  gather([&](const Exhibit& exhibit) { return exhibit.*tag == first.*tag; });
+  return group;
 }
 
 void Finder::look_up(InterfaceState& state) {
   Found& found = state.found;
   found = {};
   const std::u16string query = search::folded(state.typed.letters());
-  if (query.empty()) return;
+  if (query.empty() && state.browses) {
+    for (const std::uint32_t exhibit : group_of(museum_, *state.browses).exhibits)
+      take(found, exhibit);
+    return;
+  }
+  if (query.empty()) return take_groups(museum_, found);
   if (!index_) index_ = Gathering(museum_).index();
   const auto hits = search::find(*index_, query, static_cast<std::uint8_t>(state.language), desk_);
   found.total = static_cast<std::uint32_t>(hits.size());

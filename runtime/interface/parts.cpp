@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/interface/finder.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
 #include "runtime/interface/sheet.h"
@@ -305,6 +306,8 @@ void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
     return draw_sign(sheet, sheet.museum().places[action.argument].kind, box, control);
   const std::uint32_t exhibit = action.kind == Action::Kind::ShowOwnTour
                                     ? sheet.request().state.own_tour.exhibit[0]
+                                : action.kind == Action::Kind::Browse
+                                    ? group_of(sheet.museum(), action.argument).exhibits.front()
                                     : action.argument;
   sheet.fill(box, sheet.theme().plaster, m.corner, control);
   sheet.image(box, sheet.museum().exhibits[exhibit].image, m.corner, control);
@@ -323,6 +326,13 @@ std::string line_of(const Sheet& sheet, const Control& control) {
   if (control.action.kind == Action::Kind::GoToPlace) {
     const Place& place = sheet.museum().places[control.action.argument];
     return where_line(sheet, place.floor, room_of(sheet.museum(), place.floor, place.position));
+  }
+  if (control.action.kind == Action::Kind::Browse) {
+    const Group group = group_of(sheet.museum(), control.action.argument);
+    return std::string(sheet.word(group.kind))
+        .append(between)
+        .append(number_in(sheet.museum(), sheet.request().state.language,
+                          static_cast<long>(group.exhibits.size())));
   }
   if (control.action.kind == Action::Kind::ShowOwnTour) return own_tour_line(sheet);
   const Tour* tour = begun_tour(sheet, control);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/finder.h"
 #include "runtime/interface/keyboard.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/search/compose.h"
@@ -86,9 +87,12 @@ void draw_typed(Sheet& sheet, const PixelBox& box) {
   sheet.pictogram(Pictogram::Search, {box.x + pad, box.y, side, box.height},
                   sheet.theme().quiet_ink);
   const float x = box.x + side + 2 * pad, width = box.right() - pad - x;
+  const std::optional<std::uint32_t>& browses = sheet.request().state.browses;
   const bool is_empty = typed.count == 0;
-  const std::string text =
-      is_empty ? std::string(sheet.word("search_hint")) : search::composed(typed.letters());
+  const std::string text = !is_empty ? search::composed(typed.letters())
+                           : browses
+                               ? std::string(sheet.local(*group_of(sheet.museum(), *browses).title))
+                               : std::string(sheet.word("search_hint"));
   TextStyle style = sheet.style(is_empty ? Letters::Body : Letters::Lead);
   style.weight = is_empty ? 400 : 500;
   if (is_empty) style.max_lines = 2;
@@ -119,8 +123,10 @@ void draw_count(Sheet& sheet, const PixelBox& box, std::uint32_t per_page) {
     sheet.button(buttons[1], {box.right() - third, box.y, third, box.height}, Sheet::Emphasis::Soft,
                  word);
   }
-  if (state.typed.count == 0 || !state.found.is_current) return;
-  const std::string text = state.found.total == 0
+  const bool is_open = state.typed.count == 0 && !state.browses;
+  if (!state.found.is_current || (is_open && state.found.total == 0)) return;
+  const std::string text = is_open ? std::string(sheet.word("search_browse"))
+                           : state.found.total == 0
                                ? std::string(sheet.word("search_none"))
                                : filled_in(sheet.word("search_found"), "n",
                                            number_in(sheet.museum(), state.language,
@@ -326,7 +332,8 @@ void add_keys(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(button(museum, "key:space", "key_space", {Action::Kind::Type, U' '}));
   out.push_back(button(museum, "key:erase", "key_erase", {Action::Kind::Erase}));
   out.push_back(button(museum, "key:clear", "key_clear", {Action::Kind::Clear}));
-  for (std::size_t i = out.size() - 2; i < out.size(); ++i) out[i].enabled = state.typed.count > 0;
+  out[out.size() - 2].enabled = state.typed.count > 0;
+  out.back().enabled = state.typed.count > 0 || state.browses;
 }
 
 std::uint32_t found_per_page(const ScreenShape& shape) noexcept {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/keyboard.h"
 #include "runtime/interface/layout.h"
@@ -120,6 +121,8 @@ void Composer::add_detail(Utterance& out, const Control& control) const {
       const Place& place = museum_.places[*only];
       return add_where(out, place.floor, room_of(museum_, place.floor, place.position));
     }
+    case Action::Kind::Browse:
+      return append_spoken(out, say(group_of(museum_, action.argument).kind));
     case Action::Kind::GoToPlace: {
       if (control.role == Role::Spot || action.argument >= museum_.places.size()) return;
       const Place& place = museum_.places[action.argument];
@@ -147,8 +150,11 @@ bool Composer::is_on_keyboard(char16_t letter) const {
 /// The letter that was typed last, and how many things are found; or what one can type.
 void Composer::add_search(Utterance& out) const {
   if (state_.typed.count == 0) {
+    if (state_.browses) return append_spoken(out, local(*group_of(museum_, *state_.browses).title));
     append_spoken(out, say("search"));
-    return append_spoken(out, say("search_hint"));
+    append_spoken(out, say("search_hint"));
+    if (state_.found.count > 0) append_spoken(out, say("search_browse"));
+    return;
   }
   const char16_t last = state_.typed.letters().back();
   if (is_on_keyboard(last)) append_spoken(out, said_key(last));

@@ -120,7 +120,11 @@ bool is_control_name(const Museum& museum, std::string_view name) {
     }
   }
   for (const Exhibit& exhibit : museum.exhibits)
-    if (name == "collect:" + exhibit.id) return true;
+    if (name == "collect:" + exhibit.id || name == "subject:" + exhibit.id ||
+        name == "period:" + exhibit.id)
+      return true;
+  for (const Room& room : museum.rooms)
+    if (name == "gallery:" + room.id) return true;
   if (name == "languages") return museum.languages.size() > most_languages_beside;
   if (name == "own-tour" || name == "start-tour") return !museum.exhibits.empty();
   InterfaceState searching;

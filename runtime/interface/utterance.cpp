@@ -143,6 +143,8 @@ void Gatherer::add_names() {
   for (const Exhibit& exhibit : museum_.exhibits) {
     add(exhibit.title);
     add(exhibit.text);
+    add(exhibit.subject);
+    add(exhibit.period);
   }
 }
 

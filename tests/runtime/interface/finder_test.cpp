@@ -85,7 +85,34 @@ TEST(AFinder, FindsKindsOfPlacesInTheWordsOfTheLanguage) {
   EXPECT_THAT(found(u"ausg", language), Contains("place:exit"));
 }
 
-TEST(AFinder, FindsNothingForNoLettersAndForgetsWhatItFound) {
+TEST(AFinder, ShowsGalleriesSubjectsAndPeriodsBeforeALetterIsTypedAndWhatBelongsToThem) {
+  Museum tagged = museum();
+  tagged.exhibits[3].subject = tagged.exhibits[9].subject = {{"en", "Hunting"}};
+  tagged.exhibits[9].period = {{"en", "Baroque"}};
+  Finder finder(tagged);
+  InterfaceState state = after({}, {Action::Kind::Search});
+  finder.look_up(state);
+  std::vector<std::string> names;
+  Action hunting;
+  for (const Control& control : controls_of(tagged, state, 60)) {
+    if (control.role != Role::ListItem) continue;
+    names.push_back(control.name);
+    if (control.name.starts_with("subject:")) hunting = control.action;
+  }
+  EXPECT_THAT(names, Contains("gallery:bronzes"));
+  EXPECT_THAT(names, Contains("subject:" + tagged.exhibits[3].id));
+  EXPECT_THAT(names, Contains("period:" + tagged.exhibits[9].id));
+
+  state = after(state, hunting);
+  finder.look_up(state);
+
+  EXPECT_THAT(std::vector(state.found.entry.begin(), state.found.entry.begin() + state.found.count),
+              ElementsAre(3, 9));
+  state = after(state, {Action::Kind::Clear});
+  EXPECT_FALSE(state.browses);
+}
+
+TEST(AFinder, ForgetsWhatItFoundForALetterThatIsTakenBack) {
   InterfaceState state = after({}, {Action::Kind::Search});
   state = after(state, {Action::Kind::Type, u'b'});
   Finder finder(museum());
@@ -94,7 +121,8 @@ TEST(AFinder, FindsNothingForNoLettersAndForgetsWhatItFound) {
 
   state = after(state, {Action::Kind::Erase});
 
-  EXPECT_EQ(state.found, Found{});
+  EXPECT_EQ(state.found.count, 0);
+  EXPECT_FALSE(state.found.is_current);
   EXPECT_EQ(state.typed, Typed{});
 }
 
