@@ -125,6 +125,7 @@ void draw_count(Sheet& sheet, const PixelBox& box, std::uint32_t per_page) {
   }
   const bool is_open = state.typed.count == 0 && !state.browses;
   if (!state.found.is_current || (is_open && state.found.total == 0)) return;
+  if (is_open && has_pages) return;  // there is no room to say what the list is; it says so itself
   const std::string text = is_open ? std::string(sheet.word("search_browse"))
                            : state.found.total == 0
                                ? std::string(sheet.word("search_none"))
