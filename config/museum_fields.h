@@ -350,6 +350,14 @@ inline constexpr std::array exhibit_fields{
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,
                           "What there is to say about it, by language"},
+    Field<ExhibitSection>{"artist", &ExhibitSection::artist, Presence::Optional,
+                          "Who made it, by language: visitors find it by that"},
+    Field<ExhibitSection>{"subject", &ExhibitSection::subject, Presence::Optional,
+                          "What it is about, by language, in the same words for all that belong "
+                          "together: visitors find them by that"},
+    Field<ExhibitSection>{"period", &ExhibitSection::period, Presence::Optional,
+                          "When it was made, by language, in the same words for all that belong "
+                          "together: visitors find them by that"},
     Field<ExhibitSection>{"closed", &ExhibitSection::closed, Presence::Optional,
                           "true while it cannot be seen"},
     Field<ExhibitSection>{"hours", &ExhibitSection::hours, Presence::Optional, hours_manual},

@@ -27,9 +27,10 @@ room(runtime/motion USES ${model} LIBRARIES glm/)
 room(runtime/crowd USES ${model} runtime/path)
 room(runtime/input USES ${model} LIBRARIES fmt/)
 room(runtime/directions USES ${model} runtime/path LIBRARIES glm/)
+room(runtime/search)
 room(runtime/scene USES ${model} runtime/path LIBRARIES glm/)
 room(runtime/sound USES ${model})
-room(runtime/interface USES ${model} runtime/path runtime/directions runtime/scene LIBRARIES fmt/)
+room(runtime/interface USES ${model} runtime/path runtime/directions runtime/search runtime/scene LIBRARIES fmt/)
 room(runtime/plan USES ${model} runtime/path runtime/directions runtime/motion runtime/crowd runtime/interface)
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/release USES ${model} LIBRARIES fmt/)
@@ -75,6 +76,7 @@ room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
 room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
 room(content/object USES ${model} runtime/schema platform/image content content/import LIBRARIES fmt/ glm/ meshoptimizer.h)
+room(content/reading USES content LIBRARIES unicode/)
 room(content/speech USES ${model} platform/opus platform/signature content LIBRARIES fmt/ spawn.h ${posix})
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
@@ -83,7 +85,7 @@ room(content/film
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
   USES ${model} runtime/path runtime/motion runtime/interface config platform platform/file platform/image platform/signature platform/terminal content content/import content/floor
-       content/motion content/avatar content/character content/object content/scenery content/speech
+       content/motion content/avatar content/character content/object content/reading content/scenery content/speech
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command
   USES ${model} runtime/schema runtime/path runtime/motion runtime/scene runtime/release config platform/file platform/image platform/signature

@@ -16,6 +16,7 @@
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"
 #include "content/compile/compile_objects.h"
+#include "content/compile/compile_readings.h"
 #include "content/compile/compile_scenery.h"
 #include "content/compile/compile_speech.h"
 #include "content/compile/shipped_files.h"
@@ -247,6 +248,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     compile_scenery(&config, drawn, museum);
   }
   if (avatar) avatar->finish(museum, report);
+  attempt(report, config.folder.string(), [&] { compile_readings(config, museum); });
   speak(config, options, museum, report, progress);
 }
 

@@ -373,6 +373,9 @@ class ExhibitCompiler {
     exhibit.placement = {section.position.value, to_radians(section.facing.value)};
     exhibit.title = plain_texts(section.title.value);
     exhibit.text = plain_texts(section.text.value);
+    exhibit.artist = plain_texts(section.artist.value);
+    exhibit.subject = plain_texts(section.subject.value);
+    exhibit.period = plain_texts(section.period.value);
     exhibit.closed = section.closed.value;
     exhibit.hours = section.hours.value;
     if (section.weight.given) exhibit.weight = section.weight.value;

@@ -169,6 +169,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
     case input::InputEvent::Kind::KeyDown:
       if (seating_) seating_->press_key(speaker_);
       sessions_[speaker_].press_key(event.key);
+      if (event.key == input::Key::Character) sessions_[speaker_].type(event.character);
       return tell_each_other();
     case input::InputEvent::Kind::Down:
       put_down(event);

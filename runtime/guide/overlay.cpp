@@ -110,6 +110,8 @@ void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
   is_placed_ = false;
   for (Press& press : presses_)
     press.control = leaving_ ? twin_of(press.control, *leaving_, *view_) : -1;
+  if (const std::int32_t same = leaving_ ? twin_of(focus_, *leaving_, *view_) : -1; same >= 0)
+    focus_ = same;
   if (focus_ >= static_cast<std::int32_t>(view_->controls.size())) focus_ = -1;
   if (leaving_ && leaving_->state.screen != view_->state.screen && focus_ >= 0) {
     focus_ = -1;

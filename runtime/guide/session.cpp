@@ -142,6 +142,15 @@ void Session::press_key(input::Key key) noexcept {
   }
 }
 
+/// A letter of a keyboard that hangs on the kiosk, while somebody searches.
+void Session::type(char letter) noexcept {
+  if (state_.screen != interface::Screen::Searching) return;
+  const bool is_capital = letter >= 'A' && letter <= 'Z', is_digit = letter >= '0' && letter <= '9';
+  if (!is_capital && !is_digit) return;
+  act({interface::Action::Kind::Type,
+       static_cast<std::uint32_t>(is_capital ? letter - 'A' + 'a' : letter)});
+}
+
 // What the visitor turns.
 
 void Session::turn_object(float seconds) noexcept {
@@ -345,6 +354,7 @@ bool Session::take_view(std::unique_ptr<interface::View> view) noexcept {
   if (view->request != last_request_) return false;  // the visitor has gone on
   awaiting_view_ = false;
   state_.own_tour = view->state.own_tour;  // the worker has put it in order
+  state_.found = view->state.found;        // and looked up what was typed
   overlay_.enter(std::move(view));
   if (voice_.enter(*overlay_.view(), overlay_.focus())) overlay_.clear_focus();
   return true;

@@ -58,6 +58,7 @@ class Session {
   /// own or that of the model. False where a finger left the glass and there was nothing to press.
   bool touch(const input::InputEvent& event, Overlay& surface) noexcept;
   void press_key(input::Key key) noexcept;
+  void type(char letter) noexcept;
   void act(interface::Action action) noexcept;
   /// Goes to another state without a touch or a key.
   void show(const interface::InterfaceState& state) noexcept;

@@ -29,7 +29,8 @@ constexpr double flow_speed = 0.35;  ///< Metres a second that the ribbon's patt
 constexpr double flow_wraps = 7.2;
 
 bool seen_from_above(interface::Screen screen) noexcept {
-  return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing;
+  return screen == interface::Screen::Welcome || screen == interface::Screen::Choosing ||
+         screen == interface::Screen::Searching;
 }
 
 bool from_above(const interface::InterfaceState& state) noexcept {

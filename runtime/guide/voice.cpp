@@ -54,6 +54,10 @@ bool Voice::enter(const interface::View& view, std::int32_t focus) noexcept {
     told_ = std::numeric_limits<float>::max();
     // What comes by itself, such as an arrival, waits until the visitor has heard what was before.
     say({What::Kind::Opening}, !was_pressed && is_speaking());
+    if (view.speech.is_typed && focus >= 0) {
+      reads_on_ = false;
+      return false;
+    }
     read_on();
   } else if (was_pressed && focus >= 0) {
     say({What::Kind::Control, static_cast<std::size_t>(focus)});

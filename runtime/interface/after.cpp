@@ -65,9 +65,26 @@ void discard(InterfaceState& state, std::uint32_t exhibit) noexcept {
     show_list(state, Listed::Exhibits);
 }
 
+/// Other letters: what they find is not known yet.
+void letters_changed(InterfaceState& state) noexcept {
+  state.browses.reset();
+  state.found = {};
+  state.found.is_current = false;
+  state.page = 0;
+}
+
+void search(InterfaceState& state) noexcept {
+  if (state.seat || state.glass != Glass::Whole) return;  // there is no room for keys
+  state.screen = Screen::Searching;
+  state.lists = Listed::Found;
+  state.page = 0;
+  if (state.typed.count == 0) letters_changed(state);
+}
+
 /// Whoever has chosen it from the list goes on where they were.
 void speak(InterfaceState& state, std::uint32_t language) noexcept {
   state.language = language;
+  if (state.typed.count > 0 && !state.browses) letters_changed(state);  // its own come first
   if (state.screen != Screen::Choosing || state.lists != Listed::Languages) return;
   show_list(state, Listed::Exhibits);
   if (has_goal(state)) state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
@@ -105,6 +122,29 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
     case Action::Kind::ShowLanguages:
       show_list(state, Listed::Languages);
+      break;
+    case Action::Kind::Search:
+      search(state);
+      break;
+    case Action::Kind::Type:
+      type(state.typed, static_cast<char16_t>(action.argument));
+      letters_changed(state);
+      break;
+    case Action::Kind::Erase:
+      erase(state.typed);
+      letters_changed(state);
+      break;
+    case Action::Kind::Browse:
+      state.typed = {};
+      letters_changed(state);
+      state.browses = action.argument;
+      break;
+    case Action::Kind::Clear:
+      state.typed = {};
+      letters_changed(state);
+      break;
+    case Action::Kind::TypeNumbers:
+      state.types_numbers = action.argument != 0;
       break;
     case Action::Kind::Collect:
       add_to(state.own_tour, action.argument);
@@ -181,6 +221,10 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.kind = RouteKind::Shortest;
       state.ways = {};
       state.own_tour = {};
+      state.typed = {};
+      state.found = {};
+      state.browses.reset();
+      state.types_numbers = false;
       show_list(state, Listed::Exhibits);
       state.screen = Screen::Welcome;
       break;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/places.h"
 #include "runtime/scene/look.h"
@@ -166,10 +167,32 @@ std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noe
       return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
     case Listed::Languages:
       return static_cast<std::uint32_t>(museum.languages.size());
+    case Listed::Found:
+      return state.found.count;
     case Listed::OwnTour:
       break;
   }
   return state.own_tour.count;
+}
+
+/// Something that was found: an exhibit, a kind of place, or a place with a name of its own.
+Control found_item(const Museum& museum, std::uint32_t entry, const InterfaceState& state) {
+  const Action action = meant_by(museum, entry);
+  if (action.kind == Action::Kind::Choose)
+    return exhibit_control(museum, action.argument, Role::ListItem, state);
+  if (action.kind == Action::Kind::Seek)
+    return kind_control(museum, static_cast<PlaceKind>(action.argument), state);
+  if (action.kind == Action::Kind::Browse) {
+    const Group group = group_of(museum, entry);
+    return {.name = group.name,
+            .role = Role::ListItem,
+            .label = *group.title,
+            .action = action,
+            .rect = {}};
+  }
+  Control control = place_spot(museum, action.argument, state);
+  control.role = Role::ListItem;
+  return control;
 }
 
 Control list_item(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
@@ -181,6 +204,7 @@ Control list_item(const Museum& museum, std::uint32_t index, const InterfaceStat
   if (state.lists == Listed::Languages)
     return language_control(museum, index, Role::ListItem, state);
   if (state.lists == Listed::OwnTour) return exhibit(state.own_tour.exhibit[index]);
+  if (state.lists == Listed::Found) return found_item(museum, state.found.entry[index], state);
   if (index < own_tours(state)) return own_tour_control(museum);
   index -= own_tours(state);
   const auto tours = static_cast<std::uint32_t>(museum.tours.size());
@@ -278,6 +302,12 @@ void add_collects(const ControlRequest& request, std::vector<Control>& out) {
     if (out[i].role == Role::ListItem && out[i].action.kind == Action::Kind::Choose)
       out.push_back(collect_control(request.museum, out[i].action.argument, request.state));
 }
+/// What was found, so that it is read first; then the keys.
+void add_searching(const ControlRequest& request, std::vector<Control>& out) {
+  add_list(request, out);
+  add_keys(request, out);
+  add_back(request, "home", out);
+}
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
   add_floors(request, out);
@@ -359,7 +389,7 @@ Control button(const Museum& museum, std::string name, std::string_view key, Act
   return {.name = std::move(name), .label = word_in_all(museum, key), .action = action, .rect = {}};
 }
 
-const std::array<ScreenFaces, 5> screens{{
+const std::array<ScreenFaces, 6> screens{{
     {Screen::Welcome, {add_begin, lay_out_welcome}, {add_join, lay_out_welcome_card}},
     {Screen::Picking, {add_begin, lay_out_welcome}, {add_picking, lay_out_picking_card}},
     {Screen::Choosing,
@@ -367,6 +397,10 @@ const std::array<ScreenFaces, 5> screens{{
      {add_choosing_on_card, lay_out_choosing_card}},
     {Screen::Walking, {add_walking, lay_out_walking}, {add_walking_on_card, lay_out_walking_card}},
     {Screen::Arrived, {add_arrived, lay_out_arrived}, {add_arrived_on_card, lay_out_arrived_card}},
+    // A card has no room for keys: nobody searches there.
+    {Screen::Searching,
+     {add_searching, lay_out_searching},
+     {add_choosing_on_card, lay_out_choosing_card}},
 }};
 
 std::vector<Control> route_controls(const Museum& museum, RouteKind selected,

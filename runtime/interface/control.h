@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/interface/tour_walk.h"
+#include "runtime/interface/typed.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/place_kind.h"
 #include "runtime/model/route_kind.h"
@@ -18,11 +19,12 @@ namespace docent::interface {
 
 /// The screens that the kiosk can show.
 enum class Screen : std::uint8_t {
-  Welcome,   ///< The whole model and a greeting. At a seat: nobody is there.
-  Picking,   ///< The guides, of whom a visitor at a shared glass picks one.
-  Choosing,  ///< The model, its exhibits marked, and the list of them.
-  Walking,   ///< Behind the guide.
-  Arrived,   ///< Beside the guide, in front of the exhibit.
+  Welcome,    ///< The whole model and a greeting. At a seat: nobody is there.
+  Picking,    ///< The guides, of whom a visitor at a shared glass picks one.
+  Choosing,   ///< The model, its exhibits marked, and the list of them.
+  Walking,    ///< Behind the guide.
+  Arrived,    ///< Beside the guide, in front of the exhibit.
+  Searching,  ///< The model, a keyboard on it, and what was found.
 };
 
 /// Who uses the glass. On a shared glass every visitor has a seat with a card at the lower edge;
@@ -35,12 +37,13 @@ enum class Glass : std::uint8_t {
   TurnedAway,  ///< Shared and full; somebody has just asked for a seat in vain.
 };
 
-/// What the list of the choosing screen holds.
+/// What the list of the choosing screen holds, or that of the searching one.
 enum class Listed : std::uint8_t {
   Exhibits,  ///< Below the tours.
   Places,
   OwnTour,    ///< What the visitor has collected, in the order of the walk.
   Languages,  ///< Where there are too many to stand beside each other.
+  Found,      ///< What the typed letters find.
 };
 
 /// The part of the guide's state that decides which controls there are and what they say. The rest
@@ -67,7 +70,12 @@ struct InterfaceState {
   std::uint8_t taken = 0;               ///< A bit for each guide that others have.
   std::optional<TourWalk> tour{};       ///< The tour on which the visitor goes to `exhibit`.
   OwnTour own_tour{};                   ///< What they have collected; until they leave.
-  bool speaks = false;                  ///< What they do and may do is read aloud.
+  Typed typed{};                        ///< What they search for; until they leave.
+  Found found{};
+  /// A gallery, a subject or a period whose exhibits they look through, as an entry (finder.h).
+  std::optional<std::uint32_t> browses{};
+  bool types_numbers = false;  ///< The keys are digits.
+  bool speaks = false;         ///< What they do and may do is read aloud.
   bool large_letters = false, high_contrast = false;
   bool low_reach = false;  ///< All that can be touched lies within reach of who sits.
   bool can_lower = false;  ///< The glass hangs so that this makes a difference.
@@ -105,6 +113,12 @@ struct Action {
     Collect,          ///< Exhibit `argument` into the visitor's own tour.
     Discard,          ///< Out of it again.
     ShowOwnTour,      ///< The list of what is in it; the walk goes on.
+    Search,           ///< The keyboard, and what was found so far; the walk goes on.
+    Type,             ///< The letter `argument`.
+    Erase,            ///< The last letter.
+    Browse,           ///< What belongs to the gallery, subject or period that is entry `argument`.
+    Clear,            ///< All letters.
+    TypeNumbers,      ///< Keys of digits, where `argument` is 1; 0: of letters.
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
     Walk,             ///< Along with the guide, `argument` times as fast as it walks.
     Stop,             ///< The guide stops where it is.
@@ -131,8 +145,10 @@ enum class Role : std::uint8_t {
 /// tests all read it.
 struct Control {
   /// Stable, the same in every language: `exhibit:ID`, `collect:ID`, `place:KIND`, `tour:ID`,
-  /// `next`, `route:shortest`, `language:TAG`, `home`... A spot bears its exhibit's name; a list
-  /// item of that name, where there is one, comes first. A place on the model is `spot:ID`.
+  /// `search`, `key:LETTER`, `gallery:ID`,
+  /// `subject:ID` and `period:ID` (of the first exhibit that has it), `next`, `route:shortest`,
+  /// `language:TAG`, `home`... A spot bears its exhibit's name; a list item of that name, where
+  /// there is one, comes first. A place on the model is `spot:ID`.
   std::string name;
   Role role = Role::Button;
   LocalText label;
@@ -160,6 +176,8 @@ constexpr bool shows_whole_way(const InterfaceState& state) noexcept {
   return state.screen == Screen::Walking && state.glass == Glass::Whole && state.pace == 0;
 }
 
+/// Does it type, or take back what was typed?
+bool is_key(const Control& control) noexcept;
 /// Does it put an exhibit into the visitor's own tour, or take it out?
 bool is_collect(const Control& control) noexcept;
 

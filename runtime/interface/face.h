@@ -24,6 +24,9 @@ Control button(const Museum& museum, std::string name, std::string_view key, Act
 /// chosen, ways without steps or escalators, if the building has any.
 void add_helps(const ControlRequest& request, std::vector<Control>& out);
 
+/// The keys of the language, of letters or of digits, and those that change what was typed.
+void add_keys(const ControlRequest& request, std::vector<Control>& out);
+
 /// How a screen is shown: what can be pressed, in focus order, and where everything lies in the
 /// content of a panel or a card.
 struct Face {
@@ -36,7 +39,7 @@ struct ScreenFaces {
   Screen screen;
   Face whole, card;
 };
-extern const std::array<ScreenFaces, 5> screens;
+extern const std::array<ScreenFaces, 6> screens;
 
 inline const ScreenFaces& faces_of(Screen screen) noexcept {
   return screens[static_cast<std::size_t>(screen)];

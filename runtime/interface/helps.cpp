@@ -15,8 +15,8 @@ struct Help {
 };
 constexpr std::array helps{
     Help{"step-free", Pictogram::StepFree}, Help{"no-escalators", Pictogram::NoEscalators},
-    Help{"toilets", pictogram_of(PlaceKind::Toilets)}, Help{"places", Pictogram::Places},
-    Help{"exhibits", Pictogram::Exhibits}};
+    Help{"search", Pictogram::Search},      Help{"toilets", pictogram_of(PlaceKind::Toilets)},
+    Help{"places", Pictogram::Places},      Help{"exhibits", Pictogram::Exhibits}};
 
 /// How one sees and hears it: pictograms alone, which need no language.
 constexpr std::array senses{Help{"larger", Pictogram::LargerLetters},
@@ -100,7 +100,17 @@ void add_helps(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   add_avoidances(request, out);
   add_senses(request, out);
-  if (museum.places.empty()) return;
+  const bool can_search = state.glass == Glass::Whole && !state.seat && shows_spots(state.screen);
+  if (can_search) out.push_back(button(museum, "search", "search", {Action::Kind::Search}));
+  const bool lists_places = state.screen == Screen::Choosing && state.lists == Listed::Places;
+  const bool is_away = lists_places || state.screen == Screen::Searching;
+  const auto add_exhibits = [&] {
+    out.push_back(button(museum, "exhibits", "exhibits", {Action::Kind::ShowExhibits}));
+  };
+  if (museum.places.empty()) {
+    if (is_away) add_exhibits();
+    return;
+  }
   if (has_place(museum, PlaceKind::Toilets)) {
     Control toilets = button(museum, "toilets", word_of(PlaceKind::Toilets),
                              {Action::Kind::Seek, static_cast<std::uint32_t>(PlaceKind::Toilets)});
@@ -108,9 +118,8 @@ void add_helps(const ControlRequest& request, std::vector<Control>& out) {
     out.push_back(std::move(toilets));
   }
   if (state.screen == Screen::Picking) return;  // first of all, by whom they are led
-  const bool lists_places = state.screen == Screen::Choosing && state.lists == Listed::Places;
-  out.push_back(lists_places ? button(museum, "exhibits", "exhibits", {Action::Kind::ShowExhibits})
-                             : button(museum, "places", "places", {Action::Kind::ShowPlaces}));
+  if (!lists_places) out.push_back(button(museum, "places", "places", {Action::Kind::ShowPlaces}));
+  if (is_away) add_exhibits();
 }
 
 float draw_helps(Sheet& sheet, const PixelBox& free) {

@@ -155,6 +155,12 @@ void lay_out_shared(Sheet& sheet) {
                        card.width * view.pixel_width, card.height * view.pixel_height});
 }
 
+/// The model stands above what lies on its lower edge, as far as most of the screen stays its own.
+void leave_to_model(View& view, float strip) noexcept {
+  const float least = std::min(view.free.height, least_model / view.free.width);
+  view.free.height = std::max(least, view.free.height - strip / view.pixel_height);
+}
+
 }  // namespace
 
 bool runs_right_to_left(const Museum& museum, std::uint32_t language) noexcept {
@@ -196,8 +202,9 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
 }
 
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
-  return !state.seat ? exhibits_per_page(shape_for(shape, state))
-                     : rows_of_card(shape, state.seats);
+  if (state.seat) return rows_of_card(shape, state.seats);
+  const ScreenShape shown = shape_for(shape, state);
+  return state.screen == Screen::Searching ? found_per_page(shown) : exhibits_per_page(shown);
 }
 
 bool shows_way(const InterfaceState& state) noexcept {
@@ -251,7 +258,11 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   const PixelBox content = panel.inset(sheet.measures().margin);
   faces_of(request.state.screen).whole.lay_out(sheet, content);
   PixelBox free = free_box(request.shape);
-  const float strip = draw_helps(sheet, free);
+  float strip = draw_helps(sheet, free);
+  if (request.state.screen == Screen::Searching) {
+    strip += draw_search_board(sheet, {free.x, free.y, free.width, free.height - strip});
+    leave_to_model(*view, strip);
+  }
   if (shows_spots(request.state.screen)) add_floor_labels(sheet);
   if (shows_way(request.state)) draw_inset(sheet, free);
   draw_walk(sheet, free);
@@ -262,8 +273,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
     const float column = draw_floors(sheet, free) / view->pixel_width;
     view->free.width -= column;
     if (runs_right_to_left(museum, request.state.language)) view->free.x += column;
-    const float least = std::min(view->free.height, least_model / view->free.width);
-    view->free.height = std::max(least, view->free.height - strip / view->pixel_height);
+    leave_to_model(*view, strip);
   }
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/interface/finder.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
 #include "runtime/interface/sheet.h"
@@ -235,6 +236,8 @@ std::string_view title_of(Listed lists) noexcept {
       return "own_tour";
     case Listed::Languages:
       return "languages_title";
+    case Listed::Found:
+      return "search";
   }
   return "choose_title";
 }
@@ -299,8 +302,12 @@ void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
   if (action.kind == Action::Kind::Seek)
     return draw_sign(sheet, static_cast<PlaceKind>(action.argument), box, control);
+  if (action.kind == Action::Kind::GoToPlace)
+    return draw_sign(sheet, sheet.museum().places[action.argument].kind, box, control);
   const std::uint32_t exhibit = action.kind == Action::Kind::ShowOwnTour
                                     ? sheet.request().state.own_tour.exhibit[0]
+                                : action.kind == Action::Kind::Browse
+                                    ? group_of(sheet.museum(), action.argument).exhibits.front()
                                     : action.argument;
   sheet.fill(box, sheet.theme().plaster, m.corner, control);
   sheet.image(box, sheet.museum().exhibits[exhibit].image, m.corner, control);
@@ -316,6 +323,17 @@ void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t c
 std::string line_of(const Sheet& sheet, const Control& control) {
   if (control.action.kind == Action::Kind::Seek)
     return kind_line(sheet, static_cast<PlaceKind>(control.action.argument));
+  if (control.action.kind == Action::Kind::GoToPlace) {
+    const Place& place = sheet.museum().places[control.action.argument];
+    return where_line(sheet, place.floor, room_of(sheet.museum(), place.floor, place.position));
+  }
+  if (control.action.kind == Action::Kind::Browse) {
+    const Group group = group_of(sheet.museum(), control.action.argument);
+    return std::string(sheet.word(group.kind))
+        .append(between)
+        .append(number_in(sheet.museum(), sheet.request().state.language,
+                          static_cast<long>(group.exhibits.size())));
+  }
   if (control.action.kind == Action::Kind::ShowOwnTour) return own_tour_line(sheet);
   const Tour* tour = begun_tour(sheet, control);
   return tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, control.action.argument);

@@ -318,6 +318,8 @@ Shapes shapes_of(Pictogram what) {
     case Pictogram::Lower:  // down to a line
       return {line(12, 3, 12, 12, 2.6F), triangle({5.6F, 10.6F}, {18.4F, 10.6F}, {12, 18}),
               line(4, 20.8F, 20, 20.8F, 2.4F)};
+    case Pictogram::Search:  // a magnifying glass
+      return {ring(10, 10, 6.2F, 2.2F), line(14.8F, 14.8F, 20.4F, 20.4F, 2.8F)};
     case Pictogram::Count:
       return {};
   }

@@ -19,6 +19,7 @@ enum class Pictogram : std::uint8_t {
   LargerLetters,
   Contrast,
   Lower,
+  Search,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -145,6 +145,10 @@ void Sheet::fill(const PixelBox& box, scene::Colour colour, float corner, std::i
 
 void Sheet::mark_selected(const PixelBox& box, std::int32_t control) {
   fill(box, theme_.plaster, measures_.corner, control);
+  outline(box, control);
+}
+
+void Sheet::outline(const PixelBox& box, std::int32_t control) {
   add({.rect = share_of(box),
        .fill = scene::QuadFill::Frame,
        .colour = theme_.quiet_ink,

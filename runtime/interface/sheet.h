@@ -67,7 +67,9 @@ class Sheet {
   TextPiece fitted(TextStyle style, std::string_view text, float width);
 
   void fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control = -1);
-  /// What is chosen has a ground, and an edge that is seen on paper.
+  /// An edge that is seen on paper.
+  void outline(const PixelBox& box, std::int32_t control);
+  /// What is chosen has a ground, and such an edge.
   void mark_selected(const PixelBox& box, std::int32_t control);
   void shadow(const PixelBox& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
@@ -156,6 +158,12 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content);
 void lay_out_choosing(Sheet& sheet, const PixelBox& content);
 void lay_out_walking(Sheet& sheet, const PixelBox& content);
 void lay_out_arrived(Sheet& sheet, const PixelBox& content);
+void lay_out_searching(Sheet& sheet, const PixelBox& content);
+/// What of the searching screen lies on the model's lower edge, within `free`: the keys, or what
+/// was found where the panel has no room for both. Returns its height, with the gap below it.
+float draw_search_board(Sheet& sheet, const PixelBox& free);
+/// How many found things a page shows.
+std::uint32_t found_per_page(const ScreenShape& shape) noexcept;
 
 /// The same on the card of a seat. The welcome, which nobody has answered yet, gets the whole card.
 void lay_out_welcome_card(Sheet& sheet, const PixelBox& card);

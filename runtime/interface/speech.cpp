@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/keyboard.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
@@ -51,6 +53,8 @@ class Composer {
     append_spoken(utterance, text);
     return utterance;
   }
+  std::string said_key(std::uint32_t letter) const;
+  bool is_on_keyboard(char16_t letter) const;
   std::string_view say(std::string_view key) const { return word(museum_, language_, key); }
 
  private:
@@ -64,6 +68,7 @@ class Composer {
   void add_where(Utterance& out, std::uint32_t floor, std::uint32_t room) const;
   void add_detail(Utterance& out, const Control& control) const;
   void add_list(Utterance& out) const;
+  void add_search(Utterance& out) const;
   void add_walk(Utterance& out) const;
   void add_arrival(Utterance& out) const;
   void add_tour(Utterance& out) const;
@@ -116,9 +121,50 @@ void Composer::add_detail(Utterance& out, const Control& control) const {
       const Place& place = museum_.places[*only];
       return add_where(out, place.floor, room_of(museum_, place.floor, place.position));
     }
+    case Action::Kind::Browse:
+      return append_spoken(out, say(group_of(museum_, action.argument).kind));
+    case Action::Kind::GoToPlace: {
+      if (control.role == Role::Spot || action.argument >= museum_.places.size()) return;
+      const Place& place = museum_.places[action.argument];
+      return add_where(out, place.floor, room_of(museum_, place.floor, place.position));
+    }
     default:
       return;
   }
+}
+
+/// What a key is called.
+std::string Composer::said_key(std::uint32_t letter) const {
+  return letter == U' ' ? std::string(say("key_space")) : said_of(static_cast<char16_t>(letter));
+}
+
+/// Else it was typed in another language.
+bool Composer::is_on_keyboard(char16_t letter) const {
+  const Keyboard& keyboard = keyboard_of(
+      language_ < museum_.languages.size() ? museum_.languages[language_].tag : std::string());
+  return letter == u' ' || digit_keys.find(letter) != digit_keys.npos ||
+         std::ranges::any_of(keyboard.rows,
+                             [&](std::u16string_view row) { return row.find(letter) != row.npos; });
+}
+
+/// The letter that was typed last, and how many things are found; or what one can type.
+void Composer::add_search(Utterance& out) const {
+  if (state_.typed.count == 0) {
+    if (state_.browses) return append_spoken(out, local(*group_of(museum_, *state_.browses).title));
+    append_spoken(out, say("search"));
+    append_spoken(out, say("search_hint"));
+    if (state_.found.count > 0) append_spoken(out, say("search_browse"));
+    return;
+  }
+  const char16_t last = state_.typed.letters().back();
+  if (is_on_keyboard(last)) append_spoken(out, said_key(last));
+  if (!state_.found.is_current) return;
+  if (state_.found.total == 0) return append_spoken(out, say("search_none"));
+  // So many numbers are prepared.
+  const std::size_t most = museum_.exhibits.size() + museum_.tours.size();
+  const std::size_t total =
+      std::min<std::size_t>(state_.found.total, std::max<std::size_t>(most, 20));
+  append_spoken(out, filled_in(say("search_found"), "n", apart(fmt::format("{}", total))));
 }
 
 /// Who cannot read a language's name hears it in that language.
@@ -130,7 +176,10 @@ Utterance Composer::control(const Control& control) const {
                                  : control.name == "stay"      ? say("say_stay")
                                  : control.name == "languages" ? say("languages_title")
                                                                : local(control.label);
-  append_spoken(out, label);
+  if (control.action.kind == Action::Kind::Type)
+    append_spoken(out, said_key(control.action.argument));
+  else
+    append_spoken(out, label);
   if (names_language) {
     if (control.selected) append_spoken(out, word(museum_, language, "state_selected"));
     return out;
@@ -236,6 +285,9 @@ Utterance Composer::opening() const {
     case Screen::Arrived:
       add_arrival(out);
       break;
+    case Screen::Searching:
+      add_search(out);
+      break;
   }
   return out;
 }
@@ -255,6 +307,9 @@ Utterance Composer::help() const {
     case Screen::Walking:
       append_spoken(out, say("help_walking"));
       append_spoken(out, goal_title());
+      break;
+    case Screen::Searching:
+      append_spoken(out, say("help_searching"));
       break;
     case Screen::Arrived:
       append_spoken(out, say("help_arrived"));
@@ -286,6 +341,7 @@ Speech speech_of(const Museum& museum, const ViewRequest& request,
   Speech speech;
   speech.opening = composer.opening();
   speech.help = composer.help();
+  speech.is_typed = request.state.screen == Screen::Searching && request.state.typed.count > 0;
   for (const Control& control : controls) speech.controls.push_back(composer.control(control));
   speech.remaining = composer.remaining();
   for (std::size_t i = 0; i < speech.volumes.size(); ++i)

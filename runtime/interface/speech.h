@@ -32,7 +32,8 @@ struct Speech {
   std::vector<CountedUtterance> remaining;  ///< Descending metres; of a way alone.
   std::array<Utterance, loudest + 1> volumes;
   std::array<Utterance, speech_speeds.size()> speeds;
-  Utterance ended;  ///< From now on nothing is said.
+  Utterance ended;        ///< From now on nothing is said.
+  bool is_typed = false;  ///< The visitor types: nothing is read on, and the focus stays.
 };
 
 /// Pure. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.

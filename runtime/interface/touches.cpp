@@ -29,9 +29,15 @@ bool leads_away(const Action& action) noexcept {
          action.kind == Action::Kind::Seek || action.kind == Action::Kind::GoToPlace;
 }
 
-/// How they see and hear the glass: it leads nowhere.
+bool types(const Action& action) noexcept {
+  return action.kind == Action::Kind::Type || action.kind == Action::Kind::Erase ||
+         action.kind == Action::Kind::Clear;
+}
+
+/// How they see and hear the glass, or what they search for: it leads nowhere.
 bool changes_senses(const Action& action) noexcept {
-  return action.kind == Action::Kind::ReadAloud || action.kind == Action::Kind::EnlargeLetters ||
+  return types(action) || action.kind == Action::Kind::ReadAloud ||
+         action.kind == Action::Kind::EnlargeLetters ||
          action.kind == Action::Kind::RaiseContrast || action.kind == Action::Kind::Lower;
 }
 
@@ -114,9 +120,20 @@ bool is_control_name(const Museum& museum, std::string_view name) {
     }
   }
   for (const Exhibit& exhibit : museum.exhibits)
-    if (name == "collect:" + exhibit.id) return true;
+    if (name == "collect:" + exhibit.id || name == "subject:" + exhibit.id ||
+        name == "period:" + exhibit.id)
+      return true;
+  for (const Room& room : museum.rooms)
+    if (name == "gallery:" + room.id) return true;
   if (name == "languages") return museum.languages.size() > most_languages_beside;
   if (name == "own-tour" || name == "start-tour") return !museum.exhibits.empty();
+  InterfaceState searching;
+  searching.screen = Screen::Searching;
+  for (const bool numbers : {false, true}) {
+    searching.types_numbers = numbers;
+    for (searching.language = 0; searching.language < museum.languages.size(); ++searching.language)
+      if (has_it(searching)) return true;
+  }
   for (const PlaceKind kind : kinds_of_places(museum))
     if (name == "place:" + std::string(info_of(kind).name)) return true;
   InterfaceState picking;

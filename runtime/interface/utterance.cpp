@@ -8,6 +8,7 @@
 #include <set>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/keyboard.h"
 #include "runtime/interface/phrases.h"
 
 namespace docent::interface {
@@ -101,6 +102,7 @@ class Gatherer {
   void add_words();
   void add_numbers();
   void add_names();
+  void add_letters();
   std::set<std::string, std::less<>> pieces;
 
  private:
@@ -141,7 +143,16 @@ void Gatherer::add_names() {
   for (const Exhibit& exhibit : museum_.exhibits) {
     add(exhibit.title);
     add(exhibit.text);
+    add(exhibit.subject);
+    add(exhibit.period);
   }
+}
+
+/// The keys of the language, and of any that a visitor may have typed in before.
+void Gatherer::add_letters() {
+  if (language_ >= museum_.languages.size()) return;
+  for (const std::u16string_view row : keyboard_of(museum_.languages[language_].tag).rows)
+    for (const char16_t letter : row) add(said_of(letter));
 }
 
 }  // namespace
@@ -151,6 +162,7 @@ std::vector<std::string> spoken_pieces(const Museum& museum, std::uint32_t langu
   gatherer.add_words();
   gatherer.add_numbers();
   gatherer.add_names();
+  gatherer.add_letters();
   return {gatherer.pieces.begin(), gatherer.pieces.end()};
 }
 

@@ -122,6 +122,7 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .message = fmt::format("no screen of this museum has a control '@{}'", command.name),
            .hint = fmt::format(
                "names are @exhibit:ID, @place:KIND, @spot:ID, @tour:ID, @route:{}, @language:TAG, "
+               "@search, @key:LETTER, @key:space, @key:erase, @key:clear, @key:numbers, "
                "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
                "@no-escalators, @speak, @larger, @contrast, @lower, @home, @stop, @begin, "
                "@choose, @back and @look:NAME",

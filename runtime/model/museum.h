@@ -69,6 +69,9 @@ struct Museum {
   std::vector<Room> rooms;
   std::vector<Exhibit> exhibits;
   std::vector<Tour> tours;
+  /// How titles and names are read that are not typed as they are written: Chinese in Pinyin,
+  /// Japanese in kana, syllables with spaces between them. By the text.
+  std::map<std::string, std::string, std::less<>> readings;
   std::vector<EncodedImage> images;
   std::vector<ExhibitObject> objects;
   std::vector<SpeechSound> speech;  ///< By language and text, each once; none: it is silent.

@@ -58,6 +58,7 @@ Planner::Planner(const Museum& museum, interface::PieceMakers makers, std::size_
       walking_(walk_graph_of(museum)),
       maps_(maps_of(museum)),
       cache_(std::move(makers), first_piece_of(museum), piece_budget),
+      finder_(museum),
       building_(museum, maps_),
       closed_(std::make_shared<const Closures>()),
       traffic_(museum.floors.size()),
@@ -152,6 +153,7 @@ std::optional<interface::ShownWay> Planner::shown_way(const interface::Interface
 void Planner::answer(const interface::ViewRequest& asked) {
   interface::ViewRequest request = asked;
   if (!request.state.own_tour.is_ordered) order_own_tour(museum_, building_, request.state);
+  if (!request.state.found.is_current) finder_.look_up(request.state);
   const std::optional<interface::ShownWay> way = shown_way(request.state);
   std::unique_ptr<interface::View> view =
       interface::make_view(museum_, request, cache_, *closed_.load(), way ? &*way : nullptr);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/directions/doorways.h"
+#include "runtime/interface/finder.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/piece_cache.h"
 #include "runtime/plan/fill_order.h"
@@ -40,7 +41,8 @@ class Planner {
   void ask(const interface::ViewRequest& request) noexcept;
 
   std::unique_ptr<Plan> take_plan() noexcept { return plans_.take(); }
-  /// Its state is the one asked about, with the visitor's own tour in order.
+  /// Its state is the one asked about, with the visitor's own tour in order and what they search
+  /// for found.
   std::unique_ptr<interface::View> take_view() noexcept { return views_.take(); }
   /// Changes of texture memory, to be applied in this order before the views that need them.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return pieces_.take(); }
@@ -73,6 +75,7 @@ class Planner {
   std::vector<std::shared_ptr<const path::FloorMap>> maps_;  ///< One per floor.
   interface::PieceCache cache_;                              ///< Used by the worker only.
   std::uint32_t language_ = 0;                               ///< Of its last view. Likewise.
+  interface::Finder finder_;                                 ///< Of what visitors type.
   path::BuildingMap building_;                               ///< Of all floors.
   std::optional<directions::Doorways> doorways_;             ///< Found when they are first needed.
   std::atomic<std::shared_ptr<const Closures>> closed_;      ///< Just now; never null.

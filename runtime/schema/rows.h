@@ -264,6 +264,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.rows("kiosk", museum.kiosks);
   store.texts("museum.title", 0, museum.title);
   store.texts("museum.welcome", 0, museum.welcome);
+  store.texts("museum.reading", 0, museum.readings);
   store.rows("language", museum.languages);
   for (std::size_t i = 0; i < museum.languages.size(); ++i)
     store.texts("language.word", i, museum.languages[i].words);
@@ -289,6 +290,9 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   for (std::size_t i = 0; i < museum.exhibits.size(); ++i) {
     store.texts("exhibit.title", i, museum.exhibits[i].title);
     store.texts("exhibit.text", i, museum.exhibits[i].text);
+    store.texts("exhibit.artist", i, museum.exhibits[i].artist);
+    store.texts("exhibit.subject", i, museum.exhibits[i].subject);
+    store.texts("exhibit.period", i, museum.exhibits[i].period);
   }
   store.rows("place", museum.places);
   for (std::size_t i = 0; i < museum.places.size(); ++i)

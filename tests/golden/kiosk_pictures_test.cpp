@@ -45,6 +45,15 @@ TEST(TheFocus, OutlinesWhatItIsAboutAndTheQuestionWhoIsStillThereHasItsRing) {
   for (const char* name : {"focus.png", "still-here.png"}) expect_approved(run.file(name), name);
 }
 
+TEST(TheSearch, ShowsItsKeysAndWhatIsFoundInLettersFromLeftAndFromRight) {
+  const VisitRun run(
+      "0.5 tap @search\n1 tap @key:b\n1.5 tap @key:r\n2 tap @key:o\n3 shot search.png\n"
+      "3.1 tap @key:clear\n3.5 tap @language:ar\n4.5 tap @key:ب\n6 shot search-ar.png\n7 quit\n");
+  play_in_folder(run, "960x540");
+
+  for (const char* name : {"search.png", "search-ar.png"}) expect_approved(run.file(name), name);
+}
+
 /// The relative luminance of a pixel (WCAG 2.2).
 double luminance(const Pixels& picture, std::uint32_t x, std::uint32_t y) {
   const std::size_t at = 4 * (std::size_t{y} * picture.width + x);

@@ -23,6 +23,8 @@ struct Exhibit {
   ExhibitPlace place = ExhibitPlace::OnFloor;
   LocalText title;
   LocalText text;
+  /// By which it is found, besides its title: staff's tags. Any may be empty.
+  LocalText artist{}, subject{}, period{};
   std::uint32_t image = 0;  ///< Index into Museum::images.
   bool closed = false;      ///< For good, or until staff say otherwise.
   std::string hours{};      ///< When it can be seen (opening_hours.h); empty: always.
