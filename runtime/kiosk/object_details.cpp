@@ -52,16 +52,14 @@ ObjectDetails::Ready ObjectDetails::read(std::uint32_t object) const {
 
 void ObjectDetails::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  bool is_tidy = true;
-  while (changed_.wait(lock, stop, [&] { return wanted_ ? wanted_ != done_ : !is_tidy; })) {
-    if (!wanted_) {
-      is_tidy = true;
+  while (changed_.wait(lock, stop, [&] { return has_freed_ || (wanted_ && wanted_ != done_); })) {
+    if (has_freed_) {
+      has_freed_ = false;
       lock.unlock();
-      give_back_freed_memory();  // what the last visitor's objects took
+      give_back_freed_memory();
       lock.lock();
       continue;
     }
-    is_tidy = false;
     const std::uint32_t object = *wanted_;
     lock.unlock();
     Ready ready = read(object);
@@ -92,6 +90,7 @@ bool ObjectDetails::upload_next(gles::Holdings& holdings) noexcept {
   if (asked_ != shown_ && shown_) {
     holdings.drop_object_detail();
     shown_.reset();
+    tell_of_freed_memory();
     return true;
   }
   if (!uploading_ || uploading_->object != asked_) {
@@ -112,7 +111,15 @@ bool ObjectDetails::upload_next(gles::Holdings& holdings) noexcept {
   shown_ = uploading_->object;
   uploading_.reset();
   uploaded_ = 0;
+  tell_of_freed_memory();
   return true;
+}
+
+/// What was read lies in texture memory now, or nowhere: the thread has the time to return it.
+void ObjectDetails::tell_of_freed_memory() noexcept {
+  const std::scoped_lock lock(mutex_);
+  has_freed_ = true;
+  changed_.notify_all();
 }
 
 }  // namespace docent::kiosk

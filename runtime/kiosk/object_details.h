@@ -44,6 +44,7 @@ class ObjectDetails {
   };
   void work(const std::stop_token& stop);
   Ready read(std::uint32_t object) const;
+  void tell_of_freed_memory() noexcept;
 
   Read read_;
   std::mutex mutex_;
@@ -51,6 +52,7 @@ class ObjectDetails {
   std::optional<std::uint32_t> wanted_{};  ///< By the frame thread.
   std::optional<std::uint32_t> done_{};    ///< Read last, or in vain.
   std::optional<Ready> ready_{};
+  bool has_freed_ = false;  ///< The frame thread: much memory since.
   // The frame thread's own.
   std::optional<Ready> uploading_{};
   std::size_t uploaded_ = 0;  ///< Pieces: the shape, then its pictures.
