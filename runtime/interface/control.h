@@ -110,6 +110,7 @@ struct Action {
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
     Stay,             ///< They are still there.
+    Scroll,           ///< What is longer than there is room for: up where `argument` is 0, or down.
     Resume,           ///< Starting over is taken back: whoever keeps the session knows to what.
   };
   Kind kind = Kind::Begin;

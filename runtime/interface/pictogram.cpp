@@ -318,6 +318,10 @@ Shapes shapes_of(Pictogram what) {
     case Pictogram::Lower:  // down to a line
       return {line(12, 3, 12, 12, 2.6F), triangle({5.6F, 10.6F}, {18.4F, 10.6F}, {12, 18}),
               line(4, 20.8F, 20, 20.8F, 2.4F)};
+    case Pictogram::FurtherUp:
+      return {line(5, 15.5F, 12, 8.5F, 2.6F), line(12, 8.5F, 19, 15.5F, 2.6F)};
+    case Pictogram::FurtherDown:
+      return {line(5, 8.5F, 12, 15.5F, 2.6F), line(12, 15.5F, 19, 8.5F, 2.6F)};
     case Pictogram::Count:
       return {};
   }

@@ -19,6 +19,8 @@ enum class Pictogram : std::uint8_t {
   LargerLetters,
   Contrast,
   Lower,
+  FurtherUp,
+  FurtherDown,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);
