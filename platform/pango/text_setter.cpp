@@ -144,8 +144,9 @@ class TextSetter {
                              std::min(static_cast<int>(width), most_pixels) * PANGO_SCALE);
     // Lines begin at the side where the language begins; Pango turns this round by itself only for
     // paragraphs that run against the base direction.
-    pango_layout_set_alignment(layout.get(),
-                               style.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    pango_layout_set_alignment(layout.get(), style.centred         ? PANGO_ALIGN_CENTER
+                                             : style.right_to_left ? PANGO_ALIGN_RIGHT
+                                                                   : PANGO_ALIGN_LEFT);
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
     if (style.max_lines > 0) {
       pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);

@@ -50,6 +50,7 @@ class Overlay {
   std::int32_t focus() const noexcept { return focus_; }
 
   const interface::View* view() const noexcept { return view_.get(); }
+  bool is_scrolling() const noexcept { return scroller_.is_moving(); }
   bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
 
   /// Seconds until the visitor counts as gone, of `countdown_seconds`; a ring shows them where the

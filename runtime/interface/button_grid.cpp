@@ -16,7 +16,10 @@ PixelBox ButtonGrid::cell(const PixelBox& box, std::size_t index) const noexcept
   const std::size_t row = index / columns, column = index % columns;
   float y = box.y;
   for (std::size_t i = 0; i < row; ++i) y += heights[i] + gap;
-  return {box.x + static_cast<float>(column) * (width + gap), y, width, heights[row]};
+  const std::size_t in_row = std::min<std::size_t>(columns, count - row * columns);
+  const auto all = static_cast<float>(columns), here = static_cast<float>(in_row);
+  const float wide = fills ? std::floor(all * (width + gap) / here - gap) : width;
+  return {box.x + static_cast<float>(column) * (wide + gap), y, wide, heights[row]};
 }
 
 bool have_room(Sheet& sheet, std::span<const std::int32_t> controls, float width,
@@ -30,7 +33,8 @@ bool have_room(Sheet& sheet, std::span<const std::int32_t> controls, float width
 }
 
 ButtonGrid grid_of(Sheet& sheet, std::span<const std::int32_t> controls, const GridRules& rules) {
-  ButtonGrid grid{.gap = rules.gap, .heights = {}};
+  ButtonGrid grid{
+      .gap = rules.gap, .count = controls.size(), .fills = rules.fills, .heights = {}};
   if (controls.empty()) return grid;
   const auto count = static_cast<std::uint32_t>(controls.size());
   const float touch = sheet.measures().touch;

@@ -12,6 +12,8 @@ namespace docent::interface {
 struct ButtonGrid {
   std::uint32_t columns = 1;
   float width = 0, gap = 0;    ///< Of each, and between them.
+  std::size_t count = 0;       ///< How many there are.
+  bool fills = false;          ///< Those of the last row are as wide as all of it.
   std::vector<float> heights;  ///< Of each row.
 
   float height() const noexcept;
@@ -27,6 +29,7 @@ struct GridRules {
   std::uint32_t most_columns = 100;
   std::uint32_t lines = 2;           ///< A word has at most so many, where there are two columns.
   float above = 0;                   ///< How much of a control's height its word leaves free.
+  bool fills = false;                ///< The last row is as wide as the others.
   float least = 0;                   ///< Height of a control; 0: that of a fingertip.
 };
 

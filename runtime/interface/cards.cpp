@@ -389,7 +389,7 @@ class GuidesOnCard {
     const auto fits = [&] {
       grid.width = std::floor((width - static_cast<float>(grid.columns - 1) * gap_) /
                               static_cast<float>(grid.columns));
-      return std::ranges::all_of(guides_, [&](const auto& guide) {
+      return grid.width >= sheet_.measures().touch && std::ranges::all_of(guides_, [&](const auto& guide) {
         return sheet_.longest_word(style_, sheet_.label_of(guide.first)) <=
                grid.width - 2 * pad();
       });
@@ -453,12 +453,13 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   std::vector<Block> body{beside_corner(sheet, {title}, gap)};
   for (const std::int32_t control : list_items(sheet))
     body.push_back(row_block(sheet, control, gap));
-  constexpr std::array<std::string_view, 4> buttons{"page:previous", "page:next", "back", "home"};
+  constexpr std::array<std::string_view, 2> pages{"page:previous", "page:next"};
+  constexpr std::array<std::string_view, 2> buttons{"back", "home"};
   constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
   lay_out_column(sheet, content, std::move(body),
                  {lists == Listed::OwnTour ? card_buttons(sheet, start, gap)
                                            : languages_block(sheet, gap),
-                  card_buttons(sheet, buttons, 0)});
+                  card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)});
 }
 
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
@@ -495,7 +496,7 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
       card_of(shape, std::max(seats, 1U), 1).height * static_cast<float>(shape.height);
   const float gap = std::round(m.unit / 2);
   const float room = height - 2 * std::round(card_margin * m.unit) - height_of_heading(m) -
-                     2 * m.touch - m.gap - gap;
+                     3 * m.touch - m.gap - 2 * gap;
   return static_cast<std::uint32_t>(
       std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
 }

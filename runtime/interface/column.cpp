@@ -81,7 +81,8 @@ void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
   const float foot_height = height_of(foot, box.width);
   const float spare = box.height - height_of(body, box.width) - between - foot_height;
   if (spare >= 0) {
-    draw_blocks(body, {box.x, box.y, box.width, box.height - foot_height - between}, spare);
+    draw_blocks(body, {box.x, box.y, box.width, box.height - foot_height - between},
+                std::max(0.0F, spare - between));
     return draw_blocks(foot, {box.x, box.bottom() - foot_height, box.width, foot_height}, 0);
   }
   // The last blocks of the foot stay, as many as leave enough to read.

@@ -196,6 +196,12 @@ std::vector<Control> touches_to(const Museum& museum, const InterfaceState& stat
                                 std::uint32_t per_page, std::string_view name,
                                 std::size_t most = 3);
 
+/// Is it one of the two that turn what is longer than there is room for? They are in no
+/// controls_of(): whether there is anything to turn is found out when a view is laid out.
+constexpr bool turns_what_scrolls(std::string_view name) noexcept {
+  return name == "text-up" || name == "text-down";
+}
+
 /// Does any view of this museum have a control of that name?
 bool is_control_name(const Museum& museum, std::string_view name);
 

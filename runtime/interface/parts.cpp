@@ -213,6 +213,7 @@ Block buttons_block(Sheet& sheet, std::vector<RowButton> all, float gap, float l
                    {.width = width,
                     .margin = sheet.button_margin(),
                     .gap = sheet.measures().gap,
+                    .fills = true,
                     .least = least});
   };
   return {.height = [grid](float width) { return grid(width).height(); },

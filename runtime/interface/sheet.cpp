@@ -18,7 +18,6 @@ float capitals_mm(Letters letters) noexcept {
     case Letters::Body:
       return 5;
     case Letters::Item:
-      return 5.4F;
     case Letters::Label:
     case Letters::Lead:
       return 7;
@@ -306,7 +305,9 @@ std::string_view Sheet::label_of(std::int32_t control) const noexcept {
 
 void Sheet::control_word(std::int32_t control, const PixelBox& box, Align align,
                          scene::Colour colour) {
-  const TextPiece word = set(word_style(control, box.width), label_of(control), box.width);
+  TextStyle style = word_style(control, box.width);
+  style.centred = align == Align::Centre;
+  const TextPiece word = set(style, label_of(control), box.width);
   piece(word, box.x, box.y + (box.height - word.height) / 2, box.width, align, colour, control);
 }
 

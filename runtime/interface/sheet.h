@@ -21,7 +21,7 @@ enum class Align : std::uint8_t { Start, Centre, End };
 enum class Letters : std::uint8_t {
   Small,    ///< Names of galleries, numbers: 5.
   Body,     ///< What an exhibit has to say: 5.
-  Item,     ///< What a list holds: 5.4, medium.
+  Item,     ///< What a list holds: 7, medium.
   Label,    ///< Controls: 7, medium.
   Lead,     ///< A sentence that leads on: 7.
   Heading,  ///< A question: 8, serif.

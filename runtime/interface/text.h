@@ -21,6 +21,7 @@ struct TextStyle {
   std::uint16_t first_line = 0;
   std::uint16_t line_count = 0;  ///< ... of so many lines; 0: all.
   bool right_to_left = false;
+  bool centred = false;         ///< Each line.
   bool tabular = false;       ///< Figures of one width, for numbers that change.
   std::string_view language;  ///< BCP 47; chooses between the forms of shared characters.
 
