@@ -71,9 +71,8 @@ bool lies_in_scroll(const interface::View& view, std::int32_t control) noexcept 
 /// Is it the same text or list as before, so that one reads on where one was?
 bool is_same_page(const interface::InterfaceState& a, const interface::InterfaceState& b) noexcept {
   return a.screen == b.screen && a.exhibit == b.exhibit && a.place == b.place &&
-         a.seeks == b.seeks && a.lists == b.lists && a.page == b.page &&
-         a.language == b.language && a.large_letters == b.large_letters &&
-         a.low_reach == b.low_reach;
+         a.seeks == b.seeks && a.lists == b.lists && a.page == b.page && a.language == b.language &&
+         a.large_letters == b.large_letters && a.low_reach == b.low_reach;
 }
 
 /// Does it turn what scrolls to where there is nothing more?
@@ -191,8 +190,7 @@ bool Overlay::is_dragged_by(std::uint32_t finger) const noexcept {
 /// Who comes to a control by keys sees all of it.
 void Overlay::reveal_focus() noexcept {
   if (!view_ || focus_ < 0) return;
-  const float offset =
-      interface::offset_showing(view_->scroll, focus_, scroller_.offset());
+  const float offset = interface::offset_showing(view_->scroll, focus_, scroller_.offset());
   if (offset != scroller_.offset()) scroller_.go_to(offset);
   interface::place_scrolled(*view_, scrolled());
 }

@@ -81,7 +81,7 @@ class Overlay {
     std::int32_t control = -1;
     bool held = false;
     bool drags = false;  ///< What scrolls.
-    float age = 1;  ///< Seconds since it was let go.
+    float age = 1;       ///< Seconds since it was let go.
   };
 
   float press_depth(std::int32_t control) const noexcept;

@@ -8,8 +8,8 @@
 
 namespace docent::guide {
 
-/// How far the part of a view that scrolls has been moved: by one finger, which drags it and lets it
-/// run on calmly; or a page at a time.
+/// How far the part of a view that scrolls has been moved: by one finger, which drags it and lets
+/// it run on calmly; or a page at a time.
 ///
 /// For the frame thread; nothing allocates or throws. Lengths are shares of the screen's height.
 class Scroller {
@@ -36,8 +36,9 @@ class Scroller {
  private:
   bool reduced_motion_;
   float offset_ = 0;
-  float speed_ = 0;                      ///< A second; of what runs on.
-  float from_ = 0, to_ = 0, glide_ = 0;  ///< Of a page that is turned; the share of it that is done.
+  float speed_ = 0;  ///< A second; of what runs on.
+  float from_ = 0, to_ = 0,
+        glide_ = 0;  ///< Of a page that is turned; the share of it that is done.
   bool glides_ = false;
   std::optional<std::uint32_t> finger_;
   bool drags_ = false;

@@ -33,8 +33,7 @@ bool have_room(Sheet& sheet, std::span<const std::int32_t> controls, float width
 }
 
 ButtonGrid grid_of(Sheet& sheet, std::span<const std::int32_t> controls, const GridRules& rules) {
-  ButtonGrid grid{
-      .gap = rules.gap, .count = controls.size(), .fills = rules.fills, .heights = {}};
+  ButtonGrid grid{.gap = rules.gap, .count = controls.size(), .fills = rules.fills, .heights = {}};
   if (controls.empty()) return grid;
   const auto count = static_cast<std::uint32_t>(controls.size());
   const float touch = sheet.measures().touch;

@@ -23,14 +23,14 @@ struct ButtonGrid {
 
 /// What a grid has to be like.
 struct GridRules {
-  float width = 0;                   ///< Of all of it.
-  float margin = 0;                  ///< How much of a control's width its word leaves free.
+  float width = 0;   ///< Of all of it.
+  float margin = 0;  ///< How much of a control's width its word leaves free.
   float gap = 0;
   std::uint32_t most_columns = 100;
-  std::uint32_t lines = 2;           ///< A word has at most so many, where there are two columns.
-  float above = 0;                   ///< How much of a control's height its word leaves free.
-  bool fills = false;                ///< The last row is as wide as the others.
-  float least = 0;                   ///< Height of a control; 0: that of a fingertip.
+  std::uint32_t lines = 2;  ///< A word has at most so many, where there are two columns.
+  float above = 0;          ///< How much of a control's height its word leaves free.
+  bool fills = false;       ///< The last row is as wide as the others.
+  float least = 0;          ///< Height of a control; 0: that of a fingertip.
 };
 
 /// As many beside each other as have room for their words, unbroken and in that many lines. What

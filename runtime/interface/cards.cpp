@@ -242,8 +242,8 @@ Block card_buttons(Sheet& sheet, std::span<const std::string_view> names, float 
   std::vector<RowButton> there;
   for (const std::string_view name : names) {
     const bool is_strong = name == "stop" || name == "start-tour";
-    there.push_back({sheet.control(name),
-                     is_strong ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft});
+    there.push_back(
+        {sheet.control(name), is_strong ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft});
   }
   return buttons_block(sheet, std::move(there), gap);
 }
@@ -298,18 +298,18 @@ Block row_block(Sheet& sheet, std::int32_t control, float gap) {
   const std::int32_t collect =
       action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
   const float aside = collect < 0 ? 0 : m.touch + std::round(m.unit / 2);
-  return {.height = [&sheet, control, aside](
-                        float width) { return height_of_row_in(sheet, control, width - aside); },
-          .draw =
-              [&sheet, control, collect, aside](const PixelBox& box) {
-                const float touch = sheet.measures().touch;
-                draw_row(sheet, control, {box.x, box.y, box.width - aside, box.height});
-                if (collect >= 0)
-                  draw_collect(sheet, collect,
-                               {box.right() - touch, box.y + (box.height - touch) / 2, touch,
-                                touch});
-              },
-          .gap = gap};
+  return {
+      .height = [&sheet, control,
+                 aside](float width) { return height_of_row_in(sheet, control, width - aside); },
+      .draw =
+          [&sheet, control, collect, aside](const PixelBox& box) {
+            const float touch = sheet.measures().touch;
+            draw_row(sheet, control, {box.x, box.y, box.width - aside, box.height});
+            if (collect >= 0)
+              draw_collect(sheet, collect,
+                           {box.right() - touch, box.y + (box.height - touch) / 2, touch, touch});
+          },
+      .gap = gap};
 }
 
 /// All the guides side by side.
@@ -347,7 +347,8 @@ void lay_out_welcome_card(Sheet& sheet, const PixelBox& card) {
 
 namespace {
 
-/// The guides, as many beside each other as have room for what they are called.
+/// The guides in rows. Where a card is too narrow for what they are called, they are seen, and
+/// heard.
 struct GuideGrid {
   std::uint32_t columns = 4;
   float width = 0, words = 0;  ///< Of a cell; the height of what is written in it.
@@ -356,7 +357,9 @@ struct GuideGrid {
 class GuidesOnCard {
  public:
   explicit GuidesOnCard(Sheet& sheet)
-      : sheet_(sheet), gap_(std::round(sheet.measures().unit)), style_(sheet.style(Letters::Small)) {
+      : sheet_(sheet),
+        gap_(std::round(sheet.measures().unit)),
+        style_(sheet.style(Letters::Small)) {
     style_.line_height = style_.line_height > 1.5F ? 1.4F : 1.15F;
     for (std::uint32_t i = 0; i < scene::guide_look_count; ++i)
       if (const auto control = sheet.control("look:" + std::string(scene::looks[i].name));
@@ -366,7 +369,7 @@ class GuidesOnCard {
 
   Block block(float gap) const {
     const auto least = [self = *this](float width) {
-      constexpr float figure = 9;  // units
+      constexpr float figure = 6;  // units
       const GuideGrid grid = self.grid_in(width);
       return self.rows_of(grid) *
                  (figure * self.sheet_.measures().unit + grid.words + 2 * self.pad() + self.gap_) -
@@ -386,19 +389,20 @@ class GuidesOnCard {
   }
   GuideGrid grid_in(float width) const {
     GuideGrid grid;
-    const auto fits = [&] {
-      grid.width = std::floor((width - static_cast<float>(grid.columns - 1) * gap_) /
-                              static_cast<float>(grid.columns));
-      return grid.width >= sheet_.measures().touch && std::ranges::all_of(guides_, [&](const auto& guide) {
-        return sheet_.longest_word(style_, sheet_.label_of(guide.first)) <=
-               grid.width - 2 * pad();
-      });
+    const auto width_of = [&](std::uint32_t columns) {
+      const auto n = static_cast<float>(columns);
+      return std::floor((width - (n - 1) * gap_) / n);
     };
-    while (!fits() && grid.columns > 1) grid.columns /= 2;
+    while (grid.columns > 1 && width_of(grid.columns) < sheet_.measures().touch) grid.columns /= 2;
+    grid.width = width_of(grid.columns);
+    const float room = grid.width - 2 * pad();
+    const bool are_named = std::ranges::all_of(guides_, [&](const auto& guide) {
+      return sheet_.longest_word(style_, sheet_.label_of(guide.first)) <= room;
+    });
     for (const auto& [control, look] : guides_)
-      grid.words = std::max(
-          grid.words,
-          sheet_.extent(style_, sheet_.label_of(control), grid.width - 2 * pad()).height);
+      if (are_named)
+        grid.words =
+            std::max(grid.words, sheet_.extent(style_, sheet_.label_of(control), room).height);
     return grid;
   }
   void draw(const PixelBox& box) const {
@@ -415,13 +419,12 @@ class GuidesOnCard {
   void draw_one(std::int32_t control, std::uint32_t look, float words, const PixelBox& cell) const {
     const Control& it = sheet_.at(control);
     sheet_.place(control, cell);
-    if (it.enabled)
-      sheet_.fill(cell, sheet_.theme().plaster, sheet_.measures().corner, control);
+    if (it.enabled) sheet_.fill(cell, sheet_.theme().plaster, sheet_.measures().corner, control);
     const PixelBox inside = cell.inset(pad());
     draw_figure(sheet_, scene::looks[look],
                 {inside.x, inside.y, inside.width, inside.height - words},
                 it.enabled ? 1 : taken_opacity, control);
-    if (!it.enabled) return;
+    if (!it.enabled || words <= 0) return;
     const TextPiece name = sheet_.set(style_, sheet_.label_of(control), inside.width);
     sheet_.piece(name, inside.x, inside.bottom() - (words + name.height) / 2, inside.width,
                  Align::Centre, sheet_.theme().ink, control);
@@ -456,10 +459,10 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   constexpr std::array<std::string_view, 2> pages{"page:previous", "page:next"};
   constexpr std::array<std::string_view, 2> buttons{"back", "home"};
   constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
-  lay_out_column(sheet, content, std::move(body),
-                 {lists == Listed::OwnTour ? card_buttons(sheet, start, gap)
-                                           : languages_block(sheet, gap),
-                  card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)});
+  lay_out_column(
+      sheet, content, std::move(body),
+      {lists == Listed::OwnTour ? card_buttons(sheet, start, gap) : languages_block(sheet, gap),
+       card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)});
 }
 
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {

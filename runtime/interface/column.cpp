@@ -37,8 +37,8 @@ void scroll(Sheet& sheet, const std::vector<Block>& blocks, const PixelBox& box)
   const PixelBox area{box.x, box.y, box.width - m.touch - std::round(m.unit), box.height};
   const Sheet::Mark mark = sheet.mark();
   draw_blocks(blocks, area, 0);
-  const std::int32_t up = sheet.add_control(
-      button(sheet.museum(), "text-up", "text_up", {Action::Kind::Scroll, 0}));
+  const std::int32_t up =
+      sheet.add_control(button(sheet.museum(), "text-up", "text_up", {Action::Kind::Scroll, 0}));
   const std::int32_t down = sheet.add_control(
       button(sheet.museum(), "text-down", "text_down", {Action::Kind::Scroll, 1}));
   const PixelBox between{rail.x, rail.y + m.touch + m.unit, rail.width,
@@ -54,8 +54,8 @@ void scroll(Sheet& sheet, const std::vector<Block>& blocks, const PixelBox& box)
 Block text_block(Sheet& sheet, const TextStyle& style, std::string text, scene::Colour colour,
                  float gap) {
   const auto shared = std::make_shared<const std::string>(std::move(text));
-  return {.height = [&sheet, style, shared](
-                        float width) { return sheet.height_of(style, *shared, width); },
+  return {.height = [&sheet, style,
+                     shared](float width) { return sheet.height_of(style, *shared, width); },
           .draw =
               [&sheet, style, shared, colour](const PixelBox& box) {
                 sheet.text(style, *shared, box.x, box.y, box.width, colour);
@@ -100,8 +100,7 @@ void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
   std::move(foot.begin(), first, std::back_inserter(body));
   foot.erase(foot.begin(), first);
   draw_blocks(foot, {box.x, box.bottom() - height, box.width, height}, 0);
-  scroll(sheet, body,
-         {box.x, box.y, box.width, box.height - height - (height > 0 ? m.gap : 0)});
+  scroll(sheet, body, {box.x, box.y, box.width, box.height - height - (height > 0 ? m.gap : 0)});
 }
 
 }  // namespace docent::interface

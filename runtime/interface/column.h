@@ -12,7 +12,7 @@ namespace docent::interface {
 struct Block {
   std::function<float(float width)> height;
   std::function<void(const PixelBox& box)> draw;
-  float gap = 0;       ///< Before the next.
+  float gap = 0;  ///< Before the next.
   /// It takes what room there is left, up to that height; empty: none.
   std::function<float(float width)> most{};
 };

@@ -149,10 +149,11 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   const float room = free.width - 2 * m.gap - 2 * gap;
   const float wanted = std::round(ordinary * m.unit * sheet.request().shape.text_scale);
   const float whole = std::min(room, count * (wanted + gap) - gap);
-  const ButtonGrid grid = grid_of(sheet, controls,
-                                  {.width = whole, .margin = sheet.signed_margin(), .gap = gap});
+  const ButtonGrid grid =
+      grid_of(sheet, controls, {.width = whole, .margin = sheet.signed_margin(), .gap = gap});
   // Where letters are large and the glass is small, signs alone leave the model to be seen.
-  if (grid.height() > most_height * free.height) return draw_senses(sheet, free, draw_signs(sheet, free, shown));
+  if (grid.height() > most_height * free.height)
+    return draw_senses(sheet, free, draw_signs(sheet, free, shown));
   const float width = whole + 2 * gap, height = grid.height() + 2 * gap;
   const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
   draw_board(sheet, board);

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "runtime/interface/face.h"
-#include "runtime/interface/phrases.h"
-#include "runtime/interface/seats.h"
 #include "runtime/interface/parts.h"
+#include "runtime/interface/phrases.h"
 #include "runtime/interface/scroll.h"
+#include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
@@ -69,8 +69,8 @@ void lower(View& view, const ScreenShape& shape) noexcept {
   for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board,
                             &view.scroll.rect, &view.scroll.rail})
     move(*rect);
-  for (float* length : {&view.scroll.length, &view.scroll.page, &view.scroll.least,
-                        &view.scroll.fade})
+  for (float* length :
+       {&view.scroll.length, &view.scroll.page, &view.scroll.least, &view.scroll.fade})
     *length *= down;
   for (ScrollArea::Scrolled& one : view.scroll.controls) move(one.rect);
   view.pixel_width = width;

@@ -97,7 +97,7 @@ std::vector<OnGlass> on_glass(const Museum& museum, const View& view, const Scre
     if (label.control < 0) lister.add_label(label.words, label.rect);
   const auto counted = std::ranges::find_if(
       view.remaining, [&](const CountedText& text) { return remaining <= text.metres; });
-  if (counted != view.remaining.end()) 
+  if (counted != view.remaining.end())
     lister.add_label(counted->words, seen(counted->quad, view.remaining_scrolls));
   return std::move(lister.items);
 }

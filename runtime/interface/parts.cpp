@@ -78,7 +78,8 @@ struct RouteGrid {
   ButtonGrid grid;
   bool is_beside = false;  ///< A sample and its words.
 };
-RouteGrid routes_in(Sheet& sheet, std::span<const std::int32_t> controls, float width, Along along) {
+RouteGrid routes_in(Sheet& sheet, std::span<const std::int32_t> controls, float width,
+                    Along along) {
   const Measures& m = sheet.measures();
   const float pad = std::round(route_pad * m.unit), thick = std::round(sample_thick * m.unit);
   GridRules rules{.width = width,
@@ -100,8 +101,7 @@ std::vector<std::int32_t> controls_that(Sheet& sheet, Action::Kind does, Role ro
   std::vector<std::int32_t> controls;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
     const Control& it = sheet.view().controls[i];
-    if (it.action.kind == does && it.role == role)
-      controls.push_back(static_cast<std::int32_t>(i));
+    if (it.action.kind == does && it.role == role) controls.push_back(static_cast<std::int32_t>(i));
   }
   return controls;
 }
@@ -296,7 +296,8 @@ float draw_floors(Sheet& sheet, const PixelBox& free) {
   style.line_height = 1.15F;
   float width = height;
   for (const std::int32_t control : controls)
-    width = std::max(width, m.unit + sheet.extent(style, floor_of(control).plan.short_name, 1e4F).width);
+    width = std::max(width,
+                     m.unit + sheet.extent(style, floor_of(control).plan.short_name, 1e4F).width);
   const float x = free.right() - m.margin - width;
   float y = std::round(free.y + (free.height - count * height - (count - 1) * gap) / 2);
   const PixelBox board{x - gap, y - gap, width + 2 * gap, count * (height + gap) + gap};
@@ -532,9 +533,9 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box, float pi
   const float width = width_of_texts(sheet, box.width, picture);
   const CardTexts texts = texts_of(sheet, control, width);
   const float top = box.y + (box.height - texts.height()) / 2;
-  sheet.text_of(control, texts.title, sheet.label_of(control), x, top, width,
-                leads_to_closed(sheet, sheet.at(control)) ? sheet.theme().quiet_ink
-                                                          : sheet.theme().ink);
+  sheet.text_of(
+      control, texts.title, sheet.label_of(control), x, top, width,
+      leads_to_closed(sheet, sheet.at(control)) ? sheet.theme().quiet_ink : sheet.theme().ink);
   sheet.text_of(control, texts.line, texts.second, x, top + texts.title_height, width,
                 sheet.theme().quiet_ink);
 }

@@ -10,7 +10,10 @@ namespace {
 
 std::string key_of(const TextStyle& s, std::string_view text, std::uint32_t width) {
   return fmt::format("text|{}|{}|{}|{}|{},{},{}|{}{}|{}|{}|{}", static_cast<int>(s.family),
-                     s.weight, s.size, s.line_height, s.max_lines, s.first_line, s.line_count, s.centred ? 'c' : s.right_to_left ? 'r' : 'l',
+                     s.weight, s.size, s.line_height, s.max_lines, s.first_line, s.line_count,
+                     s.centred         ? 'c'
+                     : s.right_to_left ? 'r'
+                                       : 'l',
                      s.tabular ? 't' : 'p', s.language, width, text);
 }
 

@@ -90,7 +90,7 @@ class PieceCache {
   std::uint64_t view_ = 0;
   std::map<std::string, Entry, std::less<>> entries_;
   std::map<std::string, TextPiece, std::less<>> extents_;  ///< Of at most `most_extents` texts.
-  std::vector<scene::TextureId> free_;  ///< Descending.
+  std::vector<scene::TextureId> free_;                     ///< Descending.
   PieceChanges changes_;
 };
 

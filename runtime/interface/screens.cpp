@@ -8,9 +8,9 @@
 
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
-#include "runtime/interface/parts.h"
 
 namespace docent::interface {
 
@@ -83,11 +83,10 @@ Block remaining_block(Sheet& sheet, const RouteSummary& summary) {
               [&sheet, style, lines](const PixelBox& box) {
                 for (const CountedLine& line : *lines) {
                   const TextPiece piece = sheet.set(style, line.text, box.width);
-                  sheet.view().remaining.push_back(
-                      {line.metres,
-                       sheet.quad_of(piece, box.x, box.y, box.width, Align::Start,
-                                     sheet.theme().ink),
-                       sheet.words_of(piece)});
+                  sheet.view().remaining.push_back({line.metres,
+                                                    sheet.quad_of(piece, box.x, box.y, box.width,
+                                                                  Align::Start, sheet.theme().ink),
+                                                    sheet.words_of(piece)});
                 }
               },
           .gap = sheet.measures().gap};
@@ -246,10 +245,10 @@ std::vector<Block> invitation_blocks(Sheet& sheet, Letters title) {
   blocks.push_back(
       text_block(sheet, sheet.style(Letters::Body), std::string(follow), theme.quiet_ink, 0));
   blocks.push_back(heading_block(sheet, title, std::move(name), theme.ink, m.unit));
-  blocks.push_back(summary ? remaining_block(sheet, *summary)
-                           : text_block(sheet, sheet.style(Letters::Body),
-                                        std::string(sheet.word("planning")), theme.quiet_ink,
-                                        m.gap));
+  blocks.push_back(summary
+                       ? remaining_block(sheet, *summary)
+                       : text_block(sheet, sheet.style(Letters::Body),
+                                    std::string(sheet.word("planning")), theme.quiet_ink, m.gap));
   return blocks;
 }
 
@@ -272,8 +271,8 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
   }
   body.push_back(text_block(sheet, sheet.style(Letters::Label),
                             std::string(sheet.local(museum.title)), theme.quiet_ink, m.gap));
-  body.push_back(heading_block(sheet, Letters::Welcome, std::string(sheet.word("welcome")),
-                               theme.ink, m.gap));
+  body.push_back(
+      heading_block(sheet, Letters::Welcome, std::string(sheet.word("welcome")), theme.ink, m.gap));
   body.push_back(text_block(sheet, sheet.style(Letters::Lead),
                             std::string(sheet.local(museum.welcome)), theme.quiet_ink, m.gap));
   std::vector<Block> foot{buttons_block(sheet,
@@ -306,10 +305,8 @@ Block item_block(Sheet& sheet, std::int32_t control, float gap) {
   const float least = list_shape(sheet.request().shape).row_height;
   if (action.kind == Action::Kind::Speak)
     return {.height = [least](float) { return least; },
-            .draw =
-                [&sheet, control](const PixelBox& box) {
-                  draw_language(sheet, control, box, Align::Start);
-                },
+            .draw = [&sheet, control](
+                        const PixelBox& box) { draw_language(sheet, control, box, Align::Start); },
             .gap = gap};
   const std::int32_t collect =
       action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
@@ -320,10 +317,8 @@ Block item_block(Sheet& sheet, std::int32_t control, float gap) {
           [&sheet, control, collect, least, between](float width) {
             const float aside = width_of_collect(sheet, collect, width);
             const float room = aside - sheet.measures().unit;
-            const float word = sheet
-                                   .extent(sheet.word_style(collect, room),
-                                           sheet.label_of(collect), room)
-                                   .height;
+            const float word =
+                sheet.extent(sheet.word_style(collect, room), sheet.label_of(collect), room).height;
             const float card = height_of_card(sheet, control, width - aside - between, least);
             return aside > sheet.measures().touch ? std::max(card, word + between) : card;
           },
@@ -362,15 +357,15 @@ std::vector<Block> list_blocks(Sheet& sheet, const PixelBox& content) {
   for (const std::int32_t control : list_items(sheet))
     items.push_back(item_block(sheet, control, list.row_gap));
   constexpr float least_column = 50;  // units
-  const bool in_two = list.columns > 1 && content.width / 2 >= least_column * m.unit *
-                                                                   sheet.request().shape.text_scale;
+  const bool in_two = list.columns > 1 &&
+                      content.width / 2 >= least_column * m.unit * sheet.request().shape.text_scale;
   if (!in_two) return items;
   const Block none{.height = [](float) { return 0.0F; }, .draw = [](const PixelBox&) {}};
   std::vector<Block> rows;
   const std::size_t half = (items.size() + 1) / 2;
   for (std::size_t i = 0; i < half; ++i)
-    rows.push_back(pair_block(items[i], half + i < items.size() ? items[half + i] : none,
-                              2 * m.gap, list.row_gap));
+    rows.push_back(pair_block(items[i], half + i < items.size() ? items[half + i] : none, 2 * m.gap,
+                              list.row_gap));
   return rows;
 }
 
@@ -378,8 +373,7 @@ std::vector<Block> list_blocks(Sheet& sheet, const PixelBox& content) {
 Block pages_block(Sheet& sheet) {
   const InterfaceState& state = sheet.request().state;
   const Museum& museum = sheet.museum();
-  const std::uint32_t pages =
-      page_count(museum, state, exhibits_per_page(sheet.request().shape));
+  const std::uint32_t pages = page_count(museum, state, exhibits_per_page(sheet.request().shape));
   const std::array both{sheet.control("page:previous"), sheet.control("page:next")};
   const std::uint32_t page = std::min(state.page, pages - 1);
   std::string text = filled_in(sheet.word("page_of"), "n",
@@ -426,9 +420,8 @@ Block pages_block(Sheet& sheet) {
 void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   const Listed lists = sheet.request().state.lists;
-  std::vector<Block> body{heading_block(sheet, Letters::Heading,
-                                        std::string(sheet.word(title_of(lists))),
-                                        sheet.theme().ink, m.gap)};
+  std::vector<Block> body{heading_block(
+      sheet, Letters::Heading, std::string(sheet.word(title_of(lists))), sheet.theme().ink, m.gap)};
   if (lists == Listed::OwnTour)
     body.push_back(text_block(sheet, sheet.style(Letters::Small), own_tour_line(sheet),
                               sheet.theme().quiet_ink, m.unit));
@@ -454,8 +447,7 @@ namespace {
 struct TwoColumns {
   std::vector<Block> left, right, right_foot, foot;
 };
-bool lay_out_in_two(Sheet& sheet, const PixelBox& content, const TwoColumns& columns,
-                    float share) {
+bool lay_out_in_two(Sheet& sheet, const PixelBox& content, const TwoColumns& columns, float share) {
   const Measures& m = sheet.measures();
   if (is_landscape(sheet.request().shape)) return false;
   constexpr float least_column = 50;  // units
@@ -485,10 +477,10 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   all.left = invitation_blocks(sheet, Letters::Title);
   append(all.left, sentence_blocks(sheet));
   all.left.push_back(picture_block(sheet, 0, 12 * m.unit, 0));
-  all.right_foot = {text_block(sheet, sheet.style(Letters::Body),
-                               std::string(sheet.word("route_title")), sheet.theme().quiet_ink,
-                               m.unit),
-                    routes_block(sheet, Along::Column, m.gap)};
+  all.right_foot = {
+      text_block(sheet, sheet.style(Letters::Body), std::string(sheet.word("route_title")),
+                 sheet.theme().quiet_ink, m.unit),
+      routes_block(sheet, Along::Column, m.gap)};
   all.foot = {buttons_block(sheet,
                             {{sheet.control("stop"), Sheet::Emphasis::Strong},
                              middle,
@@ -510,8 +502,7 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   if (!cards.empty())
     all.right_foot.push_back(
         text_block(sheet, sheet.style(Letters::Small),
-                   std::string(
-                       sheet.word(sheet.control("next") >= 0 ? "tour_next" : "next_title")),
+                   std::string(sheet.word(sheet.control("next") >= 0 ? "tour_next" : "next_title")),
                    sheet.theme().quiet_ink, std::round(m.unit / 2)));
   for (const std::int32_t card : cards)
     all.right_foot.push_back(

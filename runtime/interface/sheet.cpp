@@ -189,7 +189,7 @@ float Sheet::height_of(const TextStyle& style, std::string_view text, float widt
 float Sheet::text_of(std::int32_t control, const TextStyle& style, std::string_view text, float x,
                      float y, float width, scene::Colour colour, Align align) {
   if (text.empty()) return y;
-  if (text.size() <= long_text) 
+  if (text.size() <= long_text)
     return piece(set(style, text, width), x, y, width, align, colour, control);
   TextStyle part = style;
   part.line_count = lines_of_part;
@@ -381,8 +381,8 @@ Sheet::Mark Sheet::mark() const noexcept {
   return {view_.elements.size(), placed_.size(), view_.remaining.size()};
 }
 
-void Sheet::scroll_since(const Mark& mark, const PixelBox& area, float length,
-                         const PixelBox& rail, std::int32_t up, std::int32_t down) {
+void Sheet::scroll_since(const Mark& mark, const PixelBox& area, float length, const PixelBox& rail,
+                         std::int32_t up, std::int32_t down) {
   ScrollArea& scroll = view_.scroll;
   scroll.rect = share_of(area);
   scroll.rail = share_of(rail);
@@ -405,8 +405,7 @@ void Sheet::put_scroll_controls_in_order() {
   if (!scroll.exists()) return;
   constexpr std::int32_t count = 2;
   std::int32_t place = 0;
-  for (const ScrollArea::Scrolled& one : scroll.controls)
-    place = std::max(place, one.control + 1);
+  for (const ScrollArea::Scrolled& one : scroll.controls) place = std::max(place, one.control + 1);
   std::rotate(view_.controls.begin() + place, view_.controls.end() - count, view_.controls.end());
   const auto last = static_cast<std::int32_t>(view_.controls.size()) - count;
   const auto moved = [&](std::int32_t& control) {

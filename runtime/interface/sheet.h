@@ -173,8 +173,8 @@ class Sheet {
   scene::Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
-  scene::Rect turned_{0, 0, 1, 1};  ///< What finish() mirrors.
-  std::vector<std::int32_t> placed_;       ///< Controls, in the order in which they were.
+  scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.
+  std::vector<std::int32_t> placed_;  ///< Controls, in the order in which they were.
 };
 
 }  // namespace docent::interface

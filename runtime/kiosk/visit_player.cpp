@@ -135,8 +135,7 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
     return {};
   }
   // Spots stand still only when the camera does.
-  if (control->role == interface::Role::Spot && !guide.is_settled(part))
-    return {};
+  if (control->role == interface::Role::Spot && !guide.is_settled(part)) return {};
   tap_on(*control);
   if (touches.size() == 1) named_.pop_front();
   return {};

@@ -41,8 +41,8 @@ enum class QuadFill : std::uint8_t {
   Frame,   ///< The outline of the rectangle with corners, within it, `softness` thick.
 };
 
-/// What is seen of a rectangle from its upper to its lower edge, where it lies in a part of the glass
-/// that scrolls. Shares of the screen's height.
+/// What is seen of a rectangle from its upper to its lower edge, where it lies in a part of the
+/// glass that scrolls. Shares of the screen's height.
 struct Clip {
   float top = -1, bottom = 2;
   float fade_above = 0, fade_below = 0;  ///< Within these it fades towards that edge.

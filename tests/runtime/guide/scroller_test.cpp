@@ -8,7 +8,11 @@ namespace {
 constexpr float frame = 1.0F / 60, slack = 0.01F;
 
 interface::ScrollArea long_text() {
-  return {.rect = {0, 0.2F, 0.4F, 0.5F}, .length = 2, .page = 0.4F, .controls = {}};
+  interface::ScrollArea area;
+  area.rect = {0, 0.2F, 0.4F, 0.5F};
+  area.length = 2;
+  area.page = 0.4F;
+  return area;
 }
 
 input::Contact finger_at(float y) {

@@ -23,7 +23,8 @@ constexpr std::array further_languages{"de", "es", "fr", "he", "hi", "ja", "ko",
 Museum in_all_languages() {
   Museum museum = test::sample_museum_without_walls();
   for (const std::string tag : further_languages) {
-    const auto file = config::load_words(test::source_dir() / "config/words" / (tag + ".toml"), tag);
+    const auto file =
+        config::load_words(test::source_dir() / "config/words" / (tag + ".toml"), tag);
     Language language;
     language.tag = tag;
     language.name = file.value->name.value;
@@ -60,10 +61,10 @@ Museum any_museum() {
 
 ViewRequest any_request(const Museum& museum) {
   ViewRequest request;
-  const auto [width, height, inches] = *rc::gen::element(
-      std::tuple{1024U, 768U, 24.0F}, std::tuple{768U, 1024U, 24.0F}, std::tuple{1920U, 1080U, 32.0F},
-      std::tuple{1080U, 1920U, 43.0F}, std::tuple{3840U, 2160U, 65.0F},
-      std::tuple{2160U, 3840U, 55.0F});
+  const auto [width, height, inches] =
+      *rc::gen::element(std::tuple{1024U, 768U, 24.0F}, std::tuple{768U, 1024U, 24.0F},
+                        std::tuple{1920U, 1080U, 32.0F}, std::tuple{1080U, 1920U, 43.0F},
+                        std::tuple{3840U, 2160U, 65.0F}, std::tuple{2160U, 3840U, 55.0F});
   request.shape = {.width = width, .height = height, .diagonal_inches = inches};
   request.shape.text_scale = *rc::gen::element(1.0F, 1.5F, 2.0F);
   request.state.large_letters = *rc::gen::arbitrary<bool>();

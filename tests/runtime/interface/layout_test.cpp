@@ -210,8 +210,7 @@ TEST(Card, KeepsItsControlsApartAndFingertipsWide) {
       RC_ASSERT(r.y >= card.y - 1e-4F && r.y + r.height <= card.y + card.height + 1e-4F);
       RC_ASSERT(r.width * view->pixel_width >= 15 * mm - 1);
       RC_ASSERT(r.height * view->pixel_height >= 15 * mm - 1);
-      for (std::size_t j = 0; j < i; ++j)
-        RC_ASSERT(!overlap(control.rect, view->controls[j].rect));
+      for (std::size_t j = 0; j < i; ++j) RC_ASSERT(!overlap(control.rect, view->controls[j].rect));
     }
   }));
 }
@@ -266,10 +265,10 @@ TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
   const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
 
   EXPECT_EQ(names_of(*english), names_of(*arabic));
-  const auto collect = [](const View& view) {
-    return std::ranges::find_if(view.controls, is_collect)->rect;
+  const auto help = [](const View& view) {
+    return std::ranges::find(view.controls, "toilets", &Control::name)->rect;
   };
-  const scene::Rect e = collect(*english), a = collect(*arabic);
+  const scene::Rect e = help(*english), a = help(*arabic);
   EXPECT_NEAR(a.x, 2 * card.x + card.width - e.x - e.width, 1e-5F);
 }
 
@@ -307,7 +306,8 @@ TEST(AClosedExhibit, SaysUntilWhenInTheListAndOnACard) {
   request.state.seats = 4;
   request.state.seat = 1;
   request.state.glass = Glass::Busy;
-  request.state.page = 0;
+  request.state.page = static_cast<std::uint32_t>(museum().tours.size()) /
+                       exhibits_per_page(request.shape, request.state);
 
   EXPECT_THAT(texts_of(request, first_closed()), Contains(HasSubstr("Closed until 5 p.m.")));
 }

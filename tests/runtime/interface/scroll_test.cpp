@@ -11,21 +11,22 @@ View half_a_screen() {
   view.controls = {{.name = "last", .label = {}, .action = {}, .rect = {}},
                    {.name = "text-up", .label = {}, .action = {}, .rect = {}},
                    {.name = "text-down", .label = {}, .action = {}, .rect = {}}};
-  view.scroll = {.rect = {0, 0.25F, 1, 0.5F},
-                 .length = 1,
-                 .page = 0.4F,
-                 .least = 0.05F,
-                 .controls = {{0, {0, 1.15F, 1, 0.1F}}},
-                 .up = 1,
-                 .down = 2};
+  ScrollArea& area = view.scroll;
+  area.rect = {0, 0.25F, 1, 0.5F};
+  area.length = 1;
+  area.page = 0.4F;
+  area.least = 0.05F;
+  area.controls = {{0, {0, 1.15F, 1, 0.1F}}};
+  area.up = 1;
+  area.down = 2;
   return view;
 }
 
 TEST(AScrollArea, HidesWhatLiesBeyondItsEdges) {
   const View view = half_a_screen();
 
-  EXPECT_EQ(seen_of(view.scroll, {0, 0.3F, 1, 0.1F}, 0), (scene::Rect{0, 0.3F, 1, 0.1F}));
-  EXPECT_FLOAT_EQ(seen_of(view.scroll, {0, 0.3F, 1, 0.1F}, 0.1F).height, 0.05F);
+  EXPECT_NEAR(seen_of(view.scroll, {0, 0.3F, 1, 0.1F}, 0).height, 0.1F, 1e-5F);
+  EXPECT_NEAR(seen_of(view.scroll, {0, 0.3F, 1, 0.1F}, 0.1F).height, 0.05F, 1e-5F);
   EXPECT_EQ(seen_of(view.scroll, {0, 0.3F, 1, 0.1F}, 0.3F), scene::Rect{});
 }
 

@@ -22,8 +22,8 @@ inline std::vector<scene::Rect> seen_texts(const interface::View& view, float of
   return texts;
 }
 
-/// Where a control is seen now, or where it is seen once what scrolls has been moved; empty where it
-/// never is.
+/// Where a control is seen now, or where it is seen once what scrolls has been moved; empty where
+/// it never is.
 inline scene::Rect reached(const interface::View& view, std::size_t control) {
   const interface::ScrollArea& area = view.scroll;
   const auto scrolled = std::ranges::find(area.controls, static_cast<std::int32_t>(control),

@@ -106,13 +106,14 @@ TEST(TheSentences, LieOverNoOtherTextAndNoControl) {
         const bool are_apart = &other == &text || !overlap(text, other);
         if (!are_apart)
           RC_LOG() << text.x << ' ' << text.y << ' ' << text.width << ' ' << text.height << " and "
-                   << other.x << ' ' << other.y << ' ' << other.width << ' ' << other.height << '\n';
+                   << other.x << ' ' << other.y << ' ' << other.width << ' ' << other.height
+                   << '\n';
         RC_ASSERT(are_apart);
       }
     for (const Element& element : view->elements) {
       if (element.quad.fill != scene::QuadFill::Text || element.control >= 0) continue;
-      const scene::Rect text = element.scrolls ? seen_of(view->scroll, element.quad.rect, 0)
-                                               : element.quad.rect;
+      const scene::Rect text =
+          element.scrolls ? seen_of(view->scroll, element.quad.rect, 0) : element.quad.rect;
       for (const Control& control : view->controls)
         if (control.role != Role::Spot) RC_ASSERT(!overlap(text, control.rect));
     }
