@@ -210,7 +210,7 @@ class Corner {
 
 /// Blocks with the helps beside them, or below those where that leaves them too little.
 Block beside_corner(Sheet& sheet, std::vector<Block> blocks, float gap) {
-  constexpr float least = 20;  // units
+  constexpr float least = 14;  // units
   const auto shared = std::make_shared<const std::vector<Block>>(std::move(blocks));
   const auto corner = std::make_shared<const Corner>(sheet);
   const float scale = sheet.request().shape.text_scale, unit = sheet.measures().unit;
@@ -369,7 +369,7 @@ class GuidesOnCard {
 
   Block block(float gap) const {
     const auto least = [self = *this](float width) {
-      constexpr float figure = 6;  // units
+      constexpr float figure = 5;  // units
       const GuideGrid grid = self.grid_in(width);
       return self.rows_of(grid) *
                  (figure * self.sheet_.measures().unit + grid.words + 2 * self.pad() + self.gap_) -
@@ -393,7 +393,9 @@ class GuidesOnCard {
       const auto n = static_cast<float>(columns);
       return std::floor((width - (n - 1) * gap_) / n);
     };
-    while (grid.columns > 1 && width_of(grid.columns) < sheet_.measures().touch) grid.columns /= 2;
+    // A fingertip, which is less than the height of other controls.
+    const float least = std::ceil(15 * sheet_.measures().mm) + 1;
+    while (grid.columns > 1 && width_of(grid.columns) < least) grid.columns /= 2;
     grid.width = width_of(grid.columns);
     const float room = grid.width - 2 * pad();
     const bool are_named = std::ranges::all_of(guides_, [&](const auto& guide) {
