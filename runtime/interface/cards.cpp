@@ -369,7 +369,7 @@ class GuidesOnCard {
 
   Block block(float gap) const {
     const auto least = [self = *this](float width) {
-      constexpr float figure = 5;  // units
+      constexpr float figure = 4;  // units
       const GuideGrid grid = self.grid_in(width);
       return self.rows_of(grid) *
                  (figure * self.sheet_.measures().unit + grid.words + 2 * self.pad() + self.gap_) -
