@@ -15,8 +15,7 @@ inline interface::TextBitmap boxes(const interface::TextStyle& style, std::strin
   for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1U : 0U;
   interface::TextBitmap bitmap;
   bitmap.lines = 1;
-  bitmap.width = std::min<std::uint32_t>(8 * letters + 1,
-                                         width == 0 ? 4000 : width);
+  bitmap.width = std::min<std::uint32_t>(8 * letters + 1, width == 0 ? 4000 : width);
   bitmap.height = static_cast<std::uint32_t>(style.size);
   bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
   return bitmap;
