@@ -38,7 +38,7 @@ Result<void> QuadPass::compile() {
   instances_ = make_buffer();
   glBindBuffer(GL_ARRAY_BUFFER, instances_.get());
   glBufferData(GL_ARRAY_BUFFER, most_instances * sizeof(Instance), nullptr, GL_STREAM_DRAW);
-  for (GLuint i = 0; i < 4; ++i) {
+  for (GLuint i = 0; i < sizeof(Instance) / (4 * sizeof(float)); ++i) {
     glEnableVertexAttribArray(i);
     glVertexAttribDivisor(i, 1);
     glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Instance),
@@ -88,7 +88,9 @@ void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
     staging_.push_back({{rect.x, rect.y, rect.width, rect.height},
                         {quad.uv.x, quad.uv.y, quad.uv.width, quad.uv.height},
                         {quad.colour.r, quad.colour.g, quad.colour.b, quad.colour.a},
-                        {quad.corner * shorter, softness, static_cast<float>(quad.fill), beyond}});
+                        {quad.corner * shorter, softness, static_cast<float>(quad.fill), beyond},
+                        {quad.clip.top * height, quad.clip.bottom * height,
+                         quad.clip.fade_above * height, quad.clip.fade_below * height}});
   }
   flush(bound);
 }

@@ -20,7 +20,7 @@ class QuadPass {
  private:
   /// One instance, in pixels.
   struct Instance {
-    std::array<float, 4> rect, uv, colour, shape;
+    std::array<float, 4> rect, uv, colour, shape, clip;
   };
   void flush(GLuint texture) noexcept;
 

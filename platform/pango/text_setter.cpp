@@ -95,7 +95,8 @@ class TextSetter {
     const std::lock_guard lock(one_at_a_time_);
     ++texts_;
     const Layout layout = lay_out(style, text, width);
-    return draw(layout.get());
+    return style.line_count == 0 ? draw(layout.get())
+                                 : draw_lines(layout.get(), style.first_line, style.line_count);
   }
 
   /// Cairo gives back what it keeps of fonts (every letter, in every size and at every quarter of a
@@ -143,11 +144,14 @@ class TextSetter {
                              std::min(static_cast<int>(width), most_pixels) * PANGO_SCALE);
     // Lines begin at the side where the language begins; Pango turns this round by itself only for
     // paragraphs that run against the base direction.
-    pango_layout_set_alignment(layout.get(),
-                               style.right_to_left ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    pango_layout_set_alignment(layout.get(), style.centred         ? PANGO_ALIGN_CENTER
+                                             : style.right_to_left ? PANGO_ALIGN_RIGHT
+                                                                   : PANGO_ALIGN_LEFT);
     pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
-    pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
-    pango_layout_set_height(layout.get(), -std::max<int>(style.max_lines, 1));
+    if (style.max_lines > 0) {
+      pango_layout_set_ellipsize(layout.get(), PANGO_ELLIPSIZE_END);
+      pango_layout_set_height(layout.get(), -static_cast<int>(style.max_lines));
+    }
 
     PangoAttrList* attributes = pango_attr_list_new();
     pango_attr_list_insert(attributes,
@@ -188,13 +192,47 @@ class TextSetter {
     pango_cairo_show_layout(cairo.get(), layout);
     cairo_surface_flush(surface.get());
 
+    take_coverage(rows, static_cast<std::size_t>(stride), bitmap);
+    return bitmap;
+  }
+
+  /// Some lines of a long text, which may be higher than any texture.
+  static interface::TextBitmap draw_lines(PangoLayout* layout, int first, int count) {
+    PangoRectangle ink, logical;
+    pango_layout_get_pixel_extents(layout, &ink, &logical);
+    const int left = std::min(ink.x, logical.x);
+    const int right = std::max(ink.x + ink.width, logical.x + logical.width);
+    const int lines = pango_layout_get_line_count(layout);
+    interface::TextBitmap bitmap;
+    bitmap.lines = static_cast<std::uint32_t>(lines);
+    const int end = std::min(lines, first + count);
+    if (first >= end) return bitmap;
+    const int line = logical.height / lines;
+    bitmap.width = static_cast<std::uint32_t>(std::clamp(right - left, 0, most_pixels));
+    bitmap.height = static_cast<std::uint32_t>(std::clamp((end - first) * line, 0, most_pixels));
+    if (bitmap.width == 0 || bitmap.height == 0) return bitmap;
+    const int stride =
+        cairo_format_stride_for_width(CAIRO_FORMAT_A8, static_cast<int>(bitmap.width));
+    std::vector<std::uint8_t> rows(static_cast<std::size_t>(stride) * bitmap.height);
+    const Surface surface(cairo_image_surface_create_for_data(
+        rows.data(), CAIRO_FORMAT_A8, static_cast<int>(bitmap.width),
+        static_cast<int>(bitmap.height), stride));
+    const Cairo cairo(cairo_create(surface.get()));
+    cairo_translate(cairo.get(), -left, -logical.y - first * line);
+    pango_cairo_show_layout(cairo.get(), layout);
+    cairo_surface_flush(surface.get());
+    take_coverage(rows, static_cast<std::size_t>(stride), bitmap);
+    return bitmap;
+  }
+
+  static void take_coverage(const std::vector<std::uint8_t>& rows, std::size_t stride,
+                            interface::TextBitmap& bitmap) {
     bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height);
     for (std::uint32_t y = 0; y < bitmap.height; ++y)
-      std::transform(rows.begin() + static_cast<std::ptrdiff_t>(y) * stride,
-                     rows.begin() + static_cast<std::ptrdiff_t>(y) * stride + bitmap.width,
+      std::transform(rows.begin() + static_cast<std::ptrdiff_t>(y * stride),
+                     rows.begin() + static_cast<std::ptrdiff_t>(y * stride + bitmap.width),
                      bitmap.coverage.begin() + static_cast<std::ptrdiff_t>(y) * bitmap.width,
                      [](std::uint8_t coverage) { return strengthened[coverage]; });
-    return bitmap;
   }
 
   static constexpr std::size_t many_texts = 25;

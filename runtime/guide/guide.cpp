@@ -122,9 +122,9 @@ std::vector<interface::OnGlass> Guide::on_glass() const {
   std::vector<interface::OnGlass> all;
   for (const Session& session : sessions_) {
     if (session.view() == nullptr) continue;
-    for (interface::OnGlass& item :
-         interface::on_glass(museum_, *session.view(), settings_.shape,
-                             static_cast<float>(session.remaining()), session.overlay().focus()))
+    for (interface::OnGlass& item : interface::on_glass(
+             museum_, *session.view(), settings_.shape, static_cast<float>(session.remaining()),
+             session.overlay().focus(), session.overlay().scrolled()))
       all.push_back(std::move(item));
   }
   return all;

@@ -118,6 +118,9 @@ class Guide {
   bool shows_its_state(std::size_t part = 0) const noexcept;
   /// Does it, and has every flight and fade ended?
   bool is_settled(std::size_t part = 0) const noexcept;
+  bool is_scrolling(std::size_t part = 0) const noexcept {
+    return sessions_[part].overlay().is_scrolling();
+  }
   /// Is nobody using the glass?
   bool is_vacant() const noexcept;
   /// All who walk; the guides come first.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "runtime/guide/label_placement.h"
+#include "runtime/interface/scroll.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::guide {
@@ -54,11 +55,30 @@ void note_what_stays(interface::View& leaving, interface::View& entering) noexce
   for (interface::Element& old : leaving.elements) old.stays = false;
   for (interface::Element& element : entering.elements) {
     const auto twin = std::ranges::find_if(leaving.elements, [&](const interface::Element& old) {
-      return same(old.quad, element.quad);
+      return old.scrolls == element.scrolls && same(old.quad, element.quad);
     });
     element.stays = twin != leaving.elements.end();
     if (element.stays) twin->stays = true;
   }
+}
+
+/// Does it lie in the part that scrolls?
+bool lies_in_scroll(const interface::View& view, std::int32_t control) noexcept {
+  return std::ranges::find(view.scroll.controls, control,
+                           &interface::ScrollArea::Scrolled::control) != view.scroll.controls.end();
+}
+
+/// Is it the same text or list as before, so that one reads on where one was?
+bool is_same_page(const interface::InterfaceState& a, const interface::InterfaceState& b) noexcept {
+  return a.screen == b.screen && a.exhibit == b.exhibit && a.place == b.place &&
+         a.seeks == b.seeks && a.lists == b.lists && a.page == b.page && a.language == b.language &&
+         a.large_letters == b.large_letters && a.low_reach == b.low_reach;
+}
+
+/// Does it turn what scrolls to where there is nothing more?
+bool is_end_of_scroll(const interface::View& view, std::int32_t control) noexcept {
+  if (control < 0 || (control != view.scroll.up && control != view.scroll.down)) return false;
+  return !view.controls[static_cast<std::size_t>(control)].enabled;
 }
 
 /// The control of `to` that is what that one of `from` was, for the finger that holds it.
@@ -105,7 +125,11 @@ scene::Quad strike_through(const interface::View& view, const scene::Rect& disc,
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
   if (view_) note_what_stays(*view_, *view);
   if (!view_ || !is_same_way(view_->inset, view->inset)) run_ = 0;
+  const bool is_same = view_ && is_same_page(view_->state, view->state);
+  leaving_scroller_ = scroller_;
+  scroller_.enter(view->scroll, is_same);
   leaving_ = std::exchange(view_, std::move(view));
+  interface::place_scrolled(*view_, scrolled());
   age_ = leaving_ ? 0 : fade_seconds;
   is_placed_ = false;
   for (Press& press : presses_)
@@ -118,6 +142,7 @@ void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
     move_focus(1);
   }
   if (reduced_motion_) leaving_.reset();
+  reveal_focus();
 }
 
 void Overlay::advance(float seconds) noexcept {
@@ -127,6 +152,49 @@ void Overlay::advance(float seconds) noexcept {
   for (Ring& ring : rings_) ring.age += seconds;
   for (Press& press : presses_)
     if (!press.held) press.age += seconds;
+  if (!view_ || !view_->scroll.exists()) return;
+  scroller_.advance(view_->scroll, seconds);
+  interface::place_scrolled(*view_, scrolled());
+}
+
+float Overlay::pixels_of(const interface::View& view, const Scroller& scroller) const noexcept {
+  return std::round(scroller.offset() * view.pixel_height) / view.pixel_height;
+}
+
+float Overlay::scrolled() const noexcept {
+  return view_ ? pixels_of(*view_, scroller_) : 0;
+}
+
+void Overlay::turn(int pages) noexcept {
+  if (view_ && view_->scroll.exists()) scroller_.turn(view_->scroll, pages);
+  if (view_) interface::place_scrolled(*view_, scrolled());
+}
+
+bool Overlay::touch_move(const input::Finger& finger) noexcept {
+  if (!view_ || !view_->scroll.exists()) return false;
+  constexpr float slack = 1.5F;  // units
+  const float least = slack * view_->unit_px / view_->pixel_height;
+  if (!scroller_.drag(view_->scroll, finger.at, least)) return false;
+  interface::place_scrolled(*view_, scrolled());
+  for (Press& press : presses_)
+    if (press.held && press.finger == finger.at.id) {
+      press.drags = true;
+      press.control = -1;
+    }
+  return true;
+}
+
+bool Overlay::is_dragged_by(std::uint32_t finger) const noexcept {
+  return std::ranges::any_of(
+      presses_, [&](const Press& p) { return p.held && p.drags && p.finger == finger; });
+}
+
+/// Who comes to a control by keys sees all of it.
+void Overlay::reveal_focus() noexcept {
+  if (!view_ || focus_ < 0) return;
+  const float offset = interface::offset_showing(view_->scroll, focus_, scroller_.offset());
+  if (offset != scroller_.offset()) scroller_.go_to(offset);
+  interface::place_scrolled(*view_, scrolled());
 }
 
 void Overlay::follow(const scene::CameraView& camera, float floor_height) noexcept {
@@ -166,17 +234,20 @@ void Overlay::touch_down(const input::Finger& finger) noexcept {
   rings_[next_ring_++ % rings_.size()] = {finger.at.x, finger.at.y, 0};
   Press& press = *std::ranges::min_element(presses_, {},
                                            [](const Press& p) { return p.held ? 1e9F : -p.age; });
-  press = {finger.at.id, control_at(finger.at.x, finger.at.y), true, 0};
+  press = {finger.at.id, control_at(finger.at.x, finger.at.y), true, false, 0};
+  if (view_ && scene::contains(view_->scroll.rect, finger.at.x, finger.at.y))
+    scroller_.hold(finger.at);
 }
 
 std::int32_t Overlay::touch_up(const input::Finger& finger) noexcept {
+  scroller_.let_go(finger.at.id);
   const auto press = std::ranges::find_if(
       presses_, [&](const Press& p) { return p.held && p.finger == finger.at.id; });
   if (press == presses_.end()) return -1;
   press->held = false;
   press->age = 0;
   const std::int32_t left = control_at(finger.at.x, finger.at.y);
-  return left == press->control ? left : -1;
+  return left == press->control && !press->drags ? left : -1;
 }
 
 void Overlay::move_focus(int step) noexcept {
@@ -186,10 +257,10 @@ void Overlay::move_focus(int step) noexcept {
   for (std::int32_t tried = 0; tried < count; ++tried) {
     at = (at + step + count) % count;
     const interface::Control& control = view_->controls[static_cast<std::size_t>(at)];
-    if (control.role == interface::Role::Spot || !control.enabled || control.rect.width <= 0)
-      continue;
+    const bool is_there = control.rect.width > 0 || lies_in_scroll(*view_, at);
+    if (control.role == interface::Role::Spot || !control.enabled || !is_there) continue;
     focus_ = at;
-    return;
+    return reveal_focus();
   }
 }
 
@@ -205,10 +276,16 @@ float Overlay::press_depth(std::int32_t control) const noexcept {
 
 void Overlay::draw_elements(const interface::View& view, float opacity, float unchanged_opacity,
                             bool leaving, scene::DrawList& list) const noexcept {
+  const float offset = pixels_of(view, leaving ? leaving_scroller_ : scroller_);
   for (const interface::Element& element : view.elements) {
     if (element.is_panel && leaving) continue;
     scene::Quad quad = element.quad;
     float shown = element.stays ? unchanged_opacity : opacity;
+    if (element.scrolls) {
+      quad = interface::moved(view.scroll, quad, offset);
+      if (!interface::is_seen(view.scroll, quad)) continue;
+    }
+    if (is_end_of_scroll(view, element.control)) shown *= 0.35F;
     if (element.is_panel) {
       shown = 1;
       if (leaving_ && !same(leaving_->panel, view.panel)) {
@@ -225,6 +302,28 @@ void Overlay::draw_elements(const interface::View& view, float opacity, float un
     quad.colour = scene::with_opacity(quad.colour, shown);
     if (quad.colour.a > 0.002F) list.quads.push_back(quad);
   }
+}
+
+/// Which part of what scrolls is seen.
+void Overlay::draw_thumb(float opacity, scene::DrawList& list) const noexcept {
+  const interface::ScrollArea& area = view_->scroll;
+  if (!area.exists() || area.rail.height <= 0) return;
+  constexpr float wide = 0.8F, least = 3;  // units
+  const float x = area.rail.x + area.rail.width / 2;
+  const float width = wide * view_->unit_px / view_->pixel_width;
+  const float shortest = std::min(area.rail.height, least * view_->unit_px / view_->pixel_height);
+  const float height = std::max(shortest, area.rail.height * area.rect.height / area.length);
+  const float share = area.most() > 0 ? scrolled() / area.most() : 0;
+  const float y = area.rail.y + share * (area.rail.height - height);
+  const auto bar = [&](float top, float tall, scene::Colour colour) {
+    scene::Quad quad;
+    quad.rect = {x - width / 2, top, width, tall};
+    quad.corner = width * view_->pixel_width / 2 / shorter_px(*view_);
+    quad.colour = scene::with_opacity(colour, opacity);
+    list.quads.push_back(quad);
+  };
+  bar(area.rail.y, area.rail.height, theme_of(*view_).plaster);
+  bar(y, height, theme_of(*view_).quiet_ink);
 }
 
 /// A dot for each second, of which those that are over are pale.
@@ -375,6 +474,12 @@ void Overlay::draw_remaining(const interface::View& view, float metres, float op
   for (const interface::CountedText& text : view.remaining) {
     if (metres > text.metres) continue;
     scene::Quad quad = text.quad;
+    if (view.remaining_scrolls) {
+      const bool is_leaving = &view == leaving_.get();
+      quad = interface::moved(view.scroll, quad,
+                              pixels_of(view, is_leaving ? leaving_scroller_ : scroller_));
+      if (!interface::is_seen(view.scroll, quad)) return;
+    }
     quad.colour = scene::with_opacity(quad.colour, opacity);
     list.quads.push_back(quad);
     return;
@@ -395,6 +500,7 @@ void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide
     if (view_->remaining.empty()) draw_remaining(*leaving_, remaining, 1 - t, list);
   }
   draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
+  draw_thumb(t, list);
   draw_countdown(t, list);
   draw_inset(*view_, leaving_ && leaving_->inset.board.width <= 0 ? t : 1, guide, list);
   draw_focus(list);

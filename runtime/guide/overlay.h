@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "runtime/guide/scroller.h"
 #include "runtime/input/gesture.h"
 #include "runtime/interface/view.h"
 #include "runtime/scene/camera.h"
@@ -17,7 +18,10 @@ namespace docent::guide {
 class Overlay {
  public:
   /// `reduced_motion`: nothing fades, glides or grows; it is there, or it is not.
-  explicit Overlay(bool reduced_motion = false) noexcept : reduced_motion_(reduced_motion) {}
+  explicit Overlay(bool reduced_motion = false) noexcept
+      : reduced_motion_(reduced_motion),
+        scroller_(reduced_motion),
+        leaving_scroller_(reduced_motion) {}
 
   /// Another view: the panel stays, what both have in common stays, the rest fades.
   void enter(std::unique_ptr<interface::View> view) noexcept;
@@ -30,6 +34,13 @@ class Overlay {
   std::int32_t control_at(float x, float y) const noexcept;
   /// A finger came down: answers with a ring and holds the control under it.
   void touch_down(const input::Finger& finger) noexcept;
+  /// A finger moved: it may drag what scrolls, and then presses nothing. True where it does.
+  bool touch_move(const input::Finger& finger) noexcept;
+  bool is_dragged_by(std::uint32_t finger) const noexcept;
+  /// Turns what scrolls by so many pages: up below 0.
+  void turn(int pages) noexcept;
+  /// How far that has been moved. Share of the screen's height, on whole pixels.
+  float scrolled() const noexcept;
   /// A finger left: returns the control that it pressed, -1 unless it left the one it came down on.
   std::int32_t touch_up(const input::Finger& finger) noexcept;
 
@@ -39,6 +50,7 @@ class Overlay {
   std::int32_t focus() const noexcept { return focus_; }
 
   const interface::View* view() const noexcept { return view_.get(); }
+  bool is_scrolling() const noexcept { return scroller_.is_moving(); }
   bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
 
   /// Seconds until the visitor counts as gone, of `countdown_seconds`; a ring shows them where the
@@ -68,10 +80,14 @@ class Overlay {
     std::uint32_t finger = 0;
     std::int32_t control = -1;
     bool held = false;
-    float age = 1;  ///< Seconds since it was let go.
+    bool drags = false;  ///< What scrolls.
+    float age = 1;       ///< Seconds since it was let go.
   };
 
   float press_depth(std::int32_t control) const noexcept;
+  float pixels_of(const interface::View& view, const Scroller& scroller) const noexcept;
+  void reveal_focus() noexcept;
+  void draw_thumb(float opacity, scene::DrawList& list) const noexcept;
   void draw_elements(const interface::View& view, float opacity, float unchanged_opacity,
                      bool leaving, scene::DrawList& list) const noexcept;
   void draw_focus(scene::DrawList& list) const noexcept;
@@ -86,6 +102,7 @@ class Overlay {
                       scene::DrawList& list) const noexcept;
 
   bool reduced_motion_;
+  Scroller scroller_, leaving_scroller_;
   std::unique_ptr<interface::View> view_, leaving_;
   std::optional<scene::CameraView> camera_;  ///< That the labels follow, ...
   bool is_placed_ = false;  ///< ... and which stands still: they have made way for each other.

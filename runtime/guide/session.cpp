@@ -72,18 +72,22 @@ bool Session::touch(const input::InputEvent& event, Overlay& surface) noexcept {
     overlay_.clear_focus();
     surface.touch_down({event.contact, event.contact, 0});
   }
+  if (event.kind == input::InputEvent::Kind::Move)
+    surface.touch_move({event.contact, event.contact, 0});
   return !gesture || press(*gesture, surface);
 }
 
 bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
-  const std::int32_t touched = surface.touch_up(gesture.finger);
-  const std::int32_t control = has_turned(gesture.finger) ? -1 : touched;
+  const bool has_dragged =
+      surface.is_dragged_by(gesture.finger.at.id) || has_turned(gesture.finger);
+  const std::int32_t control = surface.touch_up(gesture.finger);
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
   if (state_.asks_to_stay) {
     act({interface::Action::Kind::Stay});
     return true;
   }
+  if (has_dragged) return true;
   if (state_.seat && is_vacant() &&
       (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
     return true;
@@ -210,6 +214,8 @@ void Session::speak(float seconds) noexcept {
 void Session::act(interface::Action action) noexcept {
   voice_.pressed();
   if (action.kind == interface::Action::Kind::Resume) return resume();
+  if (action.kind == interface::Action::Kind::Scroll)
+    return overlay_.turn(action.argument == 0 ? -1 : 1);
   const bool was_vacant = is_vacant();
   if (!state_.seat) left_.reset();
   if (!state_.seat && !was_vacant && action.kind == interface::Action::Kind::Home) {

@@ -229,6 +229,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.screen = Screen::Welcome;
       break;
     case Action::Kind::Stay:
+    case Action::Kind::Scroll:
     case Action::Kind::Resume:
       break;
   }

@@ -2,14 +2,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
-#include "runtime/interface/sheet.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
@@ -18,7 +21,6 @@ namespace {
 constexpr float card_margin = 2;  // units
 constexpr float row_units = 8;    // height of a row of the list
 constexpr float heading_units = 5;
-constexpr float least_invitation = 10;  // units for where the way leads
 constexpr float taken_opacity = 0.18F;  // of a guide whom somebody else has
 
 /// Of the question above the list; beside it are the helps.
@@ -144,61 +146,106 @@ void draw_band(Sheet& sheet, const PixelBox& card) {
               scene::trail_colour(*look), 0, -1);
 }
 
-/// The helps of every screen as pictograms in the card's upper corner, and below them what is asked
-/// of ways. Returns how wide and high they are, with the gap before and below.
-struct Corner {
-  float width = 0, height = 0;
-};
-Corner draw_corner(Sheet& sheet, const PixelBox& content) {
-  const Measures& m = sheet.measures();
-  constexpr std::array<std::array<std::pair<std::string_view, Pictogram>, 3>, 2> rows{
-      {{{{"toilets", pictogram_of(PlaceKind::Toilets)},
-         {"places", Pictogram::Places},
-         {"exhibits", Pictogram::Exhibits}}},
-       {{{"step-free", Pictogram::StepFree},
-         {"no-escalators", Pictogram::NoEscalators},
-         {"", Pictogram::Count}}}}};
-  const float gap = std::round(m.unit);
-  Corner corner;
-  for (const auto& row : rows) {
-    float x = content.right();
-    for (const auto& [name, pictogram] : row) {
-      const std::int32_t control = name.empty() ? -1 : sheet.control(name);
-      if (control < 0) continue;
-      x -= m.touch;
-      const PixelBox box{x, content.y + corner.height, m.touch, m.touch};
-      const bool is_on = sheet.view().controls[static_cast<std::size_t>(control)].selected;
-      sheet.place(control, box);
-      sheet.fill(box, is_on ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
-      sheet.pictogram(pictogram, box.inset(std::round(0.16F * m.touch)),
-                      is_on ? sheet.theme().paper : sheet.theme().ink, control);
-      x -= gap;
+/// The helps of every screen as pictograms, in the card's upper corner: those that this state has,
+/// and below them what is asked of ways.
+class Corner {
+ public:
+  explicit Corner(Sheet& sheet) : sheet_(sheet), gap_(std::round(sheet.measures().unit)) {
+    constexpr std::array<std::array<std::pair<std::string_view, Pictogram>, 3>, 2> rows{
+        {{{{"toilets", pictogram_of(PlaceKind::Toilets)},
+           {"places", Pictogram::Places},
+           {"exhibits", Pictogram::Exhibits}}},
+         {{{"step-free", Pictogram::StepFree},
+           {"no-escalators", Pictogram::NoEscalators},
+           {"", Pictogram::Count}}}}};
+    for (const auto& row : rows) {
+      std::vector<Help> there;
+      for (const auto& [name, pictogram] : row)
+        if (const std::int32_t control = name.empty() ? -1 : sheet.control(name); control >= 0)
+          there.push_back({control, pictogram});
+      if (!there.empty()) rows_.push_back(std::move(there));
     }
-    corner.width = std::max(corner.width, content.right() - x);
-    if (x < content.right()) corner.height += m.touch + gap;
   }
-  return corner;
+
+  /// With the gap before it, or below it.
+  float width() const noexcept {
+    std::size_t most = 0;
+    for (const auto& row : rows_) most = std::max(most, row.size());
+    return static_cast<float>(most) * side();
+  }
+  float height() const noexcept { return static_cast<float>(rows_.size()) * side(); }
+
+  void draw(const PixelBox& box) const {
+    const float touch = sheet_.measures().touch;
+    float y = box.y;
+    for (const auto& row : rows_) {
+      float x = box.right() - touch;
+      for (const Help& help : row) {
+        draw_help(help, {x, y, touch, touch});
+        x -= side();
+      }
+      y += side();
+    }
+  }
+
+ private:
+  struct Help {
+    std::int32_t control = -1;
+    Pictogram pictogram = Pictogram::Count;
+  };
+  float side() const noexcept { return sheet_.measures().touch + gap_; }
+  void draw_help(const Help& help, const PixelBox& box) const {
+    const bool is_on = sheet_.at(help.control).selected;
+    sheet_.place(help.control, box);
+    sheet_.fill(box, is_on ? sheet_.theme().ink : sheet_.theme().plaster, sheet_.measures().corner,
+                help.control);
+    sheet_.pictogram(help.pictogram, box.inset(std::round(0.16F * box.width)),
+                     is_on ? sheet_.theme().paper : sheet_.theme().ink, help.control);
+  }
+
+  Sheet& sheet_;
+  float gap_;
+  std::vector<std::vector<Help>> rows_;
+};
+
+/// Blocks with the helps beside them, or below those where that leaves them too little.
+Block beside_corner(Sheet& sheet, std::vector<Block> blocks, float gap) {
+  constexpr float least = 14;  // units
+  const auto shared = std::make_shared<const std::vector<Block>>(std::move(blocks));
+  const auto corner = std::make_shared<const Corner>(sheet);
+  const float scale = sheet.request().shape.text_scale, unit = sheet.measures().unit;
+  const auto room = [corner, scale, unit](float width) {
+    return width - corner->width() >= least * unit * scale ? width - corner->width() : width;
+  };
+  return {.height =
+              [shared, corner, room](float width) {
+                const float wide = room(width), texts = height_of(*shared, wide);
+                return wide < width || corner->height() == 0 ? std::max(texts, corner->height())
+                                                             : texts + corner->height();
+              },
+          .draw =
+              [shared, corner, room](const PixelBox& box) {
+                const float wide = room(box.width);
+                corner->draw(box);
+                float y = box.y + (wide < box.width ? 0 : corner->height());
+                for (const Block& block : *shared) {
+                  const float height = block.height(wide);
+                  block.draw({box.x, y, wide, height});
+                  y += height + (height > 0 ? block.gap : 0);
+                }
+              },
+          .gap = gap};
 }
 
-/// Buttons side by side on the lowest row, those that this state has; returns its top.
-float draw_buttons(Sheet& sheet, const PixelBox& content, std::span<const std::string_view> names) {
-  const Measures& m = sheet.measures();
-  const float top = content.bottom() - m.touch, gap = std::round(m.unit);
-  std::vector<std::int32_t> there;
-  for (const std::string_view name : names)
-    if (const std::int32_t control = sheet.control(name); control >= 0) there.push_back(control);
-  const auto count = static_cast<float>(there.size());
-  const float width = std::floor((content.width + gap) / count - gap);
-  const TextStyle word = sheet.row_style(there, width);
-  const std::int32_t stop = sheet.control("stop"), start = sheet.control("start-tour");
-  float x = content.x;
-  for (const std::int32_t control : there) {
-    const bool is_strong = control == stop || control == start;
-    sheet.button(control, {x, top, width, m.touch},
-                 is_strong ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft, word);
-    x += width + gap;
+/// Buttons beside each other, those that this state has.
+Block card_buttons(Sheet& sheet, std::span<const std::string_view> names, float gap) {
+  std::vector<RowButton> there;
+  for (const std::string_view name : names) {
+    const bool is_strong = name == "stop" || name == "start-tour";
+    there.push_back(
+        {sheet.control(name), is_strong ? Sheet::Emphasis::Strong : Sheet::Emphasis::Soft});
   }
-  return top;
+  return buttons_block(sheet, std::move(there), gap);
 }
 
 /// An exhibit's number, or how long a tour is, and what it is called; and that it is closed.
@@ -216,47 +263,53 @@ std::string row_text(const Sheet& sheet, const Control& control) {
   return before + "  " + title + (closed.empty() ? "" : "  ·  ") + closed;
 }
 
-/// Plus or minus: whether a touch puts an exhibit into the visitor's own tour, or takes it out.
-void draw_collect(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+TextStyle row_style(const Sheet& sheet) {
+  TextStyle style = sheet.style(Letters::Item);
+  style.line_height = style.line_height > 1.5F ? 1.4F : 1.2F;
+  return style;
+}
+
+float height_of_row_in(Sheet& sheet, std::int32_t control, float width) {
   const Measures& m = sheet.measures();
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-  sheet.place(control, box);
-  const bool is_in = it.action.kind == Action::Kind::Discard;
-  sheet.fill(box, is_in ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
-  const scene::Colour sign = is_in ? sheet.theme().paper : sheet.theme().ink;
-  const float length = std::round(0.4F * m.touch), thick = std::round(0.06F * m.touch);
-  const float x = box.x + box.width / 2, y = box.y + box.height / 2;
-  const scene::Colour ink = it.enabled ? sign : scene::with_opacity(sign, 0.35F);
-  sheet.fill({x - length / 2, y - thick / 2, length, thick}, ink, 0, control);
-  if (!is_in) sheet.fill({x - thick / 2, y - length / 2, thick, length}, ink, 0, control);
+  const float picture = height_of_row(m), room = width - picture - 1.5F * m.unit;
+  return std::max(picture, std::ceil(sheet.height_of(row_style(sheet),
+                                                     row_text(sheet, sheet.at(control)), room)));
 }
 
 void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
-  const PixelBox picture{box.x, box.y, box.height, box.height};
-  draw_what(sheet, control, picture);
-  const float x = picture.right() + m.unit;
-  TextStyle style = sheet.style(Letters::Body, 2);
-  style.line_height = style.right_to_left ? 1.4F : 1.2F;
-  const TextPiece title = sheet.fitted(style, row_text(sheet, it), box.right() - x - m.unit / 2);
-  sheet.piece(title, x, box.y + (box.height - title.height) / 2, box.right() - x, Align::Start,
-              sheet.theme().ink, control);
+  if (sheet.at(control).selected) sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  const float picture = height_of_row(m);
+  draw_what(sheet, control,
+            {box.x, std::round(box.y + (box.height - picture) / 2), picture, picture});
+  const float x = box.x + picture + m.unit, width = box.width - picture - 1.5F * m.unit;
+  const TextStyle style = row_style(sheet);
+  const std::string text = row_text(sheet, sheet.at(control));
+  const float height = sheet.height_of(style, text, width);
+  sheet.text_of(control, style, text, x, box.y + (box.height - height) / 2, width,
+                sheet.theme().ink);
 }
 
 /// A row of the list, and what collects it where that is an exhibit.
-void draw_list_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+Block row_block(Sheet& sheet, std::int32_t control, float gap) {
   const Measures& m = sheet.measures();
-  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
+  const Action& action = sheet.at(control).action;
   const std::int32_t collect =
       action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
-  if (collect < 0) return draw_row(sheet, control, box);
-  const float gap = std::round(m.unit / 2);
-  draw_row(sheet, control, {box.x, box.y, box.width - m.touch - gap, box.height});
-  draw_collect(sheet, collect,
-               {box.right() - m.touch, box.y + (box.height - m.touch) / 2, m.touch, m.touch});
+  const float aside = collect < 0 ? 0 : m.touch + std::round(m.unit / 2);
+  return {
+      .height = [&sheet, control,
+                 aside](float width) { return height_of_row_in(sheet, control, width - aside); },
+      .draw =
+          [&sheet, control, collect, aside](const PixelBox& box) {
+            const float touch = sheet.measures().touch;
+            draw_row(sheet, control, {box.x, box.y, box.width - aside, box.height});
+            if (collect >= 0)
+              draw_collect(sheet, collect,
+                           {box.right() - touch, box.y + (box.height - touch) / 2, touch, touch});
+          },
+      .gap = gap};
 }
 
 /// All the guides side by side.
@@ -272,25 +325,11 @@ void draw_guides(Sheet& sheet, const PixelBox& box) {
 void draw_slip(Sheet& sheet, const TextPiece& words, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const float width = words.width + 2 * m.margin, height = words.height + 2 * m.gap;
-  const PixelBox slip{box.x + (box.width - width) / 2, box.y + (box.height - height) / 2, width,
-                      height};
+  const PixelBox slip{std::max(0.0F, box.x + (box.width - width) / 2),
+                      std::max(0.0F, box.y + (box.height - height) / 2), width, height};
   sheet.shadow(slip, 2 * m.unit, 0.16F);
   sheet.fill(slip, sheet.theme().paper, m.corner);
   sheet.piece(words, slip.x, slip.y + m.gap, slip.width, Align::Centre, sheet.theme().ink);
-}
-
-/// The card with letters of that share of their size.
-void lay_out_card(Sheet& sheet, const PixelBox& card, float letters) {
-  const InterfaceState& state = sheet.request().state;
-  const Measures& m = sheet.measures();
-  sheet.lie_on(card, letters);
-  const Face& face = faces_of(state.screen).card;
-  if (state.screen == Screen::Welcome) return face.lay_out(sheet, card);
-  sheet.shadow(card, 2 * m.unit, 0.16F);
-  sheet.fill(card, sheet.theme().paper, m.corner);
-  draw_band(sheet, card);
-  const PixelBox content = card.inset(std::round(card_margin * m.unit));
-  face.lay_out(sheet, content);
 }
 
 }  // namespace
@@ -302,118 +341,158 @@ void lay_out_welcome_card(Sheet& sheet, const PixelBox& card) {
   sheet.place(join, card);
   if (sheet.request().state.glass == Glass::Quiet) return;
   sheet.fill(card, scene::with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
-  const PixelBox inside = card.inset(card_margin * m.unit);
-  const TextPiece words =
-      sheet.fitted(sheet.style(Letters::Label, 3), sheet.word("join"), inside.width);
-  sheet.piece(words, inside.x, card.y + (card.height - words.height) / 2, inside.width,
-              Align::Centre, sheet.theme().quiet_ink, join);
+  sheet.control_word(join, card.inset(card_margin * m.unit), Align::Centre,
+                     sheet.theme().quiet_ink);
 }
 
-void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
-  const Measures& m = sheet.measures();
-  const float gap = std::round(m.unit);
-  float bottom = content.bottom() - m.touch;
-  sheet.button(sheet.control("home"), {content.x, bottom, content.width, m.touch},
-               Sheet::Emphasis::Soft);
-  if (sheet.museum().languages.size() > 1) {
-    bottom -= gap + m.touch;
-    draw_languages(sheet, {content.x, bottom, content.width, m.touch});
+namespace {
+
+/// The guides in rows. Where a card is too narrow for what they are called, they are seen, and
+/// heard.
+struct GuideGrid {
+  std::uint32_t columns = 4;
+  float width = 0, words = 0;  ///< Of a cell; the height of what is written in it.
+};
+
+class GuidesOnCard {
+ public:
+  explicit GuidesOnCard(Sheet& sheet)
+      : sheet_(sheet),
+        gap_(std::round(sheet.measures().unit)),
+        style_(sheet.style(Letters::Small)) {
+    style_.line_height = style_.line_height > 1.5F ? 1.4F : 1.15F;
+    for (std::uint32_t i = 0; i < scene::guide_look_count; ++i)
+      if (const auto control = sheet.control("look:" + std::string(scene::looks[i].name));
+          control >= 0)
+        guides_.emplace_back(control, i);
   }
-  const Corner corner = draw_corner(sheet, content);
-  const float asked = sheet.text(Letters::Lead, sheet.word("pick_title"), content.x, content.y,
-                                 content.width - corner.width, sheet.theme().ink, 2);
-  const float top = std::max(asked + gap, content.y + corner.height);
-  constexpr std::uint32_t columns = 4, rows = scene::guide_look_count / columns;
-  const float width = std::floor((content.width - (columns - 1) * gap / 2) / columns);
-  const float height = std::floor((bottom - gap - top - (rows - 1) * gap) / rows);
-  for (std::uint32_t i = 0; i < scene::guide_look_count; ++i) {
-    const std::int32_t control = sheet.control("look:" + std::string(scene::looks[i].name));
-    if (control < 0) continue;
-    const std::uint32_t column = i % columns, row = i / columns;
-    const PixelBox cell{content.x + static_cast<float>(column) * (width + gap / 2),
-                        top + static_cast<float>(row) * (height + gap), width, height};
-    sheet.place(control, cell);
-    const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-    if (it.enabled) sheet.fill(cell, sheet.theme().plaster, m.corner, control);
-    TextStyle style = sheet.style(Letters::Small);
-    const float pad = std::round(0.4F * m.unit);
-    const TextPiece name = sheet.fitted(style, sheet.local(it.label), cell.width - 2 * pad);
-    const float words = std::ceil(style.size * style.line_height);
-    draw_figure(sheet, scene::looks[i],
-                {cell.x + pad, cell.y + pad, cell.width - 2 * pad, cell.height - 2 * pad - words},
+
+  Block block(float gap) const {
+    const auto least = [self = *this](float width) {
+      constexpr float figure = 4;  // units
+      const GuideGrid grid = self.grid_in(width);
+      return self.rows_of(grid) *
+                 (figure * self.sheet_.measures().unit + grid.words + 2 * self.pad() + self.gap_) -
+             self.gap_;
+    };
+    return {.height = [least](float width) { return std::ceil(least(width)); },
+            .draw = [self = *this](const PixelBox& box) { self.draw(box); },
+            .gap = gap,
+            .most = [](float) { return 1e4F; }};
+  }
+
+ private:
+  float pad() const noexcept { return std::round(0.4F * sheet_.measures().unit); }
+  float rows_of(const GuideGrid& grid) const noexcept {
+    return std::ceil(static_cast<float>(scene::guide_look_count) /
+                     static_cast<float>(grid.columns));
+  }
+  GuideGrid grid_in(float width) const {
+    GuideGrid grid;
+    const auto width_of = [&](std::uint32_t columns) {
+      const auto n = static_cast<float>(columns);
+      return std::floor((width - (n - 1) * gap_) / n);
+    };
+    // A fingertip, which is less than the height of other controls.
+    const float least = std::ceil(15 * sheet_.measures().mm) + 1;
+    while (grid.columns > 1 && width_of(grid.columns) < least) grid.columns /= 2;
+    grid.width = width_of(grid.columns);
+    const float room = grid.width - 2 * pad();
+    const bool are_named = std::ranges::all_of(guides_, [&](const auto& guide) {
+      return sheet_.longest_word(style_, sheet_.label_of(guide.first)) <= room;
+    });
+    for (const auto& [control, look] : guides_)
+      if (are_named)
+        grid.words =
+            std::max(grid.words, sheet_.extent(style_, sheet_.label_of(control), room).height);
+    return grid;
+  }
+  void draw(const PixelBox& box) const {
+    const GuideGrid grid = grid_in(box.width);
+    const float height = std::floor((box.height + gap_) / rows_of(grid) - gap_);
+    for (const auto& [control, look] : guides_) {
+      const auto column = static_cast<float>(look % grid.columns);
+      const auto row = static_cast<float>(look / grid.columns);
+      draw_one(control, look, grid.words,
+               {box.x + column * (grid.width + gap_), box.y + row * (height + gap_), grid.width,
+                height});
+    }
+  }
+  void draw_one(std::int32_t control, std::uint32_t look, float words, const PixelBox& cell) const {
+    const Control& it = sheet_.at(control);
+    sheet_.place(control, cell);
+    if (it.enabled) sheet_.fill(cell, sheet_.theme().plaster, sheet_.measures().corner, control);
+    const PixelBox inside = cell.inset(pad());
+    draw_figure(sheet_, scene::looks[look],
+                {inside.x, inside.y, inside.width, inside.height - words},
                 it.enabled ? 1 : taken_opacity, control);
-    if (!it.enabled) continue;
-    sheet.piece(name, cell.x, cell.bottom() - pad - (words + name.height) / 2, cell.width,
-                Align::Centre, sheet.theme().ink, control);
+    if (!it.enabled || words <= 0) return;
+    const TextPiece name = sheet_.set(style_, sheet_.label_of(control), inside.width);
+    sheet_.piece(name, inside.x, inside.bottom() - (words + name.height) / 2, inside.width,
+                 Align::Centre, sheet_.theme().ink, control);
   }
+
+  Sheet& sheet_;
+  float gap_;
+  TextStyle style_;
+  std::vector<std::pair<std::int32_t, std::uint32_t>> guides_;  ///< Control and look.
+};
+
+}  // namespace
+
+void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
+  const float gap = std::round(sheet.measures().unit);
+  const Block asked = text_block(sheet, sheet.style(Letters::Lead),
+                                 std::string(sheet.word("pick_title")), sheet.theme().ink, gap);
+  constexpr std::array<std::string_view, 1> home{"home"};
+  lay_out_column(sheet, content,
+                 {beside_corner(sheet, {asked}, gap), GuidesOnCard(sheet).block(gap)},
+                 {languages_block(sheet, gap), card_buttons(sheet, home, 0)});
 }
 
 void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
-  const Measures& m = sheet.measures();
-  const float gap = std::round(m.unit / 2), row = height_of_row(m);
-  const TextStyle style = sheet.style(Letters::Lead);
+  const float gap = std::round(sheet.measures().unit / 2);
   const Listed lists = sheet.request().state.lists;
-  const float width = content.width - draw_corner(sheet, content).width;
-  sheet.piece(sheet.fitted(style, sheet.word(title_of(lists)), width), content.x, content.y, width,
-              Align::Start, sheet.theme().ink);
-  float y = content.y + height_of_heading(m);
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
-    if (sheet.view().controls[i].role != Role::ListItem) continue;
-    draw_list_row(sheet, static_cast<std::int32_t>(i), {content.x, y, content.width, row});
-    y += row + gap;
-  }
-  constexpr std::array<std::string_view, 4> buttons{"page:previous", "page:next", "back", "home"};
-  const float bottom = draw_buttons(sheet, content, buttons) - gap;
-  if (lists == Listed::OwnTour) {
-    constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
-    draw_buttons(sheet, {content.x, content.y, content.width, bottom - content.y}, start);
-    return;
-  }
-  draw_languages(sheet, {content.x, bottom - m.touch, content.width, m.touch});
+  const Block title = text_block(sheet, sheet.style(Letters::Lead),
+                                 std::string(sheet.word(title_of(lists))), sheet.theme().ink, gap);
+  std::vector<Block> body{beside_corner(sheet, {title}, gap)};
+  for (const std::int32_t control : list_items(sheet))
+    body.push_back(row_block(sheet, control, gap));
+  constexpr std::array<std::string_view, 2> pages{"page:previous", "page:next"};
+  constexpr std::array<std::string_view, 2> buttons{"back", "home"};
+  constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
+  lay_out_column(
+      sheet, content, std::move(body),
+      {lists == Listed::OwnTour ? card_buttons(sheet, start, gap) : languages_block(sheet, gap),
+       card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)});
 }
 
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const float gap = std::round(m.unit);
   constexpr std::array<std::string_view, 3> buttons{"stop", "skip", "choose"};
-  const float bottom = draw_buttons(sheet, content, buttons) - m.gap;
-  const float column = 3 * m.touch + 2 * gap;
-  const bool in_a_row = bottom - column - content.y < least_invitation * m.unit;
-  const float height = in_a_row ? m.touch : column, routes = bottom - height;
-  draw_routes(sheet, {content.x, routes, content.width, height},
-              in_a_row ? Along::Row : Along::NarrowColumn);
-  const Corner corner = draw_corner(sheet, content);
-  const PixelBox words{content.x, content.y, content.width - corner.width,
-                       routes - gap - content.y};
-  const float said = draw_invitation(sheet, draw_tour_progress(sheet, words), Letters::Lead);
-  const float y = std::max(said, content.y + corner.height);
-  const float room = routes - m.gap - y;
-  if (room > 8 * m.unit) draw_goal(sheet, {content.x, y, content.width, room});
+  lay_out_column(sheet, content,
+                 {beside_corner(sheet, invitation_blocks(sheet, Letters::Lead), m.gap),
+                  picture_block(sheet, 0, 8 * m.unit, 0)},
+                 {routes_block(sheet, Along::Row, m.gap), card_buttons(sheet, buttons, 0)});
 }
 
 void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
+  std::vector<Block> told = goal_blocks(sheet, Letters::Heading);
+  const Block name = told.front();
+  told.front() = picture_block(sheet, 0, 6 * m.unit, m.unit);
+  told.front().most = [room = 0.4F * content.height, most = told.front().most](float width) {
+    return std::min(room, most(width));
+  };
+  const Block tour = text_block(sheet, sheet.style(Letters::Small), tour_progress(sheet),
+                                sheet.theme().quiet_ink, m.unit);
+  told.insert(told.begin(), beside_corner(sheet, {tour, name}, m.unit));
+  std::vector<Block> foot;
+  if (const std::int32_t next = sheet.control("next"); next >= 0)
+    foot.push_back(row_block(sheet, next, m.unit));
   constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
-  float bottom = draw_buttons(sheet, content, buttons) - m.gap;
-  if (const std::int32_t next = sheet.control("next"); next >= 0) {
-    const float row = height_of_row(m);
-    draw_row(sheet, next, {content.x, bottom - row, content.width, row});
-    bottom -= row + m.unit;
-  }
-  const Corner corner = draw_corner(sheet, content);
-  const PixelBox rest = draw_tour_progress(
-      sheet, {content.x, content.y, content.width - corner.width, bottom - content.y});
-  float y = sheet.text(Letters::Heading, goal_title(sheet), content.x, rest.y, rest.width,
-                       sheet.theme().ink, 2) +
-            m.unit;
-  y = std::max(y, content.y + corner.height);
-  const float picture = std::min(0.4F * (bottom - y), 0.75F * content.width);
-  y += draw_goal(sheet, {content.x, y, content.width, picture}) + m.unit;
-  TextStyle style = sheet.style(Letters::Body);
-  const float line = style.size * style.line_height;
-  style.max_lines = static_cast<std::uint16_t>(std::clamp((bottom - y) / line, 1.0F, 40.0F));
-  sheet.piece(sheet.fitted(style, goal_text(sheet), content.width), content.x, y, content.width,
-              Align::Start, sheet.theme().ink);
+  foot.push_back(card_buttons(sheet, buttons, 0));
+  lay_out_column(sheet, content, std::move(told), std::move(foot));
 }
 
 std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
@@ -422,18 +501,21 @@ std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexce
       card_of(shape, std::max(seats, 1U), 1).height * static_cast<float>(shape.height);
   const float gap = std::round(m.unit / 2);
   const float room = height - 2 * std::round(card_margin * m.unit) - height_of_heading(m) -
-                     2 * m.touch - m.gap - gap;
+                     3 * m.touch - m.gap - 2 * gap;
   return static_cast<std::uint32_t>(
       std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
 }
 
 void lay_out_seat(Sheet& sheet, const PixelBox& card) {
-  // On a small glass, or in large letters, a card has little room: what does not fit is set
-  // smaller.
-  for (const float letters : {1.0F, 0.85F, 0.7F, 0.55F, 0.4F}) {
-    lay_out_card(sheet, card, letters);
-    if (!sheet.is_crowded()) return;
-  }
+  const InterfaceState& state = sheet.request().state;
+  const Measures& m = sheet.measures();
+  sheet.lie_on(card);
+  const Face& face = faces_of(state.screen).card;
+  if (state.screen == Screen::Welcome) return face.lay_out(sheet, card);
+  sheet.shadow(card, 2 * m.unit, 0.16F);
+  sheet.fill(card, sheet.theme().paper, m.corner);
+  draw_band(sheet, card);
+  face.lay_out(sheet, card.inset(std::round(card_margin * m.unit)));
 }
 
 void lay_out_model(Sheet& sheet) {
@@ -456,14 +538,17 @@ void lay_out_model(Sheet& sheet) {
       guides.x = content.x + content.width * 0.4F;
       guides.width = content.right() - guides.x;
       content.width = guides.x - m.margin - content.x;
-      float y = sheet.text(Letters::Label, sheet.local(museum.title), content.x, content.y,
-                           content.width, sheet.theme().quiet_ink, 2);
-      y = sheet.text(Letters::Welcome, sheet.word("welcome"), content.x, y + m.gap, content.width,
-                     sheet.theme().ink);
-      y = sheet.text(Letters::Lead, sheet.local(museum.welcome), content.x, y + m.gap,
-                     content.width, sheet.theme().quiet_ink, 2);
-      sheet.text(Letters::Lead, sheet.word("join_where"), content.x, y + m.gap, content.width,
-                 sheet.theme().ink, 2);
+      const scene::Theme& theme = sheet.theme();
+      std::vector<Block> words{
+          text_block(sheet, sheet.style(Letters::Label), std::string(sheet.local(museum.title)),
+                     theme.quiet_ink, m.gap),
+          heading_block(sheet, Letters::Welcome, std::string(sheet.word("welcome")), theme.ink,
+                        m.gap),
+          text_block(sheet, sheet.style(Letters::Lead), std::string(sheet.local(museum.welcome)),
+                     theme.quiet_ink, m.gap),
+          text_block(sheet, sheet.style(Letters::Lead), std::string(sheet.word("join_where")),
+                     theme.ink, 0)};
+      lay_out_column(sheet, content, std::move(words), {});
       return draw_guides(sheet, guides);
     }
     case Glass::Full:
@@ -472,8 +557,8 @@ void lay_out_model(Sheet& sheet) {
       const PixelBox box = told ? PixelBox{0, 0, width, strip}
                                 : PixelBox{m.margin, m.margin, 0.2F * width, 0.15F * height};
       const TextPiece words =
-          sheet.fitted(sheet.style(told ? Letters::Lead : Letters::Body, 4),
-                       sheet.word("all_taken"), std::min(box.width, 0.6F * width) - 2 * m.margin);
+          sheet.set(sheet.style(told ? Letters::Lead : Letters::Body), sheet.word("all_taken"),
+                    std::min(box.width, 0.6F * width) - 2 * m.margin);
       return draw_slip(sheet, words, box);
     }
   }

@@ -124,6 +124,7 @@ struct Action {
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.
     Stay,             ///< They are still there.
+    Scroll,           ///< What is longer than there is room for: up where `argument` is 0, or down.
     Resume,           ///< Starting over is taken back: whoever keeps the session knows to what.
   };
   Kind kind = Kind::Begin;
@@ -212,6 +213,12 @@ std::uint32_t page_count(const Museum& museum, const InterfaceState& state,
 std::vector<Control> touches_to(const Museum& museum, const InterfaceState& state,
                                 std::uint32_t per_page, std::string_view name,
                                 std::size_t most = 3);
+
+/// Is it one of the two that turn what is longer than there is room for? They are in no
+/// controls_of(): whether there is anything to turn is found out when a view is laid out.
+constexpr bool turns_what_scrolls(std::string_view name) noexcept {
+  return name == "text-up" || name == "text-down";
+}
 
 /// Does any view of this museum have a control of that name?
 bool is_control_name(const Museum& museum, std::string_view name);

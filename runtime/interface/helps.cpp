@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "runtime/interface/button_grid.h"
 #include "runtime/interface/face.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/places.h"
 
 namespace docent::interface {
@@ -68,29 +70,50 @@ std::vector<std::pair<std::int32_t, Pictogram>> shown_of(const Sheet& sheet,
   return shown;
 }
 
-/// The strip of pictograms: beside the other one where there is room, or else above it. Returns how
-/// high all of it is.
+void draw_board(Sheet& sheet, const PixelBox& board) {
+  sheet.shadow(board, 2 * sheet.measures().unit, 0.12F);
+  sheet.fill(board, sheet.theme().paper, sheet.measures().corner);
+}
+
+using Signs = std::vector<std::pair<std::int32_t, Pictogram>>;
+
+float width_of_signs(const Sheet& sheet, const Signs& shown) {
+  const float gap = std::round(sheet.measures().unit);
+  return static_cast<float>(shown.size()) * (sheet.measures().touch + gap) + gap;
+}
+
+/// Pictograms side by side on a board whose lower corner is given; returns the board.
+PixelBox draw_signs_at(Sheet& sheet, const Signs& shown, float right, float bottom) {
+  const Measures& m = sheet.measures();
+  const float gap = std::round(m.unit), width = width_of_signs(sheet, shown);
+  const float height = m.touch + 2 * gap;
+  const PixelBox board{right - width, bottom - height, width, height};
+  draw_board(sheet, board);
+  PixelBox cell{board.x + gap, board.y + gap, m.touch, m.touch};
+  for (const auto& [control, pictogram] : shown) {
+    sheet.place(control, cell);
+    if (sheet.at(control).selected) sheet.mark_selected(cell, control);
+    sheet.pictogram(pictogram, cell.inset(std::round(0.2F * m.touch)), sheet.quiet_colour(control),
+                    control);
+    cell.x += m.touch + gap;
+  }
+  return board;
+}
+
+PixelBox draw_signs(Sheet& sheet, const PixelBox& free, const Signs& shown) {
+  const Measures& m = sheet.measures();
+  return draw_signs_at(sheet, shown, free.right() - m.gap, free.bottom() - m.gap);
+}
+
+/// Beside the other strip where there is room, or else above it. Returns how high all of it is.
 float draw_senses(Sheet& sheet, const PixelBox& free, const PixelBox& other) {
   const auto shown = shown_of(sheet, senses);
   if (shown.empty()) return free.bottom() - other.y;
   const Measures& m = sheet.measures();
-  const float gap = std::round(m.unit), count = static_cast<float>(shown.size());
-  const float width = count * (m.touch + gap) + gap, height = m.touch + 2 * gap;
-  const bool is_beside = other.x - 2 * m.gap - width >= free.x;
+  const bool is_beside = other.x - 2 * m.gap - width_of_signs(sheet, shown) >= free.x;
   const float right = is_beside ? other.x : free.right();
   const float bottom = is_beside || other.height == 0 ? free.bottom() : other.y;
-  const PixelBox board{right - m.gap - width, bottom - m.gap - height, width, height};
-  sheet.shadow(board, 2 * m.unit, 0.12F);
-  sheet.fill(board, sheet.theme().paper, m.corner);
-  PixelBox cell{board.x + gap, board.y + gap, m.touch, m.touch};
-  for (const auto& [control, pictogram] : shown) {
-    sheet.place(control, cell);
-    const bool is_on = sheet.view().controls[static_cast<std::size_t>(control)].selected;
-    if (is_on) sheet.mark_selected(cell, control);
-    sheet.pictogram(pictogram, cell.inset(std::round(0.2F * m.touch)),
-                    is_on ? sheet.theme().ink : sheet.theme().quiet_ink, control);
-    cell.x += m.touch + gap;
-  }
+  const PixelBox board = draw_signs_at(sheet, shown, right - m.gap, bottom - m.gap);
   return free.bottom() - std::min(board.y, other.y);
 }
 
@@ -126,36 +149,25 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
   const auto shown = shown_of(sheet, helps);
   if (shown.empty()) return draw_senses(sheet, free, {free.right(), free.bottom(), 0, 0});
-
-  // As wide in every language, so that helps stay where they are. Where there is no room for all
-  // beside each other, what is asked of ways comes first, in a row of its own.
-  constexpr float ordinary = 26, least = 21;  // units
-  const float gap = std::round(m.unit), count = static_cast<float>(shown.size());
-  const float scale = sheet.request().shape.text_scale;
-  const float room = free.width - 2 * m.gap - gap;
-  const bool in_two = shown.size() > 2 && room / count - gap < least * m.unit * scale;
-  const float columns = in_two ? 2 : count;
-  const float each =
-      std::min(std::floor(room / columns) - gap, std::round(ordinary * m.unit * scale));
-  const auto row_count = static_cast<float>(in_two ? (shown.size() + 1) / 2 : 1);
-  const float width = columns * (each + gap) + gap, height = row_count * (m.touch + gap) + gap;
-  const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
-  sheet.shadow(board, 2 * m.unit, 0.12F);
-  sheet.fill(board, sheet.theme().paper, m.corner);
-  // From the end: what is on every screen stays in its place.
   std::vector<std::int32_t> controls;
   for (const auto& one : shown) controls.push_back(one.first);
-  const TextStyle word = sheet.signed_row_style(controls, each);
-  PixelBox cell{board.right() - gap - each, board.bottom() - gap - m.touch, each, m.touch};
-  float left = columns;
-  for (auto one = shown.rbegin(); one != shown.rend(); ++one) {
-    sheet.signed_button(one->first, one->second, cell, word);
-    cell.x -= each + gap;
-    if (--left > 0) continue;
-    left = columns;
-    cell.x = board.right() - gap - each;
-    cell.y -= m.touch + gap;
-  }
+
+  // As wide in every language, so that helps stay where they are.
+  constexpr float ordinary = 26, most_height = 0.32F;  // units; of the model's height
+  const float gap = std::round(m.unit), count = static_cast<float>(shown.size());
+  const float room = free.width - 2 * m.gap - 2 * gap;
+  const float wanted = std::round(ordinary * m.unit * sheet.request().shape.text_scale);
+  const float whole = std::min(room, count * (wanted + gap) - gap);
+  const ButtonGrid grid =
+      grid_of(sheet, controls, {.width = whole, .margin = sheet.signed_margin(), .gap = gap});
+  // Where letters are large and the glass is small, signs alone leave the model to be seen.
+  if (grid.height() > most_height * free.height)
+    return draw_senses(sheet, free, draw_signs(sheet, free, shown));
+  const float width = whole + 2 * gap, height = grid.height() + 2 * gap;
+  const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
+  draw_board(sheet, board);
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    sheet.signed_button(shown[i].first, shown[i].second, grid.cell(board.inset(gap), i));
   return draw_senses(sheet, free, board);
 }
 

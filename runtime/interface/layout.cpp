@@ -5,9 +5,10 @@
 #include <string>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/scroll.h"
 #include "runtime/interface/seats.h"
-#include "runtime/interface/sheet.h"
 #include "runtime/scene/look.h"
 
 namespace docent::interface {
@@ -65,8 +66,13 @@ void lower(View& view, const ScreenShape& shape) noexcept {
   for (Control& control : view.controls) move(control.rect);
   for (Element& element : view.elements) move_quad(element.quad);
   for (CountedText& text : view.remaining) move_quad(text.quad);
-  for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board})
+  for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board,
+                            &view.scroll.rect, &view.scroll.rail})
     move(*rect);
+  for (float* length :
+       {&view.scroll.length, &view.scroll.page, &view.scroll.least, &view.scroll.fade})
+    *length *= down;
+  for (ScrollArea::Scrolled& one : view.scroll.controls) move(one.rect);
   view.pixel_width = width;
   view.pixel_height = height;
 }
@@ -94,12 +100,14 @@ void add_floor_labels(Sheet& sheet) {
   const std::uint32_t language = sheet.request().state.language;
 
   const std::uint32_t floor = sheet.request().state.floor.value_or(museum.kiosk_floor);
+  const float widest = 32 * sheet.measures().unit * sheet.request().shape.text_scale;
 
   for (const Room& room : museum.rooms) {
     if (room.floor != floor) continue;
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 500;
-    const TextPiece name = sheet.fitted(style, sheet.local(room.title), 1e4F);
+    style.line_height = style.line_height > 1.5F ? 1.4F : 1.2F;
+    const TextPiece name = sheet.set(style, sheet.local(room.title), widest);
     FloorLabel label{.position = room.label,
                      .texture = name.texture,
                      .width_px = name.width,
@@ -124,8 +132,8 @@ void add_floor_labels(Sheet& sheet) {
     const Exhibit& exhibit = museum.exhibits[control.action.argument];
     TextStyle style = sheet.style(Letters::Small);
     style.weight = 600;
-    const TextPiece number = sheet.fitted(
-        style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), 1e4F);
+    const TextPiece number = sheet.set(
+        style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), widest);
     view.labels.push_back(
         {.position = exhibit.placement.position,
          .height = 2.3F,
@@ -221,7 +229,7 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
   list.row_gap = std::round(m.unit);
   // A line of the tallest heading, which is Arabic's, has room on a small glass, too.
   list.heading_height = std::round(std::max(9.5F * m.unit, 18.5F * m.mm) * shape.text_scale);
-  list.foot_height = 3 * (m.touch + m.gap);
+  list.foot_height = std::ceil(3.6F * m.touch + 3 * m.gap);
   const float room = content_height - list.heading_height - list.foot_height + list.row_gap;
   list.rows = static_cast<std::uint32_t>(
       std::clamp(std::floor(room / (list.row_height + list.row_gap)), 1.0F, 12.0F));
@@ -237,7 +245,6 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   view->part = request.part;
   view->state = request.state;
   view->controls = controls_of(museum, request.state, exhibits_per_page(asked.shape, asked.state));
-  view->speech = speech_of(museum, asked, view->controls, closed, way);
   view->free = free_part_of(request.shape, runs_right_to_left(museum, request.state.language));
   view->pixel_width = static_cast<float>(request.shape.width);
   view->pixel_height = static_cast<float>(request.shape.height);
@@ -251,6 +258,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   if (request.state.glass != Glass::Whole) {
     lay_out_shared(sheet);
     sheet.finish();
+    view->speech = speech_of(museum, asked, view->controls, closed, way);
     return view;
   }
   const PixelBox panel = panel_box(request.shape);
@@ -278,6 +286,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();
   if (request.state.low_reach) lower(*view, asked.shape);
+  view->speech = speech_of(museum, asked, view->controls, closed, way);
   return view;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/interface/scroll.h"
+
 namespace docent::interface {
 namespace {
 
@@ -82,17 +84,21 @@ class Lister {
 }  // namespace
 
 std::vector<OnGlass> on_glass(const Museum& museum, const View& view, const ScreenShape& shape,
-                              float remaining, std::int32_t focus) {
+                              float remaining, std::int32_t focus, float offset) {
   Lister lister(museum, view, shape);
+  const auto seen = [&](const scene::Quad& quad, bool scrolls) {
+    return scrolls ? seen_of(view.scroll, quad.rect, offset) : quad.rect;
+  };
   for (std::size_t i = 0; i < view.controls.size(); ++i)
     lister.add_control(i, static_cast<std::int32_t>(i) == focus);
   for (const Element& element : view.elements)
-    if (element.control < 0) lister.add_label(element.words, element.quad.rect);
+    if (element.control < 0) lister.add_label(element.words, seen(element.quad, element.scrolls));
   for (const FloorLabel& label : view.labels)
     if (label.control < 0) lister.add_label(label.words, label.rect);
   const auto counted = std::ranges::find_if(
       view.remaining, [&](const CountedText& text) { return remaining <= text.metres; });
-  if (counted != view.remaining.end()) lister.add_label(counted->words, counted->quad.rect);
+  if (counted != view.remaining.end())
+    lister.add_label(counted->words, seen(counted->quad, view.remaining_scrolls));
   return std::move(lister.items);
 }
 

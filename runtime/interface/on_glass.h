@@ -28,7 +28,7 @@ struct OnGlass {
 /// Everything that can be touched or read in a view: controls in focus order, then labels that
 /// belong to none. `remaining`: metres still to walk. `focus`: index of a control, or -1.
 std::vector<OnGlass> on_glass(const Museum& museum, const View& view, const ScreenShape& shape,
-                              float remaining, std::int32_t focus);
+                              float remaining, std::int32_t focus, float offset = 0);
 
 /// Those that cover each other, as pairs of indices. Up to a pixel is no overlap: texts stand on
 /// whole pixels.

@@ -2,8 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
+#include "runtime/interface/button_grid.h"
 #include "runtime/interface/finder.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
 #include "runtime/interface/sheet.h"
@@ -43,45 +47,62 @@ void draw_pattern(Sheet& sheet, RouteKind kind, const PixelBox& box, std::int32_
                 thick / 2, control);
 }
 
-void draw_route(Sheet& sheet, std::int32_t control, const PixelBox& box, Along along) {
+constexpr float sample_thick = 0.9F, sample_long = 7, route_pad = 1.5F;  // units
+
+/// The sample above its words, or before them where routes are below each other.
+void draw_route(Sheet& sheet, std::int32_t control, const PixelBox& box, bool is_beside) {
   const Measures& m = sheet.measures();
   sheet.place(control, box);
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  const Control& it = sheet.at(control);
   const auto kind = static_cast<RouteKind>(it.action.argument);
   if (it.selected) sheet.mark_selected(box, control);
-
-  const bool narrow = along != Along::Column;
-  TextStyle style = narrow ? sheet.style(Letters::Small, 2) : sheet.style(Letters::Label);
-  style.weight = it.selected ? 600 : 400;
-  style.line_height = style.right_to_left ? 1.25F : 1.1F;
-  const scene::Colour ink = it.selected ? sheet.theme().ink : sheet.theme().quiet_ink;
-  const float pad = std::round(1.5F * m.unit), thick = std::round(0.9F * m.unit);
-  const float sample = std::round((narrow ? 4.5F : 7) * m.unit);
+  const float pad = std::round(route_pad * m.unit), thick = std::round(sample_thick * m.unit);
+  const float sample = std::round(sample_long * m.unit);
+  const scene::Colour ink = sheet.quiet_colour(control);
+  if (is_beside) {
+    draw_pattern(sheet, kind,
+                 {box.x + pad, std::round(box.y + (box.height - thick) / 2), sample, thick},
+                 control);
+    const float x = box.x + pad + sample + pad;
+    return sheet.control_word(control, {x, box.y, box.right() - x - pad, box.height}, Align::Start,
+                              ink);
+  }
   draw_pattern(sheet, kind,
-               {box.x + pad, std::round(box.y + (box.height - thick) / 2), sample, thick}, control);
-  const float x = box.x + pad + sample + pad;
-  const TextPiece label = sheet.fitted(style, sheet.local(it.label), box.right() - x - pad / 2);
-  sheet.piece(label, x, box.y + (box.height - label.height) / 2, box.right() - x, Align::Start, ink,
-              control);
+               {std::round(box.x + (box.width - sample) / 2), box.y + pad, sample, thick}, control);
+  const float top = pad + thick;
+  sheet.control_word(control, {box.x + pad, box.y + top, box.width - 2 * pad, box.height - top},
+                     Align::Centre, ink);
 }
 
-/// A language's own name, in its own letters.
-TextPiece language_name(Sheet& sheet, const Control& control, float width) {
-  const Language& language = sheet.museum().languages[control.action.argument];
-  TextStyle style = sheet.style(Letters::Label);
-  style.weight = control.selected ? 600 : 400;
-  style.language = language.tag;
-  style.right_to_left = language.right_to_left;
-  style.line_height = 1.5F;
-  return sheet.fitted(style, sheet.local(control.label), width);
+/// How routes lie in that width.
+struct RouteGrid {
+  ButtonGrid grid;
+  bool is_beside = false;  ///< A sample and its words.
+};
+RouteGrid routes_in(Sheet& sheet, std::span<const std::int32_t> controls, float width,
+                    Along along) {
+  const Measures& m = sheet.measures();
+  const float pad = std::round(route_pad * m.unit), thick = std::round(sample_thick * m.unit);
+  GridRules rules{.width = width,
+                  .margin = 2 * pad,
+                  .gap = std::round(m.unit),
+                  .lines = 3,
+                  .above = pad + thick};
+  if (along == Along::Row) {
+    const ButtonGrid grid = grid_of(sheet, controls, rules);
+    if (grid.columns == controls.size()) return {grid, false};
+  }
+  rules.margin = 3 * pad + std::round(sample_long * m.unit);
+  rules.above = 0;
+  rules.most_columns = 1;
+  return {grid_of(sheet, controls, rules), true};
 }
 
-std::vector<std::int32_t> languages_of(Sheet& sheet) {
+std::vector<std::int32_t> controls_that(Sheet& sheet, Action::Kind does, Role role) {
   std::vector<std::int32_t> controls;
   for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
     const Control& it = sheet.view().controls[i];
-    if (it.action.kind == Action::Kind::Speak && it.role == Role::Choice)
-      controls.push_back(static_cast<std::int32_t>(i));
+    if (it.action.kind == does && it.role == role) controls.push_back(static_cast<std::int32_t>(i));
   }
   return controls;
 }
@@ -90,97 +111,213 @@ std::vector<std::int32_t> languages_of(Sheet& sheet) {
 
 void draw_language(Sheet& sheet, std::int32_t control, const PixelBox& box, Align align) {
   const Measures& m = sheet.measures();
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.mark_selected(box, control);
-  const PixelBox inside = align == Align::Centre ? box.inset(m.unit / 2) : box.inset(m.unit);
-  const TextPiece name = language_name(sheet, it, inside.width);
-  sheet.piece(name, inside.x, box.y + (box.height - name.height) / 2, inside.width, align,
-              it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, control);
+  if (sheet.at(control).selected) sheet.mark_selected(box, control);
+  sheet.control_word(control, {box.x + m.unit, box.y, box.width - 2 * m.unit, box.height}, align,
+                     sheet.quiet_colour(control));
 }
 
-/// Languages side by side, each as wide as its name; narrower, or in equal shares, where that is
-/// too much.
+namespace {
+
+/// Side by side, each as wide as its name; empty where that is too much.
+std::vector<float> widths_of_names(Sheet& sheet, std::span<const std::int32_t> controls,
+                                   float width) {
+  const Measures& m = sheet.measures();
+  std::vector<float> widths;
+  float whole = 0;
+  for (const std::int32_t control : controls) {
+    const float name =
+        sheet.extent(sheet.word_style(control, 1e4F), sheet.label_of(control), 1e4F).width;
+    widths.push_back(std::max(m.touch, std::ceil(name + 2 * m.unit) + 2));
+    whole += widths.back() + m.unit;
+  }
+  return whole - m.unit > width ? std::vector<float>{} : widths;
+}
+
+ButtonGrid grid_of_names(Sheet& sheet, std::span<const std::int32_t> controls, float width) {
+  const Measures& m = sheet.measures();
+  return grid_of(sheet, controls,
+                 {.width = width, .margin = 2 * m.unit, .gap = std::round(m.unit), .lines = 1});
+}
+
+/// Of names side by side.
+float height_of_names(Sheet& sheet, std::span<const std::int32_t> controls) {
+  float height = sheet.measures().touch;
+  for (const std::int32_t control : controls)
+    height = std::max(
+        height,
+        sheet.extent(sheet.word_style(control, 1e4F), sheet.label_of(control), 1e4F).height);
+  return height;
+}
+
+float height_of_languages(Sheet& sheet, float width) {
+  const std::int32_t list = sheet.control("languages");
+  if (list >= 0) {
+    const std::array one{list};
+    return grid_of(sheet, one, {.width = width, .margin = sheet.signed_margin()}).height();
+  }
+  const auto controls = controls_that(sheet, Action::Kind::Speak, Role::Choice);
+  if (controls.empty()) return 0;
+  return widths_of_names(sheet, controls, width).empty()
+             ? grid_of_names(sheet, controls, width).height()
+             : height_of_names(sheet, controls);
+}
+
+/// Do languages take more than one row, or what leads to them more than a line?
+bool needs_rows(Sheet& sheet, float width) {
+  const std::int32_t list = sheet.control("languages");
+  if (list >= 0) {
+    const std::array one{list};
+    return !have_room(sheet, one, width - sheet.signed_margin(), 2);
+  }
+  const auto controls = controls_that(sheet, Action::Kind::Speak, Role::Choice);
+  return !controls.empty() && widths_of_names(sheet, controls, width).empty();
+}
+
 void draw_languages(Sheet& sheet, const PixelBox& box) {
   const Measures& m = sheet.measures();
   if (const std::int32_t list = sheet.control("languages"); list >= 0)
-    return sheet.signed_button(list, Pictogram::Languages, box, sheet.style(Letters::Label));
-  const std::vector<std::int32_t> controls = languages_of(sheet);
-  if (controls.empty()) return;
-
-  std::vector<float> widths;
-  float whole = 0;
-  for (const std::int32_t i : controls) {
-    const Control& it = sheet.view().controls[static_cast<std::size_t>(i)];
-    widths.push_back(std::max(m.touch, language_name(sheet, it, box.width).width + 2 * m.unit));
-    whole += widths.back() + m.unit;
+    return sheet.signed_button(list, Pictogram::Languages, box);
+  const auto controls = controls_that(sheet, Action::Kind::Speak, Role::Choice);
+  const std::vector<float> widths = widths_of_names(sheet, controls, box.width);
+  if (widths.empty()) {
+    const ButtonGrid grid = grid_of_names(sheet, controls, box.width);
+    for (std::size_t i = 0; i < controls.size(); ++i)
+      draw_language(sheet, controls[i], grid.cell(box, i), Align::Centre);
+    return;
   }
-  const float share = std::floor(box.width / static_cast<float>(controls.size()) - m.unit);
-  // Long names take more of what there is than short ones, as long as all are wide enough to touch.
-  const float scale = (box.width - m.unit * static_cast<float>(controls.size())) / whole;
-  const bool in_proportion = std::ranges::all_of(
-      widths, [&](float width) { return std::floor(scale * width) >= m.touch; });
   float x = box.x;
-  for (std::size_t n = 0; n < controls.size(); ++n) {
-    const float narrow = in_proportion ? std::floor(scale * widths[n]) : share;
-    const PixelBox cell{x, box.y, whole - m.unit > box.width ? narrow : widths[n], box.height};
-    x = cell.right() + m.unit;
-    draw_language(sheet, controls[n], cell, Align::Centre);
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    draw_language(sheet, controls[i], {x, box.y, widths[i], box.height}, Align::Centre);
+    x += widths[i] + m.unit;
   }
 }
 
-float draw_language_rows(Sheet& sheet, const PixelBox& content) {
+}  // namespace
+
+Block languages_block(Sheet& sheet, float gap) {
+  return {.height = [&sheet](float width) { return height_of_languages(sheet, width); },
+          .draw =
+              [&sheet](const PixelBox& box) {
+                if (box.height > 0) draw_languages(sheet, box);
+              },
+          .gap = gap};
+}
+
+Block buttons_block(Sheet& sheet, std::vector<RowButton> all, float gap, float least) {
+  std::erase_if(all, [](const RowButton& one) { return one.control < 0; });
+  const auto buttons = std::make_shared<const std::vector<RowButton>>(std::move(all));
+  const auto grid = [&sheet, buttons, least](float width) {
+    std::vector<std::int32_t> controls;
+    for (const RowButton& one : *buttons) controls.push_back(one.control);
+    return grid_of(sheet, controls,
+                   {.width = width,
+                    .margin = sheet.button_margin(),
+                    .gap = sheet.measures().gap,
+                    .fills = true,
+                    .least = least});
+  };
+  return {.height = [grid](float width) { return grid(width).height(); },
+          .draw =
+              [&sheet, buttons, grid](const PixelBox& box) {
+                const ButtonGrid cells = grid(box.width);
+                for (std::size_t i = 0; i < buttons->size(); ++i)
+                  sheet.button((*buttons)[i].control, cells.cell(box, i), (*buttons)[i].emphasis);
+              },
+          .gap = gap};
+}
+
+Block routes_block(Sheet& sheet, Along along, float gap) {
+  const auto controls = std::make_shared<const std::vector<std::int32_t>>(
+      controls_that(sheet, Action::Kind::TakeRoute, Role::Choice));
+  return {.height =
+              [&sheet, controls, along](float width) {
+                return routes_in(sheet, *controls, width, along).grid.height();
+              },
+          .draw =
+              [&sheet, controls, along](const PixelBox& box) {
+                const RouteGrid routes = routes_in(sheet, *controls, box.width, along);
+                for (std::size_t i = 0; i < controls->size(); ++i)
+                  draw_route(sheet, (*controls)[i], routes.grid.cell(box, i), routes.is_beside);
+              },
+          .gap = gap};
+}
+
+/// Languages at the start and the button at the end of one row, or in rows of their own.
+std::vector<Block> foot_blocks(Sheet& sheet, std::string_view button_name) {
   const Measures& m = sheet.measures();
-  const std::vector<std::int32_t> controls = languages_of(sheet);
-  const auto count = static_cast<float>(controls.size());
-  constexpr float least = 17;  // units
-  const float fitting =
-      std::floor(content.width / (least * m.unit * sheet.request().shape.text_scale));
-  const float columns = std::clamp(fitting, 1.0F, std::max(1.0F, count));
-  const float gap = m.unit, rows = std::ceil(count / columns);
-  const float width = std::floor((content.width - (columns - 1) * gap) / columns);
-  const float top = content.bottom() - rows * (m.touch + gap) + gap;
-  for (std::size_t i = 0; i < controls.size(); ++i) {
-    const auto n = static_cast<float>(i);
-    const float row = std::floor(n / columns), column = n - row * columns;
-    draw_language(sheet, controls[i],
-                  {content.x + column * (width + gap), top + row * (m.touch + gap), width, m.touch},
-                  Align::Centre);
-  }
-  return top;
+  const std::int32_t end = sheet.control(button_name);
+  Block languages = languages_block(sheet, m.gap);
+  if (end < 0) return {languages};
+  const std::array one{end};
+  constexpr float share = 0.36F;
+  const auto is_one_row = [&sheet, one, languages](float width) {
+    const float rest = width - std::round(share * width) - sheet.measures().gap;
+    return have_room(sheet, one, std::round(share * width) - sheet.button_margin(), 2) &&
+           !needs_rows(sheet, rest);
+  };
+  const auto row = buttons_block(sheet, {{end, Sheet::Emphasis::Soft}}, 0);
+  Block all;
+  all.height = [is_one_row, languages, row, gap = m.gap](float width) {
+    if (is_one_row(width)) {
+      const float wide = std::round(share * width);
+      return std::max(row.height(wide), languages.height(width - wide - gap));
+    }
+    const float names = languages.height(width);
+    return names + (names > 0 ? gap : 0) + row.height(width);
+  };
+  all.draw = [is_one_row, languages, row, gap = m.gap](const PixelBox& box) {
+    if (is_one_row(box.width)) {
+      const float width = std::round(share * box.width);
+      const float height = row.height(width);
+      row.draw({box.right() - width, box.bottom() - height, width, height});
+      const float rest = box.width - width - gap, names = languages.height(rest);
+      return languages.draw({box.x, box.bottom() - names, rest, names});
+    }
+    const float names = languages.height(box.width);
+    languages.draw({box.x, box.y, box.width, names});
+    const float top = names > 0 ? names + gap : 0;
+    row.draw({box.x, box.y + top, box.width, box.height - top});
+  };
+  return {all};
 }
 
 float draw_floors(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
-  std::vector<std::int32_t> controls;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
-    if (sheet.view().controls[i].action.kind == Action::Kind::ShowFloor)
-      controls.push_back(static_cast<std::int32_t>(i));
+  const auto controls = controls_that(sheet, Action::Kind::ShowFloor, Role::Choice);
   if (controls.empty()) return 0;
+  const auto floor_of = [&](std::int32_t control) -> const Floor& {
+    return sheet.museum().floors[sheet.at(control).action.argument];
+  };
   const auto count = static_cast<float>(controls.size());
   const float gap = std::round(m.unit);
   const float most = std::floor((free.height - 2 * m.margin - (count - 1) * gap) / count);
-  const float side = std::min(m.touch, most);
-  const float x = free.right() - m.margin - side;
-  float y = std::round(free.y + (free.height - count * side - (count - 1) * gap) / 2);
-  const PixelBox board{x - gap, y - gap, side + 2 * gap, count * (side + gap) + gap};
+  const float height = std::min(m.touch, most);
+  TextStyle style = sheet.style(Letters::Label);
+  style.line_height = 1.15F;
+  float width = height;
+  for (const std::int32_t control : controls)
+    width = std::max(width,
+                     m.unit + sheet.extent(style, floor_of(control).plan.short_name, 1e4F).width);
+  const float x = free.right() - m.margin - width;
+  float y = std::round(free.y + (free.height - count * height - (count - 1) * gap) / 2);
+  const PixelBox board{x - gap, y - gap, width + 2 * gap, count * (height + gap) + gap};
   sheet.shadow(board, 2 * m.unit, 0.12F);
   sheet.fill(board, sheet.theme().paper, m.corner);
   for (const std::int32_t control : controls) {
-    const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
-    const Floor& floor = sheet.museum().floors[it.action.argument];
-    const PixelBox box{x, y, side, side};
+    const Control& it = sheet.at(control);
+    const Floor& floor = floor_of(control);
+    const PixelBox box{x, y, width, height};
     sheet.place(control, box);
     if (it.selected) sheet.mark_selected(box, control);
-    TextStyle style = sheet.style(Letters::Label);
     style.weight = it.selected ? 600 : 400;
-    const TextPiece name = sheet.fitted(style, floor.plan.short_name, side);
+    const TextPiece name = sheet.set(style, floor.plan.short_name, width);
     sheet.piece(name, box.x, box.y + (box.height - name.height) / 2, box.width, Align::Centre,
-                it.selected ? sheet.theme().ink : sheet.theme().quiet_ink, control);
-    if (it.selected && !sheet.local(floor.title).empty())
-      sheet.text(Letters::Lead, sheet.local(floor.title), free.x + m.margin, free.y + m.margin,
-                 free.width - 2 * m.margin, sheet.theme().quiet_ink);
-    y += side + gap;
+                sheet.quiet_colour(control), control);
+    if (it.selected)
+      sheet.text(sheet.style(Letters::Lead), sheet.local(floor.title), free.x + m.margin,
+                 free.y + m.margin, board.x - free.x - 2 * m.margin, sheet.theme().quiet_ink);
+    y += height + gap;
   }
   return free.right() - board.x;
 }
@@ -270,11 +407,11 @@ std::string kind_line(const Sheet& sheet, PlaceKind kind) {
                    number_in(museum, sheet.request().state.language, count));
 }
 
-PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
+std::string tour_progress(const Sheet& sheet) {
   const InterfaceState& state = sheet.request().state;
   const Museum& museum = sheet.museum();
   const std::optional<TourStops> tour = stops_of(museum, state.own_tour, state.tour);
-  if (!tour) return box;
+  if (!tour) return {};
   const auto number = [&](std::size_t n) {
     return number_in(museum, state.language, static_cast<long>(n));
   };
@@ -291,10 +428,7 @@ PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box) {
   else if (left > 0)
     line.append(between).append(
         filled_in(sheet.word("tour_left"), "time", time_in(museum, state.language, left)));
-  const float bottom = sheet.piece(sheet.fitted(sheet.style(Letters::Small, 2), line, box.width),
-                                   box.x, box.y, box.width, Align::Start, sheet.theme().quiet_ink) +
-                       sheet.measures().unit;
-  return {box.x, bottom, box.width, box.bottom() - bottom};
+  return line;
 }
 
 void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
@@ -311,6 +445,27 @@ void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
                                     : action.argument;
   sheet.fill(box, sheet.theme().plaster, m.corner, control);
   sheet.image(box, sheet.museum().exhibits[exhibit].image, m.corner, control);
+}
+
+std::vector<std::int32_t> list_items(const Sheet& sheet) {
+  std::vector<std::int32_t> items;
+  for (std::size_t i = 0; i < sheet.controls().size(); ++i)
+    if (sheet.controls()[i].role == Role::ListItem) items.push_back(static_cast<std::int32_t>(i));
+  return items;
+}
+
+void draw_collect(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
+  sheet.place(control, box);
+  const bool is_in = it.action.kind == Action::Kind::Discard;
+  sheet.fill(box, is_in ? sheet.theme().ink : sheet.theme().plaster, m.corner, control);
+  const scene::Colour sign = is_in ? sheet.theme().paper : sheet.theme().ink;
+  const float length = std::round(0.4F * m.touch), thick = std::round(0.06F * m.touch);
+  const float x = box.x + box.width / 2, y = box.y + box.height / 2;
+  const scene::Colour ink = it.enabled ? sign : scene::with_opacity(sign, 0.35F);
+  sheet.fill({x - length / 2, y - thick / 2, length, thick}, ink, 0, control);
+  if (!is_in) sheet.fill({x - thick / 2, y - length / 2, thick, length}, ink, 0, control);
 }
 
 void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control) {
@@ -351,75 +506,65 @@ bool leads_to_closed(const Sheet& sheet, const Control& control) noexcept {
 
 }  // namespace
 
-void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+namespace {
+
+/// The two texts of a card, beside its picture.
+struct CardTexts {
+  TextStyle title, line;
+  std::string second;
+  float title_height = 0, line_height = 0;
+
+  float height() const noexcept { return title_height + line_height; }
+};
+
+CardTexts texts_of(Sheet& sheet, std::int32_t control, float width) {
+  CardTexts texts{.title = sheet.style(Letters::Item),
+                  .line = sheet.style(Letters::Small),
+                  .second = line_of(sheet, sheet.at(control))};
+  for (TextStyle* style : {&texts.title, &texts.line})
+    style->line_height = style->line_height > 1.5F ? 1.5F : 1.25F;
+  texts.title_height = sheet.height_of(texts.title, sheet.label_of(control), width);
+  texts.line_height = sheet.height_of(texts.line, texts.second, width);
+  return texts;
+}
+
+float width_of_texts(const Sheet& sheet, float width, float picture) {
+  return width - picture - 1.5F * sheet.measures().gap;
+}
+
+}  // namespace
+
+float height_of_card(Sheet& sheet, std::int32_t control, float width, float least) {
+  const float pad = std::round(sheet.measures().unit / 2);
+  const CardTexts texts = texts_of(sheet, control, width_of_texts(sheet, width, least));
+  return std::max(least, std::ceil(texts.height() + 2 * pad));
+}
+
+void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box, float picture) {
   if (control < 0) return;
   const Measures& m = sheet.measures();
-  const Control& it = sheet.view().controls[static_cast<std::size_t>(control)];
   sheet.place(control, box);
-  if (it.selected) sheet.mark_selected(box, control);
-  const PixelBox picture{box.x, box.y, box.height, box.height};
-  draw_what(sheet, control, picture);
-
-  const float x = picture.right() + m.gap, width = box.right() - x - m.gap / 2;
-  TextStyle title_style = sheet.style(Letters::Item);
-  title_style.line_height = title_style.right_to_left ? 1.5F : 1.25F;
-  TextPiece title = sheet.fitted(title_style, sheet.local(it.label), width);
-  const std::string line = line_of(sheet, it);
-  TextStyle room_style = sheet.style(Letters::Small);
-  room_style.line_height = title_style.line_height;
-  TextPiece second = sheet.fitted(room_style, line, width);
-  const auto shrink_to = [&](float share) {
-    title_style.size = std::floor(share * title_style.size);
-    room_style.size = std::floor(share * room_style.size);
-    title = sheet.fitted(title_style, sheet.local(it.label), width);
-    second = sheet.fitted(room_style, line, width);
-  };
-  if (title.cut) {  // in two lines, as large as there is room for
-    title_style.max_lines = 2;
-    const float whole = (2 * title_style.size + room_style.size) * title_style.line_height;
-    shrink_to(std::min(0.7F, box.height / whole));
-  }
-  if (const float whole = title.height + second.height; whole > box.height)
-    shrink_to(box.height / whole);
-  const float top = box.y + (box.height - title.height - second.height) / 2;
-  const bool is_closed = leads_to_closed(sheet, it);
-  sheet.piece(title, x, top, width, Align::Start,
-              is_closed ? sheet.theme().quiet_ink : sheet.theme().ink, control);
-  sheet.piece(second, x, top + title.height, width, Align::Start, sheet.theme().quiet_ink, control);
+  if (sheet.at(control).selected) sheet.mark_selected(box, control);
+  draw_what(sheet, control,
+            {box.x, std::round(box.y + (box.height - picture) / 2), picture, picture});
+  const float x = box.x + picture + m.gap;
+  const float width = width_of_texts(sheet, box.width, picture);
+  const CardTexts texts = texts_of(sheet, control, width);
+  const float top = box.y + (box.height - texts.height()) / 2;
+  sheet.text_of(
+      control, texts.title, sheet.label_of(control), x, top, width,
+      leads_to_closed(sheet, sheet.at(control)) ? sheet.theme().quiet_ink : sheet.theme().ink);
+  sheet.text_of(control, texts.line, texts.second, x, top + texts.title_height, width,
+                sheet.theme().quiet_ink);
 }
 
-float draw_routes(Sheet& sheet, const PixelBox& box, Along along) {
-  const Measures& m = sheet.measures();
-  std::vector<std::int32_t> controls;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
-    if (sheet.view().controls[i].action.kind == Action::Kind::TakeRoute)
-      controls.push_back(static_cast<std::int32_t>(i));
-  const auto kinds = static_cast<float>(route_kinds.size());
-  const float gap = std::round(m.unit);
-  const bool row = along == Along::Row;
-  const float width = row ? std::floor((box.width - (kinds - 1) * gap) / kinds) : box.width;
-  for (std::size_t i = 0; i < controls.size(); ++i) {
-    const auto n = static_cast<float>(i);
-    draw_route(sheet, controls[i],
-               {box.x + (row ? n * (width + gap) : 0), box.y + (row ? 0 : n * (m.touch + gap)),
-                width, m.touch},
-               along);
-  }
-  return box.y + (row ? m.touch : kinds * m.touch + (kinds - 1) * gap);
-}
-
-float draw_foot(Sheet& sheet, const PixelBox& content, std::string_view button_name) {
-  const Measures& m = sheet.measures();
-  const float top = content.bottom() - m.touch;
-  const std::int32_t end_button = sheet.control(button_name);
-  const float button_width = end_button < 0 ? 0 : std::round(content.width * 0.36F);
-  if (end_button >= 0)
-    sheet.button(end_button, {content.right() - button_width, top, button_width, m.touch},
-                 Sheet::Emphasis::Soft);
-
-  draw_languages(sheet, {content.x, top,
-                         content.width - button_width - (end_button < 0 ? 0 : m.gap), m.touch});
-  return top;
+Block card_block(Sheet& sheet, std::int32_t control, float gap) {
+  const float picture = list_shape(sheet.request().shape).row_height;
+  return {.height = [&sheet, control, picture](
+                        float width) { return height_of_card(sheet, control, width, picture); },
+          .draw = [&sheet, control,
+                   picture](const PixelBox& box) { draw_card(sheet, control, box, picture); },
+          .gap = gap};
 }
 
 }  // namespace docent::interface

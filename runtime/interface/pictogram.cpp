@@ -320,6 +320,10 @@ Shapes shapes_of(Pictogram what) {
               line(4, 20.8F, 20, 20.8F, 2.4F)};
     case Pictogram::Search:  // a magnifying glass
       return {ring(10, 10, 6.2F, 2.2F), line(14.8F, 14.8F, 20.4F, 20.4F, 2.8F)};
+    case Pictogram::FurtherUp:
+      return {line(5, 15.5F, 12, 8.5F, 2.6F), line(12, 8.5F, 19, 15.5F, 2.6F)};
+    case Pictogram::FurtherDown:
+      return {line(5, 8.5F, 12, 15.5F, 2.6F), line(12, 15.5F, 19, 8.5F, 2.6F)};
     case Pictogram::Count:
       return {};
   }

@@ -20,6 +20,8 @@ enum class Pictogram : std::uint8_t {
   Contrast,
   Lower,
   Search,
+  FurtherUp,
+  FurtherDown,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

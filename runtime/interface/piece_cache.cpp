@@ -9,8 +9,11 @@ namespace docent::interface {
 namespace {
 
 std::string key_of(const TextStyle& s, std::string_view text, std::uint32_t width) {
-  return fmt::format("text|{}|{}|{}|{}|{}|{}{}|{}|{}|{}", static_cast<int>(s.family), s.weight,
-                     s.size, s.line_height, s.max_lines, s.right_to_left ? 'r' : 'l',
+  return fmt::format("text|{}|{}|{}|{}|{},{},{}|{}{}|{}|{}|{}", static_cast<int>(s.family),
+                     s.weight, s.size, s.line_height, s.max_lines, s.first_line, s.line_count,
+                     s.centred         ? 'c'
+                     : s.right_to_left ? 'r'
+                                       : 'l',
                      s.tabular ? 't' : 'p', s.language, width, text);
 }
 
@@ -65,6 +68,25 @@ TextPiece PieceCache::text(const TextStyle& style, std::string_view text, std::u
                         .words = {}};
   return keep(std::move(key), piece,
               {.texture = piece.texture, .text = std::move(bitmap), .picture = {}}, text.size());
+}
+
+TextPiece PieceCache::extent(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  std::string key = key_of(style, text, width);
+  if (const TextPiece* known = find(key)) {
+    TextPiece piece = *known;
+    piece.texture = scene::TextureId::None;
+    return piece;
+  }
+  if (const auto known = extents_.find(key); known != extents_.end()) return known->second;
+  if (extents_.size() == most_extents) extents_.clear();
+  const TextBitmap bitmap = makers_.set_text(style, text, width);
+  const TextPiece piece{.width = static_cast<float>(bitmap.width),
+                        .height = static_cast<float>(bitmap.height),
+                        .lines = bitmap.lines,
+                        .cut = bitmap.cut,
+                        .size = style.size,
+                        .words = {}};
+  return extents_.emplace(std::move(key), piece).first->second;
 }
 
 TextPiece PieceCache::pictogram(Pictogram what, std::uint32_t side) {

@@ -47,6 +47,8 @@ class PieceCache {
   PieceCache(PieceMakers makers, std::uint32_t first, std::size_t budget);
 
   TextPiece text(const TextStyle& style, std::string_view text, std::uint32_t width);
+  /// How large that piece is, without one: its texture is None.
+  TextPiece extent(const TextStyle& style, std::string_view text, std::uint32_t width);
   /// A picture that is drawn where it is not there yet; `key` says what is on it, and how large.
   scene::TextureId drawing(std::string key, const std::function<Pixels()>& draw);
   TextPiece pictogram(Pictogram what, std::uint32_t side);
@@ -80,13 +82,15 @@ class PieceCache {
 
   /// Going back to one of these is quick.
   static constexpr std::uint64_t kept_views = 4;
+  static constexpr std::size_t most_extents = 2000;
 
   PieceMakers makers_;
   std::uint32_t first_, count_ = 0;
   std::size_t budget_, bytes_ = 0;
   std::uint64_t view_ = 0;
   std::map<std::string, Entry, std::less<>> entries_;
-  std::vector<scene::TextureId> free_;  ///< Descending.
+  std::map<std::string, TextPiece, std::less<>> extents_;  ///< Of at most `most_extents` texts.
+  std::vector<scene::TextureId> free_;                     ///< Descending.
   PieceChanges changes_;
 };
 

@@ -2,13 +2,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <memory>
+#include <utility>
 
+#include "runtime/interface/button_grid.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/places.h"
-#include "runtime/interface/sheet.h"
 
 namespace docent::interface {
+
+Block heading_block(Sheet& sheet, Letters letters, std::string text, scene::Colour colour,
+                    float gap) {
+  const auto shared = std::make_shared<const std::string>(std::move(text));
+  return {.height =
+              [&sheet, letters, shared](float width) {
+                return sheet.height_of(sheet.heading_style(letters, *shared, width), *shared,
+                                       width);
+              },
+          .draw =
+              [&sheet, letters, shared, colour](const PixelBox& box) {
+                sheet.text(sheet.heading_style(letters, *shared, box.width), *shared, box.x, box.y,
+                           box.width, colour);
+              },
+          .gap = gap};
+}
+
 namespace {
 
 /// In portrait the wide panel has two columns.
@@ -18,31 +39,57 @@ std::pair<PixelBox, PixelBox> halves(const PixelBox& content, float gap, float s
           {content.x + left + gap, content.y, content.width - left - gap, content.height}};
 }
 
+struct CountedLine {
+  float metres = 0;
+  std::string text;
+};
+
 /// The metres still to go, ready for every moment of the walk: every metre when near, every five
 /// when far.
-void prepare_remaining(Sheet& sheet, const TextStyle& style, const RouteSummary& route_summary,
-                       float x, float y, float width) {
+std::vector<CountedLine> remaining_lines(const Sheet& sheet, const RouteSummary& summary) {
   const Museum& museum = sheet.museum();
   const std::uint32_t language = sheet.request().state.language;
-  const auto add = [&](float at, std::string_view text) {
-    const TextPiece piece = sheet.fitted(style, text, width);
-    sheet.view().remaining.push_back(
-        {at, sheet.quad_of(piece, x, y, width, Align::Start, sheet.theme().ink),
-         sheet.words_of(piece)});
-  };
+  std::vector<CountedLine> lines;
   constexpr double near = 10, coarse = 5;
   double metres = 1;
-  while (metres < route_summary.metres) {
-    const std::string text = metres < 3 ? std::string(sheet.word("nearly_there"))
-                                        : filled_in(sheet.word("remaining"), "distance",
-                                                    distance_in(museum, language, metres));
-    add(static_cast<float>(metres), text);
+  while (metres < summary.metres) {
+    lines.push_back({static_cast<float>(metres),
+                     metres < 3 ? std::string(sheet.word("nearly_there"))
+                                : filled_in(sheet.word("remaining"), "distance",
+                                            distance_in(museum, language, metres))});
     metres += metres < near ? 1 : coarse;
   }
   std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
-                                distance_in(museum, language, route_summary.metres));
-  whole = filled_in(whole, "time", time_in(museum, language, route_summary.seconds));
-  add(1e9F, whole);
+                                distance_in(museum, language, summary.metres));
+  whole = filled_in(whole, "time", time_in(museum, language, summary.seconds));
+  lines.push_back({1e9F, whole});
+  return lines;
+}
+
+/// As high as the longest of them.
+Block remaining_block(Sheet& sheet, const RouteSummary& summary) {
+  TextStyle style = sheet.style(Letters::Lead);
+  style.tabular = true;
+  const auto lines =
+      std::make_shared<const std::vector<CountedLine>>(remaining_lines(sheet, summary));
+  return {.height =
+              [&sheet, style, lines](float width) {
+                float height = 0;
+                for (const CountedLine& line : *lines)
+                  height = std::max(height, sheet.extent(style, line.text, width).height);
+                return height;
+              },
+          .draw =
+              [&sheet, style, lines](const PixelBox& box) {
+                for (const CountedLine& line : *lines) {
+                  const TextPiece piece = sheet.set(style, line.text, box.width);
+                  sheet.view().remaining.push_back({line.metres,
+                                                    sheet.quad_of(piece, box.x, box.y, box.width,
+                                                                  Align::Start, sheet.theme().ink),
+                                                    sheet.words_of(piece)});
+                }
+              },
+          .gap = sheet.measures().gap};
 }
 
 /// Why there is no way, and who can help.
@@ -71,37 +118,21 @@ Refusal refusal_of(const Sheet& sheet, const RouteSummary& summary) {
   return refusal;
 }
 
-/// Sets it as large as there is room for; returns the bottom.
-float draw_refusal(Sheet& sheet, const Refusal& refusal, const PixelBox& box, Letters title) {
-  struct Sizes {
-    Letters title, closed, why;
-  };
-  const bool on_card = title == Letters::Lead;
-  const std::array sizes{
-      Sizes{title, on_card ? Letters::Body : Letters::Lead, Letters::Body},
-      Sizes{on_card ? Letters::Label : Letters::Heading, Letters::Body, Letters::Body},
-      Sizes{Letters::Label, Letters::Body, Letters::Small},
-      Sizes{Letters::Small, Letters::Small, Letters::Small}};
-  const auto set = [&](Letters letters, const std::string& text, float lines) {
-    const auto most = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 6.0F));
-    return text.empty() ? TextPiece{} : sheet.fitted(sheet.style(letters, most), text, box.width);
-  };
-  for (const Sizes& size : sizes) {
-    const bool is_last = &size == &sizes.back();
-    const TextPiece name = set(size.title, refusal.title, is_last ? 1 : 2);
-    const TextPiece closed = set(size.closed, refusal.closed, 2);
-    const float room = box.height - name.height - closed.height;
-    const TextStyle style = sheet.style(size.why);
-    const float lines = std::floor(room / (style.size * style.line_height));
-    const TextPiece why = set(size.why, refusal.why, is_last ? lines : 6);
-    if (!is_last && why.height > room) continue;
-    float y = sheet.piece(name, box.x, box.y, box.width, Align::Start, sheet.theme().ink);
-    y = sheet.piece(closed, box.x, y, box.width, Align::Start, sheet.theme().ink);
-    return is_last && lines < 1
-               ? y
-               : sheet.piece(why, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
-  }
-  return box.y;
+std::vector<Block> refusal_blocks(Sheet& sheet, const Refusal& refusal, Letters title) {
+  const Measures& m = sheet.measures();
+  const scene::Theme& theme = sheet.theme();
+  return {heading_block(sheet, title, refusal.title, theme.ink, m.unit),
+          text_block(sheet, sheet.style(Letters::Lead), refusal.closed, theme.ink, m.unit),
+          text_block(sheet, sheet.style(Letters::Body), refusal.why, theme.quiet_ink, m.gap)};
+}
+
+void append(std::vector<Block>& blocks, std::vector<Block> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(blocks));
+}
+
+Block tour_block(Sheet& sheet) {
+  return text_block(sheet, sheet.style(Letters::Small), tour_progress(sheet),
+                    sheet.theme().quiet_ink, sheet.measures().unit);
 }
 
 }  // namespace
@@ -163,6 +194,21 @@ std::string goal_text(const Sheet& sheet) {
   return where_line(sheet, goal->floor, room_of(museum, goal->floor, goal->position));
 }
 
+namespace {
+
+/// How high it is where there is room.
+float height_of_goal(Sheet& sheet, float width) {
+  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
+    const auto& images = sheet.museum().images;
+    if (exhibit->image >= images.size() || images[exhibit->image].width == 0) return 0;
+    const EncodedImage& image = images[exhibit->image];
+    return std::floor(width * static_cast<float>(image.height) / static_cast<float>(image.width));
+  }
+  return chosen_kind(sheet) ? std::min(width, 40 * sheet.measures().unit) : 0;
+}
+
+}  // namespace
+
 float draw_goal(Sheet& sheet, const PixelBox& box) {
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
     return sheet.whole_image(box, exhibit->image, sheet.measures().corner);
@@ -173,284 +219,308 @@ float draw_goal(Sheet& sheet, const PixelBox& box) {
   return side;
 }
 
-float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title) {
-  const Measures& m = sheet.measures();
-  const std::string title_text = goal_title(sheet);
-  if (title_text.empty()) return box.y;
-  const std::optional<RouteSummary>& route_summary = sheet.request().route_summary;
-  if (route_summary && route_summary->status != path::RouteStatus::Ok)
-    return draw_refusal(sheet, refusal_of(sheet, *route_summary), box, title) + m.gap;
-  TextStyle style = sheet.style(Letters::Lead);
-  style.tabular = true;
-  const float line = std::ceil(style.size * style.line_height);
-  const TextPiece follow = sheet.fitted(
-      sheet.style(Letters::Body),
-      sheet.word(chosen_exhibit(sheet) != nullptr ? "follow" : "follow_to_place"), box.width);
-  TextPiece name = sheet.fitted(sheet.style(title, 2), title_text, box.width);
-  // Where there is little room, the name is said, and on one line.
-  const bool tight = follow.height + name.height + m.unit + line > box.height;
-  if (tight && name.height + m.unit + line > box.height)
-    name = sheet.fitted(sheet.style(title), title_text, box.width);
-  float y = box.y;
-  if (!tight) y = sheet.piece(follow, box.x, y, box.width, Align::Start, sheet.theme().quiet_ink);
-  y = sheet.piece(name, box.x, y, box.width, Align::Start, sheet.theme().ink) + m.unit;
+Block picture_block(Sheet& sheet, float least, float worthwhile, float gap) {
+  return {.height = [least](float) { return least; },
+          .draw =
+              [&sheet, worthwhile](const PixelBox& box) {
+                if (box.height >= worthwhile) draw_goal(sheet, box);
+              },
+          .gap = gap,
+          .most = [&sheet](float width) { return height_of_goal(sheet, width); }};
+}
 
-  if (!route_summary)
-    return sheet.text(Letters::Body, sheet.word("planning"), box.x, y, box.width,
-                      sheet.theme().quiet_ink, 3) +
-           m.gap;
-  prepare_remaining(sheet, style, *route_summary, box.x, y, box.width);
-  return y + line + m.gap;
+std::vector<Block> invitation_blocks(Sheet& sheet, Letters title) {
+  const Measures& m = sheet.measures();
+  const scene::Theme& theme = sheet.theme();
+  std::vector<Block> blocks{tour_block(sheet)};
+  std::string name = goal_title(sheet);
+  if (name.empty()) return blocks;
+  const std::optional<RouteSummary>& summary = sheet.request().route_summary;
+  if (summary && summary->status != path::RouteStatus::Ok) {
+    append(blocks, refusal_blocks(sheet, refusal_of(sheet, *summary), title));
+    return blocks;
+  }
+  const std::string_view follow =
+      sheet.word(chosen_exhibit(sheet) != nullptr ? "follow" : "follow_to_place");
+  blocks.push_back(
+      text_block(sheet, sheet.style(Letters::Body), std::string(follow), theme.quiet_ink, 0));
+  blocks.push_back(heading_block(sheet, title, std::move(name), theme.ink, m.unit));
+  blocks.push_back(summary
+                       ? remaining_block(sheet, *summary)
+                       : text_block(sheet, sheet.style(Letters::Body),
+                                    std::string(sheet.word("planning")), theme.quiet_ink, m.gap));
+  return blocks;
+}
+
+std::vector<Block> goal_blocks(Sheet& sheet, Letters title) {
+  const Measures& m = sheet.measures();
+  return {heading_block(sheet, title, goal_title(sheet), sheet.theme().ink, m.unit),
+          text_block(sheet, sheet.style(Letters::Body), goal_text(sheet), sheet.theme().ink, 0)};
+}
+
+void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
+  const Measures& m = sheet.measures();
+  const scene::Theme& theme = sheet.theme();
+  const Museum& museum = sheet.museum();
+  std::vector<Block> body;
+  if (is_landscape(sheet.request().shape)) {  // a fifth of the height is left free where it can be
+    const float most = 0.2F * content.height;
+    body.push_back({.height = [](float) { return 0.0F; },
+                    .draw = [](const PixelBox&) {},
+                    .most = [most](float) { return most; }});
+  }
+  body.push_back(text_block(sheet, sheet.style(Letters::Label),
+                            std::string(sheet.local(museum.title)), theme.quiet_ink, m.gap));
+  body.push_back(
+      heading_block(sheet, Letters::Welcome, std::string(sheet.word("welcome")), theme.ink, m.gap));
+  body.push_back(text_block(sheet, sheet.style(Letters::Lead),
+                            std::string(sheet.local(museum.welcome)), theme.quiet_ink, m.gap));
+  std::vector<Block> foot{buttons_block(sheet,
+                                        {{sheet.control("begin"), Sheet::Emphasis::Strong},
+                                         {sheet.control("resume"), Sheet::Emphasis::Soft}},
+                                        2 * m.gap, std::round(m.touch * 1.35F)),
+                          languages_block(sheet, 0)};
+  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 
 namespace {
 
-/// The museum's name, the welcome and what one can do here, as large as there is room for above
-/// `bottom`; where there is hardly any, without the last.
-void draw_greeting(Sheet& sheet, const PixelBox& content, float bottom) {
+/// What collects an exhibit of the list is as wide for all: as its words need; where that is too
+/// much, a sign stands for them.
+float width_of_collect(Sheet& sheet, std::int32_t control, float width) {
+  constexpr float most = 0.32F;
   const Measures& m = sheet.measures();
-  struct Sizes {
-    Letters title, welcome, lead;
-  };
-  constexpr std::array sizes{Sizes{Letters::Label, Letters::Welcome, Letters::Lead},
-                             Sizes{Letters::Label, Letters::Title, Letters::Lead},
-                             Sizes{Letters::Label, Letters::Title, Letters::Body},
-                             Sizes{Letters::Body, Letters::Heading, Letters::Body},
-                             Sizes{Letters::Body, Letters::Body, Letters::Body}};
-  for (const Sizes& size : sizes) {
-    const auto set = [&](Letters letters, std::string_view text, std::uint16_t lines) {
-      return sheet.fitted(sheet.style(letters, lines), text, content.width);
-    };
-    const TextPiece title = set(size.title, sheet.local(sheet.museum().title), 2);
-    const TextPiece welcome = set(size.welcome, sheet.word("welcome"), 2);
-    const TextPiece lead = set(size.lead, sheet.local(sheet.museum().welcome), 4);
-    const float top = content.y + title.height + m.gap;
-    const float spare = bottom - top - welcome.height - m.gap - lead.height;
-    const bool is_last = &size == &sizes.back();
-    if (spare < 0 && !is_last) continue;
-    sheet.piece(title, content.x, content.y, content.width, Align::Start, sheet.theme().quiet_ink);
-    float y = top;
-    if (is_landscape(sheet.request().shape))
-      y = std::max(top, std::min(content.y + content.height * 0.2F, top + spare));
-    y = sheet.piece(welcome, content.x, y, content.width, Align::Start, sheet.theme().ink) + m.gap;
-    if (spare >= 0)
-      sheet.piece(lead, content.x, y, content.width, Align::Start, sheet.theme().quiet_ink);
-    return;
-  }
+  const TextStyle style = sheet.word_style(control, width);
+  float longest = 0;
+  for (const std::string_view key : {"own_tour_add", "own_tour_added", "own_tour_remove"})
+    longest = std::max(longest, sheet.longest_word(style, sheet.word(key)));
+  const float wide = std::max(m.touch, std::ceil(longest + 2 * m.unit));
+  return wide <= most * width ? wide : m.touch;
+}
+
+/// An item of the list, and what collects it where that is an exhibit.
+Block item_block(Sheet& sheet, std::int32_t control, float gap) {
+  const Measures& m = sheet.measures();
+  const Action& action = sheet.at(control).action;
+  const float least = list_shape(sheet.request().shape).row_height;
+  if (action.kind == Action::Kind::Speak)
+    return {.height = [least](float) { return least; },
+            .draw = [&sheet, control](
+                        const PixelBox& box) { draw_language(sheet, control, box, Align::Start); },
+            .gap = gap};
+  const std::int32_t collect =
+      action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
+  if (collect < 0) return card_block(sheet, control, gap);
+  const float between = std::round(m.unit);
+  return {
+      .height =
+          [&sheet, control, collect, least, between](float width) {
+            const float aside = width_of_collect(sheet, collect, width);
+            const float room = aside - sheet.measures().unit;
+            const float word =
+                sheet.extent(sheet.word_style(collect, room), sheet.label_of(collect), room).height;
+            const float card = height_of_card(sheet, control, width - aside - between, least);
+            return aside > sheet.measures().touch ? std::max(card, word + between) : card;
+          },
+      .draw =
+          [&sheet, control, collect, least, between](const PixelBox& box) {
+            const float aside = width_of_collect(sheet, collect, box.width);
+            draw_card(sheet, control, {box.x, box.y, box.width - aside - between, box.height},
+                      least);
+            const PixelBox end{box.right() - aside, box.y, aside, box.height};
+            if (aside > sheet.measures().touch) return sheet.quiet_button(collect, end);
+            draw_collect(sheet, collect, {end.x, end.y + (end.height - aside) / 2, aside, aside});
+          },
+      .gap = gap};
+}
+
+/// Two items beside each other, as high as the higher one.
+Block pair_block(const Block& left, const Block& right, float between, float gap) {
+  const auto half = [between](float width) { return std::floor((width - between) / 2); };
+  return {.height =
+              [left, right, half](float width) {
+                return std::max(left.height(half(width)), right.height(half(width)));
+              },
+          .draw =
+              [left, right, half](const PixelBox& box) {
+                const float width = half(box.width);
+                left.draw({box.x, box.y, width, box.height});
+                right.draw({box.right() - width, box.y, width, box.height});
+              },
+          .gap = gap};
 }
 
 }  // namespace
 
-void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
+std::vector<Block> list_blocks(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const bool in_rows = sheet.museum().languages.size() > most_languages_beside;
-  const float foot = in_rows ? draw_language_rows(sheet, content) : draw_foot(sheet, content, "");
-  const float height = std::round(m.touch * 1.35F);
-  const float width = std::round(std::min(content.width, 54 * m.unit));
-  const PixelBox begin{content.x, foot - 2 * m.gap - height, width, height};
-  draw_greeting(sheet, content, begin.y - m.gap);
-  const std::int32_t resume = sheet.control("resume");
-  if (resume < 0) return sheet.button(sheet.control("begin"), begin, Sheet::Emphasis::Strong);
-  const float half = std::floor((content.width - m.gap) / 2);
-  sheet.button(sheet.control("begin"), {begin.x, begin.y, half, height}, Sheet::Emphasis::Strong);
-  sheet.button(resume, {content.right() - half, begin.y, half, height}, Sheet::Emphasis::Soft);
+  const ListShape list = list_shape(sheet.request().shape);
+  std::vector<Block> items;
+  for (const std::int32_t control : list_items(sheet))
+    items.push_back(item_block(sheet, control, list.row_gap));
+  constexpr float least_column = 50;  // units
+  const bool in_two = list.columns > 1 &&
+                      content.width / 2 >= least_column * m.unit * sheet.request().shape.text_scale;
+  if (!in_two) return items;
+  const Block none{.height = [](float) { return 0.0F; }, .draw = [](const PixelBox&) {}};
+  std::vector<Block> rows;
+  const std::size_t half = (items.size() + 1) / 2;
+  for (std::size_t i = 0; i < half; ++i)
+    rows.push_back(pair_block(items[i], half + i < items.size() ? items[half + i] : none, 2 * m.gap,
+                              list.row_gap));
+  return rows;
 }
 
 namespace {
 
-/// An item of the list, and what collects it where that is an exhibit.
-void draw_list_item(Sheet& sheet, std::int32_t control, const PixelBox& box) {
-  const Measures& m = sheet.measures();
-  const Action& action = sheet.view().controls[static_cast<std::size_t>(control)].action;
-  if (action.kind == Action::Kind::Speak) return draw_language(sheet, control, box, Align::Start);
-  const std::int32_t collect =
-      action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
-  if (collect < 0) return draw_card(sheet, control, box);
-  const float width = std::round(
-      std::max(m.touch, std::min(12 * m.unit * sheet.request().shape.text_scale, box.width / 4)));
-  const float gap = std::round(m.unit);
-  draw_card(sheet, control, {box.x, box.y, box.width - width - gap, box.height});
-  sheet.quiet_button(collect, {box.right() - width, box.y, width, box.height});
-}
-
-/// To begin the visitor's own tour, and to put more into it.
-void draw_start(Sheet& sheet, const PixelBox& row) {
-  const float half = std::floor((row.width - sheet.measures().gap) / 2);
-  const std::array buttons{sheet.control("start-tour"), sheet.control("choose")};
-  const TextStyle word = sheet.row_style(buttons, half);
-  sheet.button(buttons[0], {row.x, row.y, half, row.height}, Sheet::Emphasis::Strong, word);
-  sheet.button(buttons[1], {row.right() - half, row.y, half, row.height}, Sheet::Emphasis::Soft,
-               word);
+/// Back and forth, and between them which page this is.
+Block pages_block(Sheet& sheet) {
+  const InterfaceState& state = sheet.request().state;
+  const Museum& museum = sheet.museum();
+  const std::uint32_t pages = page_count(museum, state, exhibits_per_page(sheet.request().shape));
+  const std::array both{sheet.control("page:previous"), sheet.control("page:next")};
+  const std::uint32_t page = std::min(state.page, pages - 1);
+  std::string text = filled_in(sheet.word("page_of"), "n",
+                               number_in(museum, state.language, static_cast<long>(page) + 1));
+  text = filled_in(text, "total", number_in(museum, state.language, static_cast<long>(pages)));
+  const auto count = std::make_shared<const std::string>(std::move(text));
+  const auto third = [gap = sheet.measures().gap](float width) {
+    return std::floor((width - 2 * gap) / 3);
+  };
+  const auto is_row = [&sheet, both, third](float width) {
+    return have_room(sheet, both, third(width) - sheet.button_margin(), 2);
+  };
+  const Block rows = buttons_block(sheet, {{both[0]}, {both[1]}}, 0);
+  const TextStyle style = sheet.style(Letters::Small);
+  const auto height_of_count = [&sheet, style, count](float width) {
+    return sheet.extent(style, *count, width).height;
+  };
+  Block pages_row;
+  pages_row.gap = sheet.measures().gap;
+  pages_row.height = [=, &sheet](float width) {
+    if (!is_row(width)) return rows.height(width) + height_of_count(width);
+    float height = std::max(sheet.measures().touch, height_of_count(third(width)));
+    for (const std::int32_t control : both)
+      height = std::max(height, buttons_block(sheet, {{control}}, 0).height(third(width)));
+    return height;
+  };
+  pages_row.draw = [=, &sheet](const PixelBox& box) {
+    const bool row = is_row(box.width);
+    const float wide = row ? third(box.width) : box.width;
+    const float x = row ? box.x + (box.width - wide) / 2 : box.x;
+    const float own = height_of_count(wide);
+    const TextPiece piece = sheet.set(style, *count, wide);
+    const float y = row ? box.y + (box.height - own) / 2 : box.y;
+    sheet.piece(piece, x, y, wide, Align::Centre, sheet.theme().quiet_ink);
+    if (!row) return rows.draw({box.x, box.y + own, box.width, box.height - own});
+    sheet.button(both[0], {box.x, box.y, wide, box.height}, Sheet::Emphasis::Soft);
+    sheet.button(both[1], {box.right() - wide, box.y, wide, box.height}, Sheet::Emphasis::Soft);
+  };
+  return pages_row;
 }
 
 }  // namespace
 
 void lay_out_choosing(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const ListShape list = list_shape(sheet.request().shape);
-  const std::uint32_t per_page = list.columns * list.rows;
   const Listed lists = sheet.request().state.lists;
-  const TextPiece heading =
-      sheet.fitted(sheet.style(Letters::Heading), sheet.word(title_of(lists)), content.width);
-  sheet.piece(heading, content.x, content.y, content.width, Align::Start, sheet.theme().ink);
-  if (lists == Listed::OwnTour) {
-    const float width = content.width - heading.width - 2 * m.gap;
-    const TextPiece line =
-        sheet.fitted(sheet.style(Letters::Small, 2), own_tour_line(sheet), width);
-    sheet.piece(line, content.right() - width, content.y + (heading.height - line.height) / 2,
-                width, Align::End, sheet.theme().quiet_ink);
-  }
-
-  const float column_gap = 2 * m.gap;
-  const auto columns = static_cast<float>(list.columns);
-  const float width = std::floor((content.width - (columns - 1) * column_gap) / columns);
-  std::uint32_t shown = 0;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
-    if (sheet.view().controls[i].role != Role::ListItem) continue;
-    const std::uint32_t in_column = shown / list.rows;
-    const auto column = static_cast<float>(in_column);
-    const auto row = static_cast<float>(shown % list.rows);
-    draw_list_item(sheet, static_cast<std::int32_t>(i),
-                   {content.x + column * (width + column_gap),
-                    content.y + list.heading_height + row * (list.row_height + list.row_gap), width,
-                    list.row_height});
-    ++shown;
-  }
-
-  const bool can_go_back = sheet.control("back") >= 0;
-  const float foot = draw_foot(sheet, content, can_go_back ? "back" : "home");
-  const float routes = foot - m.gap - m.touch;
+  std::vector<Block> body{heading_block(
+      sheet, Letters::Heading, std::string(sheet.word(title_of(lists))), sheet.theme().ink, m.gap)};
   if (lists == Listed::OwnTour)
-    draw_start(sheet, {content.x, routes, content.width, m.touch});
-  else
-    draw_routes(sheet, {content.x, routes, content.width, m.touch}, Along::Row);
+    body.push_back(text_block(sheet, sheet.style(Letters::Small), own_tour_line(sheet),
+                              sheet.theme().quiet_ink, m.unit));
+  append(body, list_blocks(sheet, content));
 
-  const std::uint32_t pages = page_count(sheet.museum(), sheet.request().state, per_page);
-  if (pages == 1) return;
-  const float y = routes - m.gap - m.touch;
-  const float third = std::floor((content.width - 2 * m.gap) / 3);
-  sheet.button(sheet.control("page:previous"), {content.x, y, third, m.touch},
-               Sheet::Emphasis::Soft);
-  sheet.button(sheet.control("page:next"), {content.right() - third, y, third, m.touch},
-               Sheet::Emphasis::Soft);
-  const std::uint32_t language = sheet.request().state.language;
-  const std::uint32_t page = std::min(sheet.request().state.page, pages - 1);
-  std::string text = filled_in(sheet.word("page_of"), "n",
-                               number_in(sheet.museum(), language, static_cast<long>(page) + 1));
-  text = filled_in(text, "total", number_in(sheet.museum(), language, static_cast<long>(pages)));
-  const TextPiece count = sheet.fitted(sheet.style(Letters::Small), text, third);
-  sheet.piece(count, content.x, y + (m.touch - count.height) / 2, content.width, Align::Centre,
-              sheet.theme().quiet_ink);
+  std::vector<Block> foot;
+  if (sheet.control("page:next") >= 0) foot.push_back(pages_block(sheet));
+  if (lists == Listed::OwnTour)
+    foot.push_back(buttons_block(sheet,
+                                 {{sheet.control("start-tour"), Sheet::Emphasis::Strong},
+                                  {sheet.control("choose"), Sheet::Emphasis::Soft}},
+                                 m.gap));
+  else
+    foot.push_back(routes_block(sheet, Along::Row, m.gap));
+  append(foot, foot_blocks(sheet, sheet.control("back") >= 0 ? "back" : "home"));
+  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
+
+namespace {
+
+/// In portrait, where letters leave room for two columns, `left` stands beside the rest, above the
+/// last blocks of the foot; else all is in one column, with `left` in its place.
+struct TwoColumns {
+  std::vector<Block> left, right, right_foot, foot;
+};
+bool lay_out_in_two(Sheet& sheet, const PixelBox& content, const TwoColumns& columns, float share) {
+  const Measures& m = sheet.measures();
+  if (is_landscape(sheet.request().shape)) return false;
+  constexpr float least_column = 50;  // units
+  const auto [first, second] = halves(content, 2 * m.margin, share);
+  const float foot = height_of(columns.foot, content.width);
+  const float room = content.height - foot - m.gap;
+  if (second.width < least_column * m.unit * sheet.request().shape.text_scale ||
+      room < 5 * m.touch || height_of(columns.left, first.width) > room)
+    return false;
+  lay_out_column(sheet, {first.x, first.y, first.width, room}, columns.left, {});
+  lay_out_column(sheet, {second.x, second.y, second.width, room}, columns.right,
+                 columns.right_foot);
+  lay_out_column(sheet, {content.x, content.bottom() - foot, content.width, foot}, {},
+                 columns.foot);
+  return true;
+}
+
+}  // namespace
 
 void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const float foot = draw_foot(sheet, content, "home");
-  const bool landscape = is_landscape(sheet.request().shape);
-  const float buttons = foot - m.gap - m.touch;
-  const float bottom = buttons - m.gap;
-
-  PixelBox first = content, second = content;
-  if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.5F);
   const std::int32_t skip = sheet.control("skip"),
                      collect = sheet.collect(sheet.request().state.exhibit);
-  const std::int32_t middle = skip < 0 ? collect : skip;
-  const float shares = middle < 0 ? 2 : 3;
-  const float share = std::floor((content.width - (shares - 1) * m.gap) / shares);
-  const std::array row{sheet.control("stop"), middle, sheet.control("choose")};
-  const TextStyle word = sheet.row_style(row, share);
-  sheet.button(row[0], {content.x, buttons, share, m.touch}, Sheet::Emphasis::Strong, word);
-  sheet.button(middle, {content.x + share + m.gap, buttons, share, m.touch},
-               middle == skip ? Sheet::Emphasis::Soft : Sheet::Emphasis::Plain, word);
-  sheet.button(row[2], {content.right() - share, buttons, share, m.touch}, Sheet::Emphasis::Soft,
-               word);
-
-  const float routes_height = 3 * m.touch + 2 * std::round(m.unit);
-  const float routes_top = bottom - m.gap - routes_height;
-  const TextPiece question =
-      sheet.fitted(sheet.style(Letters::Body), sheet.word("route_title"), second.width);
-  sheet.piece(question, second.x, routes_top - question.height - m.unit, second.width, Align::Start,
-              sheet.theme().quiet_ink);
-  draw_routes(sheet, {second.x, routes_top, second.width, routes_height}, Along::Column);
-
-  const float end = landscape ? routes_top - question.height - 3 * m.gap : bottom;
-  first.height = end - first.y;
-  first = draw_tour_progress(sheet, first);
-  // Where letters are large, the name makes way for the sentences.
-  const bool is_tight =
-      sheet.way() != nullptr && first.height < 44 * m.unit * sheet.request().shape.text_scale;
-  float y = draw_invitation(sheet, first, is_tight ? Letters::Heading : Letters::Title);
-  y = draw_sentences(sheet, {first.x, y, first.width, end - y});
-  if (end - y > 12 * m.unit) draw_goal(sheet, {first.x, y, first.width, end - y});
+  const RowButton middle = skip < 0 ? RowButton{collect, Sheet::Emphasis::Plain}
+                                    : RowButton{skip, Sheet::Emphasis::Soft};
+  TwoColumns all;
+  all.left = invitation_blocks(sheet, Letters::Title);
+  append(all.left, sentence_blocks(sheet));
+  all.left.push_back(picture_block(sheet, 0, 12 * m.unit, 0));
+  all.right_foot = {
+      text_block(sheet, sheet.style(Letters::Body), std::string(sheet.word("route_title")),
+                 sheet.theme().quiet_ink, m.unit),
+      routes_block(sheet, Along::Column, m.gap)};
+  all.foot = {buttons_block(sheet,
+                            {{sheet.control("stop"), Sheet::Emphasis::Strong},
+                             middle,
+                             {sheet.control("choose"), Sheet::Emphasis::Soft}},
+                            m.gap)};
+  append(all.foot, foot_blocks(sheet, "home"));
+  if (lay_out_in_two(sheet, content, all, 0.5F)) return;
+  append(all.right_foot, std::move(all.foot));
+  lay_out_column(sheet, content, std::move(all.left), std::move(all.right_foot));
 }
 
 void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const bool landscape = is_landscape(sheet.request().shape);
-  const float foot = draw_foot(sheet, content, "home");
-  const std::string title_text = goal_title(sheet);
-
-  PixelBox first = content, second = content;
-  if (!landscape) std::tie(first, second) = halves(content, 2 * m.margin, 0.42F);
-  const float row = list_shape(sheet.request().shape).row_height;
-  float bottom = foot - m.gap - m.touch;
-  const std::int32_t collect = sheet.collect(sheet.request().state.exhibit);
-  const float share = collect < 0 ? second.width : std::floor((second.width - m.gap) / 2);
-  const std::array pair{collect, sheet.control("choose")};
-  const TextStyle word = sheet.row_style(pair, share);
-  sheet.button(pair[0], {second.x, bottom, share, m.touch}, Sheet::Emphasis::Plain, word);
-  sheet.button(pair[1], {second.right() - share, bottom, share, m.touch}, Sheet::Emphasis::Soft,
-               word);
-
-  std::vector<std::int32_t> cards;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i)
-    if (sheet.view().controls[i].role == Role::ListItem)
-      cards.push_back(static_cast<std::int32_t>(i));
-  if (!cards.empty()) bottom -= m.unit;
-  for (std::size_t i = cards.size(); i-- > 0;) {
-    bottom -= row + std::round(m.unit);
-    draw_card(sheet, cards[i], {second.x, bottom, second.width, row});
-  }
-  if (!cards.empty()) {
-    const TextPiece next = sheet.fitted(
-        sheet.style(Letters::Small),
-        sheet.word(sheet.control("next") >= 0 ? "tour_next" : "next_title"), second.width);
-    bottom -= next.height + std::round(m.unit / 2);
-    sheet.piece(next, second.x, bottom, second.width, Align::Start, sheet.theme().quiet_ink);
-  }
-  bottom -= m.gap;
-  second = draw_tour_progress(sheet, second);
-
-  // The words come first; the picture takes what they leave. Where there is hardly any room, the
-  // name is said, and smaller.
-  const float text_width = second.width;
-  TextStyle body_style = sheet.style(Letters::Body);
-  const float line = body_style.size * body_style.line_height;
-  const float least_picture = landscape ? 30 * m.unit : 0;
-  TextPiece title;
-  float room = 0;
-  for (const auto& [letters, lines] :
-       {std::pair{Letters::Title, 2}, std::pair{Letters::Heading, 2}, std::pair{Letters::Label, 1},
-        std::pair{Letters::Small, 1}}) {
-    title = sheet.fitted(sheet.style(letters, static_cast<std::uint16_t>(lines)), title_text,
-                         text_width);
-    room = bottom - second.y - title.height - m.gap;
-    if (room >= line) break;
-  }
-  const float lines = std::floor((room - least_picture) / line);
-  body_style.max_lines = static_cast<std::uint16_t>(std::clamp(lines, 1.0F, 40.0F));
-  const TextPiece body =
-      room < line ? TextPiece{} : sheet.fitted(body_style, goal_text(sheet), text_width);
-
-  float y = second.y;
-  if (landscape) {
-    const float left = room - body.height - m.gap;
-    if (left > 0) y += draw_goal(sheet, {content.x, y, content.width, left}) + m.gap;
-  } else {
-    draw_goal(sheet, {first.x, first.y, first.width, foot - m.gap - first.y});
-  }
-  y = sheet.piece(title, second.x, y, text_width, Align::Start, sheet.theme().ink) + m.unit;
-  sheet.piece(body, second.x, y, text_width, Align::Start, sheet.theme().ink);
+  TwoColumns all;
+  all.left = {picture_block(sheet, 0, 1, 0)};
+  all.right = {tour_block(sheet)};
+  append(all.right, goal_blocks(sheet, Letters::Title));
+  const std::vector<std::int32_t> cards = list_items(sheet);
+  if (!cards.empty())
+    all.right_foot.push_back(
+        text_block(sheet, sheet.style(Letters::Small),
+                   std::string(sheet.word(sheet.control("next") >= 0 ? "tour_next" : "next_title")),
+                   sheet.theme().quiet_ink, std::round(m.unit / 2)));
+  for (const std::int32_t card : cards)
+    all.right_foot.push_back(
+        card_block(sheet, card, card == cards.back() ? m.gap : std::round(m.unit)));
+  all.right_foot.push_back(
+      buttons_block(sheet,
+                    {{sheet.collect(sheet.request().state.exhibit), Sheet::Emphasis::Plain},
+                     {sheet.control("choose"), Sheet::Emphasis::Soft}},
+                    m.gap));
+  all.foot = foot_blocks(sheet, "home");
+  if (lay_out_in_two(sheet, content, all, 0.42F)) return;
+  all.right.insert(all.right.begin() + 1, picture_block(sheet, 24 * m.unit, 1, m.gap));
+  append(all.right_foot, std::move(all.foot));
+  lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot));
 }
 
 }  // namespace docent::interface

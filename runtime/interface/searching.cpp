@@ -7,6 +7,7 @@
 #include "runtime/interface/face.h"
 #include "runtime/interface/finder.h"
 #include "runtime/interface/keyboard.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/search/compose.h"
 
@@ -61,6 +62,7 @@ SearchShape search_shape(const ScreenShape& shape) noexcept {
   const auto height = static_cast<float>(shape.height);
   const float panel = panel_of(shape).height * height - 2 * m.margin - m.touch - m.gap;
   const float head = 2 * (m.touch + m.gap), row = list.row_height + list.row_gap;
+  const float least = head + std::max(row, 2 * m.touch + m.gap);  // it may have to scroll
   SearchShape search;
   search.columns = list.columns;
   search.results = panel;
@@ -68,10 +70,9 @@ SearchShape search_shape(const ScreenShape& shape) noexcept {
     constexpr float most_of_model = 0.42F;
     search.has_keys_below = true;
     search.results = panel - most_rows * (keys.least + keys.gap) - m.gap;
-    search.is_on_panel = search.results >= head + row;
+    search.is_on_panel = search.results >= least;
     if (!search.is_on_panel)
-      search.results =
-          std::max(head + row, most_of_model * free_part_of(shape, false).height * height);
+      search.results = std::max(least, most_of_model * free_part_of(shape, false).height * height);
   }
   search.rows = static_cast<std::uint32_t>(
       std::clamp(std::floor((search.results - head + list.row_gap) / row), 1.0F, 12.0F));
@@ -95,13 +96,15 @@ void draw_typed(Sheet& sheet, const PixelBox& box) {
                                : std::string(sheet.word("search_hint"));
   TextStyle style = sheet.style(is_empty ? Letters::Body : Letters::Lead);
   style.weight = is_empty ? 400 : 500;
-  if (is_empty) style.max_lines = 2;
   style.line_height = is_empty ? 1.15F : 1.4F;
-  const TextPiece piece = sheet.fitted(style, text, width - m.unit);
-  const float bottom =
-      sheet.piece(piece, x, box.y + (box.height - piece.height) / 2, width, Align::Start,
-                  is_empty ? sheet.theme().quiet_ink : sheet.theme().ink);
-  if (is_empty || bottom < box.y) return;
+  if (!is_empty && sheet.extent(style, text, 1e4F).width > width - m.unit) {
+    style.size = sheet.style(Letters::Body).size;
+    style.line_height = 1.15F;
+  }
+  const TextPiece piece = sheet.set(style, text, width - m.unit);
+  sheet.piece(piece, x, box.y + (box.height - piece.height) / 2, width, Align::Start,
+              is_empty ? sheet.theme().quiet_ink : sheet.theme().ink);
+  if (is_empty || piece.lines > 1) return;
   const float caret = std::max(2.0F, std::round(0.3F * m.unit)),
               tall = std::round(0.56F * box.height);
   sheet.fill({std::round(x + piece.width + caret), std::round(box.y + (box.height - tall) / 2),
@@ -117,11 +120,10 @@ void draw_count(Sheet& sheet, const PixelBox& box, std::uint32_t per_page) {
   const float third = std::floor((box.width - 2 * m.gap) / 3);
   if (has_pages) {
     const std::array buttons{sheet.control("page:previous"), sheet.control("page:next")};
-    const TextStyle word = sheet.row_style(buttons, third);
     sheet.button(buttons[0], {box.x + third + m.gap, box.y, third, box.height},
-                 Sheet::Emphasis::Soft, word);
-    sheet.button(buttons[1], {box.right() - third, box.y, third, box.height}, Sheet::Emphasis::Soft,
-                 word);
+                 Sheet::Emphasis::Soft);
+    sheet.button(buttons[1], {box.right() - third, box.y, third, box.height},
+                 Sheet::Emphasis::Soft);
   }
   const bool is_open = state.typed.count == 0 && !state.browses;
   if (!state.found.is_current || (is_open && state.found.total == 0)) return;
@@ -132,34 +134,24 @@ void draw_count(Sheet& sheet, const PixelBox& box, std::uint32_t per_page) {
                                : filled_in(sheet.word("search_found"), "n",
                                            number_in(sheet.museum(), state.language,
                                                      static_cast<long>(state.found.total)));
-  TextStyle style = sheet.style(Letters::Small, 2);
+  TextStyle style = sheet.style(Letters::Small);
   style.line_height = 1.2F;
   const float width = has_pages ? third : box.width;
-  const TextPiece piece = sheet.fitted(style, text, width);
+  const TextPiece piece = sheet.set(style, text, width);
   sheet.piece(piece, box.x, box.y + (box.height - piece.height) / 2, width, Align::Start,
               sheet.theme().quiet_ink);
 }
 
-void draw_results(Sheet& sheet, const PixelBox& box) {
+/// What is typed, and what was found, above the foot where that lies in the same box.
+void draw_results(Sheet& sheet, const PixelBox& box, std::vector<Block> foot) {
   const Measures& m = sheet.measures();
   const SearchShape shape = search_shape(sheet.request().shape);
-  const ListShape list = list_shape(sheet.request().shape);
   draw_typed(sheet, {box.x, box.y, box.width, m.touch});
   const float count = box.y + m.touch + m.gap;
   draw_count(sheet, {box.x, count, box.width, m.touch}, shape.columns * shape.rows);
-  const float top = count + m.touch + m.gap, column_gap = 2 * m.gap;
-  const auto columns = static_cast<float>(shape.columns);
-  const float width = std::floor((box.width - (columns - 1) * column_gap) / columns);
-  std::uint32_t shown = 0;
-  for (std::size_t i = 0; i < sheet.view().controls.size(); ++i) {
-    if (sheet.view().controls[i].role != Role::ListItem) continue;
-    const auto column = static_cast<float>(shown / shape.rows);
-    const auto row = static_cast<float>(shown % shape.rows);
-    draw_card(sheet, static_cast<std::int32_t>(i),
-              {box.x + column * (width + column_gap), top + row * (list.row_height + list.row_gap),
-               width, list.row_height});
-    ++shown;
-  }
+  const float top = count + m.touch + m.gap;
+  const PixelBox list{box.x, top, box.width, box.bottom() - top};
+  lay_out_column(sheet, list, list_blocks(sheet, list), std::move(foot));
 }
 
 /// One line of keys: controls, and how many cells each takes.
@@ -266,11 +258,15 @@ void draw_key(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   style.size = std::min(style.size, std::floor(most * box.height));
   style.line_height = std::min(style.line_height, std::floor(box.height) / style.size);
   const float pad = is_letter ? 0 : std::round(sheet.measures().unit / 2);
-  const TextPiece label = sheet.fitted(style, sheet.local(it.label), box.width - 2 * pad);
-  const scene::Colour ink =
+  const float width = box.width - 2 * pad;
+  const float longest = sheet.longest_word(style, sheet.local(it.label));
+  // A key is as wide as its row leaves it, and its word is known by its place.
+  if (longest > width) style.size = std::floor(style.size * width / longest);
+  const TextPiece label = sheet.set(style, sheet.local(it.label), width);
+  const scene::Colour colour =
       it.enabled ? sheet.theme().ink : scene::with_opacity(sheet.theme().quiet_ink, 0.35F);
   sheet.piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
-              Align::Centre, ink, control);
+              Align::Centre, colour, control);
 }
 
 /// Every keyboard runs from left to right: where the language does not, the sheet is turned over
@@ -344,18 +340,23 @@ std::uint32_t found_per_page(const ScreenShape& shape) noexcept {
 
 void lay_out_searching(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const bool can_go_back = sheet.control("back") >= 0;
-  const float foot = draw_foot(sheet, content, can_go_back ? "back" : "home");
+  std::vector<Block> foot = foot_blocks(sheet, sheet.control("back") >= 0 ? "back" : "home");
   const SearchShape shape = search_shape(sheet.request().shape);
+  if (shape.is_on_panel && !shape.has_keys_below)
+    return draw_results(sheet, content, std::move(foot));
+  const float foot_height = height_of(foot, content.width);
+  const float bottom = content.bottom() - foot_height - m.gap;
+  lay_out_column(sheet, {content.x, bottom + m.gap, content.width, foot_height}, {},
+                 std::move(foot));
   float top = content.y;
   if (shape.is_on_panel) {
-    draw_results(sheet, {content.x, content.y, content.width, shape.results});
+    draw_results(sheet, {content.x, content.y, content.width, shape.results}, {});
     top += shape.results + m.gap;
   }
   if (!shape.has_keys_below) return;
   // Keys may come nearer to the glass's edge than words do.
   const float more = m.margin - m.unit;
-  const PixelBox room{content.x - more, top, content.width + 2 * more, foot - m.gap - top};
+  const PixelBox room{content.x - more, top, content.width + 2 * more, bottom - top};
   const KeyBoard keys = key_board(sheet, room.width, room.height);
   const float spare = std::max(0.0F, room.height - keys.height());
   draw_keys(sheet, keys, {room.x, std::round(room.y + spare / 2), room.width, keys.height()});
@@ -368,8 +369,8 @@ float draw_search_board(Sheet& sheet, const PixelBox& free) {
   const float pad = m.gap;
   if (!shape.is_on_panel) {
     const PixelBox board = draw_board(sheet, free, shape.results + 2 * pad);
-    draw_results(sheet,
-                 {board.x + m.margin, board.y + pad, board.width - 2 * m.margin, shape.results});
+    draw_results(
+        sheet, {board.x + m.margin, board.y + pad, board.width - 2 * m.margin, shape.results}, {});
     return board.height + m.gap;
   }
   const float edge = std::round(m.unit / 2);

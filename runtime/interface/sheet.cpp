@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "runtime/interface/scroll.h"
 
 namespace docent::interface {
 namespace {
@@ -15,7 +18,6 @@ float capitals_mm(Letters letters) noexcept {
     case Letters::Body:
       return 5;
     case Letters::Item:
-      return 5.4F;
     case Letters::Label:
     case Letters::Lead:
       return 7;
@@ -96,7 +98,7 @@ std::string_view Sheet::local(const LocalText& text) const noexcept {
   return in_language(museum_, request_.state.language, text);
 }
 
-TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept {
+TextStyle Sheet::style(Letters letters) const noexcept {
   const std::string_view language = tag_of(museum_, request_.state.language);
   const bool serif =
       letters == Letters::Heading || letters == Letters::Title || letters == Letters::Welcome;
@@ -104,25 +106,100 @@ TextStyle Sheet::style(Letters letters, std::uint16_t max_lines) const noexcept 
   style.family = serif ? Family::Serif : Family::Sans;
   style.weight = letters == Letters::Label || letters == Letters::Item ? 500 : 400;
   style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
-                          optical_scale(language) * request_.shape.text_scale * letters_);
+                          optical_scale(language) * request_.shape.text_scale);
   style.line_height = serif ? 1.2F : 1.4F;
   if (right_to_left_ || is_tall(language)) style.line_height = serif ? 1.45F : 1.7F;
-  style.max_lines = max_lines;
+  style.max_lines = 0;
   style.right_to_left = right_to_left_;
   style.language = language;
   return style;
 }
 
-TextPiece Sheet::fitted(TextStyle style, std::string_view text, float width) {
-  const auto most = static_cast<std::uint32_t>(std::max(1.0F, std::floor(width)));
-  const float whole = style.size;
-  TextPiece piece;
-  for (const float scale : {1.0F, 0.9F, 0.8F, 0.7F}) {
-    style.size = std::round(whole * scale);
-    piece = pieces_.text(style, text, most);
-    if (!piece.cut) break;
+TextStyle Sheet::word_style(std::int32_t control, float width) {
+  TextStyle look = style(Letters::Label);
+  look.line_height = right_to_left_ || is_tall(look.language) ? 1.4F : 1.15F;
+  const Action& action = at(control).action;
+  if (action.kind == Action::Kind::Speak && action.argument < museum_.languages.size())
+    look = in_own_letters(look, action.argument);
+  const float usual = std::ceil(look.size / request_.shape.text_scale);
+  return narrowed(look, label_of(control), width, usual);
+}
+
+TextStyle Sheet::heading_style(Letters letters, std::string_view text, float width) {
+  return narrowed(style(letters), text, width, style(Letters::Body).size);
+}
+
+TextStyle Sheet::narrowed(TextStyle style, std::string_view text, float width, float least) {
+  const float longest = longest_word(style, text);
+  if (longest > width)
+    style.size = std::clamp(std::floor(style.size * width / longest), std::min(least, style.size),
+                            style.size);
+  return style;
+}
+
+TextStyle Sheet::in_own_letters(TextStyle look, std::uint32_t index) const noexcept {
+  const Language& language = museum_.languages[index];
+  look.language = language.tag;
+  look.right_to_left = language.right_to_left;
+  look.line_height = 1.4F;
+  look.size = std::round(look.size / optical_scale(tag_of(museum_, request_.state.language)) *
+                         optical_scale(language.tag));
+  return look;
+}
+
+TextPiece Sheet::set(const TextStyle& style, std::string_view text, float width) {
+  return pieces_.text(style, text, static_cast<std::uint32_t>(std::max(1.0F, std::floor(width))));
+}
+
+TextPiece Sheet::extent(const TextStyle& style, std::string_view text, float width) {
+  return pieces_.extent(style, text, static_cast<std::uint32_t>(std::max(1.0F, std::floor(width))));
+}
+
+float Sheet::longest_word(const TextStyle& style, std::string_view text) {
+  if (is_without_spaces(style.language)) return pieces_.extent(style, text.substr(0, 3), 0).width;
+  float longest = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    if (end > 0) longest = std::max(longest, pieces_.extent(style, text.substr(0, end), 0).width);
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return piece;
+  return longest + 1;  // it is measured in whole pixels
+}
+
+namespace {
+
+/// Longer texts are set a part at a time: no texture is as high as some are.
+constexpr std::size_t long_text = 160;
+constexpr std::uint16_t lines_of_part = 12;
+
+float line_of(const TextStyle& style) noexcept {
+  return std::round(style.size * style.line_height);
+}
+
+}  // namespace
+
+float Sheet::height_of(const TextStyle& style, std::string_view text, float width) {
+  if (text.empty()) return 0;
+  if (text.size() <= long_text) return extent(style, text, width).height;
+  TextStyle first = style;
+  first.line_count = 1;
+  return static_cast<float>(extent(first, text, width).lines) * line_of(style);
+}
+
+float Sheet::text_of(std::int32_t control, const TextStyle& style, std::string_view text, float x,
+                     float y, float width, scene::Colour colour, Align align) {
+  if (text.empty()) return y;
+  if (text.size() <= long_text)
+    return piece(set(style, text, width), x, y, width, align, colour, control);
+  TextStyle part = style;
+  part.line_count = lines_of_part;
+  for (std::uint32_t lines = 1; part.first_line < lines;
+       part.first_line = static_cast<std::uint16_t>(part.first_line + lines_of_part)) {
+    const TextPiece set = this->set(part, text, width);
+    lines = set.lines;
+    y = piece(set, x, y, width, align, colour, control);
+  }
+  return y;
 }
 
 scene::Rect Sheet::share_of(const PixelBox& box) const noexcept {
@@ -220,50 +297,52 @@ float Sheet::piece(const TextPiece& piece, float x, float y, float width, Align 
   return y + piece.height;
 }
 
-float Sheet::text(Letters letters, std::string_view text, float x, float y, float width,
-                  scene::Colour colour, std::uint16_t max_lines) {
-  return piece(fitted(style(letters, max_lines), text, width), x, y, width, Align::Start, colour);
+void Sheet::place(std::int32_t control, const PixelBox& box) {
+  if (control < 0) return;
+  view_.controls[static_cast<std::size_t>(control)].rect = share_of(box);
+  placed_.push_back(control);
 }
 
-void Sheet::place(std::int32_t control, const PixelBox& box) {
-  if (control >= 0) view_.controls[static_cast<std::size_t>(control)].rect = share_of(box);
+std::string_view Sheet::label_of(std::int32_t control) const noexcept {
+  return local(at(control).label);
+}
+
+void Sheet::control_word(std::int32_t control, const PixelBox& box, Align align,
+                         scene::Colour colour) {
+  TextStyle style = word_style(control, box.width);
+  style.centred = align == Align::Centre;
+  const TextPiece word = set(style, label_of(control), box.width);
+  piece(word, box.x, box.y + (box.height - word.height) / 2, box.width, align, colour, control);
 }
 
 void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis) {
-  button(control, box, emphasis, row_style(std::span(&control, 1), box.width));
-}
-
-void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis,
-                   const TextStyle& word) {
   if (control < 0) return;
   place(control, box);
-  const Control& it = view_.controls[static_cast<std::size_t>(control)];
+  const Control& it = at(control);
   const bool strong = emphasis == Emphasis::Strong;
   const bool plain = emphasis == Emphasis::Plain;
   if (!plain && it.enabled)
     fill(box, strong ? theme_.ink : theme_.quiet_ink, measures_.corner, control);
   scene::Colour colour = plain ? theme_.ink : theme_.paper;
   if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
-  const float pad = button_pad(), width = box.width - 2 * pad;
-  const TextPiece label = set(word, local(it.label), width);
-  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, width, Align::Centre, colour,
-        control);
+  const float pad = button_pad();
+  control_word(control, {box.x + pad, box.y, box.width - 2 * pad, box.height}, Align::Centre,
+               colour);
+}
+
+scene::Colour Sheet::quiet_colour(std::int32_t control) const noexcept {
+  const Control& it = at(control);
+  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
+  return it.enabled ? ink : scene::with_opacity(ink, 0.35F);
 }
 
 void Sheet::quiet_button(std::int32_t control, const PixelBox& box) {
+  if (control < 0) return;
   place(control, box);
-  const Control& it = view_.controls[static_cast<std::size_t>(control)];
-  if (it.selected) mark_selected(box, control);
-  const std::string_view text = local(it.label);
-  TextStyle look = style(Letters::Small);
-  if (text.find(' ') != std::string_view::npos || is_without_spaces(look.language))
-    look.max_lines = 2;
-  look.line_height = right_to_left_ ? 1.35F : 1.15F;
+  if (at(control).selected) mark_selected(box, control);
   const float pad = std::round(measures_.unit / 2);
-  const TextPiece label = fitted(look, text, box.width - 2 * pad);
-  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
-  piece(label, box.x + pad, box.y + (box.height - label.height) / 2, box.width - 2 * pad,
-        Align::Centre, it.enabled ? ink : scene::with_opacity(ink, 0.35F), control);
+  control_word(control, {box.x + pad, box.y, box.width - 2 * pad, box.height}, Align::Centre,
+               quiet_colour(control));
 }
 
 void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
@@ -275,48 +354,14 @@ void Sheet::pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
         control);
 }
 
-void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& box,
-                          const TextStyle& word) {
+void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& box) {
   place(control, box);
-  const Control& it = view_.controls[static_cast<std::size_t>(control)];
-  if (it.selected) mark_selected(box, control);
+  if (at(control).selected) mark_selected(box, control);
   const float side = sign_side(), pad = measures_.unit;
-  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
-  pictogram(what, {box.x + pad, box.y, side, box.height}, ink, control);
-  const float x = box.x + side + 2 * pad, width = box.right() - pad - x;
-  const TextPiece label = set(word, local(it.label), width);
-  piece(label, x, box.y + (box.height - label.height) / 2, width, Align::Start, ink, control);
-}
-
-TextPiece Sheet::set(const TextStyle& style, std::string_view text, float width) {
-  return pieces_.text(style, text, static_cast<std::uint32_t>(std::max(1.0F, std::floor(width))));
-}
-
-TextStyle Sheet::word_style(std::span<const std::int32_t> controls, float width) {
-  const TextStyle whole = style(Letters::Label);
-  TextStyle look = whole;
-  const auto fits = [&](std::int32_t control) {
-    return control < 0 ||
-           !set(look, local(view_.controls[static_cast<std::size_t>(control)].label), width).cut;
-  };
-  struct Setting {
-    std::uint16_t lines;
-    float scale;
-  };
-  // The largest first, on one line rather than on two.
-  for (const auto& [lines, scale] :
-       {Setting{1, 1.0F}, Setting{1, 0.9F}, Setting{1, 0.8F}, Setting{2, 0.8F}, Setting{1, 0.72F},
-        Setting{2, 0.72F}, Setting{2, 0.64F}, Setting{2, 0.56F}}) {
-    look.max_lines = lines;
-    look.line_height = lines == 1 ? whole.line_height : 1.1F;
-    look.size = std::round(whole.size * scale);
-    // Where letters are large, two lines of them are as high as a button only when they are
-    // smaller.
-    const float ink = (static_cast<float>(lines - 1) * 1.1F + 0.75F) * look.size;
-    if (lines > 1 && ink > measures_.touch) continue;
-    if (std::ranges::all_of(controls, fits)) return look;
-  }
-  return look;
+  pictogram(what, {box.x + pad, box.y, side, box.height}, quiet_colour(control), control);
+  const float x = box.x + side + 2 * pad;
+  control_word(control, {x, box.y, box.right() - pad - x, box.height}, Align::Start,
+               quiet_colour(control));
 }
 
 void Sheet::draw_panel(const PixelBox& box) {
@@ -327,37 +372,77 @@ void Sheet::draw_panel(const PixelBox& box) {
   for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
 }
 
-void Sheet::lie_on(const PixelBox& card, float letters) {
+void Sheet::lie_on(const PixelBox& card) {
   turned_ = view_.panel = share_of(card);
-  letters_ = letters;
-  view_.elements.clear();
-  view_.remaining.clear();
 }
 
-bool Sheet::is_crowded() const {
-  std::vector<scene::Rect> texts;
-  for (const Element& element : view_.elements)
-    if (element.quad.fill == scene::QuadFill::Text) texts.push_back(element.quad.rect);
-  if (!view_.remaining.empty()) texts.push_back(view_.remaining.back().quad.rect);
-  const float slack = 2 / height_;  // texts are moved to whole pixels
-  const auto overlap = [slack](const scene::Rect& a, const scene::Rect& b) {
-    return a.x < b.x + b.width && b.x < a.x + a.width && a.y + slack < b.y + b.height &&
-           b.y + slack < a.y + a.height;
+std::int32_t Sheet::add_control(Control control) {
+  view_.controls.push_back(std::move(control));
+  return static_cast<std::int32_t>(view_.controls.size()) - 1;
+}
+
+Sheet::Mark Sheet::mark() const noexcept {
+  return {view_.elements.size(), placed_.size(), view_.remaining.size()};
+}
+
+void Sheet::scroll_since(const Mark& mark, const PixelBox& area, float length, const PixelBox& rail,
+                         std::int32_t up, std::int32_t down) {
+  ScrollArea& scroll = view_.scroll;
+  scroll.rect = share_of(area);
+  scroll.rail = share_of(rail);
+  scroll.length = length / height_;
+  scroll.fade = std::round(1.5F * measures_.unit) / height_;
+  scroll.least = (measures_.touch - 1) / height_;
+  scroll.page = std::round(0.8F * area.height) / height_;
+  scroll.up = up;
+  scroll.down = down;
+  for (std::size_t i = mark.elements; i < view_.elements.size(); ++i)
+    view_.elements[i].scrolls = true;
+  for (std::size_t i = mark.placed; i < placed_.size(); ++i)
+    scroll.controls.push_back({placed_[i], at(placed_[i]).rect});
+  view_.remaining_scrolls = view_.remaining.size() > mark.counted;
+}
+
+/// After what scrolls, or else before all others; till now they were last.
+void Sheet::put_scroll_controls_in_order() {
+  ScrollArea& scroll = view_.scroll;
+  if (!scroll.exists()) return;
+  constexpr std::int32_t count = 2;
+  std::int32_t place = 0;
+  for (const ScrollArea::Scrolled& one : scroll.controls) place = std::max(place, one.control + 1);
+  std::rotate(view_.controls.begin() + place, view_.controls.end() - count, view_.controls.end());
+  const auto last = static_cast<std::int32_t>(view_.controls.size()) - count;
+  const auto moved = [&](std::int32_t& control) {
+    if (control >= last)
+      control += place - last;
+    else if (control >= place)
+      control += count;
   };
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (overlap(texts[i], texts[j])) return true;
-  return false;
+  for (Element& element : view_.elements) moved(element.control);
+  for (FloorLabel& label : view_.labels) moved(label.control);
+  for (ScrollArea::Scrolled& one : scroll.controls) moved(one.control);
+  moved(scroll.up);
+  moved(scroll.down);
 }
 
 void Sheet::finish() {
-  if (!right_to_left_) return;
+  put_scroll_controls_in_order();
+  if (right_to_left_) turn_over();
+  place_scrolled(view_, 0);
+}
+
+void Sheet::turn_over() noexcept {
   mirror(view_.panel, turned_);
   if (view_.countdown.width > 0) mirror(view_.countdown, turned_);
   if (view_.inset.board.width > 0) mirror(view_.inset.board, turned_);
   for (Control& control : view_.controls)
     if (control.rect.width > 0) mirror(control.rect, turned_);
   for (Element& element : view_.elements) mirror(element.quad.rect, turned_);
+  if (view_.scroll.exists()) {
+    mirror(view_.scroll.rect, turned_);
+    mirror(view_.scroll.rail, turned_);
+    for (ScrollArea::Scrolled& one : view_.scroll.controls) mirror(one.rect, turned_);
+  }
   for (CountedText& text : view_.remaining) mirror(text.quad.rect, turned_);
 }
 

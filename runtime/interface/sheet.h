@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/interface/layout.h"
 #include "runtime/interface/pictogram.h"
@@ -20,7 +21,7 @@ enum class Align : std::uint8_t { Start, Centre, End };
 enum class Letters : std::uint8_t {
   Small,    ///< Names of galleries, numbers: 5.
   Body,     ///< What an exhibit has to say: 5.
-  Item,     ///< What a list holds: 5.4, medium.
+  Item,     ///< What a list holds: 7, medium.
   Label,    ///< Controls: 7, medium.
   Lead,     ///< A sentence that leads on: 7.
   Heading,  ///< A question: 8, serif.
@@ -62,9 +63,18 @@ class Sheet {
   std::string_view word(std::string_view key) const noexcept;
   std::string_view local(const LocalText& text) const noexcept;
 
-  TextStyle style(Letters letters, std::uint16_t max_lines = 1) const noexcept;
-  /// A text that is at most `width` wide, set smaller, down to 7/10, where it does not fit.
-  TextPiece fitted(TextStyle style, std::string_view text, float width);
+  /// Of as many lines as a text takes.
+  TextStyle style(Letters letters) const noexcept;
+  /// In which the word of a control is set; a language's name in its own letters. Letters that are
+  /// larger than usual are so only as far as `width` has room for the longest word.
+  TextStyle word_style(std::int32_t control, float width);
+  /// The same for a heading, which may also be smaller, but never than what is read.
+  TextStyle heading_style(Letters letters, std::string_view text, float width);
+  /// A text in lines that are at most `width` wide; and how large that is. It is never set smaller.
+  TextPiece set(const TextStyle& style, std::string_view text, float width);
+  TextPiece extent(const TextStyle& style, std::string_view text, float width);
+  /// How wide its longest word is: in less, that is broken.
+  float longest_word(const TextStyle& style, std::string_view text);
 
   void fill(const PixelBox& box, scene::Colour colour, float corner, std::int32_t control = -1);
   /// An edge that is seen on paper.
@@ -83,24 +93,34 @@ class Sheet {
   /// Draws a piece with its top at `y`, aligned within `width` from `x`; returns its bottom.
   float piece(const TextPiece& piece, float x, float y, float width, Align align,
               scene::Colour colour, std::int32_t control = -1);
-  /// Sets a text and draws it; returns its bottom.
-  float text(Letters letters, std::string_view text, float x, float y, float width,
-             scene::Colour colour, std::uint16_t max_lines = 1);
+  /// A text of any length, in as many pieces as it takes: how high it is, and where it ends.
+  float height_of(const TextStyle& style, std::string_view text, float width);
+  float text(const TextStyle& style, std::string_view text, float x, float y, float width,
+             scene::Colour colour, Align align = Align::Start) {
+    return text_of(-1, style, text, x, y, width, colour, align);
+  }
+  /// The same, of a control.
+  float text_of(std::int32_t control, const TextStyle& style, std::string_view text, float x,
+                float y, float width, scene::Colour colour, Align align = Align::Start);
 
   /// Gives a control its rectangle.
   void place(std::int32_t control, const PixelBox& box);
   /// Fills of buttons.
   enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
-  /// The same with its word in letters that suit a whole row.
-  void button(std::int32_t control, const PixelBox& box, Emphasis emphasis, const TextStyle& word);
-  /// The letters in which the words of all these buttons fit: in one line, or smaller in two.
-  /// `width`: of a button. Controls that are not there do not count.
-  TextStyle row_style(std::span<const std::int32_t> controls, float width) {
-    return word_style(controls, width - 2 * button_pad());
+  /// The word of a control in the middle of a box, in lines that are aligned there.
+  void control_word(std::int32_t control, const PixelBox& box, Align align, scene::Colour colour);
+  const std::vector<Control>& controls() const noexcept { return view_.controls; }
+  const Control& at(std::int32_t control) const noexcept {
+    return view_.controls[static_cast<std::size_t>(control)];
   }
-  /// A button without a ground, its word small and in two lines where it must be; what is selected
-  /// has a ground.
+  std::string_view label_of(std::int32_t control) const noexcept;
+  /// How much of a button's width its word leaves free; of one with a pictogram.
+  float button_margin() const noexcept { return 2 * button_pad(); }
+  float signed_margin() const noexcept { return 3 * measures_.unit + sign_side(); }
+  /// In which colour a control without a ground says its word.
+  scene::Colour quiet_colour(std::int32_t control) const noexcept;
+  /// A button without a ground; what is selected has one.
   void quiet_button(std::int32_t control, const PixelBox& box);
   /// A pictogram of so many pixels, to be drawn elsewhere.
   TextPiece sign(Pictogram what, float side) {
@@ -109,12 +129,8 @@ class Sheet {
   /// A pictogram in the middle of a box, as large as the smaller side.
   void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                  std::int32_t control = -1);
-  /// A button with a pictogram before its word, and the letters for a row of them.
-  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box,
-                     const TextStyle& word);
-  TextStyle signed_row_style(std::span<const std::int32_t> controls, float width) {
-    return word_style(controls, width - 3 * measures_.unit - sign_side());
-  }
+  /// A button with a pictogram before its word.
+  void signed_button(std::int32_t control, Pictogram what, const PixelBox& box);
 
   /// What a piece says, as an index into View::words; -1 for a pictogram.
   std::int32_t words_of(const TextPiece& piece);
@@ -123,18 +139,29 @@ class Sheet {
   scene::Rect share_of(const PixelBox& box) const noexcept;
   /// Draws the panel itself: its elements are marked as the panel's.
   void draw_panel(const PixelBox& box);
-  /// Begins anew: all is drawn inside this card, with letters of that share of their size, and
-  /// finish() mirrors the card in place.
-  void lie_on(const PixelBox& card, float letters);
-  /// Does a text overlap another?
-  bool is_crowded() const;
-  /// Mirrors everything where the language runs from right to left.
+  /// All is drawn inside this card, and finish() mirrors it in place.
+  void lie_on(const PixelBox& card);
+  /// A further control, which only this layout has. The names of controls are known.
+  std::int32_t add_control(Control control);
+  /// What is drawn and placed from here on, ...
+  struct Mark {
+    std::size_t elements = 0, placed = 0, counted = 0;
+  };
+  Mark mark() const noexcept;
+  /// ... as far as here, lies in `area`, which scrolls; it is `length` high. One turns it with the
+  /// controls `up` and `down`; a thumb runs along `rail`.
+  void scroll_since(const Mark& mark, const PixelBox& area, float length, const PixelBox& rail,
+                    std::int32_t up, std::int32_t down);
+  /// Puts controls in focus order, and mirrors everything where the language runs from right to
+  /// left.
   void finish();
 
  private:
   void add(scene::Quad quad, std::int32_t control, std::int32_t words = -1);
-  TextStyle word_style(std::span<const std::int32_t> controls, float width);
-  TextPiece set(const TextStyle& style, std::string_view text, float width);
+  TextStyle narrowed(TextStyle style, std::string_view text, float width, float least);
+  TextStyle in_own_letters(TextStyle look, std::uint32_t index) const noexcept;
+  void put_scroll_controls_in_order();
+  void turn_over() noexcept;
   float button_pad() const noexcept { return 1.5F * measures_.unit; }
   float sign_side() const noexcept { return std::round(0.62F * measures_.touch); }
 
@@ -148,109 +175,8 @@ class Sheet {
   scene::Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
-  scene::Rect turned_{0, 0, 1, 1};  ///< What finish() mirrors.
-  float letters_ = 1;
+  scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.
+  std::vector<std::int32_t> placed_;  ///< Controls, in the order in which they were.
 };
-
-/// Fill in the view of each screen. The sheet's panel has been drawn; `content` is what is inside
-/// its margins.
-void lay_out_welcome(Sheet& sheet, const PixelBox& content);
-void lay_out_choosing(Sheet& sheet, const PixelBox& content);
-void lay_out_walking(Sheet& sheet, const PixelBox& content);
-void lay_out_arrived(Sheet& sheet, const PixelBox& content);
-void lay_out_searching(Sheet& sheet, const PixelBox& content);
-/// What of the searching screen lies on the model's lower edge, within `free`: the keys, or what
-/// was found where the panel has no room for both. Returns its height, with the gap below it.
-float draw_search_board(Sheet& sheet, const PixelBox& free);
-/// How many found things a page shows.
-std::uint32_t found_per_page(const ScreenShape& shape) noexcept;
-
-/// The same on the card of a seat. The welcome, which nobody has answered yet, gets the whole card.
-void lay_out_welcome_card(Sheet& sheet, const PixelBox& card);
-void lay_out_picking_card(Sheet& sheet, const PixelBox& content);
-void lay_out_choosing_card(Sheet& sheet, const PixelBox& content);
-void lay_out_walking_card(Sheet& sheet, const PixelBox& content);
-void lay_out_arrived_card(Sheet& sheet, const PixelBox& content);
-
-/// The shared glass: the model, and the cards of those who stand at it.
-void lay_out_model(Sheet& sheet);
-void lay_out_seat(Sheet& sheet, const PixelBox& card);
-/// How many exhibits a page of a card's list shows.
-std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
-
-/// "Follow me to", the exhibit's name, and how far it is; returns the bottom.
-float draw_invitation(Sheet& sheet, const PixelBox& box, Letters title);
-/// The way in at most three sentences, as far as there is room; returns the bottom.
-float draw_sentences(Sheet& sheet, const PixelBox& box);
-/// The small plan with the way, on the model's upper corner.
-void draw_inset(Sheet& sheet, const PixelBox& free);
-/// "Walk with me" in the model's upper corner, beside the inset plan where there is one.
-void draw_walk(Sheet& sheet, const PixelBox& free);
-/// On a tour: its name, which stop this is and how long it still takes. Returns what is left of the
-/// box below that line.
-PixelBox draw_tour_progress(Sheet& sheet, const PixelBox& box);
-/// Key of the word above a list.
-std::string_view title_of(Listed lists) noexcept;
-/// How many stops the visitor's own tour has, and how long it takes, once that is known.
-std::string own_tour_line(const Sheet& sheet);
-/// What stands below the name of a tour in a list: "Tour, about 12 minutes".
-std::string tour_line(const Sheet& sheet, const Tour& tour);
-/// The tour that a control of the list begins; null where it is no tour.
-const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept;
-/// What the visitor goes to or is at; null where there is nothing.
-const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
-/// The same, where it is a place, and what it is called, whatever it is.
-std::optional<PlaceKind> chosen_kind(const Sheet& sheet) noexcept;
-std::string goal_title(const Sheet& sheet);
-/// What is told of it on arrival: an exhibit's text, and that it has been closed since; where a
-/// place is.
-std::string goal_text(const Sheet& sheet);
-/// The exhibit's picture, or the place's pictogram, as large as fits; returns its height.
-float draw_goal(Sheet& sheet, const PixelBox& box);
-/// "Closed until 5 p.m."; empty where the exhibit can be seen.
-std::string closed_line(const Sheet& sheet, std::uint32_t exhibit);
-/// A room, and its floor where that is not the kiosk's.
-std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room);
-
-/// Columns and rows of the exhibits' list inside the choosing panel's content.
-struct ListShape {
-  std::uint32_t columns = 1, rows = 1;
-  float row_height = 0, row_gap = 0;
-  float heading_height = 0;  ///< Above the list.
-  float foot_height = 0;     ///< Pages, routes and the bottom row, with the gaps before them.
-};
-ListShape list_shape(const ScreenShape& shape) noexcept;
-
-/// A stroke in a way's colour, outlined where it would hardly show on the paper colour.
-void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
-                 std::int32_t control);
-
-/// The exhibit of a list item: its picture, title and gallery; of a kind of place: its pictogram,
-/// name, and where it is.
-void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box);
-/// The picture, or pictogram, of what a list item leads to, and the line below its title.
-void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box);
-std::string line_of(const Sheet& sheet, const Control& control);
-/// A kind's pictogram on a dark tile.
-void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control = -1);
-/// The three route kinds, side by side or one above the other.
-enum class Along : std::uint8_t { Row, Column, NarrowColumn };
-float draw_routes(Sheet& sheet, const PixelBox& box, Along along);
-/// The floors at the far edge of the model, over one another as in a lift, and the name of the one
-/// that is shown.
-float draw_floors(Sheet& sheet, const PixelBox& free);
-/// What helps on every screen, on a strip at the model's lower edge; returns its height, with the
-/// gap below it.
-float draw_helps(Sheet& sheet, const PixelBox& free);
-/// Asks whether somebody is still there, over the middle of the model, with room for a ring that
-/// counts the seconds. Nothing else can be touched meanwhile.
-void draw_still_here(Sheet& sheet, const PixelBox& free);
-/// Languages in a row, or what leads to the list of them; in as many rows as they take, from the
-/// content's bottom up, whose top is returned; and one of them.
-void draw_languages(Sheet& sheet, const PixelBox& box);
-float draw_language_rows(Sheet& sheet, const PixelBox& content);
-void draw_language(Sheet& sheet, std::int32_t control, const PixelBox& box, Align align);
-/// Languages at the start and the given button at the end of the lowest row; returns its top.
-float draw_foot(Sheet& sheet, const PixelBox& content, std::string_view button_name);
 
 }  // namespace docent::interface

@@ -91,6 +91,7 @@ std::vector<Control> touches_to(const Museum& museum, const InterfaceState& stat
 }
 
 bool is_control_name(const Museum& museum, std::string_view name) {
+  if (turns_what_scrolls(name)) return true;
   const std::uint32_t per_page = 1;  // the paging controls exist where there are two exhibits
   const auto has_it = [&](const InterfaceState& state) {
     const std::vector<Control> controls = controls_of(museum, state, per_page);

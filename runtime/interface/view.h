@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -38,7 +39,28 @@ struct Element {
   std::int32_t control = -1;  ///< The control that it belongs to and is pressed with; -1: none.
   std::int32_t words = -1;    ///< Index into View::words; -1: it is no text.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
+  bool scrolls = false;       ///< It lies in the view's part that scrolls.
   bool stays = false;         ///< Set by the frame thread: also in the view before or after.
+};
+
+/// A part of the panel whose content is longer than there is room for. Screen frame. Elements and
+/// controls lie as they do at its beginning; the frame thread moves them.
+struct ScrollArea {
+  scene::Rect rect;  ///< Empty: nothing scrolls.
+  scene::Rect rail;  ///< Where a thumb shows what part of it is seen.
+  float length = 0;  ///< How long the content is.
+  float page = 0;    ///< How far one turns at a time.
+  float least = 0;   ///< How much of a control must be seen to be touched.
+  float fade = 0;    ///< Within this from its edges what goes on beyond them fades.
+  struct Scrolled {
+    std::int32_t control = -1;
+    scene::Rect rect;  ///< At its beginning.
+  };
+  std::vector<Scrolled> controls;   ///< That lie in it.
+  std::int32_t up = -1, down = -1;  ///< The controls that turn it.
+
+  bool exists() const noexcept { return rect.height > 0; }
+  float most() const noexcept { return std::max(0.0F, length - rect.height); }
 };
 
 /// A text at a place of the model: a gallery's name, an exhibit's number.
@@ -88,7 +110,9 @@ struct View {
   std::vector<FloorLabel> labels;
   std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
-  Speech speech;                       ///< For who does not see it.
+  bool remaining_scrolls = false;      ///< They lie in the part that scrolls.
+  ScrollArea scroll;
+  Speech speech;  ///< For who does not see it.
   InsetPlan inset;
   scene::Rect panel;             ///< Screen frame.
   scene::Rect countdown;         ///< Screen frame: of a ring of seconds; empty: none.

@@ -6,9 +6,10 @@
 #include <bit>
 #include <cmath>
 
+#include "runtime/interface/button_grid.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/plan_drawing.h"
 #include "runtime/interface/sentences.h"
-#include "runtime/interface/sheet.h"
 #include "runtime/model/geometry/polyline.h"
 #include "runtime/scene/look.h"
 
@@ -21,13 +22,14 @@ struct Board {
   PixelBox box;
   float head = 0;  ///< The height of its upper part, which bears the floor's name and the compass.
 };
-Board board_on(const Sheet& sheet, const PixelBox& free, const FloorPlan& plan, double heading) {
+Board board_on(Sheet& sheet, const PixelBox& free, const FloorPlan& plan, double heading,
+               const TextPiece& name) {
   const Measures& m = sheet.measures();
-  const float pad = 1.5F * m.unit, head = 9 * m.unit;
+  const float pad = 1.5F * m.unit, head = std::max(9 * m.unit, name.height + pad);
   const float widest = std::min(46 * m.unit, 0.42F * free.width) - 2 * pad;
   const float highest = std::min(40 * m.unit, 0.44F * free.height) - head - pad;
   const auto aspect = static_cast<float>(aspect_of(plan, heading));
-  const float least = 22 * m.unit;  // for the floor's name
+  const float least = std::max(22 * m.unit, name.width + 6 * m.unit);  // for the floor's name
   const float height = std::min(highest, widest / aspect);
   const float width = std::round(std::max(least, height * aspect) + 2 * pad);
   return {{std::round(free.right() - m.gap - width), std::round(free.y + m.gap), width,
@@ -46,33 +48,16 @@ std::uint64_t print_of(std::span<const Vec2> line) noexcept {
 
 }  // namespace
 
-float draw_sentences(Sheet& sheet, const PixelBox& box) {
-  if (sheet.way() == nullptr) return box.y;
+std::vector<Block> sentence_blocks(Sheet& sheet) {
+  if (sheet.way() == nullptr) return {};
   const WaySentences said =
       sentences_in(sheet.museum(), sheet.request().state.language, sheet.way()->directions);
-  const std::array<const std::string*, 3> sentences{&said.way, &said.goal, &said.figures};
-  constexpr std::uint16_t most_lines = 8;
+  const TextStyle style = sheet.style(Letters::Body);
   const float gap = std::round(sheet.measures().unit);
-  std::array<TextPiece, 3> pieces;
-  const auto set = [&](Letters letters) {
-    float height = 0;
-    bool is_cut = false;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      pieces[i] = sheet.fitted(sheet.style(letters, most_lines), *sentences[i], box.width);
-      height += pieces[i].height + gap;
-      is_cut = is_cut || pieces[i].cut;
-    }
-    return !is_cut && height <= box.height;
-  };
-  if (!set(Letters::Body)) set(Letters::Small);
-  float y = box.y;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (y + pieces[i].height > box.y + box.height) return y;
-    y = sheet.piece(pieces[i], box.x, y, box.width, Align::Start,
-                    i == 2 ? sheet.theme().quiet_ink : sheet.theme().ink) +
-        gap;
-  }
-  return y + gap;
+  const scene::Theme& theme = sheet.theme();
+  return {text_block(sheet, style, said.way, theme.ink, gap),
+          text_block(sheet, style, said.goal, theme.ink, gap),
+          text_block(sheet, style, said.figures, theme.quiet_ink, 2 * gap)};
 }
 
 void draw_inset(Sheet& sheet, const PixelBox& free) {
@@ -81,7 +66,12 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
   const Floor& floor = museum.floors[museum.kiosk_floor];
   const double heading = museum.kiosk.heading;
-  const auto [box, head] = board_on(sheet, free, floor.plan, heading);
+  TextStyle style = sheet.style(Letters::Small);
+  style.line_height = style.line_height > 1.5F ? 1.4F : 1.2F;
+  const TextPiece name =
+      sheet.set(style, sheet.local(floor.title),
+                std::max(16 * m.unit, std::min(38 * m.unit, 0.42F * free.width) - 8 * m.unit));
+  const auto [box, head] = board_on(sheet, free, floor.plan, heading, name);
   if (box.height < head + 6 * m.unit) return;
   const float pad = 1.5F * m.unit;
   const DrawingShape shape{.width = static_cast<std::uint32_t>(box.width),
@@ -109,14 +99,12 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
                             shape.height, turned, static_cast<int>(kind), museum.kiosk.position.x,
                             print_of(sheet.way()->line)),
                 [&] { return draw_plan(drawing); });
-  TextStyle style = sheet.style(Letters::Small);
   const float room = compass - 4 * m.unit - pad;
-  const TextPiece name = sheet.fitted(style, sheet.local(floor.title), room);
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);
   style.weight = 600;
   style.size = std::min(style.size, std::round(2.4F * m.unit));  // within its ring
-  const TextPiece north = sheet.fitted(style, sheet.word("north"), 3.6F * m.unit);
+  const TextPiece north = sheet.set(style, sheet.word("north"), 1e4F);
   sheet.piece(north, box.x + compass - 2 * m.unit, box.y + middle - north.height / 2, 4 * m.unit,
               Align::Centre, sheet.theme().ink);
 
@@ -139,9 +127,8 @@ void draw_walk(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
   const float scale = sheet.request().shape.text_scale;
   const float width = std::round(std::min(ordinary * m.unit * scale, most * free.width));
-  const std::array only{walk};
-  sheet.button(walk, {free.x + m.gap, free.y + m.gap, width, m.touch}, Sheet::Emphasis::Strong,
-               sheet.row_style(only, width));
+  const Block button = buttons_block(sheet, {{walk, Sheet::Emphasis::Strong}}, 0);
+  button.draw({free.x + m.gap, free.y + m.gap, width, button.height(width)});
 }
 
 }  // namespace docent::interface

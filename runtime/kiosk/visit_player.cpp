@@ -21,6 +21,19 @@ const interface::Control* on_screen(const interface::View& view, const interface
   return found == view.controls.end() ? nullptr : &*found;
 }
 
+/// What turns the part that scrolls towards that control, where it lies there and is not seen.
+const interface::Control* turner_to(const interface::View& view, const interface::Control& wanted) {
+  const interface::ScrollArea& area = view.scroll;
+  for (const interface::ScrollArea::Scrolled& one : area.controls) {
+    const interface::Control& control = view.controls[static_cast<std::size_t>(one.control)];
+    if (control.name != wanted.name || control.role != wanted.role) continue;
+    for (const std::int32_t turner : {area.down, area.up})
+      if (turner >= 0 && view.controls[static_cast<std::size_t>(turner)].enabled)
+        return &view.controls[static_cast<std::size_t>(turner)];
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 bool VisitPlayer::is_over() const noexcept {
@@ -91,6 +104,21 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
   const std::size_t part = guide.part_of(wanted.seat);
   if (!guide.shows_its_state(part)) return {};
   const interface::InterfaceState& state = guide.state(part);
+  const auto tap_on = [&](const interface::Control& it) {
+    tap(it.rect.x + it.rect.width / 2, it.rect.y + it.rect.height / 2, time, take);
+  };
+  if (interface::turns_what_scrolls(wanted.name)) {  // of a view alone, and not of a state
+    const auto& controls = guide.view(part)->controls;
+    const auto turner = std::ranges::find(controls, wanted.name, &interface::Control::name);
+    if (turner == controls.end())
+      return std::unexpected(
+          Error{Errc::InvalidInput,
+                fmt::format("line {}: nothing scrolls here, so there is no '@{}' to touch",
+                            wanted.line, wanted.name)});
+    tap_on(*turner);
+    named_.pop_front();
+    return {};
+  }
   const std::size_t most = part == 0 ? most_touches : most_touches_at_seat;
   const std::vector<interface::Control> touches = interface::touches_to(
       guide.museum(), state, interface::exhibits_per_page(guide.shape(), state), wanted.name, most);
@@ -100,11 +128,15 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
               fmt::format("line {}: no visitor could touch '@{}' within {} touches from here",
                           wanted.line, wanted.name, most)});
   const interface::Control* control = on_screen(*guide.view(part), touches.front());
-  // Spots stand still only when the camera does.
-  if (control == nullptr || (control->role == interface::Role::Spot && !guide.is_settled(part)))
+  if (control == nullptr) {
+    if (const interface::Control* turner = turner_to(*guide.view(part), touches.front());
+        turner != nullptr && !guide.is_scrolling(part))
+      tap_on(*turner);
     return {};
-  tap(control->rect.x + control->rect.width / 2, control->rect.y + control->rect.height / 2, time,
-      take);
+  }
+  // Spots stand still only when the camera does.
+  if (control->role == interface::Role::Spot && !guide.is_settled(part)) return {};
+  tap_on(*control);
   if (touches.size() == 1) named_.pop_front();
   return {};
 }
@@ -125,7 +157,7 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
                "@search, @key:LETTER, @key:space, @key:erase, @key:clear, @key:numbers, "
                "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
                "@no-escalators, @speak, @larger, @contrast, @lower, @home, @stop, @begin, "
-               "@choose, @back and @look:NAME",
+               "@choose, @back, @text-up, @text-down and @look:NAME",
                fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});
   return mistakes;
 }

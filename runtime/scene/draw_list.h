@@ -42,6 +42,14 @@ enum class QuadFill : std::uint8_t {
   Frame,   ///< The outline of the rectangle with corners, within it, `softness` thick.
 };
 
+/// What is seen of a rectangle from its upper to its lower edge, where it lies in a part of the
+/// glass that scrolls. Shares of the screen's height.
+struct Clip {
+  float top = -1, bottom = 2;
+  float fade_above = 0, fade_below = 0;  ///< Within these it fades towards that edge.
+  bool operator==(const Clip&) const = default;
+};
+
 /// One rectangle of the interface, in the order to be drawn.
 struct Quad {
   Rect rect;
@@ -51,6 +59,7 @@ struct Quad {
   Rect uv{0, 0, 1, 1};
   float corner = 0;    ///< Corner radius, as a share of the screen's shorter side.
   float softness = 0;  ///< As a share of the screen's shorter side.
+  Clip clip{};
   bool operator==(const Quad&) const = default;
 };
 

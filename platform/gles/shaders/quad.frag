@@ -3,6 +3,8 @@ in vec2 local;
 flat in vec2 half_size;
 flat in vec4 tint;
 flat in vec4 shape;
+flat in vec4 clip;
+in float height;
 out vec4 colour;
 uniform sampler2D image;
 
@@ -10,6 +12,13 @@ uniform sampler2D image;
 float rounded(vec2 p, vec2 half_extent, float corner) {
   vec2 q = abs(p) - half_extent + corner;
   return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - corner;
+}
+
+/// How much is seen at this height.
+float seen() {
+  vec2 from_edges = vec2(height - clip.x, clip.y - height);
+  vec2 share = clamp(from_edges / max(clip.zw, vec2(1e-3)), 0.0, 1.0);
+  return share.x * share.y;
 }
 
 void main() {
@@ -34,4 +43,5 @@ void main() {
     float ring = abs(length(local) - radius + 0.5 * shape.y) - 0.5 * shape.y;
     colour = vec4(tint.rgb, tint.a * clamp(0.5 - ring, 0.0, 1.0));
   }
+  colour.a *= seen();
 }

@@ -325,6 +325,7 @@ TEST(ASharedGlass, SendsAGuideHomeWhenItsVisitorLeavesAndLendsItToTheNext) {
   Glassful glass;
   glass.sit_down(3, "saffron");
   const Placement home = glass.guide().crowd()[2].avatar.body;
+  while (glass.exhibits_at(3).empty()) glass.tap(3, "page:next");  // tours come first
   glass.tap(3, "exhibit:" + museum().exhibits[0].id);
   glass.run(8);
   EXPECT_GT(distance(glass.guide().crowd()[2], home), 0.5);

@@ -11,10 +11,11 @@ namespace docent::test {
 /// Letters as boxes: views without fonts.
 inline interface::TextBitmap boxes(const interface::TextStyle& style, std::string_view text,
                                    std::uint32_t width) {
+  std::uint32_t letters = 0;
+  for (const char c : text) letters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1U : 0U;
   interface::TextBitmap bitmap;
   bitmap.lines = 1;
-  bitmap.width = std::min<std::uint32_t>(static_cast<std::uint32_t>(8 * text.size() + 1),
-                                         width == 0 ? 4000 : width);
+  bitmap.width = std::min<std::uint32_t>(8 * letters + 1, width == 0 ? 4000 : width);
   bitmap.height = static_cast<std::uint32_t>(style.size);
   bitmap.coverage.resize(std::size_t{bitmap.width} * bitmap.height, 255);
   return bitmap;
