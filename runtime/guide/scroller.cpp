@@ -7,9 +7,9 @@ namespace docent::guide {
 namespace {
 
 constexpr float glide_seconds = 0.28F;
-constexpr float run_seconds = 0.3F;  ///< In which speed falls to a third.
-constexpr float slow = 0.02F;        ///< Nobody sees that it still moves.
-constexpr float fastest = 3;         ///< Screens a second.
+constexpr float drag_run_seconds = 0.3F;  ///< In which speed falls to a third.
+constexpr float slow = 0.02F;             ///< Nobody sees that it still moves.
+constexpr float fastest = 3;              ///< Screens a second.
 
 }  // namespace
 
@@ -85,7 +85,7 @@ void Scroller::advance(const interface::ScrollArea& area, float seconds) noexcep
   }
   if (speed_ == 0) return;
   offset_ += speed_ * seconds;
-  speed_ *= std::exp(-seconds / run_seconds);
+  speed_ *= std::exp(-seconds / drag_run_seconds);
   const float most = area.most();
   if (offset_ <= 0 || offset_ >= most || std::abs(speed_) < slow) speed_ = 0;
   offset_ = std::clamp(offset_, 0.0F, most);
