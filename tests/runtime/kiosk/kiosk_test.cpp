@@ -46,7 +46,7 @@ class PlayedVisit {
                        const std::string& device = "# a new device\n") {
     std::ofstream(path("v.visit")) << visit;
     std::ofstream(path("kiosk.toml")) << device;
-    ended_ = test::run_program("docent", "--display headless --size 128x72 --config '" +
+    ended_ = test::run_program("docent", "--display headless --size 160x90 --config '" +
                                              path("kiosk.toml") + "' --content '" +
                                              test::sample_database().string() + "' --visit '" +
                                              path("v.visit") + "' --record '" + path("record") +
