@@ -190,8 +190,9 @@ std::vector<TextFault> faults_of(std::string_view text, std::size_t room) {
   if (const std::size_t taken = room_of(text); taken > room)
     faults.push_back(
         {"text-does-not-fit", "does not fit on a screen",
-         fmt::format(", and is cut: it takes the room of {} letters", taken),
-         fmt::format("shorten it to {} letters (half as many Chinese ones), and to fewer lines",
+         fmt::format(", and visitors have to scroll: it takes the room of {} letters", taken),
+         fmt::format("who reads on the way reads {} letters (half as many Chinese ones), in few "
+                     "lines",
                      room)});
   return faults;
 }

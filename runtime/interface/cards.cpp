@@ -412,7 +412,8 @@ class GuidesOnCard {
     const float height = std::floor((box.height + gap_) / rows_of(grid) - gap_);
     for (const auto& [control, look] : guides_) {
       const auto column = static_cast<float>(look % grid.columns);
-      const auto row = static_cast<float>(look / grid.columns);
+      const std::uint32_t rows_above = look / grid.columns;
+      const auto row = static_cast<float>(rows_above);
       draw_one(control, look, grid.words,
                {box.x + column * (grid.width + gap_), box.y + row * (height + gap_), grid.width,
                 height});

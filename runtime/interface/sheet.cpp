@@ -193,8 +193,9 @@ float Sheet::text_of(std::int32_t control, const TextStyle& style, std::string_v
     return piece(set(style, text, width), x, y, width, align, colour, control);
   TextStyle part = style;
   part.line_count = lines_of_part;
-  for (std::uint32_t lines = 1; part.first_line < lines;
-       part.first_line = static_cast<std::uint16_t>(part.first_line + lines_of_part)) {
+  std::uint32_t lines = 1;
+  for (std::uint32_t first = 0; first < lines; first += lines_of_part) {
+    part.first_line = static_cast<std::uint16_t>(first);
     const TextPiece set = this->set(part, text, width);
     lines = set.lines;
     y = piece(set, x, y, width, align, colour, control);
