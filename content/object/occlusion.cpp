@@ -49,7 +49,9 @@ class DepthPicture {
 
  private:
   static int bound(float pixel) { return std::clamp(static_cast<int>(pixel), 0, side_pixels - 1); }
-  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * side_pixels + x); }
+  static std::size_t at(int x, int y) {
+    return static_cast<std::size_t>(y) * side_pixels + static_cast<std::size_t>(x);
+  }
 
   /// Pixels across and down, and shares of the reach towards the eye.
   Vec3 seen(Vec3 p) const {

@@ -88,7 +88,7 @@ std::vector<std::string> Faults::told() const {
   for (const Fault& fault : faults_) {
     const std::string where = fault.line > 0 ? fmt::format("line {}: ", fault.line) : "";
     const std::string more = fault.count > 1 ? fmt::format(" ({} times in all)", fault.count) : "";
-    sentences.push_back(where + fault.what + more);
+    sentences.push_back(fmt::format("{}{}{}", where, fault.what, more));
   }
   return sentences;
 }

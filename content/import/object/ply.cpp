@@ -210,7 +210,8 @@ class PlyReader {
   std::size_t list_count(const Property& property) {
     const double count = value(property.count_type);
     const std::size_t least = encoding_ == Encoding::Text ? 2 : size_of(property.type);
-    if (!(count >= 0) || count > static_cast<double>((bytes_.size() - at_ + 1) / least))
+    const std::size_t most = (bytes_.size() - at_ + 1) / least;
+    if (!(count >= 0) || count > static_cast<double>(most))
       fail(file_, encoding_ == Encoding::Text ? line_ : 0,
            "a list says that it is longer than the file");
     return static_cast<std::size_t>(count);
