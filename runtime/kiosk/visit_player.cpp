@@ -134,6 +134,7 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
       tap_on(*turner);
     return {};
   }
+  if (guide.is_scrolling(part)) return {};  // a finger would stop it, and press nothing
   // Spots stand still only when the camera does.
   if (control->role == interface::Role::Spot && !guide.is_settled(part)) return {};
   tap_on(*control);

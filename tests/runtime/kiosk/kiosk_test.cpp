@@ -119,6 +119,15 @@ TEST(Visit, EndsBesideTheExhibitThatWasTouched) {
   EXPECT_THAT(run.stats(), HasSubstr("\"routes\": 1,"));
 }
 
+TEST(Visit, TapsWhatLiesFurtherDownAListThatScrolls) {
+  const auto museum = sqlite::load_museum(test::sample_database());
+  const PlayedVisit run("1 tap @larger\n2 tap @places\n4 tap @exhibit:painted-jar\n40 quit\n", {},
+                        "rotate = 90\n");
+
+  ASSERT_EQ(run.ended().exit_code, 0) << run.ended().err;
+  expect_shown(run.states().back(), exhibit_of(*museum, "painted-jar"));
+}
+
 TEST(Visit, OfSeveralAtOnceEndsForEachBesideTheirExhibit) {
   const auto museum = sqlite::load_museum(test::sample_database());
   const PlayedVisit run(
