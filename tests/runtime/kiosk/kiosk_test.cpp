@@ -121,11 +121,11 @@ TEST(Visit, EndsBesideTheExhibitThatWasTouched) {
 
 TEST(Visit, TapsWhatLiesFurtherDownAListThatScrolls) {
   const auto museum = sqlite::load_museum(test::sample_database());
-  const PlayedVisit run("1 tap @larger\n2 tap @places\n4 tap @exhibit:painted-jar\n40 quit\n", {},
+  const PlayedVisit run("1 tap @larger\n2 tap @places\n4 tap @exhibit:standing-king\n40 quit\n", {},
                         "rotate = 90\n");
 
   ASSERT_EQ(run.ended().exit_code, 0) << run.ended().err;
-  expect_shown(run.states().back(), exhibit_of(*museum, "painted-jar"));
+  expect_shown(run.states().back(), exhibit_of(*museum, "standing-king"));
 }
 
 TEST(Visit, OfSeveralAtOnceEndsForEachBesideTheirExhibit) {
