@@ -194,7 +194,10 @@ std::optional<Turning> foresee_turning(const Leaf& leaf, double sign,
   if (turning.angle.back() <= now + worth_a_hand) return {};
   while (turning.angle[turning.first + 1] <= now + 1e-4) ++turning.first;
   turning.last = looks - 1;
-  while (turning.angle[turning.last - 1] >= turning.angle.back() - 1e-3) --turning.last;
+  // Who begins right before a leaf turns it all the way at once.
+  while (turning.last > turning.first + 1 &&
+         turning.angle[turning.last - 1] >= turning.angle.back() - 1e-3)
+    --turning.last;
   return turning;
 }
 

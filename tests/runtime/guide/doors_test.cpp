@@ -214,6 +214,17 @@ TEST(ADoor, ThatSlidesOrComesTowardsTheGuideIsOpenBeforeItIsReached) {
     }
 }
 
+TEST(ADoor, LetsThroughWhoBeginsRightBeforeIt) {
+  for (const DoorHinge hinge : {DoorHinge::Both, DoorHinge::A})
+    for (const double metres : {0.5, 0.3, 0.2, 0.1, 0.05, 0.01})
+      for (const double along : {-0.3, 0.0, 0.3}) {
+        const Doorway it = doorway(DoorOpens::Push, hinge, hinge == DoorHinge::Both ? 2 : 1.1);
+        Walker walker(it);
+        const std::uint32_t who = walker.enters(it.place(-metres, along, 1));
+        EXPECT_TRUE(walker.walk(who, it.place(2.5, 0, 1)).arrived) << metres << ", " << along;
+      }
+}
+
 TEST(ADoor, IsPassedInItsMiddleByTheShortestWayToo) {
   const Doorway it = doorway(DoorOpens::Push);
   Walker walker(it);

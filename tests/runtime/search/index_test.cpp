@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
-#include <ctime>
+#include <algorithm>
 #include <random>
 
 #include "runtime/search/fold.h"
+#include "tests/runtime/search/made_title.h"
 
 namespace docent::search {
 namespace {
@@ -123,42 +122,13 @@ TEST(ASearch, PrefersTheVisitorsLanguage) {
   EXPECT_THAT(found(index, u"va", 1), ElementsAre(1, 0));
 }
 
-/// Words of letters that look like a language's.
-std::string made_title(std::mt19937& random, int script) {
-  constexpr std::array<std::array<int, 2>, 5> ranges{
-      {{'a', 'z'}, {0x430, 0x44F}, {0x627, 0x64A}, {0xAC00, 0xD7A3}, {0x4E00, 0x9FA5}}};
-  const auto [first, last] = ranges[static_cast<std::size_t>(script)];
-  std::string text;
-  const auto number = [&](int least, int most) {
-    return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1));
-  };
-  const int words = number(2, 5);
-  for (int w = 0; w < words; ++w) {
-    if (w > 0) text += ' ';
-    for (int i = number(2, script > 2 ? 3 : 9); i > 0; --i) {
-      const int c = number(first, last);
-      if (c < 0x80) {
-        text += static_cast<char>(c);
-      } else if (c < 0x800) {
-        text += static_cast<char>(0xC0 | c >> 6);
-        text += static_cast<char>(0x80 | (c & 0x3F));
-      } else {
-        text += static_cast<char>(0xE0 | c >> 12);
-        text += static_cast<char>(0x80 | (c >> 6 & 0x3F));
-        text += static_cast<char>(0x80 | (c & 0x3F));
-      }
-    }
-  }
-  return text;
-}
-
 TEST(ASearch, FindsEveryNameByEachOfItsBeginningsAndWithALetterWrong) {
   std::mt19937 random(7);
   constexpr std::uint32_t count = 300;
   IndexBuilder builder(count);
   std::vector<std::string> titles;
   for (std::uint32_t i = 0; i < count; ++i) {
-    titles.push_back(made_title(random, static_cast<int>(i % 5)));
+    titles.push_back(test::made_title(random, static_cast<int>(i % 5)));
     builder.add(i, 0, 0, titles.back());
   }
   const Index index = std::move(builder).build();
@@ -172,46 +142,6 @@ TEST(ASearch, FindsEveryNameByEachOfItsBeginningsAndWithALetterWrong) {
     first[first.size() / 2] = first[first.size() / 2] == u'a' ? u'b' : u'a';
     EXPECT_THAT(found(index, first), testing::Contains(i)) << titles[i];
   }
-}
-
-TEST(ASearch, OfFiveThousandExhibitsInTwelveLanguagesTakesMilliseconds) {
-  const auto ms = [](std::clock_t time) {
-    return 1000.0 * static_cast<double>(time) / CLOCKS_PER_SEC;
-  };
-  std::mt19937 random(11);
-  constexpr std::uint32_t count = 5000;
-  IndexBuilder builder(count);
-  std::vector<std::string> titles;
-  for (std::uint32_t i = 0; i < count; ++i)
-    for (std::uint8_t language = 0; language < 12; ++language) {
-      titles.push_back(made_title(random, language % 5));
-      builder.add(i, language, 0, titles.back());
-    }
-  const std::clock_t before = std::clock();
-  const Index index = std::move(builder).build();
-  const double built = ms(std::clock() - before);
-
-  SearchDesk desk;
-  std::vector<double> times;
-  for (int n = 0; n < 60; ++n) {
-    const std::u16string whole = folded(titles[random() % titles.size()]);
-    for (std::size_t length = 1; length <= std::min<std::size_t>(whole.size(), 24); ++length) {
-      const std::u16string query = whole.substr(0, length);
-      const std::clock_t start = std::clock();
-      find(index, query, 0, desk);
-      times.push_back(ms(std::clock() - start));
-    }
-  }
-  std::ranges::sort(times);
-  std::printf(
-      "built in %.0f ms, %zu starts, %zu words, %zu kB; a key: median %.2f, p99 %.2f, most %.2f "
-      "ms\n",
-      built, index.starts.size(), index.words.size(),
-      (index.text.size() * 2 + index.starts.size() * sizeof(Start) +
-       index.fields.size() * sizeof(Field) + index.words.size() * 5) /
-          1024,
-      times[times.size() / 2], times[times.size() * 99 / 100], times.back());
-  EXPECT_LT(times[times.size() / 2], 50) << "an order of magnitude beyond what it is meant to take";
 }
 
 }  // namespace
