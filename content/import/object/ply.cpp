@@ -236,6 +236,8 @@ class PlyReader {
   }
 
   void read_vertices(const Element& element) {
+    if (has_vertices_) fail(file_, element.line, "it has vertices twice");
+    has_vertices_ = true;
     check_count(element);
     count(file_, element.count, most_vertices, "vertices");
     const auto has = [&](std::string_view name) {
@@ -350,6 +352,7 @@ class PlyReader {
   Encoding encoding_ = Encoding::Text;
   std::vector<Element> elements_;
   std::string_view picture_;
+  bool has_vertices_ = false;
   std::vector<std::uint32_t> lost_;  ///< Vertices that are nowhere, ascending.
   gltf::Primitive primitive_;
   Faults faults_;

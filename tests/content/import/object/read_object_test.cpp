@@ -148,6 +148,17 @@ TEST(ReadObject, OfPlyThatClaimsMoreThanItHoldsIsRefused) {
   EXPECT_EQ(error.line, 3U);
 }
 
+TEST(ReadObject, OfPlyWithVerticesTwiceIsRefusedWithItsLine) {
+  const auto error = refusal_of(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "end_header\n0 0 0\n1 1 1 9 9 9\n",
+      "a.ply");
+  EXPECT_THAT(error.what(), HasSubstr("vertices twice"));
+  EXPECT_EQ(error.line, 7U);
+}
+
 TEST(ReadObject, OfPlyLeavesOutAFaceWithoutItsVertex) {
   const ObjectFile file = read(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
