@@ -274,6 +274,8 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   if (shows_spots(request.state.screen)) add_floor_labels(sheet);
   if (shows_way(request.state)) draw_inset(sheet, free);
   draw_walk(sheet, free);
+  // The guide's feet are seen above what helps.
+  if (shows_way(request.state)) leave_to_model(*view, strip);
   if (request.state.screen == Screen::Choosing) {
     // The model stands beside the floors' buttons, not below them; and above the strip, as far as
     // most of the screen stays its own.

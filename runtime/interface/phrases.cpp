@@ -81,7 +81,7 @@ std::string distance_in(const Museum& museum, std::uint32_t language, double met
 }
 
 std::string time_in(const Museum& museum, std::uint32_t language, double seconds, Digits digits) {
-  if (seconds < 15) return std::string(word(museum, language, "time_moment"));
+  if (seconds < 8) return std::string(word(museum, language, "time_moment"));
   if (seconds < 40) return std::string(word(museum, language, "time_half"));
   const long minutes = std::max(1L, std::lround(seconds / 60));
   const std::string_view key = minutes == 1    ? "time_one"

@@ -121,6 +121,30 @@ TEST(MakeObject, OfLooseTrianglesStaysWithinItsBudgetToo) {
   EXPECT_LE(it.object.distant.triangles.size() / 3, ExhibitObject::most_distant_triangles);
 }
 
+TEST(MakeObject, OfTheSameTrianglesAThousandTimesHasThemOnce) {
+  std::string text = box;
+  for (int i = 0; i < 6000; ++i)
+    text += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+  EXPECT_EQ(detail_of(made(text)).mesh.triangles.size() / 3, 12U);
+}
+
+TEST(MakeObject, OfManyTrianglesAboutOnePointIsMadeInTime) {
+  constexpr int columns = 150'000;  // to collapse edges would take hours
+  std::string text = "v 0 1 0\n";
+  for (int c = 0; c < columns; ++c) {
+    const float turn = 6.2831853F * static_cast<float>(c) / columns;
+    text += fmt::format("v {} 0 {}\n", std::cos(turn), std::sin(turn));
+  }
+  for (int c = 0; c < columns; ++c)
+    text += fmt::format("f 1 {} {}\n", 2 + (c + 1) % columns, 2 + c);
+
+  const std::size_t triangles = detail_of(made(text)).mesh.triangles.size() / 3;
+
+  EXPECT_GT(triangles, 1000U);
+  EXPECT_LE(triangles, ObjectDetail::most_triangles);
+}
+
 TEST(MakeObject, GivesTheSameBytesTwice) {
   const std::string text = ball(90, 180);
 

@@ -33,7 +33,8 @@ TEST(Phrases, UseThePluralFormsOfArabic) {
 TEST(Phrases, RoundTimesAsPeopleSayThem) {
   const Museum museum = test::sample_museum_without_walls();
 
-  EXPECT_EQ(time_in(museum, 0, 8), "just a few steps");
+  EXPECT_EQ(time_in(museum, 0, 6), "just a few steps");
+  EXPECT_EQ(time_in(museum, 0, 12), "about half a minute");
   EXPECT_EQ(time_in(museum, 0, 30), "about half a minute");
   EXPECT_EQ(time_in(museum, 0, 55), "about a minute");
   EXPECT_EQ(time_in(museum, 0, 200), "about 3 minutes");
