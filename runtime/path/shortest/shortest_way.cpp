@@ -14,8 +14,9 @@
 #include "runtime/path/shortest/make_tangent_graph.h"
 
 namespace docent::path {
-/// Inlined where candidates are listed: handed over in memory, a tangent costs as much again.
-[[gnu::always_inline]] inline std::optional<EndTangent> ShortestWayMap::tangent_to(
+/// Inlined where candidates are listed. What both give is found again for the few that are looked
+/// at: kept for all, it costs more.
+[[gnu::always_inline]] inline std::optional<double> ShortestWayMap::length_to(
     std::uint32_t side, Vec2 point) const noexcept {
   const ArcOfEnds& arc = arc_[side / 2];
   const double sign = side % 2 == 0 ? 1 : -1;
@@ -26,32 +27,47 @@ namespace docent::path {
     const Vec2 out = -sign * left_of(between);
     const double slack = same_angle * (std::abs(between.x) + std::abs(between.y));
     if (cross(arc.begin, out) < -slack || cross(out, arc.end) < -slack) return {};
-    return EndTangent{side, std::sqrt(squared), arc.centre};
+    return std::sqrt(squared);
   }
-  const double distance = std::sqrt(squared);
-  if (rolling_ > distance + 2 * walls_.slack()) return {};
+  const double nearest = std::max(0.0, rolling_ - 2 * walls_.slack());
+  if (squared < nearest * nearest) return {};
   const double length = std::sqrt(std::max(0.0, squared - rolling_ * rolling_));
-  // The unit vector to the centre, turned away from the circle's side.
-  const Vec2 direction = (length * between - sign * rolling_ * left_of(between)) / squared;
-  const Vec2 out = -sign * left_of(direction);
-  if (cross(arc.begin, out) < -same_angle || cross(out, arc.end) < -same_angle) return {};
-  return EndTangent{side, length, arc.centre + rolling_ * out};
+  // From the centre to the touch, times the distance squared.
+  const Vec2 out = -(rolling_ * between + sign * length * left_of(between));
+  const double slack = same_angle * squared;
+  if (cross(arc.begin, out) < -slack || cross(out, arc.end) < -slack) return {};
+  return length;
+}
+
+Vec2 ShortestWayMap::touch_of(std::uint32_t side, Vec2 point, double length) const noexcept {
+  const ArcOfEnds& arc = arc_[side / 2];
+  if (graph_.radius == 0) return arc.centre;
+  const double sign = side % 2 == 0 ? 1 : -1;
+  const Vec2 between = arc.centre - point;
+  return arc.centre -
+         rolling_ * (rolling_ * between + sign * length * left_of(between)) / dot(between, between);
 }
 
 namespace {
 
 /// A tangent that a way of the query begins or ends with, or some more of its way. Costs are in the
-/// labels' unit.
+/// labels' unit. Most are bounded and never looked at again.
 struct Candidate {
-  EndTangent tangent;      ///< `length` is that of the way between the end and the touch.
+  double length;           ///< Metres of the way between the end and the touch.
   std::int64_t bound = 0;  ///< No way by this tangent is shorter.
-  std::int64_t cost = 0;   ///< As far as the end of the side's arc that labels count from: rolling
-                           ///< there is taken off again. Known where `is_priced`.
-  bool is_priced = false;
-  bool is_clear = false;              ///< Known to be clear of walls.
-  double angle = 0;                   ///< Of the touch on the side's arc. Known where `is_priced`.
-  std::uint32_t bend = none;          ///< How the way came to the side from the end's tangent.
+  std::uint32_t side;
+  std::uint32_t looked = none;        ///< What is known of it beyond that.
   std::uint32_t also_on_side = none;  ///< The next candidate of the same side.
+};
+
+/// What is known of a candidate that was looked at.
+struct Looked {
+  Vec2 touch{};
+  double angle = 0;       ///< Of the touch on the side's arc.
+  std::int64_t cost = 0;  ///< As far as the end of the side's arc that labels count from: rolling
+                          ///< there is taken off again.
+  bool is_clear = false;  ///< Known to be clear of walls.
+  std::uint32_t bend = none;  ///< How the way came to the side from the end's tangent.
 };
 
 /// A tangent that a way takes from one arc to the next, in the sense in which it is walked.
@@ -60,12 +76,26 @@ struct Bend {
   std::uint32_t arrive_side;
 };
 
+/// The straight way between an end of the query and the first side that it touches.
+struct EndTangent {
+  double length;  ///< Metres.
+  double angle;   ///< Of the touch on the side's arc.
+  std::uint32_t side;
+};
+
 /// A bend of a candidate that goes on from another one.
 struct CandidateBend {
   Bend bend;
-  EndTangent end;        ///< The end's tangent.
-  double angle;          ///< Of its touch.
+  EndTangent end;
   std::uint32_t nearer;  ///< The bend before, as seen from the end; none for the first.
+};
+
+/// One end of a query.
+struct End {
+  Vec2 at{};
+  std::uint32_t flip = 0;  ///< 1 for the goal, from which a way is walked backwards.
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> open;  ///< Candidates that may still be the best.
 };
 
 /// What is added to the cost of either end, so that rolls may be taken off: no arc is longer.
@@ -90,7 +120,8 @@ struct Workspace {
   /// takes no branch.
   std::vector<std::uint64_t> hub;
   std::uint64_t round = 0;
-  std::vector<Candidate> from, to;
+  End from, to;
+  std::vector<Looked> looked;
   std::vector<CandidateBend> bends;
   StampedArray<std::uint32_t> on_side;  ///< Which candidate touches a side first.
   std::vector<std::uint32_t> tangents;  ///< Of the way, in order, those of its labels.
@@ -117,27 +148,33 @@ class Query {
       : map_(map),
         labels_(map.labels()),
         per_metre_(1 / map.labels().unit),
-        from_(from),
-        to_(to),
-        work_(workspace()) {}
+        work_(workspace()),
+        from_(work_.from),
+        to_(work_.to) {
+    from_.at = from;
+    from_.flip = 0;
+    to_.at = to;
+    to_.flip = 1;
+  }
 
   Way run() {
-    list_candidates(map_.sides_about(from_), map_.sides_about(to_));
-    bound(work_.from, work_.to);
-    bound(work_.to, work_.from);
+    list_candidates();
+    bound(from_.candidates, to_.candidates);
+    bound(to_.candidates, from_.candidates);
     for (;;) {
       const Meeting best = meet();
       if (best.from == none) return {};
       // Both are tested before the labels meet again: each may be seen through a wall.
-      const bool from_clear = drop_unless_clear(work_.from, best.from, from_);
-      const bool to_clear = drop_unless_clear(work_.to, best.to, to_);
+      const bool from_clear = drop_unless_clear(from_, best.from);
+      const bool to_clear = drop_unless_clear(to_, best.to);
       if (!from_clear || !to_clear) continue;
       unpack(best);
-      const bool first_turns = first_turns_forward(work_.from[best.from]);
-      const bool last_turns = last_turns_forward(work_.to[best.to]);
-      if (first_turns && last_turns) return trace(work_.from[best.from], work_.to[best.to]);
-      if (!first_turns) go_on(work_.from, best.from, work_.to, true);
-      if (!last_turns) go_on(work_.to, best.to, work_.from, false);
+      const bool first_turns = first_turns_forward(from_.candidates[best.from]);
+      const bool last_turns = last_turns_forward(to_.candidates[best.to]);
+      if (first_turns && last_turns)
+        return trace(from_.candidates[best.from], to_.candidates[best.to]);
+      if (!first_turns) go_on(from_, best.from, to_);
+      if (!last_turns) go_on(to_, best.to, from_);
     }
   }
 
@@ -146,142 +183,153 @@ class Query {
     return static_cast<std::int64_t>(metres * per_metre_);
   }
 
-  void list_candidates(std::span<const std::uint32_t> about_from,
-                       std::span<const std::uint32_t> about_to) {
+  void list_candidates() {
+    work_.looked.clear();
+    work_.bends.clear();
+    const auto about_from = map_.sides_about(from_.at), about_to = map_.sides_about(to_.at);
     for (const std::uint32_t side : about_from) map_.prefetch_arc(side);
     for (const std::uint32_t side : about_to) map_.prefetch_arc(side);
-    work_.from.clear();
-    work_.bends.clear();
-    for (const std::uint32_t side : about_from)
-      if (const auto tangent = map_.tangent_to(side, from_)) {
-        work_.from.emplace_back(*tangent);
-        map_.prefetch_candidate(side);
-      }
-    work_.to.clear();
-    // Turning along the other side begins where this side ends.
-    for (const std::uint32_t back : about_to)
-      if (const auto tangent = map_.tangent_to(back, to_)) {
-        work_.to.emplace_back(EndTangent{back ^ 1U, tangent->length, tangent->touch});
-        map_.prefetch_candidate(back ^ 1U);
+    list_candidates(from_, about_from);
+    list_candidates(to_, about_to);
+  }
+  void list_candidates(End& end, std::span<const std::uint32_t> about) const {
+    end.candidates.clear();
+    for (const std::uint32_t side : about)
+      if (const auto length = map_.length_to(side, end.at)) {
+        // Turning along the other side begins where this side ends.
+        end.candidates.push_back({.length = *length, .side = side ^ end.flip});
+        map_.prefetch_landmarks(side);
       }
   }
-  void price(Candidate& candidate, std::uint32_t entered) const {
-    if (candidate.is_priced) return;
-    candidate.is_priced = true;
-    const double radius = map_.graph().radius;
-    candidate.angle = map_.angle_at(candidate.tangent);
-    candidate.cost =
-        in_units(candidate.tangent.length - radius * map_.turn_along(entered, candidate.angle));
+
+  Looked& look_at(const End& end, Candidate& candidate) const {
+    if (candidate.looked == none) {
+      candidate.looked = static_cast<std::uint32_t>(work_.looked.size());
+      const std::uint32_t side = candidate.side ^ end.flip;
+      const Vec2 touch = map_.touch_of(side, end.at, candidate.length);
+      const double angle = map_.angle_at(side, touch);
+      const double turn = map_.turn_along(side, angle);
+      work_.looked.push_back({.touch = touch,
+                              .angle = angle,
+                              .cost = in_units(candidate.length - map_.graph().radius * turn)});
+    }
+    return work_.looked[candidate.looked];
   }
-  void price_from(Candidate& candidate) const { price(candidate, candidate.tangent.side); }
-  void price_to(Candidate& candidate) const { price(candidate, candidate.tangent.side ^ 1U); }
 
   /// The bounds of some candidates, by what lies between them and any of the others.
   void bound(std::span<Candidate> some, const std::vector<Candidate>& others) const {
     LandmarkBound between(map_.search().landmarks(), 2 * map_.graph().radius);
-    for (const Candidate& other : others)
-      between.add(map_.sight_corner(other.tangent.side), other.tangent.length);
+    for (const Candidate& other : others) between.add(map_.sight_corner(other.side), other.length);
     for (Candidate& candidate : some)
-      candidate.bound = in_units(candidate.tangent.length +
-                                 between.from(map_.sight_corner(candidate.tangent.side)));
+      candidate.bound =
+          in_units(candidate.length + between.from(map_.sight_corner(candidate.side)));
   }
 
-  bool drop_unless_clear(std::vector<Candidate>& candidates, std::uint32_t index, Vec2 end) const {
-    Candidate& candidate = candidates[index];
-    if (!candidate.is_clear)
-      candidate.is_clear = map_.walls().segment_clear(end, candidate.tangent.touch);
-    if (candidate.is_clear) return true;
-    candidate = candidates.back();
-    candidates.pop_back();
+  bool drop_unless_clear(End& end, std::uint32_t index) const {
+    Candidate& candidate = end.candidates[index];
+    Looked& looked = look_at(end, candidate);
+    if (!looked.is_clear) looked.is_clear = map_.walls().segment_clear(end.at, looked.touch);
+    if (looked.is_clear) return true;
+    candidate = end.candidates.back();
+    end.candidates.pop_back();
     return false;
   }
 
   /// Puts in the place of a candidate, whose labels lead backwards, what it leads to: every tangent
   /// that leaves its side from its touch on. For ways that end on this very side it is kept.
-  void go_on(std::vector<Candidate>& candidates, std::uint32_t index,
-             const std::vector<Candidate>& others, bool is_from) {
+  void go_on(End& end, std::uint32_t index, const End& other) {
     const TangentGraph& graph = map_.graph();
-    const Candidate from = candidates[index];
-    candidates[index].bound = unreached;
-    // As seen from the end: a way to the query's goal is walked backwards.
-    const std::uint32_t flip = is_from ? 0 : 1, side = from.tangent.side ^ flip;
-    const double turned = map_.turn_along(side, from.angle);
-    const std::size_t first_new = candidates.size();
+    end.candidates[index].bound = unreached;
+    const Candidate from = end.candidates[index];
+    const Looked looked = work_.looked[from.looked];
+    const std::uint32_t side = from.side ^ end.flip;
+    const double turned = map_.turn_along(side, looked.angle);
+    const std::size_t first_new = end.candidates.size();
     for (std::uint32_t k = graph.side_first[side]; k < graph.side_first[side + 1]; ++k) {
       const Tangent& tangent = graph.tangent[k];
       const double turn = map_.turn_along(side, tangent.leave_angle) - turned;
       if (turn < -same_angle) continue;
-      Candidate next{
-          .tangent = {tangent.arrive_side ^ flip,
-                      from.tangent.length + graph.radius * std::max(0.0, turn) + tangent.length,
-                      {}},
-          .is_priced = true,
-          .is_clear = true,
-          .angle = tangent.arrive_angle,
-          .bend = static_cast<std::uint32_t>(work_.bends.size())};
-      next.cost = in_units(next.tangent.length -
-                           graph.radius * map_.turn_along(tangent.arrive_side, next.angle));
-      candidates.push_back(next);
+      const double length = from.length + graph.radius * std::max(0.0, turn) + tangent.length;
+      const double rolled =
+          graph.radius * map_.turn_along(tangent.arrive_side, tangent.arrive_angle);
+      end.candidates.push_back({.length = length,
+                                .side = tangent.arrive_side ^ end.flip,
+                                .looked = static_cast<std::uint32_t>(work_.looked.size())});
+      work_.looked.push_back({.angle = tangent.arrive_angle,
+                              .cost = in_units(length - rolled),
+                              .is_clear = true,
+                              .bend = static_cast<std::uint32_t>(work_.bends.size())});
       const Bend bend =
-          is_from
+          end.flip == 0
               ? Bend{tangent.leave_angle, tangent.arrive_angle, tangent.length, tangent.arrive_side}
-              : Bend{tangent.arrive_angle, tangent.leave_angle, tangent.length, from.tangent.side};
-      const bool is_end = from.bend == none;
-      work_.bends.push_back({bend, is_end ? from.tangent : work_.bends[from.bend].end,
-                             is_end ? from.angle : work_.bends[from.bend].angle, from.bend});
+              : Bend{tangent.arrive_angle, tangent.leave_angle, tangent.length, from.side};
+      work_.bends.push_back({bend, first_tangent(from, looked), looked.bend});
     }
-    bound(std::span(candidates).subspan(first_new), others);
+    bound(std::span(end.candidates).subspan(first_new), other.candidates);
   }
 
   /// The cheapest pair of candidates, counting as if every roll could also be a little negative:
   /// no true way is cheaper.
   Meeting meet() {
     // The two that lead the straightest give a cost that most others cannot reach.
-    if (!bring_forward(work_.from, from_) || !bring_forward(work_.to, to_)) return {};
-    Meeting best = meet_on_one_side();
+    if (!bring_forward(from_, labels_.leaving) || !bring_forward(to_, labels_.arriving)) return {};
+    Meeting best;
     work_.next_round(map_.hubs());
-    ShortestWayMap::prefetch(map_.leaving(work_.from[0].tangent.side));
-    ShortestWayMap::prefetch(map_.arriving(work_.to[0].tangent.side));
-    if (work_.from[0].bound < best.cost) leave(0);
-    if (work_.to[0].bound < best.cost) arrive(0, best);
-    for (std::uint32_t i = 1; i < work_.from.size(); ++i)
-      if (work_.from[i].bound < best.cost)
-        ShortestWayMap::prefetch(map_.leaving(work_.from[i].tangent.side));
-    for (std::uint32_t i = 1; i < work_.to.size(); ++i)
-      if (work_.to[i].bound < best.cost)
-        ShortestWayMap::prefetch(map_.arriving(work_.to[i].tangent.side));
-    for (std::uint32_t i = 1; i < work_.from.size(); ++i)
-      if (work_.from[i].bound < best.cost) leave(i);
-    for (std::uint32_t i = 0; i < work_.to.size(); ++i)
-      if (work_.to[i].bound < best.cost) arrive(i, best);
+    if (from_.candidates[0].bound < best.cost) leave(from_.candidates[0]);
+    if (to_.candidates[0].bound < best.cost) arrive(0, best);
+    list_open(from_, labels_.leaving, best.cost);
+    list_open(to_, labels_.arriving, best.cost);
+    meet_on_one_side(best);
+    for (const std::uint32_t i : from_.open)
+      if (from_.candidates[i].bound < best.cost)
+        ShortestWayMap::prefetch(map_.leaving(from_.candidates[i].side));
+    for (const std::uint32_t i : to_.open)
+      if (to_.candidates[i].bound < best.cost)
+        ShortestWayMap::prefetch(map_.arriving(to_.candidates[i].side));
+    for (const std::uint32_t i : from_.open)
+      if (i > 0 && from_.candidates[i].bound < best.cost) leave(from_.candidates[i]);
+    for (const std::uint32_t i : to_.open)
+      if (to_.candidates[i].bound < best.cost) arrive(i, best);
     if (best.arriving != none) find_leaving(best);
     return best;
   }
   /// Moves the candidate of the smallest bound to the front, of those that are clear of walls.
-  bool bring_forward(std::vector<Candidate>& candidates, Vec2 end) const {
-    while (!candidates.empty()) {
-      std::swap(candidates.front(), *std::ranges::min_element(candidates, {}, &Candidate::bound));
-      if (drop_unless_clear(candidates, 0, end)) return true;
+  bool bring_forward(End& end, const LabelTable& labels) const {
+    while (!end.candidates.empty()) {
+      Candidate& front = end.candidates.front();
+      std::swap(front, *std::ranges::min_element(end.candidates, {}, &Candidate::bound));
+      const std::uint32_t side = front.side;
+      __builtin_prefetch(&labels.first[side]);
+      if (!drop_unless_clear(end, 0)) continue;
+      ShortestWayMap::prefetch(labels.of(side));
+      return true;
     }
     return false;
   }
-  void leave(std::uint32_t index) {
-    Candidate& candidate = work_.from[index];
-    price_from(candidate);
-    const std::uint64_t so_far =
-        (work_.round << cost_bits) + static_cast<std::uint64_t>(bias + candidate.cost);
+  /// Lists the candidates that may cost less, and those that are kept for their side's sake.
+  void list_open(End& end, const LabelTable& labels, std::int64_t cost) const {
+    end.open.clear();
+    for (std::uint32_t i = 0; i < end.candidates.size(); ++i) {
+      const Candidate& candidate = end.candidates[i];
+      if (candidate.bound >= cost && candidate.bound != unreached) continue;
+      end.open.push_back(i);
+      __builtin_prefetch(&labels.first[candidate.side]);
+    }
+  }
+  void leave(Candidate& candidate) {
+    const std::uint64_t so_far = (work_.round << cost_bits) +
+                                 static_cast<std::uint64_t>(bias + look_at(from_, candidate).cost);
     std::uint64_t* const hub = work_.hub.data();
-    for (const auto& [name, further] : map_.leaving(candidate.tangent.side))
+    for (const auto& [name, further] : map_.leaving(candidate.side))
       hub[name] = std::min(hub[name], so_far + further);
   }
   void arrive(std::uint32_t index, Meeting& best) {
-    Candidate& candidate = work_.to[index];
-    price_to(candidate);
+    Candidate& candidate = to_.candidates[index];
     // What an earlier round left is so much larger that it loses without being asked for.
-    const std::uint64_t so_far =
-        static_cast<std::uint64_t>(bias + candidate.cost) - (work_.round << cost_bits);
+    const std::uint64_t so_far = static_cast<std::uint64_t>(bias + look_at(to_, candidate).cost) -
+                                 (work_.round << cost_bits);
     const std::uint64_t* const hub = work_.hub.data();
-    const std::span<const HubCost> label = map_.arriving(candidate.tangent.side);
+    const std::span<const HubCost> label = map_.arriving(candidate.side);
     // Rolls taken off at both ends may be more than the way: with its biases no cost is negative.
     auto least = static_cast<std::uint64_t>(2 * bias + best.cost);
     const HubCost* where = nullptr;
@@ -294,7 +342,7 @@ class Query {
     }
     if (where)
       best = {static_cast<std::int64_t>(least) - 2 * bias, none, index, none,
-              labels_.arriving.first[candidate.tangent.side] +
+              labels_.arriving.first[candidate.side] +
                   static_cast<std::uint32_t>(where - label.data())};
   }
 
@@ -302,79 +350,85 @@ class Query {
   void find_leaving(Meeting& best) const {
     const std::uint32_t hub = labels_.arriving.hub[best.arriving].hub;
     const auto cost = static_cast<std::int64_t>(work_.hub[hub] - (work_.round << cost_bits));
-    for (std::uint32_t i = 0; i < work_.from.size(); ++i) {
-      if (!work_.from[i].is_priced) continue;
-      const auto label = map_.leaving(work_.from[i].tangent.side);
+    for (std::uint32_t i = 0; i < from_.candidates.size(); ++i) {
+      const Candidate& candidate = from_.candidates[i];
+      if (candidate.looked == none) continue;
+      const auto label = map_.leaving(candidate.side);
       const auto entry = std::ranges::lower_bound(label, hub, {}, &HubCost::hub);
       if (entry == label.end() || entry->hub != hub) continue;
-      if (bias + work_.from[i].cost + entry->cost != cost) continue;
+      if (bias + work_.looked[candidate.looked].cost + entry->cost != cost) continue;
       best.from = i;
-      best.leaving = labels_.leaving.first[work_.from[i].tangent.side] +
-                     static_cast<std::uint32_t>(entry - label.begin());
+      best.leaving =
+          labels_.leaving.first[candidate.side] + static_cast<std::uint32_t>(entry - label.begin());
       return;
     }
   }
 
-  /// The shortest way of two candidates that touch the same side.
-  Meeting meet_on_one_side() {
+  /// The shortest way of two open candidates that touch the same side, if it is shorter.
+  void meet_on_one_side(Meeting& best) {
     const double radius = map_.graph().radius;
-    Meeting best;
     work_.on_side.forget(2 * map_.graph().arc.size());
-    for (std::uint32_t i = 0; i < work_.from.size(); ++i) {
-      Candidate& first = work_.from[i];
-      const bool is_alone = !work_.on_side.has(first.tangent.side);
-      std::uint32_t& on_side = work_.on_side[first.tangent.side];
+    for (const std::uint32_t i : from_.open) {
+      Candidate& first = from_.candidates[i];
+      const bool is_alone = !work_.on_side.has(first.side);
+      std::uint32_t& on_side = work_.on_side[first.side];
       first.also_on_side = is_alone ? none : on_side;
       on_side = i;
     }
-    for (std::uint32_t k = 0; k < work_.to.size(); ++k) {
-      Candidate& last = work_.to[k];
-      const std::uint32_t side = last.tangent.side;
-      if (!work_.on_side.has(side)) continue;
-      price_to(last);
-      for (std::uint32_t i = work_.on_side[side]; i != none; i = work_.from[i].also_on_side) {
-        Candidate& first = work_.from[i];
-        price_from(first);
-        const double turn = map_.turn_along(side, last.angle) - map_.turn_along(side, first.angle);
+    for (const std::uint32_t k : to_.open) {
+      Candidate& last = to_.candidates[k];
+      if (!work_.on_side.has(last.side)) continue;
+      const double last_turn = map_.turn_along(last.side, look_at(to_, last).angle);
+      for (std::uint32_t i = work_.on_side[last.side]; i != none;
+           i = from_.candidates[i].also_on_side) {
+        Candidate& first = from_.candidates[i];
+        const double turn = last_turn - map_.turn_along(last.side, look_at(from_, first).angle);
         if (turn < -same_angle) continue;
         const std::int64_t cost =
-            in_units(first.tangent.length + radius * std::max(0.0, turn) + last.tangent.length);
+            in_units(first.length + radius * std::max(0.0, turn) + last.length);
         if (cost < best.cost) best = {cost, i, k, none, none};
       }
     }
-    return best;
   }
 
   /// Writes the tangents of a meeting's way, in order, into the workspace.
   void unpack(const Meeting& best) {
     work_.tangents.clear();
     if (best.leaving == none) return;
-    // A leaving label leads from its hub back to the side, so its links come last first.
     work_.links.clear();
+    const LabelTable& arriving = labels_.arriving;
+    for (std::uint32_t e = best.arriving; e != LabelTable::no_parent; e = arriving.parent[e])
+      add_link(arriving.link[e]);
+    std::ranges::reverse(work_.links);
+    // A leaving label leads from its hub back to the side, so its links come last first.
     const LabelTable& leaving = labels_.leaving;
     for (std::uint32_t e = best.leaving; leaving.parent[e] != LabelTable::no_parent;
          e = leaving.parent[e])
-      work_.links.push_back(leaving.link[e]);
+      add_link(leaving.link[e]);
     take_apart();
-    const LabelTable& arriving = labels_.arriving;
-    for (std::uint32_t e = best.arriving; e != LabelTable::no_parent; e = arriving.parent[e]) {
-      work_.links.assign(1, arriving.link[e]);
-      take_apart();
-    }
+  }
+  /// Puts a link before those that are yet to be taken apart, and begins to fetch what it is.
+  void add_link(std::uint32_t link) {
+    if (link == HubLabels::roll) return;
+    work_.links.push_back(link);
+    const auto tangents = static_cast<std::uint32_t>(map_.graph().tangent.size());
+    if (link < tangents)
+      __builtin_prefetch(&map_.graph().tangent[link]);
+    else
+      __builtin_prefetch(&labels_.link_part[2 * std::size_t{link - tangents}]);
   }
   void take_apart() {
     const auto tangents = static_cast<std::uint32_t>(map_.graph().tangent.size());
     while (!work_.links.empty()) {
       const std::uint32_t link = work_.links.back();
       work_.links.pop_back();
-      if (link == HubLabels::roll) continue;
       if (link < tangents) {
         work_.tangents.push_back(link);
         continue;
       }
       const std::size_t part = 2 * std::size_t{link - tangents};
-      work_.links.push_back(labels_.link_part[part + 1]);
-      work_.links.push_back(labels_.link_part[part]);
+      add_link(labels_.link_part[part + 1]);
+      add_link(labels_.link_part[part]);
     }
   }
 
@@ -383,22 +437,20 @@ class Query {
   /// shortest.
   bool first_turns_forward(const Candidate& first) const {
     if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
-    const std::uint32_t side = first.tangent.side;
     const Tangent& leave = map_.graph().tangent[work_.tangents.front()];
-    return map_.turn_along(side, leave.leave_angle) >=
-           map_.turn_along(side, first.angle) - same_angle;
+    return map_.turn_along(first.side, leave.leave_angle) >=
+           map_.turn_along(first.side, work_.looked[first.looked].angle) - same_angle;
   }
   /// Does it arrive where its labels end not after it leaves?
   bool last_turns_forward(const Candidate& last) const {
     if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
-    const std::uint32_t side = last.tangent.side;
     const Tangent& arrive = map_.graph().tangent[work_.tangents.back()];
-    return map_.turn_along(side, arrive.arrive_angle) <=
-           map_.turn_along(side, last.angle) + same_angle;
+    return map_.turn_along(last.side, arrive.arrive_angle) <=
+           map_.turn_along(last.side, work_.looked[last.looked].angle) + same_angle;
   }
 
   /// All bends of a way whose labels are unpacked.
-  void list_bends(const Candidate& first, const Candidate& last) const {
+  void list_bends(const Looked& first, const Looked& last) const {
     work_.way.clear();
     for (std::uint32_t i = first.bend; i != none; i = work_.bends[i].nearer)
       work_.way.push_back(work_.bends[i].bend);
@@ -412,20 +464,24 @@ class Query {
       work_.way.push_back(work_.bends[i].bend);
   }
 
+  /// The tangent of the end where a candidate began.
+  EndTangent first_tangent(const Candidate& candidate, const Looked& looked) const {
+    if (looked.bend == none) return {candidate.length, looked.angle, candidate.side};
+    return work_.bends[looked.bend].end;
+  }
+
   Way trace(const Candidate& first, const Candidate& last) const {
-    list_bends(first, last);
-    const auto tangent_of = [&](const Candidate& candidate) {
-      return candidate.bend == none ? candidate.tangent : work_.bends[candidate.bend].end;
-    };
-    const auto angle_of = [&](const Candidate& candidate) {
-      return candidate.bend == none ? candidate.angle : work_.bends[candidate.bend].angle;
-    };
+    const Looked &first_looked = work_.looked[first.looked],
+                 &last_looked = work_.looked[last.looked];
+    list_bends(first_looked, last_looked);
+    const EndTangent begin = first_tangent(first, first_looked);
+    const EndTangent end = first_tangent(last, last_looked);
     const double radius = map_.graph().radius;
-    Way way{RouteStatus::Ok, tangent_of(first).length + tangent_of(last).length, radius, {}};
+    Way way{RouteStatus::Ok, begin.length + end.length, radius, {}};
     way.points.reserve(work_.way.size() + 4);
-    way.points.push_back(from_);
-    std::uint32_t side = tangent_of(first).side;
-    double angle = angle_of(first);
+    way.points.push_back(from_.at);
+    std::uint32_t side = begin.side;
+    double angle = begin.angle;
     const auto roll = [&](double until) {
       way.length +=
           radius * std::max(0.0, map_.turn_along(side, until) - map_.turn_along(side, angle));
@@ -437,17 +493,17 @@ class Query {
       side = bend.arrive_side;
       angle = bend.arrive_angle;
     }
-    roll(angle_of(last));
-    append_point(to_, way.points);
-    if (way.points.size() == 1) way.points.push_back(to_);
+    roll(end.angle);
+    append_point(to_.at, way.points);
+    if (way.points.size() == 1) way.points.push_back(to_.at);
     return way;
   }
 
   const ShortestWayMap& map_;
   const HubLabels& labels_;
   double per_metre_;
-  Vec2 from_, to_;
   Workspace& work_;
+  End &from_, &to_;
 };
 
 }  // namespace
@@ -532,10 +588,10 @@ std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noe
       .subspan(cell_first_[*cell], cell_first_[*cell + 1] - cell_first_[*cell]);
 }
 
-double ShortestWayMap::angle_at(const EndTangent& tangent) const noexcept {
-  const ArcOfEnds& arc = arc_[tangent.side / 2];
+double ShortestWayMap::angle_at(std::uint32_t side, Vec2 touch) const noexcept {
+  const ArcOfEnds& arc = arc_[side / 2];
   if (graph_.radius == 0) return arc.begin_angle;
-  const Vec2 out = tangent.touch - arc.centre;
+  const Vec2 out = touch - arc.centre;
   const double turn = std::atan2(cross(arc.begin, out), dot(arc.begin, out));
   // Just beyond the end of nearly half a turn is not far before its begin.
   return arc.begin_angle + (turn < -std::numbers::pi / 2 ? turn + 2 * std::numbers::pi : turn);

@@ -13,13 +13,6 @@
 
 namespace docent::path {
 
-/// The straight way between a query's end point and a side of the tangent graph that it touches.
-struct EndTangent {
-  std::uint32_t side = 0;
-  double length = 0;  ///< Metres.
-  Vec2 touch{};
-};
-
 /// A tangent graph with its labels made ready for queries. Immutable, so any thread may ask.
 /// Borrows what it is made from.
 class ShortestWayMap {
@@ -40,10 +33,8 @@ class ShortestWayMap {
   /// Begins to fetch what a query will read of a side: in a new place a query waits mostly for
   /// memory.
   void prefetch_arc(std::uint32_t side) const noexcept { __builtin_prefetch(&arc_[side / 2]); }
-  void prefetch_candidate(std::uint32_t side) const noexcept {
+  void prefetch_landmarks(std::uint32_t side) const noexcept {
     __builtin_prefetch(&search_.landmarks().of(arc_[side / 2].corner));
-    __builtin_prefetch(&labels_.leaving.first[side]);
-    __builtin_prefetch(&labels_.arriving.first[side]);
   }
   static void prefetch(std::span<const HubCost> label) noexcept {
     for (std::size_t i = 0; i < label.size(); i += 8) __builtin_prefetch(&label[i]);
@@ -65,12 +56,15 @@ class ShortestWayMap {
   /// The sides that a way from this point may touch first, and perhaps some more.
   std::span<const std::uint32_t> sides_about(Vec2 point) const noexcept;
 
-  /// The tangent from a point to a side, if it touches the side's arc; not tested against walls.
-  /// Walked backwards it is the tangent from the arc's other side to the point.
-  std::optional<EndTangent> tangent_to(std::uint32_t side, Vec2 point) const noexcept;
-  /// Where on its side's arc a tangent touches: an angle, radians. For radius 0, where arcs are
-  /// points, any angle.
-  double angle_at(const EndTangent& tangent) const noexcept;
+  /// The length of the tangent from a point to a side, metres, if it touches the side's arc; not
+  /// tested against walls. Walked backwards it is the tangent from the arc's other side to the
+  /// point.
+  std::optional<double> length_to(std::uint32_t side, Vec2 point) const noexcept;
+  /// Where such a tangent of a known length touches.
+  Vec2 touch_of(std::uint32_t side, Vec2 point, double length) const noexcept;
+  /// Where on its side's arc that is: an angle, radians. For radius 0, where arcs are points, any
+  /// angle.
+  double angle_at(std::uint32_t side, Vec2 touch) const noexcept;
 
   /// How far along a side's arc an angle is, from where the side is entered. Radians.
   double turn_along(std::uint32_t side, double angle) const noexcept {
