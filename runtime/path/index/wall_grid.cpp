@@ -106,34 +106,38 @@ void WallGrid::visit_cells_near_wall(const Wall& wall, Visitor visit) const {
 /// Walks through the cells from p to q (Amanatides and Woo 1987) until `blocked` says so of a wall.
 template <class Blocked>
 bool WallGrid::passes(Vec2 p, Vec2 q, Blocked blocked) const noexcept {
-  // Clip to the grid: outside there are no walls.
-  const Vec2 size = cell_size_ * Vec2{columns_, rows_};
-  const Vec2 delta = q - p;
-  double enter = 0, leave = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double from = p[axis] - origin_[axis];
-    if (delta[axis] == 0) {
-      if (from < 0 || from > size[axis]) return true;
-      continue;
+  // In cells, and clipped to the grid: outside there are no walls.
+  const Vec2 size{columns_, rows_};
+  Vec2 first = (p - origin_) * cells_per_metre_, last = (q - origin_) * cells_per_metre_;
+  const auto is_in = [&](Vec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x <= size.x && at.y <= size.y;
+  };
+  if (!is_in(first) || !is_in(last)) {
+    const Vec2 from = first, delta = last - first;
+    double enter = 0, leave = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+      if (delta[axis] == 0) {
+        if (from[axis] < 0 || from[axis] > size[axis]) return true;
+        continue;
+      }
+      const double t0 = -from[axis] / delta[axis], t1 = (size[axis] - from[axis]) / delta[axis];
+      enter = std::max(enter, std::min(t0, t1));
+      leave = std::min(leave, std::max(t0, t1));
     }
-    const double t0 = -from / delta[axis], t1 = (size[axis] - from) / delta[axis];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
+    if (!(enter <= leave)) return true;
+    first = from + enter * delta;
+    last = from + leave * delta;
   }
-  if (!(enter <= leave)) return true;
-
-  const Vec2 first = (p + enter * delta - origin_) * cells_per_metre_;
-  const Vec2 last = (p + leave * delta - origin_) * cells_per_metre_;
   int x = std::clamp(static_cast<int>(first.x), 0, columns_ - 1);
   int y = std::clamp(static_cast<int>(first.y), 0, rows_ - 1);
   const int last_x = std::clamp(static_cast<int>(last.x), 0, columns_ - 1);
   const int last_y = std::clamp(static_cast<int>(last.y), 0, rows_ - 1);
   const Vec2 run = last - first;
   const int step_x = run.x < 0 ? -1 : 1, step_y = run.y < 0 ? -1 : 1;
-  const double per_x = run.x != 0 ? std::abs(1 / run.x) : infinity;
-  const double per_y = run.y != 0 ? std::abs(1 / run.y) : infinity;
-  double next_x = run.x != 0 ? ((x + (step_x > 0)) - first.x) / run.x : infinity;
-  double next_y = run.y != 0 ? ((y + (step_y > 0)) - first.y) / run.y : infinity;
+  // How much of the segment passes a column and a row, and where it enters the next ones.
+  const double per_x = std::abs(1 / run.x), per_y = std::abs(1 / run.y);
+  double next_x = run.x != 0 ? std::abs((x + (step_x > 0)) - first.x) * per_x : infinity;
+  double next_y = run.y != 0 ? std::abs((y + (step_y > 0)) - first.y) * per_y : infinity;
   for (int steps = std::abs(last_x - x) + std::abs(last_y - y);; --steps) {
     for (const std::uint32_t wall : walls_in(cell_of(x, y)))
       if (blocked(wall)) return false;
