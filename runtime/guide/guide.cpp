@@ -6,6 +6,7 @@
 #include "runtime/guide/waiting_places.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
+#include "runtime/scene/theme.h"
 
 namespace docent::guide {
 namespace {
@@ -25,7 +26,7 @@ std::size_t guides_on(const GuideSettings& settings) noexcept {
 
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
   const std::size_t seats = interface::seats_on(settings.shape, settings.visitors);
-  return {guides_on(settings) + museum.ambient.count, seats > 1 ? 1 + seats : 1};
+  return {guides_on(settings) + Strollers::most(museum), seats > 1 ? 1 + seats : 1};
 }
 
 Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
@@ -37,6 +38,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       doors_(museum),
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
+      attract_(museum),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -167,6 +169,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
     case input::InputEvent::Kind::KeyUp:
       return;
     case input::InputEvent::Kind::KeyDown:
+      wake();
       if (seating_) seating_->press_key(speaker_);
       sessions_[speaker_].press_key(event.key);
       if (event.key == input::Key::Character) sessions_[speaker_].type(event.character);
@@ -195,9 +198,26 @@ void Guide::headphones(bool are_in) noexcept {
   if (!is_shared()) sessions_[0].headphones(are_in);
 }
 
+/// Whoever comes finds the first screen, and the guide at its place.
+bool Guide::wake() noexcept {
+  if (!attract_.wake()) return false;
+  strollers_.leave(crowd_);
+  crowd_.appear(0, museum_.kiosk_floor, homes_[0]);
+  stage_.sway(0, 1);
+  if (view() == nullptr) return true;
+  stage_.enter(state(), view()->free, interface::aspect_ratio(settings_.shape), leader());
+  stage_.cut(state(), leader());
+  // What is written on the model is where it was.
+  const scene::CameraView camera =
+      scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape));
+  for (Session& session : sessions_) session.overlay().follow(camera, height_of_floor());
+  return true;
+}
+
 /// Each contact belongs to the visitor nearest to it.
 void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
+  if (wake()) return sessions_[0].overlay().ring(event.contact.x, event.contact.y);
   const scene::ScreenPoint at{event.contact.x, event.contact.y};
   std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
@@ -208,10 +228,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const std::size_t visitor = seating_->visitor_at(at);
   if (visitor == 0) {
     refusal_seconds_ = refusal_shown_for;
-    Overlay& model = sessions_[0].overlay();
-    model.touch_down({event.contact, event.contact, 0});
-    model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
-    return;
+    return sessions_[0].overlay().ring(at.x, at.y);
   }
   speaker_ = visitor;
   seating_->touch(visitor, at);
@@ -258,7 +275,7 @@ void Guide::take_answers() noexcept {
     const std::size_t part = view->part;
     if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
-    if (part == 0)
+    if (part == 0 && !attract_.is_on())
       stage_.enter(sessions_[0].state(), sessions_[0].view()->free,
                    interface::aspect_ratio(settings_.shape), leader());
   }
@@ -286,7 +303,18 @@ void Guide::step(Seconds dt) noexcept {
   }
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
-  stage_.advance(state(), leader(), seconds);
+  attract(seconds);
+  stage_.advance(seen(), leader(), seconds);
+}
+
+/// While nobody is there. The model then has the whole screen.
+void Guide::attract(float seconds) noexcept {
+  if (settings_.reduced_motion || view() == nullptr) return;
+  if (attract_.step(seconds, is_vacant() && !voice().is_busy(), crowd_))
+    stage_.enter(attract_.state(), {0, 0, 1, 1}, interface::aspect_ratio(settings_.shape),
+                 leader());
+  if (attract_.has_begun()) strollers_.come(crowd_);
+  stage_.sway(attract_.turn(), attract_.further());
 }
 
 void Guide::walk(float seconds) noexcept {
@@ -295,7 +323,7 @@ void Guide::walk(float seconds) noexcept {
   strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();
   const Agent& guide = crowd_[0];
-  if (is_shared() || !guide.is_answered || sessions_[0].ends_aside()) return;
+  if ((is_shared() && !attract_.is_on()) || !guide.is_answered || sessions_[0].ends_aside()) return;
   const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
   if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
 }
@@ -322,6 +350,7 @@ void Guide::go_along_in_time(float seconds) noexcept {
 
 std::span<const LedVisitor> Guide::led_visitors() noexcept {
   led_visitors_.clear();
+  if (const auto led = attract_.led()) led_visitors_.push_back(*led);
   for (const Session& session : sessions_)
     if (session.guide() && session.leads_to_goal())
       led_visitors_.push_back({*session.guide(), session.state().exhibit,
@@ -336,23 +365,36 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.joint.clear();
   list_.quads.clear();
   list_.leaves.clear();
+  list_.light = attract_.light(scene::light_of(settings_.shape.is_night));
   for (const Agent& one : crowd_.members())
     if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
   doors_.draw(stage_.floor(), list_);
-  stage_.draw(state(), crowd_, led_visitors(), list_);
+  stage_.draw(seen(), crowd_, led_visitors(), list_);
   const bool is_near =
-      state().screen == interface::Screen::Walking || state().screen == interface::Screen::Arrived;
+      seen().screen == interface::Screen::Walking || seen().screen == interface::Screen::Arrived;
   draw_objects(museum_, stage_.floor(), sessions_[0].table(),
-               is_near ? state().exhibit : std::nullopt, list_);
-  const double floor_height = museum_.floors[stage_.floor()].plan.height;
+               is_near ? seen().exhibit : std::nullopt, list_);
+  draw_interface();
+  return list_;
+}
+
+float Guide::height_of_floor() const noexcept {
+  return static_cast<float>(museum_.floors[stage_.floor()].plan.height);
+}
+
+void Guide::draw_interface() noexcept {
+  const float opacity = attract_.interface_opacity();
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
-    session.overlay().follow(list_.camera, static_cast<float>(floor_height));
+    session.overlay().follow(list_.camera, height_of_floor());
+    if (opacity == 0) continue;
     session.overlay().draw(static_cast<float>(session.remaining()),
                            names && !stage_.is_flying() ? 1 : 0,
                            {leader().shown_floor, leader().body.position}, list_);
   }
-  return list_;
+  if (opacity < 1)
+    for (scene::Quad& quad : list_.quads) quad.colour.a *= opacity;
+  if (view() != nullptr) attract_.draw_welcome(*view(), list_);
 }
 
 }  // namespace docent::guide

@@ -82,12 +82,15 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   const bool turned = runs_right_to_left(museum, sheet.request().state.language);
   const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
   const RouteKind kind = sheet.request().state.kind;
+  const scene::Colour way_colour = sheet.on_paper(scene::route_colour(kind));
+  const bool is_night = sheet.request().shape.is_night;
   const PlanDrawing drawing{.plan = floor.plan,
                             .frame = frame,
                             .shape = shape,
                             .way = sheet.way()->line,
-                            .way_colour = info_of(kind).colour,
-                            .is_cased = kind == RouteKind::Offset,
+                            .way_colour = scene::hex_of(way_colour),
+                            .is_cased = kind == RouteKind::Offset && !is_night,
+                            .colours = is_night ? plan_at_night : PlanColours{},
                             .here = museum.kiosk.position,
                             .compass = {turned ? box.width - compass : compass, middle},
                             .unit = m.unit};
@@ -95,9 +98,9 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   sheet.shadow(box, 2 * m.unit, 0.12F);
   sheet.fill(box, sheet.theme().paper, m.corner);
   sheet.drawing(box,
-                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}", museum.kiosk_floor, shape.width,
-                            shape.height, turned, static_cast<int>(kind), museum.kiosk.position.x,
-                            print_of(sheet.way()->line)),
+                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor,
+                            shape.width, shape.height, turned, static_cast<int>(kind),
+                            museum.kiosk.position.x, print_of(sheet.way()->line)),
                 [&] { return draw_plan(drawing); });
   const float room = compass - 4 * m.unit - pad;
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
@@ -116,7 +119,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   inset.down = frame.scale / box.height * frame.down;
   inset.way = sheet.way()->line;
   inset.reach = distances_along(inset.way);
-  inset.figure = scene::srgb(info_of(kind).colour);
+  inset.figure = way_colour;
 }
 
 void draw_walk(Sheet& sheet, const PixelBox& free) {
