@@ -19,12 +19,13 @@ constexpr double overlooked_for = 5;   ///< Seconds that the whole way is seen f
 constexpr double looks_for = 8;        ///< Seconds at the goal.
 constexpr double longest_phase = 240;  ///< Seconds: whatever keeps the guide, it goes home then.
 constexpr double day = 48;             ///< Seconds from one bright light to the next.
-constexpr double turn_period = 62, breath = 41;  ///< Seconds: of the camera's turn and of its distance.
-constexpr double widest_turn = 0.16;      ///< Radians.
-constexpr double deepest_breath = 0.06;   ///< Share of the camera's distance.
-constexpr double goes_in = 1.5;           ///< Seconds in which the interface makes way.
-constexpr double stays = 14;              ///< Seconds that the welcome is at one place.
-constexpr double comes_in = 1.2;          ///< Seconds in which it comes there, and goes.
+constexpr double turn_period = 62,
+                 breath = 41;            ///< Seconds: of the camera's turn and of its distance.
+constexpr double widest_turn = 0.16;     ///< Radians.
+constexpr double deepest_breath = 0.06;  ///< Share of the camera's distance.
+constexpr double goes_in = 1.5;          ///< Seconds in which the interface makes way.
+constexpr double stays = 14;             ///< Seconds that the welcome is at one place.
+constexpr double comes_in = 1.2;         ///< Seconds in which it comes there, and goes.
 
 /// Where the middle of the welcome is, as shares of the screen: never where it has just been, and
 /// beside whoever walks in the middle.
@@ -186,7 +187,8 @@ void Attract::draw_welcome(const interface::View& view, scene::DrawList& list) c
     bottom = std::max(bottom, at.y + at.height);
   }
   const scene::Rect& place = places[static_cast<std::size_t>(since / stays) % places.size()];
-  const float wide = 4 * view.unit_px / view.pixel_width, high = 3 * view.unit_px / view.pixel_height;
+  const float wide = 4 * view.unit_px / view.pixel_width,
+              high = 3 * view.unit_px / view.pixel_height;
   const auto inside = [](float middle, float extent) {
     return std::clamp(middle, 0.5F * extent, std::max(0.5F * extent, 1 - 0.5F * extent));
   };
@@ -195,7 +197,8 @@ void Attract::draw_welcome(const interface::View& view, scene::DrawList& list) c
   scene::Quad board;
   board.rect = {inside(place.x, across + wide) - 0.5F * across,
                 inside(place.y, down + high) - 0.5F * down, across, down};
-  board.colour = scene::with_opacity(scene::theme_of(view.state.high_contrast, view.is_night).paper, opacity);
+  board.colour =
+      scene::with_opacity(scene::theme_of(view.state.high_contrast, view.is_night).paper, opacity);
   board.corner = 1.5F / 135;
   list.quads.push_back(board);
   for (const interface::Element& element : view.elements) {

@@ -54,8 +54,8 @@ class Attract {
 
   const Museum& museum_;
   Phase phase_ = Phase::Off;
-  float alone_ = 0;          ///< Seconds since anybody touched anything.
-  double seconds_ = 0;       ///< Since it began.
+  float alone_ = 0;     ///< Seconds since anybody touched anything.
+  double seconds_ = 0;  ///< Since it began.
   double phase_seconds_ = 0;
   std::uint32_t chosen_ = 0;  ///< The exhibit that was shown last.
   interface::InterfaceState state_;

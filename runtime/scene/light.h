@@ -18,7 +18,7 @@ struct Light {
 
 /// `share` of the way from one to the other.
 inline Light mixed(const Light& from, const Light& to, float share) noexcept {
-  return {mixed(from.sun, to.sun, share), mixed(from.sky, to.sky, share),
+  return {mixed(from.sun, to.sun, share),       mixed(from.sky, to.sky, share),
           mixed(from.bounce, to.bounce, share), mixed(from.paper, to.paper, share),
           mixed(from.lamp, to.lamp, share),     std::lerp(from.least_way, to.least_way, share)};
 }

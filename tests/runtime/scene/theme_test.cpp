@@ -61,8 +61,7 @@ TEST(AWayAtNight, HasOnThePanelTheColourThatItHasOnTheFloor) {
               lifted(trail_colour(look), light_of(true).least_way));
   for (const RouteKindInfo& kind : route_kinds) {
     const Colour way = lifted(route_colour(kind.kind), theme_of(false, true).least_way);
-    EXPECT_GE(contrast(luminance(way), luminance(theme_of(false, true).paper)),
-              of_what_is_touched);
+    EXPECT_GE(contrast(luminance(way), luminance(theme_of(false, true).paper)), of_what_is_touched);
     EXPECT_GE(contrast(luminance(way), luminance(theme_of(false, true).plaster)),
               of_what_is_touched);
   }
