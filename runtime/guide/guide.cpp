@@ -15,8 +15,10 @@ constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers
 constexpr std::size_t points_of_a_trail = 1024;
 constexpr std::size_t quads_of_a_card = 256;
 constexpr std::size_t most_contacts = 80;
-constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
-constexpr float refusal_shown_for = 8;  ///< Seconds.
+constexpr double guide_rank = 100;  ///< Visitors on their own make room for a guide.
+constexpr scene::Rect above_welcome{0, 0, 1, 0.82F};  ///< On an upright screen, while alone.
+constexpr int skipping_pace = 10;                     ///< Times as fast as in reality.
+constexpr float refusal_shown_for = 8;                ///< Seconds.
 
 std::size_t guides_on(const GuideSettings& settings) noexcept {
   return interface::seats_on(settings.shape, settings.visitors) > 1 ? scene::guide_look_count : 1;
@@ -39,6 +41,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
       attract_(museum),
+      chapters_(museum),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -294,7 +297,11 @@ void Guide::step(Seconds dt) noexcept {
   attention_.direct(sessions_, settings_.shape,
                     scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
                     homes_.size(), settings_.reduced_motion, crowd_);
-  for (int i = 0; i < pace(); ++i) walk(seconds);
+  for (int i = 0; i < pace(); ++i) {
+    walk(seconds);
+    if (state().skips) follow_chapters(0);
+  }
+  follow_chapters(seconds);
   go_along_in_time(seconds);
   counters_.routes = 0;
   for (Session& session : sessions_) {
@@ -311,8 +318,9 @@ void Guide::step(Seconds dt) noexcept {
 void Guide::attract(float seconds) noexcept {
   if (settings_.reduced_motion || view() == nullptr) return;
   if (attract_.step(seconds, is_vacant() && !voice().is_busy(), crowd_))
-    stage_.enter(attract_.state(), {0, 0, 1, 1}, interface::aspect_ratio(settings_.shape),
-                 leader());
+    stage_.enter(attract_.state(),
+                 interface::is_landscape(settings_.shape) ? scene::Rect{0, 0, 1, 1} : above_welcome,
+                 interface::aspect_ratio(settings_.shape), leader());
   if (attract_.has_begun()) strollers_.come(crowd_);
   stage_.sway(attract_.turn(), attract_.further());
 }
@@ -331,7 +339,12 @@ void Guide::walk(float seconds) noexcept {
 /// How many times as fast as in reality everybody walks.
 int Guide::pace() const noexcept {
   const bool goes_along = !is_shared() && state().screen == interface::Screen::Walking;
-  return goes_along ? std::max(1, static_cast<int>(state().pace)) : 1;
+  if (!goes_along) return 1;
+  return state().skips ? skipping_pace : std::max(1, static_cast<int>(state().pace));
+}
+
+void Guide::follow_chapters(float seconds) noexcept {
+  if (!is_shared()) sessions_[0].show(chapters_.step(state(), leader(), seconds));
 }
 
 /// Whoever has seen the whole way for a while goes along with the guide.

@@ -9,6 +9,7 @@
 
 #include "runtime/guide/attention.h"
 #include "runtime/guide/attract.h"
+#include "runtime/guide/chapters.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
 #include "runtime/guide/seating.h"
@@ -153,6 +154,7 @@ class Guide {
   void take_answers() noexcept;
   void walk(float seconds) noexcept;
   int pace() const noexcept;
+  void follow_chapters(float seconds) noexcept;
   void go_along_in_time(float seconds) noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
@@ -168,6 +170,7 @@ class Guide {
   std::vector<ExhibitShape> exhibit_shapes_;
   Attention attention_;
   Attract attract_;
+  Chapters chapters_;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/parts.h"
@@ -130,8 +131,16 @@ void draw_walk(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
   const float scale = sheet.request().shape.text_scale;
   const float width = std::round(std::min(ordinary * m.unit * scale, most * free.width));
-  const Block button = buttons_block(sheet, {{walk, Sheet::Emphasis::Strong}}, 0);
-  button.draw({free.x + m.gap, free.y + m.gap, width, button.height(width)});
+  float y = free.y + m.gap;
+  for (const auto& [control, emphasis] :
+       {std::pair{walk, Sheet::Emphasis::Strong},
+        std::pair{sheet.control("onward"), Sheet::Emphasis::Soft}}) {
+    if (control < 0) continue;
+    const Block button = buttons_block(sheet, {{control, emphasis}}, 0);
+    const float height = button.height(width);
+    button.draw({free.x + m.gap, y, width, height});
+    y += height + m.gap;
+  }
 }
 
 }  // namespace docent::interface
