@@ -20,7 +20,7 @@ namespace docent::config {
 namespace {
 
 struct KioskFile {
-  Located<std::string> content, display, size, output, screen_on, staff_pin;
+  Located<std::string> content, display, size, output, screen_on, theme, night, staff_pin;
   Located<std::int64_t> idle_reset, rotate, visitors, mount_height;
   Located<double> text_scale, screen_inches, same_key_delay;
   Located<bool> mirror, reduced_motion, pixel_shift;
@@ -112,6 +112,13 @@ constexpr std::array kiosk_file_fields{
                      "When the screen is lit: \"Mo-Fr 08:30-18:00; Sa,Su 10:00-19:00\", as "
                      "OpenStreetMap's opening_hours, without holidays; always where it is not "
                      "said; a touch lights it until nobody has touched it for idle_reset"},
+    Field<KioskFile>{"theme", &KioskFile::theme, Presence::Optional,
+                     "The colours of the screen: \"day\", dark letters on pale paper, or "
+                     "\"night\", pale letters on dark paper, for rooms that are kept dark; day "
+                     "where it is not said"},
+    Field<KioskFile>{"night", &KioskFile::night, Presence::Optional,
+                     "Hours in which the theme is night: \"Mo-Su 18:00-08:00\", written as those "
+                     "of screen_on; none where it is not said"},
     Field<KioskFile>{"pixel_shift", &KioskFile::pixel_shift, Presence::Optional,
                      "Lets the picture wander by up to four pixels, one at a time and a minute "
                      "apart, against burning in; false where it is not said"},
@@ -285,7 +292,9 @@ class KioskSettings {
     config.reduced_motion = written.reduced_motion.value;
     config.same_key_delay = written.same_key_delay.value;
     config.pixel_shift = written.pixel_shift.value;
-    if (written.screen_on.given) set_hours(written.screen_on, config);
+    if (written.screen_on.given) set_hours("screen_on", written.screen_on, config.screen_on);
+    if (written.night.given) set_hours("night", written.night, config.night);
+    if (written.theme.given) set_theme(written.theme, config);
     if (written.staff_pin.given) set_staff_pin(written.staff_pin, config);
     return config;
   }
@@ -325,12 +334,20 @@ class KioskSettings {
     config.staff_pin = written.value;
   }
 
-  void set_hours(const Located<std::string>& written, KioskConfig& config) {
+  void set_theme(const Located<std::string>& written, KioskConfig& config) {
+    config.is_night = written.value == "night";
+    if (!config.is_night && written.value != "day")
+      bad_value(written.place, "'theme' should be day or night",
+                "write theme = \"night\" for light letters on dark paper");
+  }
+
+  void set_hours(std::string_view key, const Located<std::string>& written,
+                 std::optional<WeeklyHours>& into) {
     auto hours = parse_weekly_hours(written.value);
     if (!hours)
-      return bad_value(written.place, "'screen_on': " + hours.error(),
+      return bad_value(written.place, fmt::format("'{}': {}", key, hours.error()),
                        "weekdays are Mo, Tu, We, Th, Fr, Sa, Su, and times are written 09:30");
-    config.screen_on = std::move(*hours);
+    into = std::move(*hours);
   }
 
   void bad_value(const Place& place, std::string message, std::string hint) {

@@ -61,6 +61,8 @@ struct KioskConfig {
   double same_key_delay = 0;    ///< 0 to 2. Seconds during which the same key does nothing.
   bool pixel_shift = false;     ///< The picture wanders by a few pixels, against burning in.
   std::optional<WeeklyHours> screen_on;  ///< When the screen is lit. Not said: always.
+  bool is_night = false;                 ///< `theme = "night"`: light letters on dark paper.
+  std::optional<WeeklyHours> night;      ///< When the theme is "night" whatever it is otherwise.
 };
 
 /// The diagonal in inches, given what the screen says of itself.

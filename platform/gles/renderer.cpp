@@ -14,7 +14,6 @@
 #include "platform/gles/shaders.h"
 #include "platform/gles/way_pass.h"
 #include "runtime/model/motion/skeleton.h"
-#include "runtime/scene/theme.h"
 
 namespace docent::gles {
 namespace {
@@ -22,13 +21,8 @@ namespace {
 /// Block `Frame` of frame.glsl, in std140 layout.
 struct FrameBlock {
   Mat4 view_projection;
-  Vec4 eye, sun, focus, goal, paper, lightmap, sun_colour, sky_colour, bounce_colour;
+  Vec4 eye, sun, focus, goal, paper, lightmap, sun_colour, sky_colour, bounce_colour, lamp;
 };
-
-/// Late-afternoon light, chosen so that pale plaster in full light comes out just below paper.
-constexpr Vec4 sun_colour{1.20F, 1.11F, 0.97F, 0};
-constexpr Vec4 sky_colour{0.51F, 0.52F, 0.53F, 0};
-constexpr Vec4 bounce_colour{0.70F, 0.615F, 0.52F, 0};
 
 constexpr float light_of_goal = 0.16F;
 
@@ -41,18 +35,18 @@ Vec4 place_on_floor(Vec2 place, float radius, float amount) noexcept {
   return {world.x, world.z, radius, amount};
 }
 
-FrameBlock frame_block(const scene::DrawList& list, const Building* building,
-                       const scene::Theme& theme) noexcept {
+FrameBlock frame_block(const scene::DrawList& list, const Building* building) noexcept {
   FrameBlock frame{};
   frame.view_projection = list.camera.projection * list.camera.view;
   frame.eye = Vec4(list.camera.eye, 1);
   frame.focus = place_on_floor(list.focus, list.focus_radius, list.fade);
   frame.goal = place_on_floor(list.goal, list.goal_radius, light_of_goal);
-  frame.paper = colour_of(theme.paper);
+  frame.paper = colour_of(list.light.paper);
   frame.sun = Vec4(0, 1, 0, 0);
-  frame.sun_colour = sun_colour;
-  frame.sky_colour = sky_colour;
-  frame.bounce_colour = bounce_colour;
+  frame.sun_colour = colour_of(list.light.sun);
+  frame.sky_colour = colour_of(list.light.sky);
+  frame.bounce_colour = colour_of(list.light.bounce);
+  frame.lamp = colour_of(list.light.lamp);
   if (building) {
     const Scenery& scenery = building->scenery;
     const Vec2 size = scenery.lightmap_max - scenery.lightmap_min;
@@ -83,7 +77,6 @@ struct Renderer::Parts {
                       PixelSize size) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
-  scene::Theme theme;
   SceneBuffer buffer;
   Picture picture;
   SceneryPass scenery;
@@ -119,7 +112,7 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  glClearColor(theme.paper.r, theme.paper.g, theme.paper.b, 1);
+  glClearColor(list.light.paper.r, list.light.paper.g, list.light.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   avatars.draw_bodies(rows);
   objects.draw(list, held.objects);
@@ -147,7 +140,7 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
 void Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
                                  PixelSize size) noexcept {
   const Building* building = held.building(list.floor);
-  const FrameBlock block = frame_block(list, building, theme);
+  const FrameBlock block = frame_block(list, building);
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());

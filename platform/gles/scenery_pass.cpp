@@ -18,10 +18,6 @@ constexpr Paving stone_slabs{1.2F, 0.8F, 0.07F, 0.004F};
 /// Oak floors of museums are soaped: paler than the timber, so that what stands on them is seen.
 constexpr float soap = 0.08F;
 
-scene::Colour mixed(const scene::Colour& a, const scene::Colour& b, float share) noexcept {
-  return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share, 1};
-}
-
 void draw_part(const SceneryPart& part) noexcept {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
                  buffer_offset(part.first_index * sizeof(std::uint32_t)));

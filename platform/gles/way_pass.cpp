@@ -77,9 +77,11 @@ void WayPass::prepare(const scene::DrawList& list) noexcept {
                   staging_.data());
 }
 
-void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept {
-  const scene::Colour tone =
+void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip,
+                          float least) const noexcept {
+  const scene::Colour own =
       ribbon.look ? scene::trail_colour(*ribbon.look) : scene::route_colour(ribbon.kind);
+  const scene::Colour tone = scene::lifted(own, least);
   set(at_.tone, scene::with_opacity(tone, ribbon.opacity));
   glUniform4f(at_.way, ribbon.length, ribbon.walked, ribbon.flow,
               static_cast<float>(scene::ribbon_half_width));
@@ -88,11 +90,12 @@ void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) c
   glDrawArrays(GL_TRIANGLE_STRIP, strip.first, strip.count);
 }
 
-void WayPass::draw_marker(const scene::MarkerDraw& marker) const noexcept {
+void WayPass::draw_marker(const scene::MarkerDraw& marker, float least) const noexcept {
   using Kind = scene::MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
   scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.invitation;
   if (marker.look) tone = scene::trail_colour(*marker.look);
+  if (!is_exhibit) tone = scene::lifted(tone, least);
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float reach =
@@ -110,11 +113,11 @@ void WayPass::draw(const scene::DrawList& list) const noexcept {
   glBindVertexArray(array_.get());
   for (std::size_t i = 0; i < strip_count_; ++i)
     if (strips_[i].count > 0 && list.ribbons[i].opacity > 0)
-      draw_ribbon(list.ribbons[i], strips_[i]);
+      draw_ribbon(list.ribbons[i], strips_[i], list.light.least_way);
   marker_.use();
   glBindVertexArray(no_attributes_.get());
   for (const scene::MarkerDraw& marker : list.markers)
-    if (marker.opacity > 0) draw_marker(marker);
+    if (marker.opacity > 0) draw_marker(marker, list.light.least_way);
 }
 
 }  // namespace docent::gles

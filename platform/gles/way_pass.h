@@ -28,8 +28,8 @@ class WayPass {
     GLsizei count = 0;
   };
   bool is_current(const scene::DrawList& list) const noexcept;
-  void draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip) const noexcept;
-  void draw_marker(const scene::MarkerDraw& marker) const noexcept;
+  void draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip, float least) const noexcept;
+  void draw_marker(const scene::MarkerDraw& marker, float least) const noexcept;
 
   GlBuffer vertices_;
   GlVertexArray array_, no_attributes_;

@@ -21,6 +21,15 @@ constexpr double make_room_pause = 2.0;  // seconds for which who made room lets
 constexpr double urgency = 0.2;          // rank gained by a second of being held up
 constexpr double appear_again = 1.0;     // seconds, while somebody stands where one shall appear
 
+/// Nowhere just now, on its way to nothing.
+void stop_wishing(Agent& one) noexcept {
+  one.is_here = one.boards = one.is_on_its_way = one.awaits_answer = one.replans = false;
+  one.goal.reset();
+  one.has_arrived = true;
+  one.route_summary.reset();
+  one.boards_at = 0;
+}
+
 }  // namespace
 
 bool stands(const Avatar& avatar) noexcept {
@@ -59,16 +68,25 @@ std::uint32_t Crowd::add(std::uint32_t floor, const Placement& place, double ran
 
 void Crowd::appear(std::uint32_t who, std::uint32_t floor, const Placement& place) noexcept {
   Agent& one = members_[who];
+  if (std::exchange(one.is_away, false)) --away_;
   one.appears_at = place;
   one.appears_on = floor;
-  one.is_here = one.boards = one.is_on_its_way = one.awaits_answer = one.replans = false;
-  one.goal.reset();
-  one.has_arrived = true;
-  one.route_summary.reset();
-  one.boards_at = 0;
+  stop_wishing(one);
   one.ask_at = clock_;
   one.avatar.next.reset();
   ask_for_next(who);
+}
+
+void Crowd::leave(std::uint32_t who) noexcept {
+  Agent& one = members_[who];
+  if (std::exchange(one.is_away, true)) return;
+  ++away_;
+  stop_wishing(one);
+  one.avatar.next.reset();
+  plan::WalkOrder order;
+  order.leaves = true;
+  ask(who, order, one.avatar.seconds);
+  one.awaits_answer = false;  // there is none
 }
 
 void Crowd::hold_still() noexcept {
@@ -177,7 +195,7 @@ void Crowd::ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noe
     takes_over =
         frame < last ? frame / walk.frame_rate : std::max(takes_over, avatar.plan->seconds());
   }
-  if (members_.size() > 1) {
+  if (is_company()) {
     order.previous_seconds = takes_over;
     order.seconds = clock_ + takes_over - avatar.seconds;
     order.near = near(who);
@@ -330,7 +348,8 @@ bool Crowd::may_ask(std::uint32_t who) const noexcept {
 void Crowd::ask_for_next(std::uint32_t who) noexcept {
   Agent& one = members_[who];
   const Avatar& avatar = one.avatar;
-  if (members_.size() == 1 && !one.appears_at) one.is_here = true;
+  if (one.is_away) return;
+  if (!is_company() && !one.appears_at) one.is_here = true;
   if (one.awaits_answer || avatar.next || !may_ask(who) || yields(one)) return;
   if (!one.is_here) {
     plan::WalkOrder order;
@@ -348,7 +367,7 @@ void Crowd::go_on(std::uint32_t who) noexcept {
   if (one.blocked_seconds > content_after && avatar.floor == one.goal_floor &&
       glm::distance(avatar.body.position, one.goal->position) < close_by)
     one.goal->position = avatar.body.position;  // somebody holds the place itself
-  const double lead = stands(avatar) && members_.size() > 1 ? standing_lead : one.lead;
+  const double lead = stands(avatar) && is_company() ? standing_lead : one.lead;
   plan::WalkOrder order;
   order.goal = one.goal;
   order.goal_floor = one.goal_floor;
@@ -385,7 +404,7 @@ void Crowd::ask_for_ride(std::uint32_t who) noexcept {
   plan::WalkOrder order;
   order.ride = avatar.plan->then;
   one.boards = true;
-  ask(who, order, avatar.seconds + (members_.size() > 1 ? standing_lead : 0));
+  ask(who, order, avatar.seconds + (is_company() ? standing_lead : 0));
 }
 
 }  // namespace docent::guide

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@ namespace docent::guide {
 struct Agent {
   Avatar avatar;
   bool is_here = false;  ///< It appears once there is room for it.
+  bool is_away = false;  ///< It has left, and comes only when it is told to appear.
   /// Where it appears, on which floor, if not where it is.
   std::optional<Placement> appears_at{};
   std::uint32_t appears_on = 0;
@@ -77,6 +79,8 @@ class Crowd {
   /// Wherever it is and whatever it does, it goes out of sight and appears at that place, standing,
   /// as soon as there is room. What it is told meanwhile it does from there.
   void appear(std::uint32_t who, std::uint32_t floor, const Placement& place) noexcept;
+  /// It is gone at once, and takes no part in anything until it is told to appear.
+  void leave(std::uint32_t who) noexcept;
   /// A hand of it is on something from the next step on, until it is told otherwise.
   void hold(std::uint32_t who, Side side, const std::optional<Held>& held) noexcept {
     members_[who].avatar.manner.held[index_of(side)] = held;
@@ -107,12 +111,17 @@ class Crowd {
   /// How many overlaps there are now, as Proximity counts them: 0, unless something is wrong.
   std::size_t collisions() const noexcept;
   std::size_t size() const noexcept { return members_.size(); }
+  /// How many more can be added.
+  std::size_t room() const noexcept {
+    return planner_.avatars() - std::min(planner_.avatars(), members_.size());
+  }
   const Agent& operator[](std::uint32_t who) const noexcept { return members_[who]; }
   const std::vector<Agent>& members() const noexcept { return members_; }
   /// Seconds since the beginning.
   double clock() const noexcept { return clock_; }
 
  private:
+  bool is_company() const noexcept { return members_.size() - away_ > 1; }
   void set_out(std::uint32_t who) noexcept;
   void take_answers() noexcept;
   void take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
@@ -132,6 +141,7 @@ class Crowd {
   plan::Planner& planner_;
   std::vector<Proximity> proximity_;  ///< Per floor.
   std::vector<Agent> members_;
+  std::size_t away_ = 0;  ///< How many have left.
   std::uint64_t last_order_ = 0;
   double clock_ = 0;
 };

@@ -6,6 +6,7 @@
 #include "runtime/guide/waiting_places.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
+#include "runtime/scene/theme.h"
 
 namespace docent::guide {
 namespace {
@@ -14,8 +15,10 @@ constexpr std::size_t most_ribbon_points = 4096, most_quads = 1024, most_markers
 constexpr std::size_t points_of_a_trail = 1024;
 constexpr std::size_t quads_of_a_card = 256;
 constexpr std::size_t most_contacts = 80;
-constexpr double guide_rank = 100;      ///< Visitors on their own make room for a guide.
-constexpr float refusal_shown_for = 8;  ///< Seconds.
+constexpr double guide_rank = 100;  ///< Visitors on their own make room for a guide.
+constexpr scene::Rect above_welcome{0, 0, 1, 0.82F};  ///< On an upright screen, while alone.
+constexpr int skipping_pace = 10;                     ///< Times as fast as in reality.
+constexpr float refusal_shown_for = 8;                ///< Seconds.
 
 std::size_t guides_on(const GuideSettings& settings) noexcept {
   return interface::seats_on(settings.shape, settings.visitors) > 1 ? scene::guide_look_count : 1;
@@ -25,7 +28,7 @@ std::size_t guides_on(const GuideSettings& settings) noexcept {
 
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
   const std::size_t seats = interface::seats_on(settings.shape, settings.visitors);
-  return {guides_on(settings) + museum.ambient.count, seats > 1 ? 1 + seats : 1};
+  return {guides_on(settings) + Strollers::most(museum), seats > 1 ? 1 + seats : 1};
 }
 
 Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
@@ -37,6 +40,8 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       doors_(museum),
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
+      attract_(museum),
+      chapters_(museum),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -167,6 +172,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
     case input::InputEvent::Kind::KeyUp:
       return;
     case input::InputEvent::Kind::KeyDown:
+      wake();
       if (seating_) seating_->press_key(speaker_);
       sessions_[speaker_].press_key(event.key);
       if (event.key == input::Key::Character) sessions_[speaker_].type(event.character);
@@ -195,9 +201,26 @@ void Guide::headphones(bool are_in) noexcept {
   if (!is_shared()) sessions_[0].headphones(are_in);
 }
 
+/// Whoever comes finds the first screen, and the guide at its place.
+bool Guide::wake() noexcept {
+  if (!attract_.wake()) return false;
+  strollers_.leave(crowd_);
+  crowd_.appear(0, museum_.kiosk_floor, homes_[0]);
+  stage_.sway(0, 1);
+  if (view() == nullptr) return true;
+  stage_.enter(state(), view()->free, interface::aspect_ratio(settings_.shape), leader());
+  stage_.cut(state(), leader());
+  // What is written on the model is where it was.
+  const scene::CameraView camera =
+      scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape));
+  for (Session& session : sessions_) session.overlay().follow(camera, height_of_floor());
+  return true;
+}
+
 /// Each contact belongs to the visitor nearest to it.
 void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
+  if (wake()) return sessions_[0].overlay().ring(event.contact.x, event.contact.y);
   const scene::ScreenPoint at{event.contact.x, event.contact.y};
   std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
@@ -208,10 +231,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const std::size_t visitor = seating_->visitor_at(at);
   if (visitor == 0) {
     refusal_seconds_ = refusal_shown_for;
-    Overlay& model = sessions_[0].overlay();
-    model.touch_down({event.contact, event.contact, 0});
-    model.touch_up({event.contact, event.contact, 0});  // a ring, and nothing else
-    return;
+    return sessions_[0].overlay().ring(at.x, at.y);
   }
   speaker_ = visitor;
   seating_->touch(visitor, at);
@@ -258,7 +278,7 @@ void Guide::take_answers() noexcept {
     const std::size_t part = view->part;
     if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
-    if (part == 0)
+    if (part == 0 && !attract_.is_on())
       stage_.enter(sessions_[0].state(), sessions_[0].view()->free,
                    interface::aspect_ratio(settings_.shape), leader());
   }
@@ -277,7 +297,11 @@ void Guide::step(Seconds dt) noexcept {
   attention_.direct(sessions_, settings_.shape,
                     scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
                     homes_.size(), settings_.reduced_motion, crowd_);
-  for (int i = 0; i < pace(); ++i) walk(seconds);
+  for (int i = 0; i < pace(); ++i) {
+    walk(seconds);
+    if (state().skips) follow_chapters(0);
+  }
+  follow_chapters(seconds);
   go_along_in_time(seconds);
   counters_.routes = 0;
   for (Session& session : sessions_) {
@@ -286,7 +310,19 @@ void Guide::step(Seconds dt) noexcept {
   }
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
-  stage_.advance(state(), leader(), seconds);
+  attract(seconds);
+  stage_.advance(seen(), leader(), seconds);
+}
+
+/// While nobody is there. The model then has the whole screen.
+void Guide::attract(float seconds) noexcept {
+  if (settings_.reduced_motion || view() == nullptr) return;
+  if (attract_.step(seconds, is_vacant() && !voice().is_busy(), crowd_))
+    stage_.enter(attract_.state(),
+                 interface::is_landscape(settings_.shape) ? scene::Rect{0, 0, 1, 1} : above_welcome,
+                 interface::aspect_ratio(settings_.shape), leader());
+  if (attract_.has_begun()) strollers_.come(crowd_);
+  stage_.sway(attract_.turn(), attract_.further());
 }
 
 void Guide::walk(float seconds) noexcept {
@@ -295,7 +331,7 @@ void Guide::walk(float seconds) noexcept {
   strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();
   const Agent& guide = crowd_[0];
-  if (is_shared() || !guide.is_answered || sessions_[0].ends_aside()) return;
+  if ((is_shared() && !attract_.is_on()) || !guide.is_answered || sessions_[0].ends_aside()) return;
   const plan::Plan& plan = guide.avatar.next ? *guide.avatar.next : *guide.avatar.plan;
   if (plan.order.id == guide.last_order && !plan.points.empty()) stage_.show_way(plan, list_);
 }
@@ -303,7 +339,12 @@ void Guide::walk(float seconds) noexcept {
 /// How many times as fast as in reality everybody walks.
 int Guide::pace() const noexcept {
   const bool goes_along = !is_shared() && state().screen == interface::Screen::Walking;
-  return goes_along ? std::max(1, static_cast<int>(state().pace)) : 1;
+  if (!goes_along) return 1;
+  return state().skips ? skipping_pace : std::max(1, static_cast<int>(state().pace));
+}
+
+void Guide::follow_chapters(float seconds) noexcept {
+  if (!is_shared()) sessions_[0].show(chapters_.step(state(), leader(), seconds));
 }
 
 /// Whoever has seen the whole way for a while goes along with the guide.
@@ -322,6 +363,7 @@ void Guide::go_along_in_time(float seconds) noexcept {
 
 std::span<const LedVisitor> Guide::led_visitors() noexcept {
   led_visitors_.clear();
+  if (const auto led = attract_.led()) led_visitors_.push_back(*led);
   for (const Session& session : sessions_)
     if (session.guide() && session.leads_to_goal())
       led_visitors_.push_back({*session.guide(), session.state().exhibit,
@@ -336,23 +378,36 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.joint.clear();
   list_.quads.clear();
   list_.leaves.clear();
+  list_.light = attract_.light(scene::light_of(settings_.shape.is_night));
   for (const Agent& one : crowd_.members())
     if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
   doors_.draw(stage_.floor(), list_);
-  stage_.draw(state(), crowd_, led_visitors(), list_);
+  stage_.draw(seen(), crowd_, led_visitors(), list_);
   const bool is_near =
-      state().screen == interface::Screen::Walking || state().screen == interface::Screen::Arrived;
+      seen().screen == interface::Screen::Walking || seen().screen == interface::Screen::Arrived;
   draw_objects(museum_, stage_.floor(), sessions_[0].table(),
-               is_near ? state().exhibit : std::nullopt, list_);
-  const double floor_height = museum_.floors[stage_.floor()].plan.height;
+               is_near ? seen().exhibit : std::nullopt, list_);
+  draw_interface();
+  return list_;
+}
+
+float Guide::height_of_floor() const noexcept {
+  return static_cast<float>(museum_.floors[stage_.floor()].plan.height);
+}
+
+void Guide::draw_interface() noexcept {
+  const float opacity = attract_.interface_opacity();
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
-    session.overlay().follow(list_.camera, static_cast<float>(floor_height));
+    session.overlay().follow(list_.camera, height_of_floor());
+    if (opacity == 0) continue;
     session.overlay().draw(static_cast<float>(session.remaining()),
                            names && !stage_.is_flying() ? 1 : 0,
                            {leader().shown_floor, leader().body.position}, list_);
   }
-  return list_;
+  if (opacity < 1)
+    for (scene::Quad& quad : list_.quads) quad.colour.a *= opacity;
+  if (view() != nullptr) attract_.draw_welcome(*view(), list_);
 }
 
 }  // namespace docent::guide

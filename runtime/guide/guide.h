@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "runtime/guide/attention.h"
+#include "runtime/guide/attract.h"
+#include "runtime/guide/chapters.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
 #include "runtime/guide/seating.h"
@@ -31,7 +33,7 @@ struct GuideSettings {
   Seconds idle_reset{60};
   std::uint32_t visitors = 1;  ///< Who may use the glass at the same time; 1 to most_seats.
   /// Nothing moves but a guide on its way: nobody breathes or strolls, the camera cuts, cards are
-  /// there at once.
+  /// there at once; and nothing happens while nobody is there.
   bool reduced_motion = false;
 };
 
@@ -123,6 +125,9 @@ class Guide {
   }
   /// Is nobody using the glass?
   bool is_vacant() const noexcept;
+  /// Has nobody been there for so long that the museum lives by itself? The next touch is answered
+  /// by the first screen, and does nothing else.
+  bool is_attracting() const noexcept { return attract_.is_on(); }
   /// All who walk; the guides come first.
   const Crowd& crowd() const noexcept { return crowd_; }
   const Doors& doors() const noexcept { return doors_; }
@@ -137,11 +142,19 @@ class Guide {
   };
   void enter_guides();
   void take_seats();
+  bool wake() noexcept;
+  void attract(float seconds) noexcept;
+  const interface::InterfaceState& seen() const noexcept {
+    return attract_.is_on() ? attract_.state() : state();
+  }
+  void draw_interface() noexcept;
+  float height_of_floor() const noexcept;
   void put_down(const input::InputEvent& event) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
   void walk(float seconds) noexcept;
   int pace() const noexcept;
+  void follow_chapters(float seconds) noexcept;
   void go_along_in_time(float seconds) noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
 
@@ -156,6 +169,8 @@ class Guide {
   Doors doors_;
   std::vector<ExhibitShape> exhibit_shapes_;
   Attention attention_;
+  Attract attract_;
+  Chapters chapters_;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.

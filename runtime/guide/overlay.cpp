@@ -19,7 +19,7 @@ constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much 
 constexpr float release_seconds = 0.15F;
 
 const scene::Theme& theme_of(const interface::View& view) noexcept {
-  return scene::theme_of(view.state.high_contrast);
+  return scene::theme_of(view.state.high_contrast, view.is_night);
 }
 
 bool same(const scene::Rect& a, const scene::Rect& b) noexcept {
@@ -230,8 +230,12 @@ std::int32_t Overlay::control_at(float x, float y) const noexcept {
   return nearest;
 }
 
+void Overlay::ring(float x, float y) noexcept {
+  rings_[next_ring_++ % rings_.size()] = {x, y, 0};
+}
+
 void Overlay::touch_down(const input::Finger& finger) noexcept {
-  rings_[next_ring_++ % rings_.size()] = {finger.at.x, finger.at.y, 0};
+  ring(finger.at.x, finger.at.y);
   Press& press = *std::ranges::min_element(presses_, {},
                                            [](const Press& p) { return p.held ? 1e9F : -p.age; });
   press = {finger.at.id, control_at(finger.at.x, finger.at.y), true, false, 0};

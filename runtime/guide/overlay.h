@@ -32,6 +32,8 @@ class Overlay {
   /// The control at a point of the screen: one of the panel's, or else the nearest spot of the
   /// model within reach; -1 where there is none.
   std::int32_t control_at(float x, float y) const noexcept;
+  /// A ring, and nothing else.
+  void ring(float x, float y) noexcept;
   /// A finger came down: answers with a ring and holds the control under it.
   void touch_down(const input::Finger& finger) noexcept;
   /// A finger moved: it may drag what scrolls, and then presses nothing. True where it does.

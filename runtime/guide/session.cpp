@@ -430,6 +430,7 @@ void Session::notice_arrival() noexcept {
   interface::InterfaceState now = state_;
   if (now.arrived) return;
   now.arrived = true;
+  now.skips = false;
   if (const auto goal = interface::goal_of(context_.museum, state_))
     now.floor = goal->floor;  // that is where they are looking
   if (now.screen == interface::Screen::Walking) now.screen = interface::Screen::Arrived;

@@ -206,7 +206,16 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
     return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : overview_;
   if (state.screen == interface::Screen::Walking)
     return walking_.rig({leader.body, height, {}}, free_);
-  return overview_;
+  scene::CameraRig above = overview_;
+  above.yaw += turn_;
+  above.distance *= further_;
+  return above;
+}
+
+void Stage::cut(const interface::InterfaceState& state, const Avatar& leader) noexcept {
+  changing_ = 0;
+  show_floor(wanted_floor(state, leader));
+  cut_to(state, leader);
 }
 
 void Stage::cut_to(const interface::InterfaceState& state, const Avatar& leader) noexcept {

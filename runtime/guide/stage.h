@@ -42,6 +42,13 @@ class Stage {
              const Avatar& leader) noexcept;
   void advance(const interface::InterfaceState& state, const Avatar& leader,
                float seconds) noexcept;
+  /// The camera is there at once, with the floor that it is to show.
+  void cut(const interface::InterfaceState& state, const Avatar& leader) noexcept;
+  /// From above, the model is seen turned by so many radians, and from so much further away.
+  void sway(double turn, double further) noexcept {
+    turn_ = turn;
+    further_ = further;
+  }
   /// Fills in camera, light, ways and marks. The crowd's first agent is the leader. On the glass of
   /// one visitor the way has the colour of its kind, which the panel explains; on a shared glass
   /// each way has the colour of its guide, and the pattern alone tells the kind.
@@ -89,6 +96,7 @@ class Stage {
   double flight_ = 1;          ///< Share of the flight from `from_` that is done.
   double flight_seconds_ = 1;  ///< How long the flight takes.
   interface::Screen screen_ = interface::Screen::Welcome;
+  double turn_ = 0, further_ = 1;
   bool entered_ = false;
   bool above_ = true;  ///< Is the model seen from above?
   scene::Rect free_{0, 0, 1, 1};

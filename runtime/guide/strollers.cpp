@@ -14,6 +14,8 @@ constexpr double taken = 0.9;        // metres about a place that somebody else 
 constexpr double aimless = 0.2;      // share of the ways that lead just somewhere
 constexpr double other_floor = 0.3;  // share of the exhibits on other floors that tempt somebody
 constexpr int most_tries = 12;
+constexpr std::size_t most_at_times = 4;      // of a museum that has none, ...
+constexpr std::size_t exhibits_for_each = 3;  // ... and what each of them needs to look at
 
 }  // namespace
 
@@ -40,8 +42,14 @@ Placement Strollers::start_of(std::size_t i) const noexcept {
   return museum_.kiosk;
 }
 
+std::size_t Strollers::most(const Museum& museum) noexcept {
+  if (museum.ambient.count > 0) return museum.ambient.count;
+  return std::min(most_at_times, museum.exhibits.size() / exhibits_for_each);
+}
+
 void Strollers::enter(Crowd& crowd) {
-  for (std::size_t i = 0; i < museum_.ambient.count; ++i) {
+  const std::size_t count = std::min(most(museum_), crowd.room());
+  for (std::size_t i = 0; i < count; ++i) {
     Stroller stroller;
     stroller.chance = 1000003 * (i + 1);
     const double pace = slowest + (1 - slowest) * random(stroller);
@@ -53,6 +61,18 @@ void Strollers::enter(Crowd& crowd) {
     stroller.goes_on_at = comes_in ? 0 : museum_.ambient.look_most * random(stroller);
     strollers_.push_back(stroller);
   }
+  leave(crowd);
+}
+
+void Strollers::come(Crowd& crowd) const noexcept {
+  if (museum_.ambient.count > 0) return;
+  for (std::size_t i = 0; i < strollers_.size(); ++i)
+    crowd.appear(strollers_[i].who, museum_.kiosk_floor, start_of(i));
+}
+
+void Strollers::leave(Crowd& crowd) const noexcept {
+  if (museum_.ambient.count > 0) return;
+  for (const Stroller& stroller : strollers_) crowd.leave(stroller.who);
 }
 
 void Strollers::step(Crowd& crowd) noexcept {

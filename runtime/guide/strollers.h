@@ -10,13 +10,19 @@ namespace docent::guide {
 
 /// The strollers: each walks from exhibit to exhibit by ways of any kind, sometimes to some other
 /// place, stands and looks, and goes on. Their random choices depend on the museum alone, so runs
-/// repeat exactly.
+/// repeat exactly. A museum that has none has a few all the same while nobody looks for anything:
+/// they come when they are told to, and go.
 class Strollers {
  public:
   explicit Strollers(const Museum& museum) : museum_(museum) {}
 
-  /// Adds the strollers to a crowd. Allocates.
+  /// How many a crowd needs room for.
+  static std::size_t most(const Museum& museum) noexcept;
+  /// Adds the strollers to a crowd, as many as it has room for. Allocates.
   void enter(Crowd& crowd);
+  /// Those who are there only at times appear, or are gone.
+  void come(Crowd& crowd) const noexcept;
+  void leave(Crowd& crowd) const noexcept;
   void step(Crowd& crowd) noexcept;
 
  private:

@@ -15,6 +15,8 @@ void forget_goal(InterfaceState& state) noexcept {
   state.tour.reset();
   state.arrived = false;
   state.pace = 0;
+  state.next = Chapter::Goal;
+  state.skips = false;
 }
 
 /// The guide leads the visitor to the goal, unless they are there.
@@ -206,7 +208,11 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
       break;
+    case Action::Kind::GoOnward:
+      state.skips = true;
+      break;
     case Action::Kind::Walk:
+      state.skips = false;
       state.pace = static_cast<std::uint8_t>(std::clamp(action.argument, 1U, fastest_pace));
       break;
     case Action::Kind::Stop:

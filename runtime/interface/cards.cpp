@@ -143,7 +143,7 @@ void draw_band(Sheet& sheet, const PixelBox& card) {
   if (!look) return;
   draw_stroke(sheet,
               {card.x + m.corner, card.y, card.width - 2 * m.corner, std::round(0.8F * m.unit)},
-              scene::trail_colour(*look), 0, -1);
+              sheet.on_paper(scene::trail_colour(*look)), 0, -1);
 }
 
 /// The helps of every screen as pictograms, in the card's upper corner: those that this state has,

@@ -350,9 +350,17 @@ void add_walk(const ControlRequest& request, std::vector<Control>& out) {
   const Pace& pace = request.state.pace < paces.size() ? paces[request.state.pace] : slower;
   out.push_back(button(request.museum, "walk", pace.word, {Action::Kind::Walk, pace.next}));
 }
+/// For who goes along and has seen enough of this room.
+void add_onward(const ControlRequest& request, std::vector<Control>& out) {
+  constexpr std::array<std::string_view, 3> words{"skip_room", "skip_floor", "skip_goal"};
+  if (request.state.pace == 0) return;
+  const auto next = static_cast<std::size_t>(request.state.next);
+  out.push_back(button(request.museum, "onward", words[next], {Action::Kind::GoOnward}));
+}
 void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   add_walking_on_card(request, out);
   add_walk(request, out);
+  add_onward(request, out);
   if (!to_next_stop(request.museum, request.state)) add_collect(request, out);
   add_home(request, "home", out);
 }

@@ -46,6 +46,9 @@ enum class Listed : std::uint8_t {
   Found,      ///< What the typed letters find.
 };
 
+/// What comes next on a walk.
+enum class Chapter : std::uint8_t { Room, Floor, Goal };
+
 /// The part of the guide's state that decides which controls there are and what they say. The rest
 /// (where the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
@@ -82,8 +85,10 @@ struct InterfaceState {
   /// How the visitor goes along on the walk: 0 not yet, they see the whole way from above; else so
   /// many times as fast as the guide walks.
   std::uint8_t pace = 0;
-  bool asks_to_stay = false;  ///< They have touched nothing for long: are they still there?
-  bool can_resume = false;    ///< They have started over just now, and may take that back.
+  Chapter next = Chapter::Goal;  ///< Who goes along comes to that next, ...
+  bool skips = false;            ///< ... and goes there as fast as can be.
+  bool asks_to_stay = false;     ///< They have touched nothing for long: are they still there?
+  bool can_resume = false;       ///< They have started over just now, and may take that back.
 
   bool operator==(const InterfaceState&) const = default;
 };
@@ -120,6 +125,7 @@ struct Action {
     Clear,            ///< All letters.
     TypeNumbers,      ///< Keys of digits, where `argument` is 1; 0: of letters.
     Return,           ///< From the list back to the walk, the exhibit or the welcome.
+    GoOnward,         ///< Past what is left until the next chapter of the walk.
     Walk,             ///< Along with the guide, `argument` times as fast as it walks.
     Stop,             ///< The guide stops where it is.
     Home,             ///< Back to the welcome; the guide walks home.

@@ -13,6 +13,7 @@ struct ScreenShape {
   float text_scale = 1;  ///< 1 to 2: larger letters.
   /// Millimetres of the glass's lower edge above the floor; 0: nobody has said.
   float mount_mm = 0;
+  bool is_night = false;  ///< Light letters on dark paper, and a museum in the dark.
 
   bool operator==(const ScreenShape&) const = default;
 };

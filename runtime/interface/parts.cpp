@@ -23,7 +23,7 @@ constexpr std::string_view between = "  ·  ";  // parts of a line
 void draw_stroke(Sheet& sheet, const PixelBox& box, scene::Colour colour, float corner,
                  std::int32_t control) {
   constexpr float pale = 0.6F;  // linear light, from where paper is no ground for it
-  if (colour.g > pale)
+  if (colour.g > pale && !sheet.request().shape.is_night)
     sheet.fill(box.inset(-std::max(1.0F, 0.12F * sheet.measures().unit)), sheet.theme().quiet_ink,
                corner, control);
   sheet.fill(box, colour, corner, control);
@@ -35,7 +35,7 @@ namespace {
 void draw_pattern(Sheet& sheet, RouteKind kind, const PixelBox& box, std::int32_t control) {
   const InterfaceState& state = sheet.request().state;
   const scene::Colour colour =
-      state.look ? scene::trail_colour(*state.look) : scene::route_colour(kind);
+      sheet.on_paper(state.look ? scene::trail_colour(*state.look) : scene::route_colour(kind));
   const LinePattern& pattern = info_of(kind).pattern;
   const float thick = box.height;
   const auto pieces = static_cast<float>(pattern.sample_pieces);

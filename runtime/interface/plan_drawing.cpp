@@ -12,8 +12,6 @@ namespace docent::interface {
 namespace {
 
 /// The colours of the theme, as pictures have them.
-constexpr std::uint32_t floor_colour = 0xE0D8C9, wall_colour = 0x6E675E, ink = 0x1E1C1A,
-                        paper = 0xF5F1E8;
 
 struct Box {
   Vec2 least{std::numeric_limits<double>::infinity()};
@@ -157,19 +155,20 @@ PlanFrame frame_of(const FloorPlan& plan, double heading, const DrawingShape& sh
 }
 
 Pixels draw_plan(const PlanDrawing& drawing) {
-  const auto& [plan, frame, shape, way, way_colour, is_cased, here, compass, unit] = drawing;
+  const auto& [plan, frame, shape, way, way_colour, is_cased, colours, here, compass, unit] =
+      drawing;
   Pixels pixels{shape.width, shape.height,
                 std::vector<std::byte>(std::size_t{4} * shape.width * shape.height)};
   const auto fresh = [&] { return Mask(shape.width, shape.height); };
 
   Mask ground = fresh();
   ground.rings(plan, frame);
-  lay_over(pixels, ground, floor_colour);
+  lay_over(pixels, ground, colours.floor);
   Mask walls = fresh();
   for (std::uint32_t wall = 0; wall < plan.vertex.size(); ++wall)
     walls.stroke(frame.pixel(wall_start(plan, wall)), frame.pixel(wall_end(plan, wall)),
                  0.08 * unit);
-  lay_over(pixels, walls, wall_colour);
+  lay_over(pixels, walls, colours.wall);
 
   std::vector<Vec2> line;
   for (const Vec2 point : way) line.push_back(frame.pixel(point));
@@ -177,37 +176,37 @@ Pixels draw_plan(const PlanDrawing& drawing) {
     Mask casing = fresh(), stroke = fresh(), end = fresh();
     casing.line(line, 0.5 * unit);
     casing.ring(line.back(), 0.9 * unit, 0.5 * unit);
-    lay_over(pixels, casing, is_cased ? ink : paper);
+    lay_over(pixels, casing, is_cased ? colours.ink : colours.paper);
     stroke.line(line, 0.34 * unit);
     end.stroke(line.back(), line.back(), 1.1 * unit);
     lay_over(pixels, stroke, way_colour);
     lay_over(pixels, end, way_colour);
     Mask eye = fresh();
     eye.stroke(line.back(), line.back(), 0.45 * unit);
-    lay_over(pixels, eye, paper);
+    lay_over(pixels, eye, colours.paper);
   }
 
   // Where one stands, and what one sees: ahead is up.
   const Vec2 at = frame.pixel(here);
   Mask view = fresh(), rim = fresh(), mark = fresh();
   view.triangle({at, at + Vec2{-2.6, -4.2} * unit, at + Vec2{2.6, -4.2} * unit});
-  lay_over(pixels, view, ink, 0.28F);
+  lay_over(pixels, view, colours.ink, 0.28F);
   const std::array<Vec2, 3> arrow{at + Vec2{0, -2.3} * unit, at + Vec2{-1.35, 0.2} * unit,
                                   at + Vec2{1.35, 0.2} * unit};
   rim.stroke(at, at, 1.55 * unit);
-  lay_over(pixels, rim, paper);
+  lay_over(pixels, rim, colours.paper);
   mark.triangle(arrow);
   mark.stroke(at, at, 1.2 * unit);
-  lay_over(pixels, mark, ink);
+  lay_over(pixels, mark, colours.ink);
 
   const Vec2 north{frame.right.y, frame.down.y};  // where y grows on the drawing
   const Vec2 aside{-north.y, north.x};
   Mask arrowhead = fresh(), circle = fresh();
   circle.ring(compass, 1.9 * unit, 0.06 * unit);
-  lay_over(pixels, circle, wall_colour);
+  lay_over(pixels, circle, colours.wall);
   arrowhead.triangle({compass + 3.1 * unit * north, compass + (1.9 * north + 0.8 * aside) * unit,
                       compass + (1.9 * north - 0.8 * aside) * unit});
-  lay_over(pixels, arrowhead, ink);
+  lay_over(pixels, arrowhead, colours.ink);
   return pixels;
 }
 

@@ -31,6 +31,13 @@ PlanFrame frame_of(const FloorPlan& plan, double heading, const DrawingShape& sh
 /// How wide a floor is for its height, seen with that heading up.
 double aspect_of(const FloorPlan& plan, double heading) noexcept;
 
+/// 0xRRGGBB.
+struct PlanColours {
+  std::uint32_t floor = 0xE0D8C9, wall = 0x6E675E, ink = 0x1E1C1A, paper = 0xF5F1E8;
+};
+inline constexpr PlanColours plan_at_night{
+    .floor = 0x37332E, .wall = 0x9C9385, .ink = 0xF0E8DA, .paper = 0x1C1A18};
+
 /// What is drawn on the plan.
 struct PlanDrawing {
   const FloorPlan& plan;
@@ -39,9 +46,10 @@ struct PlanDrawing {
   std::span<const Vec2> way{};   ///< Floor frame.
   std::uint32_t way_colour = 0;  ///< 0xRRGGBB.
   bool is_cased = false;         ///< With a dark edge, where its colour is pale.
-  Vec2 here{};                   ///< Floor frame: where the visitor stands, looking up.
-  Vec2 compass{};                ///< Pixels: the middle of the north arrow's ring.
-  double unit = 8;               ///< Pixels: lines and marks are sized by it.
+  PlanColours colours{};
+  Vec2 here{};      ///< Floor frame: where the visitor stands, looking up.
+  Vec2 compass{};   ///< Pixels: the middle of the north arrow's ring.
+  double unit = 8;  ///< Pixels: lines and marks are sized by it.
 };
 
 /// Draws the floor, its walls, the way with a ring at its end, where the visitor stands and looks,

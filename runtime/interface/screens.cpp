@@ -44,6 +44,26 @@ struct CountedLine {
   std::string text;
 };
 
+/// Before the guide has gone any of it. The way's sentences say figures too, those of the way from
+/// the kiosk: where that is the guide's way, they are the same here, and of another way no time is
+/// said, because nobody would know which of two is theirs.
+std::string whole_line(const Sheet& sheet, const RouteSummary& summary) {
+  constexpr double same = 2, same_share = 0.1;  // metres; of the way
+  const Museum& museum = sheet.museum();
+  const std::uint32_t language = sheet.request().state.language;
+  double metres = summary.metres, seconds = summary.seconds;
+  if (const ShownWay* way = sheet.way()) {
+    const double apart = std::abs(way->directions.metres - metres);
+    if (apart > std::max(same, same_share * metres))
+      return filled_in(sheet.word("remaining"), "distance", distance_in(museum, language, metres));
+    metres = way->directions.metres;
+    seconds = way->directions.seconds;
+  }
+  const std::string line =
+      filled_in(sheet.word("distance_and_time"), "distance", distance_in(museum, language, metres));
+  return filled_in(line, "time", time_in(museum, language, seconds));
+}
+
 /// The metres still to go, ready for every moment of the walk: every metre when near, every five
 /// when far.
 std::vector<CountedLine> remaining_lines(const Sheet& sheet, const RouteSummary& summary) {
@@ -59,10 +79,7 @@ std::vector<CountedLine> remaining_lines(const Sheet& sheet, const RouteSummary&
                                             distance_in(museum, language, metres))});
     metres += metres < near ? 1 : coarse;
   }
-  std::string whole = filled_in(sheet.word("distance_and_time"), "distance",
-                                distance_in(museum, language, summary.metres));
-  whole = filled_in(whole, "time", time_in(museum, language, summary.seconds));
-  lines.push_back({1e9F, whole});
+  lines.push_back({1e9F, whole_line(sheet, summary)});
   return lines;
 }
 

@@ -70,7 +70,7 @@ Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& piece
       view_(view),
       way_(way),
       measures_(measures_of(request.shape)),
-      theme_(scene::theme_of(request.state.high_contrast)),
+      theme_(scene::theme_of(request.state.high_contrast, request.shape.is_night)),
       width_(static_cast<float>(request.shape.width)),
       height_(static_cast<float>(request.shape.height)),
       shorter_(std::min(width_, height_)),
@@ -238,7 +238,7 @@ void Sheet::outline(const PixelBox& box, std::int32_t control) {
 void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
   add({.rect = share_of(box),
        .fill = scene::QuadFill::Shadow,
-       .colour = scene::with_opacity(theme_.ink, opacity),
+       .colour = scene::with_opacity(theme_.shade, opacity),
        .corner = measures_.corner / shorter_,
        .softness = reach / shorter_},
       -1);

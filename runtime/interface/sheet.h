@@ -49,6 +49,10 @@ class Sheet {
 
   const Measures& measures() const noexcept { return measures_; }
   const scene::Theme& theme() const noexcept { return theme_; }
+  /// The colour of a way or of a guide, as it is seen on this theme's paper.
+  scene::Colour on_paper(const scene::Colour& own) const noexcept {
+    return scene::lifted(own, theme_.least_way);
+  }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
   const Closures& closed() const noexcept { return closed_; }

@@ -110,7 +110,7 @@ bool is_control_name(const Museum& museum, std::string_view name) {
         if (has_it(state)) return true;
       }
     }
-  if (name == "stay" || name == "resume" || name == "lower") return true;
+  if (name == "stay" || name == "resume" || name == "lower" || name == "onward") return true;
   for (std::uint32_t floor = 0; floor < museum.floors.size(); ++floor) {
     InterfaceState above;
     above.screen = Screen::Choosing;

@@ -121,6 +121,7 @@ struct View {
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.
   scene::Colour accent;                     ///< Of the rings that answer touches.
+  bool is_night = false;                    ///< It has the colours of the night.
 };
 
 }  // namespace docent::interface

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/parts.h"
@@ -82,12 +83,15 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   const bool turned = runs_right_to_left(museum, sheet.request().state.language);
   const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
   const RouteKind kind = sheet.request().state.kind;
+  const scene::Colour way_colour = sheet.on_paper(scene::route_colour(kind));
+  const bool is_night = sheet.request().shape.is_night;
   const PlanDrawing drawing{.plan = floor.plan,
                             .frame = frame,
                             .shape = shape,
                             .way = sheet.way()->line,
-                            .way_colour = info_of(kind).colour,
-                            .is_cased = kind == RouteKind::Offset,
+                            .way_colour = scene::hex_of(way_colour),
+                            .is_cased = kind == RouteKind::Offset && !is_night,
+                            .colours = is_night ? plan_at_night : PlanColours{},
                             .here = museum.kiosk.position,
                             .compass = {turned ? box.width - compass : compass, middle},
                             .unit = m.unit};
@@ -95,9 +99,9 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   sheet.shadow(box, 2 * m.unit, 0.12F);
   sheet.fill(box, sheet.theme().paper, m.corner);
   sheet.drawing(box,
-                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}", museum.kiosk_floor, shape.width,
-                            shape.height, turned, static_cast<int>(kind), museum.kiosk.position.x,
-                            print_of(sheet.way()->line)),
+                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor,
+                            shape.width, shape.height, turned, static_cast<int>(kind),
+                            museum.kiosk.position.x, print_of(sheet.way()->line)),
                 [&] { return draw_plan(drawing); });
   const float room = compass - 4 * m.unit - pad;
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
@@ -116,7 +120,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   inset.down = frame.scale / box.height * frame.down;
   inset.way = sheet.way()->line;
   inset.reach = distances_along(inset.way);
-  inset.figure = scene::srgb(info_of(kind).colour);
+  inset.figure = way_colour;
 }
 
 void draw_walk(Sheet& sheet, const PixelBox& free) {
@@ -127,8 +131,16 @@ void draw_walk(Sheet& sheet, const PixelBox& free) {
   const Measures& m = sheet.measures();
   const float scale = sheet.request().shape.text_scale;
   const float width = std::round(std::min(ordinary * m.unit * scale, most * free.width));
-  const Block button = buttons_block(sheet, {{walk, Sheet::Emphasis::Strong}}, 0);
-  button.draw({free.x + m.gap, free.y + m.gap, width, button.height(width)});
+  float y = free.y + m.gap;
+  for (const auto& [control, emphasis] :
+       {std::pair{walk, Sheet::Emphasis::Strong},
+        std::pair{sheet.control("onward"), Sheet::Emphasis::Soft}}) {
+    if (control < 0) continue;
+    const Block button = buttons_block(sheet, {{control, emphasis}}, 0);
+    const float height = button.height(width);
+    button.draw({free.x + m.gap, y, width, height});
+    y += height + m.gap;
+  }
 }
 
 }  // namespace docent::interface

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <csignal>
+#include <ctime>
 
 #include <array>
 #include <chrono>
@@ -115,7 +116,14 @@ class Kiosk {
     return config::screen_inches(config_, edges_.display->diagonal_inches());
   }
   interface::ScreenShape shape(const RenderTarget& target) const noexcept {
-    return shape_of(target.size, inches(), config_);
+    interface::ScreenShape shape = shape_of(target.size, inches(), config_);
+    shape.is_night = config_.is_night || is_in_night_hours();
+    return shape;
+  }
+  bool is_in_night_hours() const noexcept {
+    if (!config_.night) return false;
+    const LocalMinute now = local_minute();
+    return config::holds(*config_.night, now.weekday, now.minute);
   }
   /// On a screen of its own a kiosk says what is missing; a person at a desk is told at once.
   bool waits_for_content() const noexcept {
@@ -186,6 +194,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   teller_.shows(*exhibition_, wanted_visitors());
   upload(*exhibition_);
   presenter_.renderer().warm_up(exhibition_->holdings, presenter_.target());
+  if (config_.night) tzset();  // takes memory, which a frame may not
   prepare_allocator_for(Phase::Frames);
   return {};
 }
@@ -310,7 +319,8 @@ FrameFacts Kiosk::facts_of_frame(guide::Seconds passed) noexcept {
           .is_touched = touched_.has_value(),
           .is_vacant = guide().is_vacant(),
           .is_new_view = views != std::exchange(view_, views),
-          .is_first_picture = guide().is_vacant() && guide().is_settled() && !staff_.is_open()};
+          .is_first_picture = guide().is_vacant() && !guide().is_attracting() &&
+                              guide().is_settled() && !staff_.is_open()};
 }
 
 /// The frame itself: nothing in it allocates, throws or waits, but for the driver's own affairs.

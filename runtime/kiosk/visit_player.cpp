@@ -101,6 +101,10 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
     return std::unexpected(
         Error{Errc::InvalidInput, fmt::format("line {}: this glass has {} seats, and no seat {}",
                                               wanted.line, guide.seats(), *wanted.seat)});
+  if (guide.is_attracting()) {  // whoever comes touches it first, to see what there is
+    tap(0.5F, 0.5F, time, take);
+    return {};
+  }
   const std::size_t part = guide.part_of(wanted.seat);
   if (!guide.shows_its_state(part)) return {};
   const interface::InterfaceState& state = guide.state(part);

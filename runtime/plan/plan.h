@@ -74,6 +74,7 @@ struct WalkOrder {
   Nearby near{};               ///< As the crowd has found them; the plan looks at them first.
   double blocked_seconds = 0;  ///< For how long others have been in its way.
   bool enters = false;         ///< Appear at `start`, as soon as there is room.
+  bool leaves = false;         ///< It is nowhere from now on. That has no answer.
   /// Leave the floor by that connection, from its stop, where the body stands, and come out on
   /// another; as soon as there is room there.
   std::optional<Ride> ride{};

@@ -133,6 +133,11 @@ Traffic& Planner::traffic_on(std::uint32_t floor) {
 
 void Planner::answer(const WalkOrder& order) {
   if (order.floor >= maps_.size()) return;
+  if (order.leaves) {
+    for (const std::unique_ptr<Traffic>& floor : traffic_)
+      if (floor) floor->leave(order.avatar, 0);
+    return;
+  }
   if (is_refused(order, *closed_.load())) return send(plans_, refusal_of(order), stop_);
   Traffic& here = traffic_on(order.floor);
   if (order.enters)  // it is on no other floor from now on

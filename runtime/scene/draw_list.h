@@ -8,14 +8,9 @@
 
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/path/way.h"
+#include "runtime/scene/light.h"
 
 namespace docent::scene {
-
-/// Linear RGB and opacity. Not premultiplied: the renderer does that.
-struct Colour {
-  float r = 0, g = 0, b = 0, a = 1;
-  bool operator==(const Colour&) const = default;
-};
 
 /// A rectangle of the screen frame: [0, 1] by [0, 1], origin top left, y down, after rotation.
 struct Rect {
@@ -152,6 +147,7 @@ inline constexpr std::size_t most_leaves = 64;
 struct DrawList {
   std::uint32_t floor = 0;
   CameraView camera;
+  Light light;
   /// Parts of the building further than a radius from the focus fade towards the paper colour.
   Vec2 focus{};               ///< Where the attention is, floor frame.
   float focus_radius = 1e3F;  ///< Metres within which nothing fades; below 0: even the focus does.

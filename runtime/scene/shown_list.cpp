@@ -36,8 +36,9 @@ float movement(Vec3 joint, Vec3 joint_before, const Mat4& matrix, const Mat4& be
 
 bool ShownList::differs(const DrawList& list, float pixels_high) const noexcept {
   return !is_kept_ || list.floor != kept_.floor || list.camera != kept_.camera ||
-         list.focus != kept_.focus || list.focus_radius != kept_.focus_radius ||
-         list.goal != kept_.goal || list.goal_radius != kept_.goal_radius ||
+         list.light != kept_.light || list.focus != kept_.focus ||
+         list.focus_radius != kept_.focus_radius || list.goal != kept_.goal ||
+         list.goal_radius != kept_.goal_radius ||
          list.highlighted_exhibit != kept_.highlighted_exhibit || list.quads != kept_.quads ||
          list.walls != kept_.walls || list.objects != kept_.objects ||
          list.leaves != kept_.leaves || list.near_object != kept_.near_object ||
@@ -69,6 +70,7 @@ bool ShownList::bodies_differ(const DrawList& list, float pixels_high) const noe
 void ShownList::keep(const DrawList& list) {
   kept_.floor = list.floor;
   kept_.camera = list.camera;
+  kept_.light = list.light;
   kept_.focus = list.focus;
   kept_.focus_radius = list.focus_radius;
   kept_.goal = list.goal;

@@ -60,11 +60,13 @@ TEST(KioskConfig, TakesWhatAnOperatorWrote) {
 
 TEST(KioskConfig, RefusesWhatNoDeviceCanDo) {
   for (const char* line :
-       {"idle_reset = 5", "idle_reset = 601", "idle_reset = 60.5", "text_scale = 3.0",
-        "text_scale = nan", "rotate = 45", "size = \"1920x1080@\"", "size = \"1920x1080@999\"",
-        "screen_on = \"mornings\"", "mirror = 1", "size = \"big\"", "size = \"1920x\"",
-        "size = \"0x0\"", "display = \"wayland\"", "brightness = 1", "visitors = 0", "visitors = 9",
-        "mount_height = 20", "visitors = \"many\""}) {
+       {"idle_reset = 5",        "idle_reset = 601",         "idle_reset = 60.5",
+        "text_scale = 3.0",      "text_scale = nan",         "rotate = 45",
+        "size = \"1920x1080@\"", "size = \"1920x1080@999\"", "screen_on = \"mornings\"",
+        "theme = \"dark\"",      "night = \"late\"",         "mirror = 1",
+        "size = \"big\"",        "size = \"1920x\"",         "size = \"0x0\"",
+        "display = \"wayland\"", "brightness = 1",           "visitors = 0",
+        "visitors = 9",          "mount_height = 20",        "visitors = \"many\""}) {
     const auto loaded = loaded_from(line);
 
     EXPECT_EQ(loaded.diagnostics.size(), 1U) << line;
@@ -98,7 +100,8 @@ TEST(KioskConfig, TakesWhatAnOperatorSaysOfTheScreens) {
   const auto loaded = loaded_from(
       "size = \"1920x1080@50\"\noutput = \"HDMI-A-2\"\nmirror = true\nreduced_motion = true\n"
       "same_key_delay = 0.5\n"
-      "pixel_shift = true\nscreen_on = \"Mo-Fr 08:30-18:00\"\n");
+      "pixel_shift = true\nscreen_on = \"Mo-Fr 08:30-18:00\"\n"
+      "theme = \"night\"\nnight = \"Mo-Su 18:00-22:00\"\n");
 
   EXPECT_TRUE(loaded.diagnostics.empty());
   ASSERT_TRUE(loaded.value.has_value());
@@ -112,6 +115,9 @@ TEST(KioskConfig, TakesWhatAnOperatorSaysOfTheScreens) {
   ASSERT_TRUE(loaded.value->screen_on.has_value());
   EXPECT_TRUE(holds(*loaded.value->screen_on, 0, 9 * 60));
   EXPECT_FALSE(holds(*loaded.value->screen_on, 6, 9 * 60));
+  EXPECT_TRUE(loaded.value->is_night);
+  ASSERT_TRUE(loaded.value->night.has_value());
+  EXPECT_TRUE(holds(*loaded.value->night, 3, 20 * 60));
 }
 
 TEST(KioskConfig, NamesKeysBesideItAndNoMoreThanTwo) {

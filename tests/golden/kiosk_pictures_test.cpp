@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "runtime/scene/theme.h"
 #include "tests/golden/pictures.h"
@@ -28,10 +31,10 @@ TEST(TheKiosk, LooksAsItWasSeenAndApproved) {
 }
 
 /// Plays a visit in its folder, so that its pictures lie there.
-void play_in_folder(const VisitRun& run, const char* size) {
+void play_in_folder(const VisitRun& run, const char* size, const char* more = "") {
   const std::filesystem::path here = std::filesystem::current_path();
   std::filesystem::current_path(run.file("a.visit").parent_path());
-  const ProgramRun played = run.play("", size);
+  const ProgramRun played = run.play(more, size);
   std::filesystem::current_path(here);
   ASSERT_EQ(played.exit_code, 0) << played.err;
 }
@@ -94,6 +97,46 @@ TEST(TheWayAlongTheWalls, IsToldFromStoneInLightAndInShade) {
 
   ASSERT_GT(dots, 60);
   EXPECT_GT(told, dots * 9 / 10) << "of " << dots;
+}
+
+TEST(TheMuseumAtNight, LooksAsItWasSeenAndApproved) {
+  const VisitRun run(
+      "0.5 shot night-welcome.png\n1 key ENTER\n3 tap @exhibit:tripod-ding\n"
+      "12 shot night-walking.png\n12.5 quit\n");
+  std::ofstream(run.file("kiosk.toml")) << "theme = \"night\"\n";
+  play_in_folder(run, "960x540", "--config kiosk.toml");
+
+  for (const char* name : {"night-welcome.png", "night-walking.png"})
+    expect_approved(run.file(name), name);
+}
+
+TEST(AMuseumAlone, LeavesNothingBrightWhereItIsForAMinute) {
+  constexpr int first = 63, last = 123, step = 4;
+  std::string visit;
+  for (int second = first; second <= last; second += step)
+    visit += fmt::format("{0} shot {0}.png\n", second);
+  const VisitRun run(visit + "69 shot attract.png\n124 quit\n");
+  play_in_folder(run, "640x360");
+  constexpr double bright = 0.25;  // of full white, in light: half of it to the eye
+  std::vector<double> least, most;
+  for (int second = first; second <= last; second += step) {
+    const Pixels seen = picture(run.file(fmt::format("{}.png", second).c_str()));
+    ASSERT_EQ(seen.width, 640U);
+    least.resize(std::size_t{seen.width} * seen.height, 1);
+    most.resize(least.size(), 0);
+    for (std::uint32_t y = 0; y < seen.height; ++y)
+      for (std::uint32_t x = 0; x < seen.width; ++x) {
+        const std::size_t at = std::size_t{y} * seen.width + x;
+        least[at] = std::min(least[at], luminance(seen, x, y));
+        most[at] = std::max(most[at], luminance(seen, x, y));
+      }
+  }
+  int still = 0;
+  for (std::size_t i = 0; i < least.size(); ++i)
+    if (least[i] > bright && most[i] < 1.2 * least[i]) ++still;
+
+  EXPECT_EQ(still, 0) << "of " << least.size() << " pixels";
+  expect_approved(run.file("attract.png"), "attract.png");
 }
 
 TEST(ASharedGlass, LooksAsItWasSeenAndApproved) {

@@ -13,6 +13,7 @@ void main() {
   float facing = max((dot(n, sun.xyz) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0);
   vec3 ambient = mix(bounce_colour.rgb, sky_colour.rgb, 0.5 + 0.5 * n.y);
   vec3 c = tone * (ambient * light.x + sun_colour.rgb * (facing * mix(0.25, 1.0, light.y)));
+  c += tone * lamp.rgb * max(dot(n, normalize(to_eye + vec3(0.3, 0.9, 0.0))), 0.0);
   float turned = 1.0 - max(dot(n, to_eye), 0.0);
   float rim = turned * turned * turned;
   c += (0.20 * rim * light.x) * mix(vec3(1.0), tone, 0.5) * sky_colour.rgb;

@@ -10,4 +10,5 @@ layout(std140) uniform Frame {
   vec4 sun_colour;
   vec4 sky_colour;
   vec4 bounce_colour;  // from the floor, on what looks down
+  vec4 lamp;           // on bodies alone, from above whoever looks
 };

@@ -6,14 +6,17 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <random>
 #include <string>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/layout.h"
 #include "runtime/interface/phrases.h"
 #include "tests/runtime/directions/raster.h"
 #include "tests/runtime/directions/some_ways.h"
+#include "tests/runtime/interface/boxes.h"
 
 namespace docent::interface {
 namespace {
@@ -168,6 +171,59 @@ TEST_P(Sentences, SayWhatIsSoOnThePlan) {
     EXPECT_EQ(said.figures.find(reader.free_of_steps) == std::string::npos, has_steps)
         << said.figures;
   }
+}
+
+/// All times that a text says, of those that a reader of the language knows.
+std::vector<std::string> times_in(const Museum& museum, std::uint32_t language, std::string text) {
+  std::vector<std::string> all;
+  // The longest first: "about 12 minutes" is not also said to be "about 2 minutes".
+  std::vector<std::string> known{time_in(museum, language, 1), time_in(museum, language, 20)};
+  for (int minutes = 60; minutes > 0; --minutes)
+    known.push_back(time_in(museum, language, 60 * minutes));
+  std::ranges::stable_sort(known, std::greater{}, &std::string::size);
+  for (const std::string& time : known)
+    for (std::size_t at = text.find(time); at != std::string::npos; at = text.find(time)) {
+      all.push_back(time);
+      text.erase(at, time.size());
+    }
+  return all;
+}
+
+/// Whatever the guide makes of the way: it may take longer or be quicker, or be on another way.
+TEST_P(Sentences, AndTheLineAboveThemSayOneTimeOfAWay) {
+  const test::SampleHouse& house = test::sample_house();
+  const Museum& museum = house.museum;
+  const std::uint32_t language = GetParam();
+  std::mt19937 random(11 + language);
+  const auto share = [&] { return static_cast<double>(random() % 1000) / 1000; };
+  int moments = 0, halves = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const test::SomeWay some = test::some_way(random);
+    const auto facts = directions::direct(museum, house.doorways, some.start, some.way, some.goal);
+    ASSERT_TRUE(facts);
+    const ShownWay way{*facts, some.way.legs.front().points};
+    ViewRequest request;
+    request.state.language = language;
+    request.state.screen = Screen::Walking;
+    request.state.exhibit = some.goal.exhibit.value_or(0);
+    const bool is_another = n % 5 == 0;
+    request.route_summary = RouteSummary{path::RouteStatus::Ok,
+                                         is_another ? 60 * share() : facts->metres + share() - 0.5,
+                                         facts->seconds * (0.5 + share()), std::nullopt};
+    PieceCache cache({test::boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum, request, cache, {}, &way);
+    std::vector<std::string> said;
+    for (const Words& words : view->words)
+      for (std::string& time : times_in(museum, language, words.text))
+        said.push_back(std::move(time));
+    ASSERT_FALSE(said.empty());
+    const std::string wanted = time_in(museum, language, facts->seconds);
+    for (const std::string& time : said) EXPECT_EQ(time, wanted) << facts->metres << " m";
+    moments += wanted == time_in(museum, language, 1) ? 1 : 0;
+    halves += wanted == time_in(museum, language, 20) ? 1 : 0;
+  }
+  EXPECT_GT(moments, 5);
+  EXPECT_GT(halves, 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryLanguage, Sentences, testing::Values(0U, 1U, 2U));

@@ -96,9 +96,12 @@ TEST(Guide, ShowsItsWayFlowAsFastAfterAMonthAsOnTheFirstDay) {
   // A month of nights: nobody comes, and time is all that passes.
   for (int hour = 0; hour < 30 * 24; ++hour) old.guide().step(Seconds{3600});
   for (Session* session : {&young, &old}) {
-    session->touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
-    session->touch(input::InputEvent::Kind::Up, 1, 0.9F, 0.1F);
-    session->run(1);
+    // The first touch of a day only brings the first screen back.
+    for (int touch = session->guide().is_attracting() ? 2 : 1; touch > 0; --touch) {
+      session->touch(input::InputEvent::Kind::Down, 1, 0.9F, 0.1F);
+      session->touch(input::InputEvent::Kind::Up, 1, 0.9F, 0.1F);
+      session->run(1);
+    }
   }
 
   const float first = flow_in_a_second(young);

@@ -103,14 +103,30 @@ TEST(Strollers, DoTheSameTwice) {
   }
 }
 
-TEST(Strollers, AreNotThereInAQuietMuseum) {
+TEST(Strollers, AreInAQuietMuseumOnlyFromWhenTheyAreToldToComeUntilTheyAreToldToGo) {
   const Museum museum = busy_museum(0);
-  plan::Planner planner(museum, {});
+  plan::Planner planner(museum, {}, Strollers::most(museum));
   Crowd crowd(museum, planner);
+  Strollers strollers(museum);
+  const auto there_after = [&](int frames) {
+    for (int f = 0; f < frames; ++f) {
+      planner.wait();
+      crowd.step(1.0 / 60);
+      strollers.step(crowd);
+    }
+    return std::ranges::count_if(crowd.members(), &Agent::is_here);
+  };
 
-  Strollers(museum).enter(crowd);
-
-  EXPECT_EQ(crowd.size(), 0U);
+  strollers.enter(crowd);
+  EXPECT_EQ(there_after(120), 0);
+  for (int again = 0; again < 3; ++again) {
+    strollers.come(crowd);
+    EXPECT_EQ(there_after(60 * 60), static_cast<std::ptrdiff_t>(crowd.size()));
+    EXPECT_EQ(crowd.collisions(), 0U);
+    strollers.leave(crowd);
+    EXPECT_EQ(there_after(1), 0) << "at once";
+    EXPECT_EQ(there_after(60), 0);
+  }
 }
 
 }  // namespace
