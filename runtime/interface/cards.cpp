@@ -130,6 +130,11 @@ Block view_of_goal(Sheet& sheet, float gap) {
                   draw_goal(sheet, box);
                   return;
                 }
+                if (box.height > box.width) {
+                  const float top = draw_goal(sheet, {box.x, box.y, box.width, box.height / 2});
+                  const float y = box.y + top + (top > 0 ? m.gap : 0);
+                  return draw_plan_on_card(sheet, {box.x, y, box.width, box.bottom() - y});
+                }
                 const float half = std::floor((box.width - m.gap) / 2);
                 draw_goal(sheet, {box.x, box.y, half, box.height});
                 draw_plan_on_card(sheet, {box.right() - half, box.y, half, box.height});
