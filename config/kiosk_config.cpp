@@ -24,9 +24,15 @@ struct KioskFile {
   Located<std::int64_t> idle_reset, rotate, visitors, mount_height;
   Located<double> text_scale, screen_inches, same_key_delay;
   Located<bool> mirror, reduced_motion, pixel_shift;
-  Located<LocatedList> keys;
+  Located<LocatedList> keys, sides;
   Located<std::string> kiosk, source, group;
 };
+
+constexpr std::array<std::pair<std::string_view, GlassEdge>, 4> edges{
+    {{"bottom", GlassEdge::Bottom},
+     {"left", GlassEdge::Left},
+     {"top", GlassEdge::Top},
+     {"right", GlassEdge::Right}}};
 
 constexpr double shared_from_inches = 42;
 constexpr int most_visitors = 8;
@@ -90,6 +96,10 @@ constexpr std::array kiosk_file_fields{
                      "How many visitors may use the glass at the same time; where it is not said "
                      "1, or 8 on a screen of 42 inches and more",
                      {1, most_visitors}},
+    Field<KioskFile>{"sides", &KioskFile::sides, Presence::Optional,
+                     "At which edges of a glass that several use they stand: any of \"bottom\", "
+                     "\"left\", \"top\" and \"right\"; several where it lies as a table, and each "
+                     "card is turned to who reads it; [\"bottom\"] where it is not said"},
     Field<KioskFile>{
         "rotate",
         &KioskFile::rotate,
@@ -286,6 +296,7 @@ class KioskSettings {
     if (written.size.given && !parse_size(written.size.value, config))
       bad_value(written.size.place, "'size' should be pixels: \"1920x1080\" or \"1920x1080@50\"",
                 fmt::format("write size = \"{}\"", size_meant(written.size.value)));
+    for (const Located<std::string>& side : written.sides.value) add_side(side, config);
     if (written.display.given) set_display(written.display, config);
     config.output = written.output.value;
     config.mirror = written.mirror.value;
@@ -316,6 +327,21 @@ class KioskSettings {
   }
 
  private:
+  void add_side(const Located<std::string>& written, KioskConfig& config) {
+    const auto names = edges | std::views::keys;
+    const auto at = std::ranges::find(names, written.value);
+    if (at == names.end()) {
+      const std::string_view near = terminal::closest(in_small_letters(std::string(written.value)),
+                                                      {names.begin(), names.end()});
+      return bad_value(written.place,
+                       fmt::format("'sides' should be some of {}", fmt::join(names, ", ")),
+                       near.empty() ? "write sides = [\"bottom\", \"top\"] for two long sides"
+                                    : fmt::format("write \"{}\"", near));
+    }
+    const GlassEdge edge = edges[static_cast<std::size_t>(at - names.begin())].second;
+    if (std::ranges::find(config.sides, edge) == config.sides.end()) config.sides.push_back(edge);
+  }
+
   void set_display(const Located<std::string>& written, KioskConfig& config) {
     const auto names = display_kinds | std::views::keys;
     const auto at = std::ranges::find(names, written.value);

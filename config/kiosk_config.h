@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,9 @@
 #include "config/weekly_hours.h"
 
 namespace docent::config {
+
+/// An edge of the glass, as the picture is seen that stands upright.
+enum class GlassEdge : std::uint8_t { Bottom, Left, Top, Right };
 
 /// A keypad that is listened to: `[[keypad]]`.
 struct KeypadSection {
@@ -45,6 +49,8 @@ struct KioskConfig {
   /// 1 to 8. How many visitors may use the glass at the same time. Not said: 1, or 8 on a screen of
   /// 42 inches and more.
   std::optional<int> visitors;
+  /// At which edges of a shared glass visitors stand, as a table's: each once. Not said: below it.
+  std::vector<GlassEdge> sides{};
   int rotate = 0;  ///< Degrees clockwise by which the screen hangs turned: 0, 90, 180, 270.
   DisplayKind display = DisplayKind::Auto;
   std::vector<KeypadSection> keypads;  ///< `[[keypad]]`; none: those without letters.

@@ -98,10 +98,11 @@ Vec4 tile_of(std::size_t place, std::size_t count) noexcept {
 }
 
 /// The square of floor from the feet to the tip of the shadow.
-Vec4 shadow_window(Vec3 hips, Vec3 sun) noexcept {
-  const Vec3 throw_of_head = sun * (-body_height / std::max(sun.y, 0.2F));
+Vec4 shadow_window(Vec3 hips, float scale, Vec3 sun) noexcept {
+  const Vec3 throw_of_head = sun * (-scale * body_height / std::max(sun.y, 0.2F));
   const Vec3 middle = hips + 0.5F * throw_of_head;
-  const float half = 0.5F * std::max(std::abs(throw_of_head.x), std::abs(throw_of_head.z)) + 0.75F;
+  const float half =
+      0.5F * std::max(std::abs(throw_of_head.x), std::abs(throw_of_head.z)) + 0.75F * scale;
   return {middle.x, middle.z, half, 0};
 }
 
@@ -144,12 +145,12 @@ struct Bounds {
   }
 };
 
-Bounds bounds_of_body(const Mat4& to_clip, Vec3 hips, float floor) noexcept {
+Bounds bounds_of_body(const Mat4& to_clip, Vec3 hips, float scale, float floor) noexcept {
   Bounds bounds;
   for (const float x : {-body_reach, body_reach})
     for (const float z : {-body_reach, body_reach})
       for (const float height : {0.0F, most_height})
-        bounds.include(to_clip, {hips.x + x, floor + height, hips.z + z});
+        bounds.include(to_clip, {hips.x + scale * x, floor + scale * height, hips.z + scale * z});
   return bounds;
 }
 
@@ -224,9 +225,10 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
                       std::abs(list.camera.projection[1][1]);
   for (std::size_t a = 0; a < std::min(list.avatars.size(), most_avatars); ++a) {
     const Vec3 hips = list.avatars[a].centre;
-    const Vec4 window = shadow_window(hips, sun);
+    const float larger = list.avatars[a].scale;
+    const Vec4 window = shadow_window(hips, larger, sun);
     const float floor = list.avatars[a].feet[0].y;
-    const Bounds body = bounds_of_body(to_clip, hips, floor);
+    const Bounds body = bounds_of_body(to_clip, hips, larger, floor);
     const Bounds shadow = bounds_of_shadow(to_clip, window, floor);
     const bool sees_body = body.is_in_picture(list.quads);
     const bool sees_shadow = shadow.is_in_picture(list.quads);
@@ -235,7 +237,7 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
     seen_[seen_count_++] = {
         .avatar = static_cast<std::uint32_t>(a),
         .figure = figure_of(list.avatars[a], *worn_),
-        .pixels = sees_body ? scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F) : 0,
+        .pixels = sees_body ? larger * scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F) : 0,
         .window = window,
         .body = sees_body ? body.rows() : nowhere,
         .shadow = sees_shadow ? shadow.rows() : nowhere};

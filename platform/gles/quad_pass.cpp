@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "platform/gles/shaders.h"
+#include "runtime/scene/side.h"
 
 namespace docent::gles {
 namespace {
 
+constexpr int sides_step = 8;                 // between the kinds of two sides, as in quad.vert
 constexpr std::size_t most_instances = 1024;  // a batch; longer lists take several
 
 bool uses_texture(scene::QuadFill fill) noexcept {
@@ -19,10 +21,11 @@ bool uses_texture(scene::QuadFill fill) noexcept {
 /// A text is drawn texel for pixel: on whole pixels, as large as its texture's part.
 scene::Rect text_rect(const scene::Quad& quad, PixelSize screen,
                       const Textures::Entry& texture) noexcept {
+  float across = std::round(quad.uv.width * static_cast<float>(texture.width));
+  float down = std::round(quad.uv.height * static_cast<float>(texture.height));
+  if (scene::is_at_end(quad.side)) std::swap(across, down);
   return {std::round(quad.rect.x * static_cast<float>(screen.width)),
-          std::round(quad.rect.y * static_cast<float>(screen.height)),
-          std::round(quad.uv.width * static_cast<float>(texture.width)),
-          std::round(quad.uv.height * static_cast<float>(texture.height))};
+          std::round(quad.rect.y * static_cast<float>(screen.height)), across, down};
 }
 
 }  // namespace
@@ -82,15 +85,18 @@ void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
                                  : scene::Rect{quad.rect.x * width, quad.rect.y * height,
                                                quad.rect.width * width, quad.rect.height * height};
     const float softness = quad.softness * shorter;
+    const float reach = scene::is_at_end(quad.side) ? width : height;  // of its clip
+    const auto kind =
+        static_cast<float>(static_cast<int>(quad.fill) + sides_step * static_cast<int>(quad.side));
     const float beyond = quad.fill == scene::QuadFill::Text     ? 0
                          : quad.fill == scene::QuadFill::Shadow ? softness
                                                                 : 1;
     staging_.push_back({{rect.x, rect.y, rect.width, rect.height},
                         {quad.uv.x, quad.uv.y, quad.uv.width, quad.uv.height},
                         {quad.colour.r, quad.colour.g, quad.colour.b, quad.colour.a},
-                        {quad.corner * shorter, softness, static_cast<float>(quad.fill), beyond},
-                        {quad.clip.top * height, quad.clip.bottom * height,
-                         quad.clip.fade_above * height, quad.clip.fade_below * height}});
+                        {quad.corner * shorter, softness, kind, beyond},
+                        {quad.clip.top * reach, quad.clip.bottom * reach,
+                         quad.clip.fade_above * reach, quad.clip.fade_below * reach}});
   }
   flush(bound);
 }

@@ -6,6 +6,7 @@
 #include "runtime/interface/goal.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/camera.h"
+#include "runtime/scene/side.h"
 
 namespace docent::guide {
 namespace {
@@ -92,9 +93,11 @@ void Attention::direct(std::span<const Session> sessions, const interface::Scree
     company.visitor = camera.eye;
     if (const auto& seat = session.state().seat) {
       const scene::Rect card = interface::card_of(shape, session.state().seats, *seat);
+      const scene::ScreenPoint middle =
+          scene::to_screen(interface::side_of(shape, session.state()),
+                           scene::ScreenPoint{card.x + card.width / 2, card.y + card.height / 2});
       company.visitor =
-          scene::point_at_height(camera, {card.x + card.width / 2, card.y + card.height / 2},
-                                 static_cast<float>(avatar.height + eye_height));
+          scene::point_at_height(camera, middle, static_cast<float>(avatar.height + eye_height));
     }
     crowd.attend(*session.guide(), company);
   }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/guide/stature.h"
 #include "runtime/guide/waiting_places.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
+#include "runtime/scene/side.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::guide {
@@ -20,6 +22,13 @@ constexpr scene::Rect above_welcome{0, 0, 1, 0.82F};  ///< On an upright screen,
 constexpr int skipping_pace = 10;                     ///< Times as fast as in reality.
 constexpr float refusal_shown_for = 8;                ///< Seconds.
 
+/// Nobody shares a glass that has one seat; where it is not said, who shares one stands below it.
+GuideSettings settled(GuideSettings settings) noexcept {
+  if (settings.shape.sides.count() == 0) settings.shape.sides.add(scene::Side::Bottom);
+  if (interface::seats_on(settings.shape, settings.visitors) <= 1) settings.shape.sides = {};
+  return settings;
+}
+
 std::size_t guides_on(const GuideSettings& settings) noexcept {
   return interface::seats_on(settings.shape, settings.visitors) > 1 ? scene::guide_look_count : 1;
 }
@@ -27,14 +36,15 @@ std::size_t guides_on(const GuideSettings& settings) noexcept {
 }  // namespace
 
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
-  const std::size_t seats = interface::seats_on(settings.shape, settings.visitors);
-  return {guides_on(settings) + Strollers::most(museum), seats > 1 ? 1 + seats : 1};
+  const GuideSettings on = settled(settings);
+  const std::size_t seats = interface::seats_on(on.shape, on.visitors);
+  return {guides_on(on) + Strollers::most(museum), seats > 1 ? 1 + seats : 1};
 }
 
 Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
     : museum_(museum),
       planner_(planner),
-      settings_(settings),
+      settings_(settled(settings)),
       crowd_(museum, planner),
       strollers_(museum),
       doors_(museum),
@@ -188,9 +198,14 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   const auto held = std::ranges::find(held_, event.contact.id, &Held::contact);
   if (held == held_.end()) return;
   const Held finger = *held;
+  input::InputEvent seen = event;
+  const scene::ScreenPoint at =
+      scene::as_seen_from(finger.side, scene::ScreenPoint{event.contact.x, event.contact.y});
+  seen.contact.x = at.x;
+  seen.contact.y = at.y;
   if (event.kind != input::InputEvent::Kind::Down && event.kind != input::InputEvent::Kind::Move)
     held_.erase(held);
-  const bool meant = sessions_[finger.visitor].touch(event, sessions_[finger.surface].overlay());
+  const bool meant = sessions_[finger.visitor].touch(seen, sessions_[finger.surface].overlay());
   // Perhaps somebody who found no seat.
   if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
     refusal_seconds_ = refusal_shown_for;
@@ -225,7 +240,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
   if (!seating_) {
-    held_.push_back({event.contact.id, 0, 0});
+    held_.push_back({event.contact.id, 0, 0, scene::Side::Bottom});
     return;
   }
   const std::size_t visitor = seating_->visitor_at(at);
@@ -235,7 +250,8 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   }
   speaker_ = visitor;
   seating_->touch(visitor, at);
-  held_.push_back({event.contact.id, visitor, seating_->is_on_model(at) ? 0 : visitor});
+  const std::size_t surface = seating_->is_on_model(at) ? 0 : visitor;
+  held_.push_back({event.contact.id, visitor, surface, sessions_[surface].overlay().side()});
 }
 
 /// Which guides are taken, and whether there is room for more visitors.
@@ -268,8 +284,11 @@ void Guide::tell_each_other() noexcept {
 // What the planner answers.
 
 void Guide::resize(const interface::ScreenShape& shape) noexcept {
-  if (shape == settings_.shape) return;
-  settings_.shape = shape;
+  GuideSettings asked = settings_;
+  asked.shape = shape;
+  asked.shape.sides = settings_.shape.sides;  // its seats stay
+  if (asked.shape == settings_.shape) return;
+  settings_.shape = asked.shape;
   for (Session& session : sessions_) session.request_view();
 }
 
@@ -372,6 +391,20 @@ std::span<const LedVisitor> Guide::led_visitors() noexcept {
   return led_visitors_;
 }
 
+/// On a shared glass the model is small, and figures on it are larger than life.
+void Guide::draw_bodies() noexcept {
+  const scene::CameraView camera =
+      scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape));
+  for (const Agent& one : crowd_.members()) {
+    if (!one.is_here || one.avatar.shown_floor != stage_.floor()) continue;
+    const std::size_t before = list_.avatars.size();
+    draw(museum_, one.avatar, list_);
+    if (!is_shared() || list_.avatars.size() == before) continue;
+    const Vec3 ground = to_world(one.avatar.body.position, one.avatar.height);
+    enlarge_last(ground, stature_scale(camera, settings_.shape, ground), list_);
+  }
+}
+
 const scene::DrawList& Guide::draw_list() noexcept {
   list_.avatars.clear();
   list_.palette.clear();
@@ -379,8 +412,7 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.quads.clear();
   list_.leaves.clear();
   list_.light = attract_.light(scene::light_of(settings_.shape.is_night));
-  for (const Agent& one : crowd_.members())
-    if (one.is_here && one.avatar.shown_floor == stage_.floor()) draw(museum_, one.avatar, list_);
+  draw_bodies();
   doors_.draw(stage_.floor(), list_);
   stage_.draw(seen(), crowd_, led_visitors(), list_);
   const bool is_near =
@@ -401,9 +433,10 @@ void Guide::draw_interface() noexcept {
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, height_of_floor());
     if (opacity == 0) continue;
+    const Avatar& guide = crowd_[session.guide().value_or(0)].avatar;
     session.overlay().draw(static_cast<float>(session.remaining()),
                            names && !stage_.is_flying() ? 1 : 0,
-                           {leader().shown_floor, leader().body.position}, list_);
+                           {guide.shown_floor, guide.body.position}, list_);
   }
   if (opacity < 1)
     for (scene::Quad& quad : list_.quads) quad.colour.a *= opacity;

@@ -60,10 +60,10 @@ struct GuideCounters {
 /// The kiosk's whole state, without the edges: touches and time in, a draw list out.
 ///
 /// A single visitor has the whole glass and a camera that follows the guide. On a shared glass each
-/// visitor has a seat at its lower edge, and the model above the seats belongs to all: a touch of
-/// the model is taken for that of the visitor whose territory (the place about which they touch) is
-/// nearest, or for somebody new beyond an arm's reach. A card follows its visitor's territory. Each
-/// visitor has one of the guides, who wait about the kiosk and are told apart by their looks.
+/// visitor has a seat at one of its edges, and the model between the seats belongs to all: a touch
+/// of the model is taken for that of the visitor whose territory (the place about which they touch)
+/// is nearest, or for somebody new beyond an arm's reach. A card follows its visitor's territory.
+/// Each visitor has one of the guides, who wait about the kiosk and are told apart by their looks.
 ///
 /// Called by the frame thread alone. After construction its functions do not throw, allocate or
 /// wait: what takes long is asked of the planner, whose answers are taken at the next step. Borrows
@@ -138,7 +138,8 @@ class Guide {
   /// A finger on the glass: whose it is, and what it touched.
   struct Held {
     std::uint32_t contact = 0;
-    std::size_t visitor = 0, surface = 0;  ///< Parts.
+    std::size_t visitor = 0, surface = 0;    ///< Parts.
+    scene::Side side = scene::Side::Bottom;  ///< From where that surface is read.
   };
   void enter_guides();
   void take_seats();
@@ -157,6 +158,8 @@ class Guide {
   void follow_chapters(float seconds) noexcept;
   void go_along_in_time(float seconds) noexcept;
   std::span<const LedVisitor> led_visitors() noexcept;
+
+  void draw_bodies() noexcept;
 
   bool is_shared() const noexcept { return seating_.has_value(); }
   const Avatar& leader() const noexcept { return crowd_[0].avatar; }

@@ -10,6 +10,7 @@
 
 #include "runtime/guide/label_placement.h"
 #include "runtime/interface/scroll.h"
+#include "runtime/scene/side.h"
 #include "runtime/scene/theme.h"
 
 namespace docent::guide {
@@ -123,6 +124,7 @@ scene::Quad strike_through(const interface::View& view, const scene::Rect& disc,
 }  // namespace
 
 void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
+  if (view_ && view_->side != view->side) view_.reset();
   if (view_) note_what_stays(*view_, *view);
   if (!view_ || !is_same_way(view_->inset, view->inset)) run_ = 0;
   const bool is_same = view_ && is_same_page(view_->state, view->state);
@@ -493,6 +495,7 @@ void Overlay::draw_remaining(const interface::View& view, float metres, float op
 void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide,
                    scene::DrawList& list) const noexcept {
   if (!view_) return;
+  const std::size_t first = list.quads.size();
   if (!is_placed_) labels_opacity = 0;
   const float t = is_fading() ? static_cast<float>(scene::ease_out(age_ / fade_seconds)) : 1;
   if (leaving_) draw_labels(*leaving_, labels_opacity * (1 - t), list);
@@ -519,6 +522,11 @@ void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide
     quad.softness = 0.6F * view_->unit_px / shorter_px(*view_);
     quad.colour = scene::with_opacity(view_->accent, (1 - share) * 0.9F);
     list.quads.push_back(quad);
+  }
+  if (view_->side == scene::Side::Bottom) return;
+  for (scene::Quad& quad : std::span(list.quads).subspan(first)) {
+    quad.rect = scene::to_screen(view_->side, quad.rect);
+    quad.side = view_->side;
   }
 }
 

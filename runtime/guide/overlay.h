@@ -14,7 +14,8 @@
 namespace docent::guide {
 
 /// The interface on the glass: the view that is shown, the one that is leaving, what is pressed,
-/// what has the keypad's focus, and the rings that answer touches.
+/// what has the keypad's focus, and the rings that answer touches. Frame: the glass as it is seen
+/// from the view's side; fingers come in it, and only what is drawn is in the screen frame.
 class Overlay {
  public:
   /// `reduced_motion`: nothing fades, glides or grows; it is there, or it is not.
@@ -52,6 +53,8 @@ class Overlay {
   std::int32_t focus() const noexcept { return focus_; }
 
   const interface::View* view() const noexcept { return view_.get(); }
+  /// From where it is read.
+  scene::Side side() const noexcept { return view_ ? view_->side : scene::Side::Bottom; }
   bool is_scrolling() const noexcept { return scroller_.is_moving(); }
   bool is_fading() const noexcept { return !reduced_motion_ && age_ < fade_seconds; }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/interface/seats.h"
+#include "runtime/scene/side.h"
 
 namespace docent::guide {
 namespace {
@@ -23,7 +24,24 @@ std::optional<std::size_t> Seating::part_of(std::uint32_t seat) const noexcept {
 }
 
 bool Seating::is_on_model(scene::ScreenPoint at) const noexcept {
-  return at.y < interface::strip_of(shape_).y;
+  return scene::contains(interface::model_of(shape_), at.x, at.y);
+}
+
+scene::Side Seating::side_of(std::size_t part) const noexcept {
+  return interface::side_of(shape_, static_cast<std::uint32_t>(seats()),
+                            *sessions_[part].state().seat);
+}
+
+/// As it is seen from its side.
+scene::Rect Seating::column_of(std::size_t part) const noexcept {
+  return interface::column_of(shape_, static_cast<std::uint32_t>(seats()),
+                              *sessions_[part].state().seat);
+}
+
+scene::ScreenPoint Seating::middle_of_card(std::size_t part) const noexcept {
+  const scene::Rect column = column_of(part);
+  return scene::to_screen(
+      side_of(part), scene::ScreenPoint{column.x + column.width / 2, column.y + column.height / 2});
 }
 
 void Seating::touch(std::size_t part, scene::ScreenPoint at) noexcept {
@@ -35,19 +53,16 @@ void Seating::touch(std::size_t part, scene::ScreenPoint at) noexcept {
 }
 
 void Seating::press_key(std::size_t part) noexcept {
-  if (!sessions_[part].is_vacant()) return;
-  const scene::Rect card = interface::card_of(shape_, static_cast<std::uint32_t>(seats()),
-                                              *sessions_[part].state().seat);
-  territory_[part] = {card.x + card.width / 2, card.y + card.height / 2};
+  if (sessions_[part].is_vacant()) territory_[part] = middle_of_card(part);
 }
 
 std::size_t Seating::visitor_at(scene::ScreenPoint at) const noexcept {
-  if (!is_on_model(at)) return seat_at(at.x);
+  if (!is_on_model(at)) return seat_at(at);
   std::size_t nearest = 0;
-  const std::size_t vacant = vacant_seat_near(at.x);
-  float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres()) : arms_reach;
+  const std::size_t vacant = vacant_seat_near(at);
+  float distance = vacant > 0 ? std::min(arms_reach, 2 * column_millimetres(vacant)) : arms_reach;
   for (std::size_t part = 1; part < sessions_.size(); ++part) {
-    const float mm = millimetres(territory_[part], at);
+    const float mm = millimetres(part, territory_[part], at, reach_up);
     if (sessions_[part].is_vacant() || mm > distance) continue;
     distance = mm;
     nearest = part;
@@ -55,49 +70,67 @@ std::size_t Seating::visitor_at(scene::ScreenPoint at) const noexcept {
   return nearest > 0 ? nearest : vacant;
 }
 
-std::size_t Seating::seat_at(float x) const noexcept {
-  const auto count = static_cast<float>(seats());
-  const auto seat = static_cast<std::uint32_t>(std::clamp(x * count, 0.0F, count - 1));
-  return part_of(seat + 1).value_or(0);
-}
-
-/// From the left edge to the middle of its seat, in seats' widths.
-float Seating::column_middle(std::size_t part) const noexcept {
-  return static_cast<float>(*sessions_[part].state().seat) - 0.5F;
-}
-
-std::size_t Seating::vacant_seat_near(float x) const noexcept {
+/// Whose column is nearest: at a corner two strips meet.
+std::size_t Seating::seat_at(scene::ScreenPoint at) const noexcept {
   std::size_t nearest = 0;
-  float distance = 2;
+  float distance = 1e9F;
   for (std::size_t part = 1; part < sessions_.size(); ++part) {
-    const float middle = column_middle(part) / static_cast<float>(seats());
-    if (!sessions_[part].is_vacant() || std::abs(middle - x) >= distance) continue;
-    distance = std::abs(middle - x);
+    const scene::Rect column = column_of(part);
+    const scene::ScreenPoint seen = scene::as_seen_from(side_of(part), at);
+    const scene::ScreenPoint within{std::clamp(seen.x, column.x, column.x + column.width),
+                                    std::clamp(seen.y, column.y, column.y + column.height)};
+    const float mm = millimetres(part, scene::to_screen(side_of(part), within), at, 1);
+    if (mm >= distance) continue;
+    distance = mm;
     nearest = part;
   }
   return nearest;
 }
 
-/// Who stands before a glass reaches up further than to the side.
-float Seating::millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept {
-  const float across = (a.x - b.x) * static_cast<float>(shape_.width);
-  const float down = (a.y - b.y) * static_cast<float>(shape_.height);
-  return std::hypot(across, reach_up * down) / interface::measures_of(shape_).mm;
+std::size_t Seating::vacant_seat_near(scene::ScreenPoint at) const noexcept {
+  std::size_t nearest = 0;
+  float distance = 1e9F;
+  for (std::size_t part = 1; part < sessions_.size(); ++part) {
+    const float mm = millimetres(part, middle_of_card(part), at, 1);
+    if (!sessions_[part].is_vacant() || mm >= distance) continue;
+    distance = mm;
+    nearest = part;
+  }
+  return nearest;
 }
 
-float Seating::column_millimetres() const noexcept {
-  return static_cast<float>(shape_.width) / static_cast<float>(seats()) /
+/// Who stands before a glass reaches up further than to the side: what a millimetre away from the
+/// part's side counts, of one along it.
+float Seating::millimetres(std::size_t part, scene::ScreenPoint a, scene::ScreenPoint b,
+                           float up) const noexcept {
+  const float across = (a.x - b.x) * static_cast<float>(shape_.width);
+  const float down = (a.y - b.y) * static_cast<float>(shape_.height);
+  const bool is_at_end = scene::is_at_end(side_of(part));
+  return std::hypot(is_at_end ? up * across : across, is_at_end ? down : up * down) /
          interface::measures_of(shape_).mm;
 }
 
-/// The card of a visitor who has gone on along the glass comes after them, if there is a seat.
+float Seating::column_millimetres(std::size_t part) const noexcept {
+  const bool is_at_end = scene::is_at_end(side_of(part));
+  return column_of(part).width * static_cast<float>(is_at_end ? shape_.height : shape_.width) /
+         interface::measures_of(shape_).mm;
+}
+
+/// How far to the side of its column that is, in columns.
+float Seating::columns_off(std::size_t part, scene::ScreenPoint at) const noexcept {
+  const scene::Rect column = column_of(part);
+  return std::abs(scene::as_seen_from(side_of(part), at).x - column.x - column.width / 2) /
+         column.width;
+}
+
+/// The card of a visitor who has gone on along their side of the glass comes after them, if there
+/// is a seat.
 void Seating::follow_territory(std::size_t part) noexcept {
-  const std::size_t other = vacant_seat_near(territory_[part].x);
-  if (other == 0 || sessions_[part].is_vacant()) return;
-  const auto columns_off = [&](std::size_t of) {
-    return std::abs(territory_[part].x * static_cast<float>(seats()) - column_middle(of));
-  };
-  if (columns_off(part) < strays_columns || columns_off(other) + 1 > columns_off(part)) return;
+  const scene::ScreenPoint at = territory_[part];
+  const std::size_t other = vacant_seat_near(at);
+  if (other == 0 || sessions_[part].is_vacant() || side_of(part) != side_of(other)) return;
+  if (columns_off(part, at) < strays_columns || columns_off(other, at) + 1 > columns_off(part, at))
+    return;
   interface::InterfaceState mine = sessions_[part].state(), theirs = sessions_[other].state();
   std::swap(mine.seat, theirs.seat);
   sessions_[part].show(mine);

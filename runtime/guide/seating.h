@@ -23,7 +23,7 @@ class Seating {
       : sessions_(sessions), shape_(shape), territory_(sessions.size()) {}
 
   std::size_t seats() const noexcept { return sessions_.size() - 1; }
-  /// The part of a seat, counted from the left, from 1; none where there is no such seat.
+  /// The part of a seat, counted round the glass from 1; none where there is no such seat.
   std::optional<std::size_t> part_of(std::uint32_t seat) const noexcept;
   /// The part whose visitor touches there; 0 where it is somebody new and no seat is free.
   std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
@@ -35,16 +35,20 @@ class Seating {
   void press_key(std::size_t part) noexcept;
 
  private:
-  std::size_t seat_at(float x) const noexcept;
-  std::size_t vacant_seat_near(float x) const noexcept;
-  float millimetres(scene::ScreenPoint a, scene::ScreenPoint b) const noexcept;
-  float column_millimetres() const noexcept;
-  float column_middle(std::size_t part) const noexcept;
+  scene::Side side_of(std::size_t part) const noexcept;
+  scene::Rect column_of(std::size_t part) const noexcept;
+  scene::ScreenPoint middle_of_card(std::size_t part) const noexcept;
+  std::size_t seat_at(scene::ScreenPoint at) const noexcept;
+  std::size_t vacant_seat_near(scene::ScreenPoint at) const noexcept;
+  float millimetres(std::size_t part, scene::ScreenPoint a, scene::ScreenPoint b,
+                    float up) const noexcept;
+  float column_millimetres(std::size_t part) const noexcept;
+  float columns_off(std::size_t part, scene::ScreenPoint at) const noexcept;
   void follow_territory(std::size_t part) noexcept;
 
   std::span<Session> sessions_;
   const interface::ScreenShape& shape_;
-  std::vector<scene::ScreenPoint> territory_;  ///< By part.
+  std::vector<scene::ScreenPoint> territory_;  ///< By part. Screen frame.
 };
 
 }  // namespace docent::guide

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/figure.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/seats.h"
@@ -28,112 +31,120 @@ float height_of_heading(const Measures& m) noexcept {
   return std::round(std::max(m.touch + m.unit, heading_units * m.unit));
 }
 
-float height_of_row(const Measures& m) noexcept {
-  return std::round(std::max(m.touch, row_units * m.unit));
-}
-
-/// A figure as large as a box allows, standing on its lower edge. Lengths are shares of a guide of
-/// ordinary height.
-class FigureSketch {
- public:
-  FigureSketch(Sheet& sheet, const scene::Look& look, const PixelBox& box, float opacity,
-               std::int32_t control)
-      : sheet_(sheet),
-        look_(look),
-        middle_(box.x + box.width / 2),
-        floor_(box.bottom()),
-        unit_(std::min(box.height / tallest, box.width / widest)),
-        opacity_(opacity),
-        control_(control) {}
-
-  void draw() const {
-    if (look_.outline.crown == scene::Crown::Long) part(0, 0.66F, head, 0.21F, look_.hair, 0.06F);
-    draw_legs();
-    draw_garment();
-    part(0, 0.74F, 0.82F, 0.09F, look_.shirt, 0.03F);
-    draw_behind_face();
-    round(head, 0.085F, look_.skin);
-    draw_before_face();
-  }
-
- private:
-  static constexpr float tallest = 1.1F, widest = 0.46F, head = 0.88F, shoulder = 0.79F;
-
-  void part(float x, float from, float to, float width, std::uint32_t colour, float corner) const {
-    const float upright = look_.height * unit_;
-    sheet_.fill({middle_ + (x - width / 2) * unit_, floor_ - to * upright, width * unit_,
-                 (to - from) * upright},
-                on_paper(colour), corner * unit_, control_);
-  }
-  /// As seen through it: parts lie over one another, so that each by itself would be seen twice.
-  scene::Colour on_paper(std::uint32_t hex) const {
-    const scene::Colour colour = scene::srgb(hex), &paper = sheet_.theme().paper;
-    return {std::lerp(paper.r, colour.r, opacity_), std::lerp(paper.g, colour.g, opacity_),
-            std::lerp(paper.b, colour.b, opacity_), 1};
-  }
-  void round(float at, float radius, std::uint32_t colour) const {
-    part(0, at - radius, at + radius, 2 * radius, colour, radius);
-  }
-
-  void draw_legs() const {
-    constexpr float leg = 0.115F;
-    for (const float side : {-0.52F, 0.52F}) {
-      part(side * leg, 0, 0.06F, leg, look_.shoes, 0.02F);
-      part(side * leg, 0.04F, std::max(0.05F, look_.outline.hem + 0.05F), 0.95F * leg,
-           look_.outline.bare_legs ? look_.skin : look_.trousers, 0.02F);
-    }
-  }
-  void draw_garment() const {
-    const scene::Outline& outline = look_.outline;
-    const float wide = 0.34F * outline.shoulders;
-    part(0, std::max(0.5F, outline.hem), shoulder, wide, look_.coat, 0.09F);
-    constexpr int strips = 8;  // from the waist down, each a little wider
-    const float waist = 0.6F, strip = (waist - outline.hem) / strips;
-    for (int i = 0; i < strips; ++i) {
-      const float share = static_cast<float>(i + 1) / strips;
-      const float top = waist - static_cast<float>(i) * strip;
-      part(0, top - strip, top + 0.01F, wide * (1 + (outline.flare - 1) * share), look_.coat, 0);
-    }
-  }
-  void draw_behind_face() const {
-    constexpr float up = 0.015F;
-    switch (look_.outline.crown) {
-      case scene::Crown::Bun:
-        round(head + 0.115F, 0.042F, look_.hair);
-        return round(head + up, 0.1F, look_.hair);
-      case scene::Crown::Curls:
-        return round(head + up, 0.135F, look_.hair);
-      case scene::Crown::Scarf:
-        part(0, 0.72F, head + 0.06F, 0.25F, look_.second, 0.07F);
-        return round(head + up, 0.115F, look_.second);
-      case scene::Crown::Bald:
-      case scene::Crown::Turban:
-        return;
-      case scene::Crown::Short:
-      case scene::Crown::Long:
-      case scene::Crown::Cap:
-        return round(head + up, 0.1F, look_.hair);
-    }
-  }
-  void draw_before_face() const {
-    if (look_.outline.beard) part(0, head - 0.11F, head - 0.02F, 0.15F, look_.hair, 0.05F);
-    if (look_.outline.crown == scene::Crown::Turban)
-      part(0, head + 0.02F, head + 0.13F, 0.25F, look_.second, 0.06F);
-    if (look_.outline.crown == scene::Crown::Cap) {
-      part(0, head + 0.05F, head + 0.12F, 0.23F, look_.coat, 0.025F);
-      part(0, head + 0.035F, head + 0.055F, 0.19F, look_.shoes, 0.01F);
-    }
-  }
-
-  Sheet& sheet_;
-  const scene::Look& look_;
-  float middle_, floor_, unit_, opacity_;
-  std::int32_t control_;
+/// What stands beside each other on a card that is much wider than high, each with its foot.
+struct WideCard {
+  std::vector<Block> start, start_foot, end, end_foot;
+  bool start_scrolls = false;  ///< Of both one does where there is no room.
 };
 
-void draw_figure(Sheet& sheet, const scene::Look& look, const PixelBox& box, float opacity,
-                 std::int32_t control) {
-  FigureSketch(sheet, look, box, opacity, control).draw();
+bool is_wide(const PixelBox& content) noexcept {
+  constexpr float wide = 1.5F;
+  return content.width >= wide * content.height;
+}
+
+/// How much of a wide card is at its start, at least and at most.
+constexpr std::array start_shares{0.34F, 0.4F, 0.46F, 0.52F};
+
+float width_of_end(const Measures& m, float width, float share) noexcept {
+  return width - std::floor(share * width) - 2 * m.gap;
+}
+
+/// False where the card is narrow, or its start has no room for all that is to be there.
+bool lay_out_wide(Sheet& sheet, const PixelBox& content, const WideCard& card) {
+  if (!is_wide(content)) return false;
+  const Measures& m = sheet.measures();
+  for (const float share : start_shares) {
+    const float width = std::floor(share * content.width);
+    const float foot = height_of(card.start_foot, width);
+    const float between = card.start.empty() || foot <= 0 ? 0 : m.gap;
+    const bool is_last = share == start_shares.back();
+    if (height_of(card.start, width) + between + foot > content.height &&
+        !(card.start_scrolls && is_last))
+      continue;
+    const float end = width_of_end(m, content.width, share);
+    lay_out_column(sheet, {content.x, content.y, width, content.height}, card.start,
+                   card.start_foot);
+    lay_out_column(sheet, {content.right() - end, content.y, end, content.height}, card.end,
+                   card.end_foot);
+    return true;
+  }
+  return false;
+}
+
+/// How many items of a list lie beside each other in that width.
+std::size_t columns_in(const ScreenShape& shape, float width) noexcept {
+  constexpr float least_mm = 88;
+  const float least = least_mm * measures_of(shape).mm * shape.text_scale;
+  return static_cast<std::size_t>(std::clamp(std::floor(width / least), 1.0F, 3.0F));
+}
+
+/// Items in columns, read row by row; each row is as high as its highest.
+Block grid_block(Sheet& sheet, std::vector<Block> all, float row_gap) {
+  struct Grid {
+    Sheet& sheet;
+    std::vector<Block> items;
+    float row_gap;
+
+    float width_of(std::size_t columns, float width) const {
+      const auto n = static_cast<float>(columns);
+      return std::floor((width - (n - 1) * sheet.measures().gap) / n);
+    }
+    /// Calls for each row with its first item, its height and its top.
+    float rows(float width, const std::function<void(std::size_t, float, float)>& row) const {
+      const std::size_t columns = columns_in(sheet.request().shape, width);
+      float y = 0;
+      for (std::size_t first = 0; first < items.size(); first += columns) {
+        float height = 0;
+        for (std::size_t i = first; i < std::min(first + columns, items.size()); ++i)
+          height = std::max(height, items[i].height(width_of(columns, width)));
+        row(first, height, y);
+        y += height + row_gap;
+      }
+      return std::max(0.0F, y - row_gap);
+    }
+  };
+  const auto grid = std::make_shared<const Grid>(sheet, std::move(all), row_gap);
+  return {.height = [grid](float width) { return grid->rows(width, [](auto, auto, auto) {}); },
+          .draw =
+              [grid](const PixelBox& box) {
+                const std::size_t columns = columns_in(grid->sheet.request().shape, box.width);
+                const float wide = grid->width_of(columns, box.width);
+                const float step = wide + grid->sheet.measures().gap;
+                grid->rows(box.width, [&](std::size_t first, float height, float y) {
+                  for (std::size_t i = first; i < std::min(first + columns, grid->items.size());
+                       ++i)
+                    grid->items[i].draw(
+                        {box.x + static_cast<float>(i - first) * step, box.y + y, wide, height});
+                });
+              }};
+}
+
+/// What the visitor is led to, and the way there on the small plan.
+Block view_of_goal(Sheet& sheet, float gap) {
+  return {.height = [](float) { return 0.0F; },
+          .draw =
+              [&sheet](const PixelBox& box) {
+                const Measures& m = sheet.measures();
+                if (box.height < 2 * m.touch) return;
+                if (sheet.way() == nullptr) {
+                  draw_goal(sheet, box);
+                  return;
+                }
+                if (box.height > box.width) {
+                  const float top = draw_goal(sheet, {box.x, box.y, box.width, box.height / 2});
+                  const float y = box.y + top + (top > 0 ? m.gap : 0);
+                  return draw_plan_on_card(sheet, {box.x, y, box.width, box.bottom() - y});
+                }
+                const float half = std::floor((box.width - m.gap) / 2);
+                draw_goal(sheet, {box.x, box.y, half, box.height});
+                draw_plan_on_card(sheet, {box.right() - half, box.y, half, box.height});
+              },
+          .gap = gap,
+          .most = [](float) { return 1e4F; }};
+}
+
+float height_of_row(const Measures& m) noexcept {
+  return std::round(std::max(m.touch, row_units * m.unit));
 }
 
 /// A band in the guide's colour along the card's upper edge: whose card it is.
@@ -295,6 +306,11 @@ void draw_row(Sheet& sheet, std::int32_t control, const PixelBox& box) {
 Block row_block(Sheet& sheet, std::int32_t control, float gap) {
   const Measures& m = sheet.measures();
   const Action& action = sheet.at(control).action;
+  if (action.kind == Action::Kind::Speak)
+    return {.height = [&sheet](float) { return sheet.measures().touch; },
+            .draw = [&sheet, control](
+                        const PixelBox& box) { draw_language(sheet, control, box, Align::Start); },
+            .gap = gap};
   const std::int32_t collect =
       action.kind == Action::Kind::Choose ? sheet.collect(action.argument) : -1;
   const float aside = collect < 0 ? 0 : m.touch + std::round(m.unit / 2);
@@ -334,11 +350,36 @@ void draw_slip(Sheet& sheet, const TextPiece& words, const PixelBox& box) {
 
 }  // namespace
 
+namespace {
+
+/// Nobody is at the table: each of its seats says what it is for.
+void draw_welcome(Sheet& sheet, const PixelBox& card) {
+  const Measures& m = sheet.measures();
+  const scene::Theme& theme = sheet.theme();
+  const std::int32_t join = sheet.control("begin");
+  sheet.shadow(card, 2 * m.unit, 0.16F);
+  sheet.fill(card, theme.paper, m.corner, join);
+  const PixelBox content = card.inset(std::round(2 * card_margin * m.unit));
+  const Block guides{.height = [](float) { return 0.0F; },
+                     .draw = [&sheet](const PixelBox& box) { draw_guides(sheet, box); },
+                     .most = [](float) { return 1e4F; }};
+  lay_out_column(
+      sheet, content,
+      {heading_block(sheet, Letters::Heading, std::string(sheet.word("welcome")), theme.ink, m.gap),
+       guides},
+      {text_block(sheet, sheet.style(Letters::Lead), std::string(sheet.local(sheet.at(join).label)),
+                  theme.ink, 0)});
+}
+
+}  // namespace
+
 /// Nobody is here: where others are, whoever comes is invited.
 void lay_out_welcome_card(Sheet& sheet, const PixelBox& card) {
   const Measures& m = sheet.measures();
   const std::int32_t join = sheet.control("begin");
   sheet.place(join, card);
+  const bool is_table = sheet.request().shape.sides.is_table();
+  if (sheet.request().state.glass == Glass::Quiet && is_table) return draw_welcome(sheet, card);
   if (sheet.request().state.glass == Glass::Quiet) return;
   sheet.fill(card, scene::with_opacity(sheet.theme().paper, 0.55F), m.corner, join);
   sheet.control_word(join, card.inset(card_margin * m.unit), Align::Centre,
@@ -446,9 +487,11 @@ void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
   const Block asked = text_block(sheet, sheet.style(Letters::Lead),
                                  std::string(sheet.word("pick_title")), sheet.theme().ink, gap);
   constexpr std::array<std::string_view, 1> home{"home"};
-  lay_out_column(sheet, content,
-                 {beside_corner(sheet, {asked}, gap), GuidesOnCard(sheet).block(gap)},
-                 {languages_block(sheet, gap), card_buttons(sheet, home, 0)});
+  const Block question = beside_corner(sheet, {asked}, gap);
+  const Block guides = GuidesOnCard(sheet).block(gap);
+  std::vector<Block> foot{languages_block(sheet, gap), card_buttons(sheet, home, 0)};
+  if (lay_out_wide(sheet, content, {{question}, foot, {guides}, {}})) return;
+  lay_out_column(sheet, content, {question, guides}, std::move(foot));
 }
 
 void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
@@ -456,55 +499,72 @@ void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
   const Listed lists = sheet.request().state.lists;
   const Block title = text_block(sheet, sheet.style(Letters::Lead),
                                  std::string(sheet.word(title_of(lists))), sheet.theme().ink, gap);
-  std::vector<Block> body{beside_corner(sheet, {title}, gap)};
+  std::vector<Block> body{beside_corner(sheet, {title}, gap)}, rows;
   for (const std::int32_t control : list_items(sheet))
-    body.push_back(row_block(sheet, control, gap));
+    rows.push_back(row_block(sheet, control, gap));
   constexpr std::array<std::string_view, 2> pages{"page:previous", "page:next"};
   constexpr std::array<std::string_view, 2> buttons{"back", "home"};
   constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
-  lay_out_column(
-      sheet, content, std::move(body),
-      {lists == Listed::OwnTour ? card_buttons(sheet, start, gap) : languages_block(sheet, gap),
-       card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)});
+  std::vector<Block> foot{
+      lists == Listed::OwnTour ? card_buttons(sheet, start, gap) : languages_block(sheet, gap),
+      card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)};
+  if (lay_out_wide(sheet, content, {body, foot, {grid_block(sheet, rows, gap)}, {}})) return;
+  std::ranges::move(rows, std::back_inserter(body));
+  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  constexpr std::array<std::string_view, 3> buttons{"stop", "skip", "choose"};
-  lay_out_column(sheet, content,
-                 {beside_corner(sheet, invitation_blocks(sheet, Letters::Lead), m.gap),
-                  picture_block(sheet, 0, 8 * m.unit, 0)},
-                 {routes_block(sheet, Along::Row, m.gap), card_buttons(sheet, buttons, 0)});
+  constexpr std::array<std::string_view, 3> names{"stop", "skip", "choose"};
+  const Block invitation = beside_corner(sheet, invitation_blocks(sheet, Letters::Lead), m.gap);
+  const Block routes = routes_block(sheet, Along::Row, m.gap);
+  const Block buttons = card_buttons(sheet, names, 0), goal = view_of_goal(sheet, m.gap);
+  if (lay_out_wide(sheet, content, {{invitation}, {buttons}, {goal}, {routes}})) return;
+  lay_out_column(sheet, content, {invitation, goal}, {routes, buttons});
 }
 
 void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  std::vector<Block> told = goal_blocks(sheet, Letters::Heading);
-  const Block name = told.front();
-  told.front() = picture_block(sheet, 0, 6 * m.unit, m.unit);
-  told.front().most = [room = 0.4F * content.height, most = told.front().most](float width) {
-    return std::min(room, most(width));
-  };
+  const std::vector<Block> told = goal_blocks(sheet, Letters::Heading);
   const Block tour = text_block(sheet, sheet.style(Letters::Small), tour_progress(sheet),
                                 sheet.theme().quiet_ink, m.unit);
-  told.insert(told.begin(), beside_corner(sheet, {tour, name}, m.unit));
+  const Block name = beside_corner(sheet, {tour, told.front()}, m.unit);
+  const std::vector<Block> text(told.begin() + 1, told.end());
   std::vector<Block> foot;
   if (const std::int32_t next = sheet.control("next"); next >= 0)
     foot.push_back(row_block(sheet, next, m.unit));
   constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
   foot.push_back(card_buttons(sheet, buttons, 0));
-  lay_out_column(sheet, content, std::move(told), std::move(foot));
+  Block picture = picture_block(sheet, 0, 6 * m.unit, m.unit);
+  std::vector<Block> words{name};
+  std::ranges::copy(text, std::back_inserter(words));
+  if (lay_out_wide(sheet, content, {words, foot, {picture}, {}, true})) return;
+  picture.most = [room = 0.4F * content.height, most = picture.most](float width) {
+    return std::min(room, most(width));
+  };
+  std::vector<Block> body{name, picture};
+  std::ranges::copy(text, std::back_inserter(body));
+  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 
-std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept {
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats,
+                           std::uint32_t seat) noexcept {
+  constexpr float fewest = 6, most = 12;
   const Measures m = measures_of(shape);
-  const float height =
-      card_of(shape, std::max(seats, 1U), 1).height * static_cast<float>(shape.height);
-  const float gap = std::round(m.unit / 2);
-  const float room = height - 2 * std::round(card_margin * m.unit) - height_of_heading(m) -
-                     3 * m.touch - m.gap - 2 * gap;
-  return static_cast<std::uint32_t>(
-      std::clamp(std::floor((room + gap) / (height_of_row(m) + gap)), 1.0F, 12.0F));
+  const ScreenShape seen = seen_from(side_of(shape, seats, seat), shape);
+  const scene::Rect card = card_of(shape, seats, seat);
+  const PixelBox content = PixelBox{0, 0, card.width * static_cast<float>(seen.width),
+                                    card.height * static_cast<float>(seen.height)}
+                               .inset(std::round(card_margin * m.unit));
+  constexpr float with_long_names = 1.15F;  // some take more lines than their picture is high
+  const float gap = std::round(m.unit / 2), row = with_long_names * height_of_row(m) + gap;
+  float room = content.height + gap, columns = 1;
+  if (is_wide(content))
+    columns =
+        static_cast<float>(columns_in(shape, width_of_end(m, content.width, start_shares.front())));
+  else
+    room -= height_of_heading(m) + 3 * m.touch + m.gap + 2 * gap;
+  return static_cast<std::uint32_t>(std::clamp(columns * std::floor(room / row), fewest, most));
 }
 
 void lay_out_seat(Sheet& sheet, const PixelBox& card) {
@@ -525,12 +585,14 @@ void lay_out_model(Sheet& sheet) {
   const ViewRequest& request = sheet.request();
   const auto width = static_cast<float>(request.shape.width);
   const auto height = static_cast<float>(request.shape.height);
-  const float strip = strip_of(request.shape).y * height;
+  const scene::Rect model = model_of(request.shape);
+  const float strip = model.height * height;
   switch (request.state.glass) {
     case Glass::Whole:
     case Glass::Busy:
       return;
     case Glass::Quiet: {
+      if (request.shape.sides.is_table()) return;  // its cards say so
       const PixelBox paper{0, strip, width, height - strip};
       sheet.shadow(paper, 4 * m.unit, 0.16F);
       sheet.fill(paper, sheet.theme().paper, 0);
@@ -555,7 +617,9 @@ void lay_out_model(Sheet& sheet) {
     case Glass::Full:
     case Glass::TurnedAway: {
       const bool told = request.state.glass == Glass::TurnedAway;
-      const PixelBox box = told ? PixelBox{0, 0, width, strip}
+      if (!told && request.shape.sides.is_table()) return;
+      const PixelBox box = told ? PixelBox{model.x * width, model.y * height, model.width * width,
+                                           model.height * height}
                                 : PixelBox{m.margin, m.margin, 0.2F * width, 0.15F * height};
       const TextPiece words =
           sheet.set(sheet.style(told ? Letters::Lead : Letters::Body), sheet.word("all_taken"),

@@ -122,7 +122,9 @@ void add_languages(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   const auto count = static_cast<std::uint32_t>(museum.languages.size());
   if (count < 2) return;
-  if (count > most_languages_beside && state.screen != Screen::Welcome && !state.seat) {
+  // Who comes to a seat finds theirs at once.
+  const bool is_first = state.screen == Screen::Welcome || state.screen == Screen::Picking;
+  if (count > most_languages_beside && !is_first) {
     out.push_back({.name = "languages",
                    .label = name_of_language(museum, std::min(state.language, count - 1)),
                    .action = {Action::Kind::ShowLanguages},

@@ -148,17 +148,21 @@ void add_floor_labels(Sheet& sheet) {
   }
 }
 
-/// The model of a shared glass, or one of the cards below it.
-void lay_out_shared(Sheet& sheet) {
+/// The model of a shared glass, or one of the cards about it.
+void lay_out_shared(Sheet& sheet, const ScreenShape& shape) {
   View& view = sheet.view();
   const ViewRequest& request = sheet.request();
-  view.free = {0, 0, 1, strip_of(request.shape).y};
   if (!request.state.seat) {
+    // Walls and figures at its edges stand clear of cards.
+    const float x = shape.sides.is_table() ? sheet.measures().margin / view.pixel_width / 2 : 0;
+    const float y = sheet.measures().margin / view.pixel_height / 2;
+    const scene::Rect model = model_of(shape);
+    view.free = {model.x + x, model.y + y, model.width - 2 * x, model.height - 2 * y};
     lay_out_model(sheet);
     add_floor_labels(sheet);
     return;
   }
-  const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
+  const scene::Rect card = card_of(shape, request.state.seats, *request.state.seat);
   lay_out_seat(sheet, {card.x * view.pixel_width, card.y * view.pixel_height,
                        card.width * view.pixel_width, card.height * view.pixel_height});
 }
@@ -210,13 +214,17 @@ std::uint32_t exhibits_per_page(const ScreenShape& shape) noexcept {
 }
 
 std::uint32_t exhibits_per_page(const ScreenShape& shape, const InterfaceState& state) noexcept {
-  if (state.seat) return rows_of_card(shape, state.seats);
+  if (state.seat) return rows_of_card(shape, state.seats, *state.seat);
   const ScreenShape shown = shape_for(shape, state);
   return state.screen == Screen::Searching ? found_per_page(shown) : exhibits_per_page(shown);
 }
 
+scene::Side side_of(const ScreenShape& shape, const InterfaceState& state) noexcept {
+  return state.seat ? side_of(shape, state.seats, *state.seat) : scene::Side::Bottom;
+}
+
 bool shows_way(const InterfaceState& state) noexcept {
-  return state.glass == Glass::Whole &&
+  return (state.seat || state.glass == Glass::Whole) &&
          (state.screen == Screen::Walking || state.screen == Screen::Arrived);
 }
 
@@ -239,8 +247,9 @@ ListShape list_shape(const ScreenShape& shape) noexcept {
 std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, PieceCache& pieces,
                                 const Closures& closed, const ShownWay* way) {
   ViewRequest request = asked;
-  request.shape = shape_for(asked.shape, asked.state);
   auto view = std::make_unique<View>();
+  view->side = side_of(asked.shape, asked.state);
+  request.shape = seen_from(view->side, shape_for(asked.shape, asked.state));
   view->request = request.id;
   view->part = request.part;
   view->state = request.state;
@@ -257,7 +266,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   view->accent = request.state.look ? sheet.on_paper(scene::trail_colour(*request.state.look))
                                     : sheet.theme().invitation;
   if (request.state.glass != Glass::Whole) {
-    lay_out_shared(sheet);
+    lay_out_shared(sheet, asked.shape);
     sheet.finish();
     view->speech = speech_of(museum, asked, view->controls, closed, way);
     return view;

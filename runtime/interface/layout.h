@@ -58,6 +58,9 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& request
                                 PieceCache& pieces, const Closures& closed = {},
                                 const ShownWay* way = nullptr);
 
+/// From where the view of that state is read.
+scene::Side side_of(const ScreenShape& shape, const InterfaceState& state) noexcept;
+
 /// Does the view of that state show the way from the kiosk?
 bool shows_way(const InterfaceState& state) noexcept;
 

@@ -1,10 +1,29 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "runtime/scene/draw_list.h"
+
 namespace docent::interface {
+
+/// At which edges of a shared glass people stand.
+struct Sides {
+  std::uint8_t bits = 0;  ///< One for each scene::Side. None: the glass is not shared.
+
+  constexpr bool has(scene::Side side) const noexcept {
+    return (bits >> static_cast<unsigned>(side) & 1U) != 0;
+  }
+  constexpr void add(scene::Side side) noexcept {
+    bits = static_cast<std::uint8_t>(bits | 1U << static_cast<unsigned>(side));
+  }
+  constexpr int count() const noexcept { return std::popcount(bits); }
+  /// People look at it from several sides: it lies, and does not hang.
+  constexpr bool is_table() const noexcept { return count() > 1; }
+  bool operator==(const Sides&) const = default;
+};
 
 /// The glass as the visitor sees it, after rotation.
 struct ScreenShape {
@@ -14,6 +33,7 @@ struct ScreenShape {
   /// Millimetres of the glass's lower edge above the floor; 0: nobody has said.
   float mount_mm = 0;
   bool is_night = false;  ///< Light letters on dark paper, and a museum in the dark.
+  Sides sides{};
 
   bool operator==(const ScreenShape&) const = default;
 };
@@ -50,13 +70,17 @@ inline bool can_be_lowered(const ScreenShape& shape) noexcept {
 
 /// The interface's lengths on one screen, in pixels.
 struct Measures {
-  float unit = 8;     ///< 1/135 of the shorter side.
+  float unit = 8;     ///< 1/135 of the shorter side; at most 2.2 mm where the glass is shared.
   float mm = 3.6F;    ///< A millimetre of glass.
   float margin = 48;  ///< Six units.
   float gap = 16;     ///< Two units.
   float corner = 12;  ///< A unit and a half.
   float touch = 54;   ///< Height of a control: at least 15 mm.
 };
+
+/// Who shares a glass stands right at it, however large it is: what lies on it is as large as on a
+/// screen of 24 inches.
+inline constexpr float shared_unit_mm = 2.2F;
 
 /// On a small screen a millimetre counts for less, so that letters never outgrow the picture: the
 /// shorter side is taken for at least 240 mm.
@@ -69,6 +93,7 @@ inline Measures measures_of(const ScreenShape& shape) noexcept {
   Measures m;
   m.unit = shorter / 135;
   m.mm = shorter / side_mm;
+  if (shape.sides.count() > 0) m.unit = std::min(m.unit, shared_unit_mm * m.mm);
   m.margin = std::round(6 * m.unit);
   m.gap = std::round(2 * m.unit);
   m.corner = 1.5F * m.unit;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/interface/scroll.h"
+#include "runtime/scene/side.h"
 
 namespace docent::interface {
 namespace {
@@ -99,6 +100,7 @@ std::vector<OnGlass> on_glass(const Museum& museum, const View& view, const Scre
       view.remaining, [&](const CountedText& text) { return remaining <= text.metres; });
   if (counted != view.remaining.end())
     lister.add_label(counted->words, seen(counted->quad, view.remaining_scrolls));
+  for (OnGlass& item : lister.items) item.rect = scene::to_screen(view.side, item.rect);
   return std::move(lister.items);
 }
 

@@ -33,8 +33,9 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content);
 /// The shared glass: the model, and the cards of those who stand at it.
 void lay_out_model(Sheet& sheet);
 void lay_out_seat(Sheet& sheet, const PixelBox& card);
-/// How many exhibits a page of a card's list shows.
-std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats) noexcept;
+/// How many exhibits a page of a card's list shows, at least six.
+std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats,
+                           std::uint32_t seat) noexcept;
 
 /// On a tour, where one is on it; "follow me to", the exhibit's name, and how far it is; or why one
 /// is not led there.
@@ -48,6 +49,8 @@ std::vector<Block> goal_blocks(Sheet& sheet, Letters title);
 Block picture_block(Sheet& sheet, float least, float worthwhile, float gap);
 /// The small plan with the way, on the model's upper corner.
 void draw_inset(Sheet& sheet, const PixelBox& free);
+/// The same on a card, turned as the model is seen from there.
+void draw_plan_on_card(Sheet& sheet, const PixelBox& box);
 /// "Walk with me" in the model's upper corner, beside the inset plan where there is one.
 void draw_walk(Sheet& sheet, const PixelBox& free);
 /// On a tour: its name, which stop this is and how long it still takes; else nothing.

@@ -1,43 +1,151 @@
 #include "runtime/interface/seats.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+
+#include "runtime/scene/side.h"
 
 namespace docent::interface {
 namespace {
 
-constexpr float least_mm = 100, least_units = 26;  // of a seat's width
-constexpr float most_units = 60;                   // of a card's width, and of the strip's height
-constexpr float most_height = 0.42F;               // of the strip, as a share of the glass
+using scene::Side;
+
+constexpr float least_mm = 100, least_units = 26;              // of a seat's width
+constexpr float shallow_mm = 150, least_shallow_mm = 235;      // where a strip is less deep
+constexpr float most_card_mm = 340, most_strip_mm = 280;       // of a card's width, a strip's depth
+constexpr float most_of_hanging = 0.42F, most_taken = 0.445F;  // of the glass, by strips
+
+/// In which order seats go round the glass.
+constexpr std::array round{Side::Bottom, Side::Right, Side::Top, Side::Left};
+
+Sides sides_of(const ScreenShape& shape) noexcept {
+  Sides sides = shape.sides;
+  if (sides.count() == 0) sides.add(Side::Bottom);
+  return sides;
+}
+
+/// The strips' depth in pixels: of all the same, so that they take so much of the glass at most.
+float depth_of(const ScreenShape& shape) noexcept {
+  const Sides sides = sides_of(shape);
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  const auto at = [&](Side side) { return sides.has(side) ? 1.0F : 0.0F; };
+  const float ends = at(Side::Left) + at(Side::Right),
+              long_sides = at(Side::Bottom) + at(Side::Top);
+  // (width - ends * d) * (height - long_sides * d) is what is left, and corners are taken once.
+  const float taken = (sides.is_table() ? most_taken : most_of_hanging) * width * height;
+  const float b = ends * height + long_sides * width, a = ends * long_sides;
+  const float depth = a > 0 ? (b - std::sqrt(b * b - 4 * a * taken)) / (2 * a) : taken / b;
+  return std::floor(std::min(depth, most_strip_mm * measures_of(shape).mm));
+}
+
+/// Where a side's strip begins and ends, in pixels from the left as it is seen from there. Those of
+/// the lower and the upper edge have the corners.
+std::pair<float, float> ends_of_strip(const ScreenShape& shape, Side side) noexcept {
+  const Sides sides = sides_of(shape);
+  if (!scene::is_at_end(side)) return {0, static_cast<float>(shape.width)};
+  const float depth = depth_of(shape);
+  const float top = sides.has(Side::Top) ? depth : 0, bottom = sides.has(Side::Bottom) ? depth : 0;
+  const auto height = static_cast<float>(shape.height);
+  return side == Side::Left ? std::pair{top, height - bottom} : std::pair{bottom, height - top};
+}
+
+float length_of_strip(const ScreenShape& shape, Side side) noexcept {
+  const auto [begin, end] = ends_of_strip(shape, side);
+  return end - begin;
+}
+
+/// How many seats a side has room for.
+std::uint32_t room_at(const ScreenShape& shape, Side side) noexcept {
+  if (!sides_of(shape).has(side)) return 0;
+  const Measures m = measures_of(shape);
+  const bool is_shallow = shape.sides.is_table() && depth_of(shape) < shallow_mm * m.mm;
+  const float least =
+      std::max((is_shallow ? least_shallow_mm : least_mm) * m.mm, least_units * m.unit) *
+      shape.text_scale;
+  return static_cast<std::uint32_t>(std::max(0.0F, length_of_strip(shape, side) / least));
+}
+
+/// Of so many seats, those of each side: who comes next sits where most is free.
+std::array<std::uint32_t, 4> seats_by_side(const ScreenShape& shape, std::uint32_t seats) noexcept {
+  std::array<std::uint32_t, 4> count{};
+  for (std::uint32_t i = 0; i < seats; ++i) {
+    std::size_t best = 0;
+    float most = -1;
+    for (const Side side : round) {
+      const auto at = static_cast<std::size_t>(side);
+      if (count[at] >= room_at(shape, side)) continue;
+      const float width = length_of_strip(shape, side) / static_cast<float>(count[at] + 1);
+      if (width <= most) continue;
+      most = width;
+      best = at;
+    }
+    ++count[best];
+  }
+  return count;
+}
+
+/// A seat's place at its side.
+struct Place {
+  Side side = Side::Bottom;
+  std::uint32_t index = 0, count = 1;  ///< From the left; of how many.
+};
+Place place_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
+  const auto count = seats_by_side(shape, seats);
+  std::uint32_t index = seat - 1;
+  for (const Side side : round) {
+    const std::uint32_t here = count[static_cast<std::size_t>(side)];
+    if (index < here) return {side, index, here};
+    index -= here;
+  }
+  return {};
+}
 
 }  // namespace
 
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept {
-  const Measures m = measures_of(shape);
-  const float least = std::max(least_mm * m.mm, least_units * m.unit) * shape.text_scale;
-  const auto room = static_cast<std::uint32_t>(static_cast<float>(shape.width) / least);
+  std::uint32_t room = 0;
+  for (const Side side : round) room += room_at(shape, side);
   return std::clamp(wanted, 1U, std::clamp(room, 1U, most_seats));
 }
 
-scene::Rect strip_of(const ScreenShape& shape) noexcept {
-  const auto height = static_cast<float>(shape.height);
-  const float strip =
-      std::round(std::min(most_height * height, most_units * measures_of(shape).unit)) / height;
-  return {0, 1 - strip, 1, strip};
+scene::Rect model_of(const ScreenShape& shape) noexcept {
+  const Sides sides = sides_of(shape);
+  const float x = depth_of(shape) / static_cast<float>(shape.width),
+              y = depth_of(shape) / static_cast<float>(shape.height);
+  const float left = sides.has(Side::Left) ? x : 0, right = sides.has(Side::Right) ? x : 0;
+  const float top = sides.has(Side::Top) ? y : 0, bottom = sides.has(Side::Bottom) ? y : 0;
+  return {left, top, 1 - left - right, 1 - top - bottom};
+}
+
+Side side_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
+  return place_of(shape, seats, seat).side;
+}
+
+ScreenShape seen_from(Side side, const ScreenShape& shape) noexcept {
+  ScreenShape seen = shape;
+  if (scene::is_at_end(side)) std::swap(seen.width, seen.height);
+  return seen;
 }
 
 scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
-  const scene::Rect strip = strip_of(shape);
-  const float width = 1 / static_cast<float>(seats);
-  return {static_cast<float>(seat - 1) * width, strip.y, width, strip.height};
+  const Place place = place_of(shape, seats, seat);
+  const ScreenShape seen = seen_from(place.side, shape);
+  const auto width = static_cast<float>(seen.width), height = static_cast<float>(seen.height);
+  const auto [begin, end] = ends_of_strip(shape, place.side);
+  const float one = (end - begin) / static_cast<float>(place.count), depth = depth_of(shape);
+  return {(begin + static_cast<float>(place.index) * one) / width, 1 - depth / height, one / width,
+          depth / height};
 }
 
 scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
-  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  const ScreenShape seen = seen_from(side_of(shape, seats, seat), shape);
+  const auto width = static_cast<float>(seen.width), height = static_cast<float>(seen.height);
   const Measures m = measures_of(shape);
   const scene::Rect column = column_of(shape, seats, seat);
   const float gap = std::round(m.unit);
-  const float wide = std::floor(std::min(column.width * width - gap, most_units * m.unit));
+  const float wide = std::floor(std::min(column.width * width - gap, most_card_mm * m.mm));
   const float left = std::round(column.x * width + (column.width * width - wide) / 2);
   return {left / width, column.y + gap / height, wide / width,
           column.height - (gap + m.gap) / height};

@@ -9,15 +9,22 @@ namespace docent::interface {
 inline constexpr std::uint32_t most_seats = 8;
 
 /// How many seats a glass has room for, at most `wanted`: each is at least 100 mm wide, and wider
-/// where letters are larger. 1: the glass is not shared.
+/// where letters are larger or a card is shallow. 1: the glass is not shared.
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept;
 
-/// The strip along the lower edge of a shared glass, where the seats are. The model keeps the rest,
-/// which is more than 55 %. Screen frame.
-scene::Rect strip_of(const ScreenShape& shape) noexcept;
+/// What the strips of seats along the edges leave to the model, which is at least 55 %. Screen
+/// frame.
+scene::Rect model_of(const ScreenShape& shape) noexcept;
 
-/// The part of the strip that belongs to `seat` (counted from the left, from 1), and the card in
-/// its middle. Screen frame.
+/// At which edge a seat is. They are counted from 1: along the lower edge from the left, and on
+/// round the glass, each edge from its left as those see it who stand there.
+scene::Side side_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
+
+/// The glass as it is seen from a side.
+ScreenShape seen_from(scene::Side side, const ScreenShape& shape) noexcept;
+
+/// The part of the strip that belongs to `seat`, and the card in its middle. Frame: the glass as
+/// it is seen from the seat's side.
 scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
 scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept;
 

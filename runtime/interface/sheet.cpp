@@ -12,6 +12,19 @@ namespace {
 /// Capitals of Inter and Noto are this share of the letter size high.
 constexpr float capital_share = 0.72F;
 
+/// On the card of a shared glass: who reads it stands right at it.
+float capitals_mm_on_card(Letters letters) noexcept {
+  switch (letters) {
+    case Letters::Title:
+    case Letters::Welcome:
+      return 9;
+    case Letters::Heading:
+      return 7;
+    default:
+      return 5;
+  }
+}
+
 float capitals_mm(Letters letters) noexcept {
   switch (letters) {
     case Letters::Small:
@@ -105,8 +118,9 @@ TextStyle Sheet::style(Letters letters) const noexcept {
   TextStyle style;
   style.family = serif ? Family::Serif : Family::Sans;
   style.weight = letters == Letters::Label || letters == Letters::Item ? 500 : 400;
-  style.size = std::round(capitals_mm(letters) / capital_share * measures_.mm *
-                          optical_scale(language) * request_.shape.text_scale);
+  const float capitals = request_.state.seat ? capitals_mm_on_card(letters) : capitals_mm(letters);
+  style.size = std::round(capitals / capital_share * measures_.mm * optical_scale(language) *
+                          request_.shape.text_scale);
   style.line_height = serif ? 1.2F : 1.4F;
   if (right_to_left_ || is_tall(language)) style.line_height = serif ? 1.45F : 1.7F;
   style.max_lines = 0;

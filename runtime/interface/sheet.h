@@ -17,7 +17,8 @@ namespace docent::interface {
 
 enum class Align : std::uint8_t { Start, Centre, End };
 
-/// What letters are used for, each with the height of its capitals on the glass in millimetres.
+/// What letters are used for, each with the height of its capitals on the glass in millimetres; on
+/// a card of a shared glass all but headings have 5.
 enum class Letters : std::uint8_t {
   Small,    ///< Names of galleries, numbers: 5.
   Body,     ///< What an exhibit has to say: 5.

@@ -104,6 +104,8 @@ struct InsetPlan {
 struct View {
   std::uint64_t request = 0;  ///< Which request it answers.
   std::uint32_t part = 0;     ///< Of the glass.
+  /// From where it is read: its screen frame is that of the glass as it is seen from there.
+  scene::Side side = scene::Side::Bottom;
   InterfaceState state;
   std::vector<Control> controls;
   std::vector<Element> elements;

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "runtime/interface/button_grid.h"
@@ -61,19 +62,28 @@ std::vector<Block> sentence_blocks(Sheet& sheet) {
           text_block(sheet, style, said.figures, theme.quiet_ink, 2 * gap)};
 }
 
-void draw_inset(Sheet& sheet, const PixelBox& free) {
-  if (sheet.way() == nullptr) return;
+namespace {
+
+TextStyle style_of_name(Sheet& sheet) {
+  TextStyle style = sheet.style(Letters::Small);
+  style.line_height = style.line_height > 1.5F ? 1.4F : 1.2F;
+  return style;
+}
+
+/// What is ahead of whoever looks at the model from the view's side.
+double heading_of(const Sheet& sheet, scene::Side side) noexcept {
+  constexpr double quarter = std::numbers::pi / 2;
+  return sheet.museum().kiosk.heading - quarter * static_cast<double>(side);
+}
+
+/// The plan with the way, below the floor's name and the compass.
+void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
   const Museum& museum = sheet.museum();
   const Measures& m = sheet.measures();
   const Floor& floor = museum.floors[museum.kiosk_floor];
-  const double heading = museum.kiosk.heading;
-  TextStyle style = sheet.style(Letters::Small);
-  style.line_height = style.line_height > 1.5F ? 1.4F : 1.2F;
-  const TextPiece name =
-      sheet.set(style, sheet.local(floor.title),
-                std::max(16 * m.unit, std::min(38 * m.unit, 0.42F * free.width) - 8 * m.unit));
-  const auto [box, head] = board_on(sheet, free, floor.plan, heading, name);
-  if (box.height < head + 6 * m.unit) return;
+  const scene::Side side = sheet.view().side;
+  const double heading = heading_of(sheet, side);
+  const auto& [box, head] = board;
   const float pad = 1.5F * m.unit;
   const DrawingShape shape{.width = static_cast<std::uint32_t>(box.width),
                            .height = static_cast<std::uint32_t>(box.height),
@@ -82,30 +92,32 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   const PlanFrame frame = frame_of(floor.plan, heading, shape);
   const bool turned = runs_right_to_left(museum, sheet.request().state.language);
   const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
-  const RouteKind kind = sheet.request().state.kind;
-  const scene::Colour way_colour = sheet.on_paper(scene::route_colour(kind));
+  const InterfaceState& state = sheet.request().state;
+  const RouteKind kind = state.kind;
+  const scene::Colour way_colour =
+      state.look ? scene::srgb(scene::looks[*state.look % scene::looks.size()].coat)
+                 : sheet.on_paper(scene::route_colour(kind));
   const bool is_night = sheet.request().shape.is_night;
   const PlanDrawing drawing{.plan = floor.plan,
                             .frame = frame,
                             .shape = shape,
                             .way = sheet.way()->line,
                             .way_colour = scene::hex_of(way_colour),
-                            .is_cased = kind == RouteKind::Offset && !is_night,
+                            .is_cased = state.look || (kind == RouteKind::Offset && !is_night),
                             .colours = is_night ? plan_at_night : PlanColours{},
                             .here = museum.kiosk.position,
                             .compass = {turned ? box.width - compass : compass, middle},
                             .unit = m.unit};
-
-  sheet.shadow(box, 2 * m.unit, 0.12F);
-  sheet.fill(box, sheet.theme().paper, m.corner);
   sheet.drawing(box,
-                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor,
-                            shape.width, shape.height, turned, static_cast<int>(kind),
-                            museum.kiosk.position.x, print_of(sheet.way()->line)),
+                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor,
+                            shape.width, shape.height, turned, scene::hex_of(way_colour),
+                            museum.kiosk.position.x, static_cast<int>(side),
+                            print_of(sheet.way()->line)),
                 [&] { return draw_plan(drawing); });
   const float room = compass - 4 * m.unit - pad;
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);
+  TextStyle style = style_of_name(sheet);
   style.weight = 600;
   style.size = std::min(style.size, std::round(2.4F * m.unit));  // within its ring
   const TextPiece north = sheet.set(style, sheet.word("north"), 1e4F);
@@ -121,6 +133,37 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   inset.way = sheet.way()->line;
   inset.reach = distances_along(inset.way);
   inset.figure = way_colour;
+}
+
+}  // namespace
+
+void draw_inset(Sheet& sheet, const PixelBox& free) {
+  if (sheet.way() == nullptr) return;
+  const Museum& museum = sheet.museum();
+  const Measures& m = sheet.measures();
+  const Floor& floor = museum.floors[museum.kiosk_floor];
+  const TextPiece name =
+      sheet.set(style_of_name(sheet), sheet.local(floor.title),
+                std::max(16 * m.unit, std::min(38 * m.unit, 0.42F * free.width) - 8 * m.unit));
+  const Board board = board_on(sheet, free, floor.plan, museum.kiosk.heading, name);
+  if (board.box.height < board.head + 6 * m.unit) return;
+  sheet.shadow(board.box, 2 * m.unit, 0.12F);
+  sheet.fill(board.box, sheet.theme().paper, m.corner);
+  draw_board(sheet, board, name);
+}
+
+void draw_plan_on_card(Sheet& sheet, const PixelBox& box) {
+  if (sheet.way() == nullptr) return;
+  const Measures& m = sheet.measures();
+  const Floor& floor = sheet.museum().floors[sheet.museum().kiosk_floor];
+  const TextPiece name =
+      sheet.set(style_of_name(sheet), sheet.local(floor.title), box.width - 8 * m.unit);
+  const float head = std::max(6 * m.unit, name.height + 1.5F * m.unit);
+  const PixelBox whole{std::round(box.x), std::round(box.y), std::floor(box.width),
+                       std::floor(box.height)};
+  if (whole.height < head + 6 * m.unit || whole.width < 14 * m.unit) return;
+  sheet.outline(whole, -1);
+  draw_board(sheet, {whole, head}, name);
 }
 
 void draw_walk(Sheet& sheet, const PixelBox& free) {

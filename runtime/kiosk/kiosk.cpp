@@ -58,6 +58,20 @@ bool has_error(const std::vector<Diagnostic>& mistakes) {
                              [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
+scene::Side side_of(config::GlassEdge edge) noexcept {
+  switch (edge) {
+    case config::GlassEdge::Bottom:
+      return scene::Side::Bottom;
+    case config::GlassEdge::Left:
+      return scene::Side::Left;
+    case config::GlassEdge::Top:
+      return scene::Side::Top;
+    case config::GlassEdge::Right:
+      return scene::Side::Right;
+  }
+  return scene::Side::Bottom;
+}
+
 interface::ScreenShape shape_of(PixelSize size, double inches,
                                 const config::KioskConfig& config) noexcept {
   interface::ScreenShape shape;
@@ -66,6 +80,7 @@ interface::ScreenShape shape_of(PixelSize size, double inches,
   shape.diagonal_inches = static_cast<float>(inches);
   shape.text_scale = static_cast<float>(config.text_scale);
   shape.mount_mm = static_cast<float>(config.mount_height);
+  for (const config::GlassEdge edge : config.sides) shape.sides.add(side_of(edge));
   return shape;
 }
 

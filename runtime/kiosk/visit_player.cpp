@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <ranges>
 
+#include "runtime/scene/side.h"
+
 namespace docent::kiosk {
 namespace {
 
@@ -109,7 +111,8 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
   if (!guide.shows_its_state(part)) return {};
   const interface::InterfaceState& state = guide.state(part);
   const auto tap_on = [&](const interface::Control& it) {
-    tap(it.rect.x + it.rect.width / 2, it.rect.y + it.rect.height / 2, time, take);
+    const scene::Rect at = scene::to_screen(guide.view(part)->side, it.rect);
+    tap(at.x + at.width / 2, at.y + at.height / 2, time, take);
   };
   if (interface::turns_what_scrolls(wanted.name)) {  // of a view alone, and not of a state
     const auto& controls = guide.view(part)->controls;

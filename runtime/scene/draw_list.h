@@ -22,6 +22,10 @@ constexpr bool contains(const Rect& r, float x, float y) noexcept {
   return x >= r.x && y >= r.y && x < r.x + r.width && y < r.y + r.height;
 }
 
+/// An edge of the glass at which somebody stands. What they read stands upright as they see it:
+/// turned clockwise by a quarter for each (side.h).
+enum class Side : std::uint8_t { Bottom, Left, Top, Right };
+
 /// A picture or a set text in texture memory. The kiosk numbers the building's pictures from 1; the
 /// planner's cache of pieces hands out the numbers after those.
 enum class TextureId : std::uint32_t { None = 0 };
@@ -38,7 +42,7 @@ enum class QuadFill : std::uint8_t {
 };
 
 /// What is seen of a rectangle from its upper to its lower edge, where it lies in a part of the
-/// glass that scrolls. Shares of the screen's height.
+/// glass that scrolls. Shares of the screen's height, as it is seen from the rectangle's side.
 struct Clip {
   float top = -1, bottom = 2;
   float fade_above = 0, fade_below = 0;  ///< Within these it fades towards that edge.
@@ -55,6 +59,7 @@ struct Quad {
   float corner = 0;    ///< Corner radius, as a share of the screen's shorter side.
   float softness = 0;  ///< As a share of the screen's shorter side.
   Clip clip{};
+  Side side = Side::Bottom;  ///< From where its texture stands upright, and its clip is counted.
   bool operator==(const Quad&) const = default;
 };
 
@@ -76,6 +81,7 @@ struct AvatarDraw {
   Vec3 feet[2]{};          ///< World frame: under each foot on the floor, for the contact shadows.
   float foot_height[2]{};  ///< Metres of each sole above the floor: the shadow fades as it rises.
   Vec3 centre{};           ///< World frame: the hips.
+  float scale = 1;         ///< How much larger than life it is drawn.
 };
 
 /// An exhibit's own shape: Museum::objects[object], on its foot in the world frame.

@@ -86,6 +86,17 @@ TEST(KioskConfig, SharesALargeScreenUnlessItIsToldNotTo) {
   EXPECT_EQ(visitors_of("screen_inches = 32\nvisitors = 3"), 3);
 }
 
+TEST(KioskConfig, KnowsAtWhichEdgesOfATableVisitorsStand) {
+  const auto loaded = loaded_from("sides = [\"bottom\", \"top\", \"left\", \"top\"]");
+  ASSERT_TRUE(loaded.value && loaded.diagnostics.empty());
+  EXPECT_EQ(loaded.value->sides, (std::vector{GlassEdge::Bottom, GlassEdge::Top, GlassEdge::Left}));
+  EXPECT_TRUE(loaded_from("").value->sides.empty());
+
+  const auto wrong = loaded_from("sides = [\"botom\"]");
+  ASSERT_EQ(wrong.diagnostics.size(), 1U);
+  EXPECT_EQ(wrong.diagnostics[0].hint, "write \"bottom\"");
+}
+
 TEST(KioskConfig, BelievesTheScreensOwnSizeUnlessTheOperatorSaysAnother) {
   const KioskConfig silent = *loaded_from("").value,
                     told = *loaded_from("screen_inches = 32").value;

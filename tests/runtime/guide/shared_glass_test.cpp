@@ -10,6 +10,7 @@
 #include "runtime/guide/waiting_places.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
+#include "runtime/scene/side.h"
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
@@ -448,14 +449,18 @@ TEST(Seats, AreAtLeastAHandWideAndLeaveTheModelMostOfTheGlass) {
     shape.width = *rc::gen::inRange(720U, 7681U);
     shape.height = *rc::gen::inRange(720U, 4321U);
     shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(10, 121));
+    shape.sides.bits = static_cast<std::uint8_t>(*rc::gen::inRange(1, 16));
     const std::uint32_t n = interface::seats_on(shape, *rc::gen::inRange(0U, 20U));
     RC_ASSERT(n >= 1 && n <= interface::most_seats);
-    RC_ASSERT(interface::strip_of(shape).y >= 0.55F);
+    const scene::Rect model = interface::model_of(shape);
+    RC_ASSERT(model.width * model.height >= 0.55F);
     for (std::uint32_t i = 1; n > 1 && i <= n; ++i) {
       const scene::Rect card = interface::card_of(shape, n, i),
                         column = interface::column_of(shape, n, i);
       const float mm = interface::measures_of(shape).mm;
-      RC_ASSERT(column.width * static_cast<float>(shape.width) >= 100 * mm - 1);
+      const bool is_at_end = scene::is_at_end(interface::side_of(shape, n, i));
+      RC_ASSERT(column.width * static_cast<float>(is_at_end ? shape.height : shape.width) >=
+                100 * mm - 1);
       RC_ASSERT(card.x >= column.x - 1e-3F);
       RC_ASSERT(card.x + card.width <= column.x + column.width + 1e-3F);
     }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "runtime/interface/seats.h"
+#include "runtime/scene/side.h"
 #include "tests/runtime/interface/boxes.h"
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
@@ -81,6 +82,7 @@ ViewRequest any_request() {
 ViewRequest any_card() {
   ViewRequest request = any_request();
   request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(32, 86));
+  request.shape.sides.bits = static_cast<std::uint8_t>(*rc::gen::inRange(1, 16));
   const std::uint32_t seats = seats_on(request.shape, *rc::gen::inRange(2U, 9U));
   RC_PRE(seats > 1);
   request.state.screen = *rc::gen::element(Screen::Welcome, Screen::Picking, Screen::Choosing,
@@ -249,6 +251,79 @@ TEST(Card, SetsNoTextOverAnother) {
         RC_ASSERT(!overlap(text, texts[j]));
       }
   }));
+}
+
+/// Each side as one sees it who stands there.
+scene::Rect whole_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) {
+  return scene::to_screen(side_of(shape, seats, seat), card_of(shape, seats, seat));
+}
+
+TEST(Card, LiesApartFromAllOthersAndFromTheModel) {
+  EXPECT_TRUE(rc::check("on every side of any glass", [] {
+    const ViewRequest request = any_card();
+    const ScreenShape& shape = request.shape;
+    const std::uint32_t seats = request.state.seats;
+    std::set<scene::Side> sides;
+    for (std::uint32_t seat = 1; seat <= seats; ++seat) {
+      const scene::Rect card = whole_of(shape, seats, seat);
+      sides.insert(side_of(shape, seats, seat));
+      RC_ASSERT(card.x >= 0 && card.y >= 0);
+      RC_ASSERT(card.x + card.width <= 1.0001F && card.y + card.height <= 1.0001F);
+      RC_ASSERT(!overlap(card, model_of(shape)));
+      for (std::uint32_t other = 1; other < seat; ++other)
+        RC_ASSERT(!overlap(card, whole_of(shape, seats, other)));
+    }
+    for (const scene::Side side : sides) RC_ASSERT(shape.sides.has(side));
+  }));
+}
+
+TEST(Card, HasSixRowsOfTheListAndLettersOfFiveMillimetres) {
+  EXPECT_TRUE(rc::check("six items a page", [] {
+    ViewRequest request = any_card();
+    request.state.screen = Screen::Choosing;
+    request.state.lists = Listed::Exhibits;
+    request.state.page = 0;
+    const auto view = laid_out(request);
+    const auto items = std::ranges::count_if(
+        view->controls, [](const Control& control) { return control.role == Role::ListItem; });
+    RC_LOG() << items << " items, " << request.shape.width << " x " << request.shape.height << ", "
+             << request.shape.diagonal_inches << " inches, sides " << int{request.shape.sides.bits}
+             << '\n';
+    RC_ASSERT(items >= 6);
+    const float mm =
+        std::hypot(view->pixel_width, view->pixel_height) / (request.shape.diagonal_inches * 25.4F);
+    for (const Words& words : view->words)
+      RC_ASSERT(words.capitals_px >= 5 * mm - 0.4F);  // in whole pixels
+  }));
+}
+
+TEST(Card, ShowsTheGoalAndTheWayThereAndLeavesTheModelToAll) {
+  ViewRequest request;
+  request.shape = {.width = 3840, .height = 2160, .diagonal_inches = 55};
+  for (const scene::Side side : scene::all_sides) request.shape.sides.add(side);
+  request.state.screen = Screen::Walking;
+  request.state.glass = Glass::Busy;
+  request.state.seats = 8;
+  request.state.look = 1;
+  request.state.exhibit = 2;
+  const ShownWay way{.directions = {}, .line = {{20, 3}, {20, 12}}};
+  for (std::uint32_t seat = 1; seat <= 8; ++seat) {
+    request.state.seat = seat;
+    PieceCache cache({boxes, plain}, 1, 1 << 20);
+
+    const auto view = make_view(museum(), request, cache, {}, &way);
+
+    const scene::Rect card = card_of(request.shape, 8, seat);
+    EXPECT_EQ(view->side, side_of(request.shape, 8, seat));
+    EXPECT_GT(view->inset.board.width, 0) << seat;
+    EXPECT_GE(view->inset.board.x, card.x) << seat;
+    const auto picture = std::ranges::find_if(view->elements, [&](const Element& element) {
+      return element.quad.fill == scene::QuadFill::Image &&
+             element.quad.rect.height > 0.3F * card.height;
+    });
+    EXPECT_NE(picture, view->elements.end()) << seat;
+    EXPECT_TRUE(view->labels.empty());
+  }
 }
 
 TEST(Card, IsTurnedOverInArabicAndStaysWhereItIs) {
