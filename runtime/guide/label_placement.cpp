@@ -248,8 +248,8 @@ void open_cluster(interface::View& view) noexcept {
     }
     label.rect = {};
     if (n == board.columns * board.rows) continue;
-    const auto column = static_cast<float>(n % board.columns),
-               row = static_cast<float>(n / board.columns);
+    const std::size_t row_of = n / board.columns, column_of = n % board.columns;
+    const auto column = static_cast<float>(column_of), row = static_cast<float>(row_of);
     ++n;
     label.anchor_x = view.cluster.x + (board.pad + (column + 0.5F) * board.cell) / view.pixel_width;
     label.anchor_y = view.cluster.y + (board.pad + (row + 0.5F) * board.cell) / view.pixel_height;

@@ -95,8 +95,8 @@ int measure(const std::string& database, int frames) {
   run(exhibition, 2);
   // An exhibit that is a shape of its own, where there is one.
   const auto& exhibits = exhibition.museum.exhibits;
-  const auto object = std::ranges::find_if(
-      exhibits, [](const Exhibit& one) { return one.object >= 0; });
+  const auto object =
+      std::ranges::find_if(exhibits, [](const Exhibit& one) { return one.object >= 0; });
   const Exhibit& goal = object != exhibits.end() ? *object : exhibits[exhibits.size() / 3];
   touch(exhibition, "exhibit:" + goal.id);
   run(exhibition, 2);
@@ -125,8 +125,9 @@ int measure(const std::string& database, int frames) {
 }  // namespace docent::bench
 
 int main(int argc, char** argv) {
-  CLI::App app("What the kiosk's frames cost beside a plain scene of 50,000 lit triangles with a "
-               "shadow map, in one run, on this machine's graphics driver.");
+  CLI::App app(
+      "What the kiosk's frames cost beside a plain scene of 50,000 lit triangles with a "
+      "shadow map, in one run, on this machine's graphics driver.");
   std::string database;
   int frames = 40;
   app.add_option("database", database, "A museum, compiled")->required();

@@ -54,8 +54,8 @@ std::vector<float> hills() {
       const float x = 24.0F * static_cast<float>(column) / columns - 12;
       const float z = 16.0F * static_cast<float>(row) / rows - 8;
       const float y = height_at(x, z);
-      const glm::vec3 normal = glm::normalize(glm::vec3(
-          (y - height_at(x + step, z)) / step, 1, (y - height_at(x, z + step)) / step));
+      const glm::vec3 normal = glm::normalize(
+          glm::vec3((y - height_at(x + step, z)) / step, 1, (y - height_at(x, z + step)) / step));
       all.insert(all.end(), {x, y, z, normal.x, normal.y, normal.z});
     }
   return all;
@@ -114,8 +114,7 @@ Result<ReferenceScene> ReferenceScene::make(PixelSize size, int samples) {
                GL_STATIC_DRAW);
   for (GLuint i = 0; i < 2; ++i) {
     glEnableVertexAttribArray(i);
-    glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 24,
-                          gles::buffer_offset(std::size_t{i} * 12));
+    glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 24, gles::buffer_offset(std::size_t{i} * 12));
   }
   glBindVertexArray(0);
 
@@ -160,9 +159,8 @@ void ReferenceScene::draw_picture() const noexcept {
   const auto width = static_cast<GLsizei>(size_.width), height = static_cast<GLsizei>(size_.height);
   const float aspect = static_cast<float>(size_.width) / static_cast<float>(size_.height);
   const glm::mat4 light = light_view();
-  const glm::mat4 view =
-      glm::perspective(0.52F, aspect, 1.0F, 60.0F) *
-      glm::lookAt(glm::vec3(0, 14, 12), glm::vec3(0, 0, 0), glm::vec3(0, 1, 0));
+  const glm::mat4 view = glm::perspective(0.52F, aspect, 1.0F, 60.0F) *
+                         glm::lookAt(glm::vec3(0, 14, 12), glm::vec3(0, 0, 0), glm::vec3(0, 1, 0));
   glBindFramebuffer(GL_FRAMEBUFFER, to_samples_.get());
   glViewport(0, 0, width, height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

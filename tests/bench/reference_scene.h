@@ -1,8 +1,8 @@
 #pragma once
 
+#include "platform/display.h"
 #include "platform/gles/gl_names.h"
 #include "platform/gles/program.h"
-#include "platform/display.h"
 #include "runtime/model/result.h"
 
 namespace docent::bench {
