@@ -6,8 +6,8 @@
 namespace docent::guide {
 namespace {
 
-constexpr double look_every = 0.5;         ///< Metres of the way.
-constexpr float look_again_after = 0.5F;   ///< Seconds.
+constexpr double look_every = 0.5;        ///< Metres of the way.
+constexpr float look_again_after = 0.5F;  ///< Seconds.
 
 }  // namespace
 

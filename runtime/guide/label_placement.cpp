@@ -98,6 +98,10 @@ scene::Rect seen_gallery(const scene::CameraView& camera, const interface::Floor
   return {left, top, right - left, bottom - top};
 }
 
+bool touches(const scene::Rect& a, const scene::Rect& b) noexcept {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
 /// What a spot needs: its disc or tile, and a fingertip.
 scene::Rect room_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
   const scene::Rect ground = ground_of(view, label);
@@ -152,6 +156,108 @@ void place_spot(const interface::View& view, interface::FloorLabel& label,
   label.rect = {};
 }
 
+/// What is in the picture and has found no room joins the exhibit that is nearest to it.
+void gather(interface::View& view) noexcept {
+  const auto is_head = [](const interface::FloorLabel& label) {
+    return label.on_disc && label.rect.width > 0;
+  };
+  for (interface::FloorLabel& label : view.labels) {
+    if (!label.on_disc || label.control < 0 || label.rect.width > 0 || label.anchor_x < 0) continue;
+    float nearest = 1e9F;
+    for (std::size_t i = 0; i < view.labels.size(); ++i) {
+      const interface::FloorLabel& other = view.labels[i];
+      if (!is_head(other) || other.control < 0) continue;
+      const float far = std::hypot((other.anchor_x - label.anchor_x) * view.pixel_width,
+                                   (other.anchor_y - label.anchor_y) * view.pixel_height);
+      if (far >= nearest) continue;
+      nearest = far;
+      label.head = static_cast<std::int32_t>(i);
+    }
+    if (label.head >= 0) ++view.labels[static_cast<std::size_t>(label.head)].held;
+  }
+}
+
+/// A board of so many cells, in pixels.
+struct Board {
+  std::size_t columns = 1, rows = 1;
+  float cell = 0, pad = 0;
+  float width() const noexcept { return static_cast<float>(columns) * cell + 2 * pad; }
+  float height() const noexcept { return static_cast<float>(rows) * cell + 2 * pad; }
+};
+
+/// The board's place nearest to a point that covers nothing of the panel; empty: there is none.
+scene::Rect place_of(const interface::View& view, const Board& board, const scene::Rect& head,
+                     const Covered& panel) noexcept {
+  constexpr int tries = 16;  // across, and down
+  const float width = board.width() / view.pixel_width, height = board.height() / view.pixel_height;
+  if (width > view.free.width || height > view.free.height) return {};
+  scene::Rect best{};
+  float nearest = 1e9F;
+  for (int x = 0; x <= tries; ++x)
+    for (int y = 0; y <= tries; ++y) {
+      const scene::Rect here{
+          view.free.x + (view.free.width - width) * static_cast<float>(x) / tries,
+          view.free.y + (view.free.height - height) * static_cast<float>(y) / tries, width, height};
+      const float across = here.x + (width - head.width) / 2 - head.x,
+                  down = here.y + (height - head.height) / 2 - head.y;
+      const float far = std::hypot(across * view.pixel_width, down * view.pixel_height);
+      // A hair within the free part's edges, where rounding would count it out.
+      const scene::Rect inner =
+          around(here.x + width / 2, here.y + height / 2, 0.98F * width, 0.98F * height);
+      if (far >= nearest || !panel.has_room(inner)) continue;
+      nearest = far;
+      best = here;
+    }
+  return best;
+}
+
+/// All of the open cluster side by side, as many as there is room for; what they would cover is not
+/// to be seen meanwhile.
+void open_cluster(interface::View& view) noexcept {
+  const auto open = static_cast<std::size_t>(view.open);
+  if (open >= view.labels.size() || view.labels[open].held == 0) {
+    view.open = -1;
+    return;
+  }
+  const scene::Rect head = view.labels[open].rect;
+  const auto is_in = [&](std::size_t i) { return i == open || view.labels[i].head == view.open; };
+  const std::size_t count = 1 + view.labels[open].held;
+  constexpr float apart = 1.25F;  // of a target
+  const float wide = room_of(view, view.labels[open]).width * view.pixel_width;
+  Board board{.cell = apart * std::max(view.spot_px, wide), .pad = 1.5F * view.unit_px};
+  const auto most = static_cast<std::size_t>(std::max(
+      1.0F, std::floor((view.free.width * view.pixel_width - 2 * board.pad) / board.cell)));
+  board.columns = std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::ceil(std::sqrt(1.4 * static_cast<double>(count)))), 1, most);
+  Covered panel(view.free);
+  cover_panel(view, panel);
+  for (board.rows = (count + board.columns - 1) / board.columns; board.rows > 0; --board.rows) {
+    view.cluster = place_of(view, board, head, panel);
+    if (view.cluster.width > 0) break;
+  }
+  if (board.rows == 0) {
+    view.open = -1;
+    return;
+  }
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < view.labels.size(); ++i) {
+    interface::FloorLabel& label = view.labels[i];
+    if (!is_in(i)) {
+      if (label.rect.width > 0 && touches(room_of(view, label), view.cluster)) label.rect = {};
+      continue;
+    }
+    label.rect = {};
+    if (n == board.columns * board.rows) continue;
+    const std::size_t row_of = n / board.columns, column_of = n % board.columns;
+    const auto column = static_cast<float>(column_of), row = static_cast<float>(row_of);
+    ++n;
+    label.anchor_x = view.cluster.x + (board.pad + (column + 0.5F) * board.cell) / view.pixel_width;
+    label.anchor_y = view.cluster.y + (board.pad + (row + 0.5F) * board.cell) / view.pixel_height;
+    label.rect = around(label.anchor_x, label.anchor_y, label.width_px / view.pixel_width,
+                        label.height_px / view.pixel_height);
+  }
+}
+
 /// A spot is touched where its label is.
 void move_spots(interface::View& view) noexcept {
   for (const interface::FloorLabel& label : view.labels)
@@ -180,6 +286,9 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
   for (interface::FloorLabel& label : view.labels) {
     const auto at = scene::project(camera, to_world(label.position, floor_height + label.height));
     label.rect = {};
+    label.head = -1;
+    label.held = 0;
+    label.anchor_x = -1;  // out of the picture
     if (!at || !scene::contains(view.free, at->x, at->y)) continue;
     label.anchor_x = at->x;
     label.anchor_y = at->y;
@@ -214,7 +323,23 @@ void place_labels(interface::View& view, const scene::CameraView& camera,
   place([&](const interface::FloorLabel& one) { return is_selected(view, one); });
   place([&](const interface::FloorLabel& one) { return one.on_disc && !is_selected(view, one); });
   place([&](const interface::FloorLabel& one) { return one.is_sign && !is_selected(view, one); });
+  gather(view);
+  view.cluster = {};
+  if (view.open >= 0) open_cluster(view);
   move_spots(view);
+}
+
+bool stands_for_several(const interface::View& view, std::int32_t control) noexcept {
+  if (control < 0 || view.open >= 0) return false;
+  return std::ranges::any_of(view.labels, [&](const interface::FloorLabel& label) {
+    return label.control == control && label.held > 0;
+  });
+}
+
+std::int32_t head_of(const interface::View& view, std::int32_t control) noexcept {
+  const auto label = std::ranges::find(view.labels, control, &interface::FloorLabel::control);
+  if (control < 0 || label == view.labels.end() || label->head < 0 || view.open >= 0) return -1;
+  return view.labels[static_cast<std::size_t>(label->head)].control;
 }
 
 }  // namespace docent::guide

@@ -26,8 +26,14 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
 /// leaves the free part. Names of galleries come first and stay about their gallery; then exhibits,
 /// what is selected before the rest; then places. A spot that is moved stays within a few
 /// fingertips of what it marks, and keeps its `anchor`. What finds no room gets an empty rectangle:
-/// the list still leads there. Does not allocate.
+/// an exhibit is then in the cluster of the one nearest to it, and the list leads to places. The
+/// cluster that is open lies on a board of its own, each of it to be touched. Does not allocate.
 void place_labels(interface::View& view, const scene::CameraView& camera,
                   float floor_height) noexcept;
+
+/// Does this control stand for others too, which are not to be seen yet?
+bool stands_for_several(const interface::View& view, std::int32_t control) noexcept;
+/// The control that stands for this one, which is in its cluster; -1: none does.
+std::int32_t head_of(const interface::View& view, std::int32_t control) noexcept;
 
 }  // namespace docent::guide

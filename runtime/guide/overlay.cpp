@@ -18,6 +18,7 @@ namespace {
 
 constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much smaller.
 constexpr float release_seconds = 0.15F;
+constexpr float cluster_seconds = 20;  ///< After which nobody looks at it any more.
 
 const scene::Theme& theme_of(const interface::View& view) noexcept {
   return scene::theme_of(view.state.high_contrast, view.is_night);
@@ -111,6 +112,20 @@ Vec2 point_on(const interface::InsetPlan& inset, double metres) noexcept {
                    : glm::mix(inset.way[i - 1], inset.way[i], (metres - inset.reach[i - 1]) / step);
 }
 
+/// Discs behind the one on top: it stands for several.
+void draw_stack(const scene::Quad& edge, const scene::Quad& ground, float opacity,
+                const interface::View& view, scene::DrawList& list) noexcept {
+  const float step = 0.55F * view.unit_px;
+  for (const float behind : {2.0F, 1.0F}) {
+    for (scene::Quad quad : {edge, ground}) {
+      quad.rect.x += behind * step / view.pixel_width;
+      quad.rect.y -= behind * step / view.pixel_height;
+      quad.colour.a = opacity;
+      list.quads.push_back(quad);
+    }
+  }
+}
+
 /// A bar across a disc.
 scene::Quad strike_through(const interface::View& view, const scene::Rect& disc,
                            scene::Colour colour) noexcept {
@@ -150,6 +165,8 @@ void Overlay::enter(std::unique_ptr<interface::View> view) noexcept {
 void Overlay::advance(float seconds) noexcept {
   age_ += seconds;
   run_ += seconds;
+  open_seconds_ += seconds;
+  if (open_seconds_ > cluster_seconds) close_cluster();
   if (!is_fading()) leaving_.reset();
   for (Ring& ring : rings_) ring.age += seconds;
   for (Press& press : presses_)
@@ -206,11 +223,30 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
   is_placed_ = !moves;
   for (interface::View* view : {view_.get(), leaving_.get()}) {
     if (view == nullptr) continue;
-    if (moves)
+    if (moves) {
+      view->open = -1;
+      view->cluster = {};
       project_labels(*view, camera, floor_height);
-    else
+    } else
       place_labels(*view, camera, floor_height);
   }
+}
+
+/// The board on which an open cluster lies.
+void Overlay::draw_cluster(const interface::View& view, float opacity,
+                           scene::DrawList& list) const noexcept {
+  if (view.cluster.width <= 0) return;
+  const scene::Theme& theme = theme_of(view);
+  scene::Quad board;
+  board.rect = view.cluster;
+  board.corner = 1.5F * view.unit_px / shorter_px(view);
+  scene::Quad shade = board;
+  shade.fill = scene::QuadFill::Shadow;
+  shade.softness = 2 * view.unit_px / shorter_px(view);
+  shade.colour = scene::with_opacity(theme.shade, 0.25F * opacity);
+  list.quads.push_back(shade);
+  board.colour = scene::with_opacity(theme.plaster, opacity);
+  list.quads.push_back(board);
 }
 
 std::int32_t Overlay::control_at(float x, float y) const noexcept {
@@ -254,6 +290,26 @@ std::int32_t Overlay::touch_up(const input::Finger& finger) noexcept {
   press->age = 0;
   const std::int32_t left = control_at(finger.at.x, finger.at.y);
   return left == press->control && !press->drags ? left : -1;
+}
+
+void Overlay::close_cluster() noexcept {
+  if (!view_ || view_->open < 0) return;
+  view_->open = -1;
+  is_placed_ = false;
+}
+
+bool Overlay::open_or_close(std::int32_t control) noexcept {
+  if (!view_) return false;
+  if (view_->open >= 0) {
+    close_cluster();
+    return control < 0;
+  }
+  if (!stands_for_several(*view_, control)) return false;
+  const auto head = std::ranges::find(view_->labels, control, &interface::FloorLabel::control);
+  view_->open = static_cast<std::int32_t>(head - view_->labels.begin());
+  open_seconds_ = 0;
+  is_placed_ = false;
+  return true;
 }
 
 void Overlay::move_focus(int step) noexcept {
@@ -400,6 +456,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
   const scene::Theme& theme = theme_of(view);
   if (opacity <= 0.002F) return;
   const float shorter = shorter_px(view);
+  draw_cluster(view, opacity, list);
   for (const interface::FloorLabel& label : view.labels) {
     if (label.rect.width <= 0 || label.texture == scene::TextureId::None) continue;
     const interface::Control* spot =
@@ -424,6 +481,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
                    edge.rect.height + 2 * y};
       edge.corner += 0.25F * view.unit_px / shorter;
       edge.colour = scene::with_opacity(theme.quiet_ink, opacity);
+      if (label.held > 0 && view.open < 0) draw_stack(edge, ground, opacity, view, list);
       list.quads.push_back(edge);
     }
     list.quads.push_back(ground);

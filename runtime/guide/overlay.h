@@ -47,6 +47,10 @@ class Overlay {
   /// A finger left: returns the control that it pressed, -1 unless it left the one it came down on.
   std::int32_t touch_up(const input::Finger& finger) noexcept;
 
+  /// A touch of a disc that stands for several shows them all; one beside them, or of one of them,
+  /// puts them away again. True where that was all it did.
+  bool open_or_close(std::int32_t control) noexcept;
+
   /// Moves the keypad's focus by `step` in focus order; nothing has it before the first key.
   void move_focus(int step) noexcept;
   void clear_focus() noexcept { focus_ = -1; }
@@ -101,6 +105,9 @@ class Overlay {
                    scene::DrawList& list) const noexcept;
   void draw_labels(const interface::View& view, float opacity,
                    scene::DrawList& list) const noexcept;
+  void draw_cluster(const interface::View& view, float opacity,
+                    scene::DrawList& list) const noexcept;
+  void close_cluster() noexcept;
   void draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
                   scene::DrawList& list) const noexcept;
   void draw_remaining(const interface::View& view, float metres, float opacity,
@@ -113,7 +120,8 @@ class Overlay {
   bool is_placed_ = false;  ///< ... and which stands still: they have made way for each other.
   float age_ = 1;           ///< Seconds since view_ was entered.
   float seconds_left_ = 0;
-  float run_ = 0;  ///< Seconds since the figure on the inset plan set out.
+  float open_seconds_ = 0;  ///< Since a cluster was opened.
+  float run_ = 0;           ///< Seconds since the figure on the inset plan set out.
   std::int32_t focus_ = -1;
   std::array<Ring, most_presses> rings_{};
   std::array<Press, most_presses> presses_{};

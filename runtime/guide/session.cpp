@@ -91,6 +91,7 @@ bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
   if (state_.seat && is_vacant() &&
       (vacant_seconds_ < left_for || gesture.finger.seconds > vacant_seconds_))
     return true;
+  if (surface.open_or_close(control)) return true;
   const bool on_own = &surface == &overlay_;
   if (gesture.kind != input::Gesture::Kind::Release && on_own &&
       state_.screen == interface::Screen::Choosing)

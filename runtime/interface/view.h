@@ -78,6 +78,10 @@ struct FloorLabel {
   Vec2 least{}, most{};
   scene::Rect rect;                  ///< Screen frame: where it is seen now; follows the camera.
   float anchor_x = 0, anchor_y = 0;  ///< Screen frame: what it marks; it may have made way.
+  /// Set by the frame thread: a label that finds no room is in the cluster of another, which then
+  /// stands for so many more.
+  std::int32_t head = -1;
+  std::uint32_t held = 0;
 };
 
 /// One of several prepared texts: shown while at most `metres` of the way remain.
@@ -117,6 +121,8 @@ struct View {
   Speech speech;  ///< For who does not see it.
   InsetPlan inset;
   scene::Rect panel;             ///< Screen frame.
+  std::int32_t open = -1;        ///< Set by the frame thread: the label whose cluster is open, ...
+  scene::Rect cluster;           ///< ... and the board on which it is. Screen frame.
   scene::Rect countdown;         ///< Screen frame: of a ring of seconds; empty: none.
   scene::Rect free{0, 0, 1, 1};  ///< What is left to the model; at least 55 % of the screen.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen: labels are drawn texel for pixel.

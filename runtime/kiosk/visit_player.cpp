@@ -1,4 +1,5 @@
 #include "runtime/kiosk/visit_player.h"
+#include "runtime/guide/label_placement.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,17 @@ const interface::Control* on_screen(const interface::View& view, const interface
     return c.name == wanted.name && c.enabled && c.rect.width > 0 && c.role == wanted.role;
   });
   return found == view.controls.end() ? nullptr : &*found;
+}
+
+/// What stands for that control, which is in its cluster.
+const interface::Control* head_on(const interface::View& view, const interface::Control& wanted) {
+  for (std::size_t i = 0; i < view.controls.size(); ++i) {
+    const interface::Control& control = view.controls[i];
+    if (control.name != wanted.name || control.role != wanted.role) continue;
+    const std::int32_t head = guide::head_of(view, static_cast<std::int32_t>(i));
+    if (head >= 0) return &view.controls[static_cast<std::size_t>(head)];
+  }
+  return nullptr;
 }
 
 /// What turns the part that scrolls towards that control, where it lies there and is not seen.
@@ -139,13 +151,20 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
     if (const interface::Control* turner = turner_to(*guide.view(part), touches.front());
         turner != nullptr && !guide.is_scrolling(part))
       tap_on(*turner);
+    else if (const interface::Control* head = head_on(*guide.view(part), touches.front());
+             head != nullptr && guide.is_settled(part))
+      tap_on(*head);
     return {};
   }
+  const interface::View& shown = *guide.view(part);
+  if (shown.open >= 0 && shown.cluster.width <= 0) return {};  // it opens in this frame
   if (guide.is_scrolling(part)) return {};  // a finger would stop it, and press nothing
   // Spots stand still only when the camera does.
   if (control->role == interface::Role::Spot && !guide.is_settled(part)) return {};
   tap_on(*control);
-  if (touches.size() == 1) named_.pop_front();
+  const auto index = static_cast<std::int32_t>(control - shown.controls.data());
+  // A cluster opens first, and shows it at a place of its own.
+  if (touches.size() == 1 && !guide::stands_for_several(shown, index)) named_.pop_front();
   return {};
 }
 

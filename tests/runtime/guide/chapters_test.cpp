@@ -25,7 +25,8 @@ const Museum& museum() {
 struct Walk {
   explicit Walk(std::string_view exhibit) {
     run(0.5);
-    guide.touch({.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = input::Key::Enter});
+    guide.touch(
+        {.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = input::Key::Enter});
     run(1.5);
     const auto it = std::ranges::find(museum().exhibits, exhibit, &Exhibit::id);
     if (it->floor != museum().kiosk_floor) tap("floor:" + museum().floors[it->floor].plan.name);

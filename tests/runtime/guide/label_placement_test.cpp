@@ -79,6 +79,57 @@ TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
   }));
 }
 
+/// A museum of 300 exhibits with large letters: every exhibit is seen, or in a cluster that opens.
+TEST(PlacedLabels, ThatFindNoRoomAreInAClusterThatShowsThemAll) {
+  interface::View view = view_of(300, 12, 380);
+  view.unit_px = 11;
+  for (interface::FloorLabel& label : view.labels)
+    if (label.on_disc) label.width_px = 44;
+  place_labels(view, overview(), 0);
+  std::size_t seen = 0, gathered = 0, heads = 0, held = 0;
+  for (const interface::FloorLabel& label : view.labels) {
+    if (!label.on_disc) continue;
+    seen += label.rect.width > 0 ? 1 : 0;
+    gathered += label.head >= 0 ? 1 : 0;
+    heads += label.held > 0 ? 1 : 0;
+    held += label.held;
+    EXPECT_NE(label.rect.width > 0, label.head >= 0);
+  }
+  EXPECT_EQ(seen + gathered, 300U);
+  EXPECT_EQ(held, gathered);
+  ASSERT_GT(heads, 3U);
+
+  for (std::size_t i = 0; i < 300; ++i) {
+    interface::View opened = view;
+    if (opened.labels[i].held == 0) continue;
+    EXPECT_TRUE(stands_for_several(opened, static_cast<std::int32_t>(i)));
+    opened.open = static_cast<std::int32_t>(i);
+    place_labels(opened, overview(), 0);
+    ASSERT_GT(opened.cluster.width, 0);
+    EXPECT_FALSE(overlap(opened.cluster, opened.panel));
+    std::size_t shown = 0;
+    std::vector<scene::Rect> targets;
+    for (std::size_t j = 0; j < opened.controls.size(); ++j) {
+      const scene::Rect& target = opened.controls[j].rect;
+      if (target.width <= 0) continue;
+      const bool is_in = j == i || view.labels[j].head == static_cast<std::int32_t>(i);
+      EXPECT_EQ(is_in, overlap(target, opened.cluster));
+      shown += is_in ? 1 : 0;
+      for (const scene::Rect& other : targets) EXPECT_FALSE(overlap(target, other));
+      targets.push_back(target);
+    }
+    EXPECT_EQ(shown, 1U + view.labels[i].held);
+  }
+}
+
+TEST(PlacedLabels, AreInNoClusterWhereThereIsRoom) {
+  interface::View view = view_of(20, 6, 380);
+  place_labels(view, overview(), 0);
+
+  for (std::size_t i = 0; i < 20; ++i)
+    EXPECT_FALSE(stands_for_several(view, static_cast<std::int32_t>(i)));
+}
+
 TEST(PlacedLabels, AreAllShownWhereThereIsRoom) {
   interface::View view = view_of(40, 6, 380);
   place_labels(view, overview(), 0);
