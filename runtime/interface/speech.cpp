@@ -255,8 +255,10 @@ void Composer::add_arrival(Utterance& out) const {
   add_tour(out);
   append_spoken(out, goal_title());
   if (state_.exhibit && *state_.exhibit < museum_.exhibits.size()) {
+    const Exhibit& exhibit = museum_.exhibits[*state_.exhibit];
     if (closed_exhibit(closed_, *state_.exhibit) != nullptr) append_spoken(out, say("closed_now"));
-    return append_spoken(out, local(museum_.exhibits[*state_.exhibit].text));
+    append_spoken(out, local(exhibit.description));
+    return append_spoken(out, local(exhibit.text));
   }
   if (const std::optional<Goal> goal = goal_of(museum_, state_))
     add_where(out, goal->floor, room_of(museum_, goal->floor, goal->position));
