@@ -35,7 +35,7 @@ std::size_t guides_on(const GuideSettings& settings) noexcept {
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
   const GuideSettings on = settled(settings);
   const std::size_t seats = interface::seats_on(on.shape, on.visitors);
-  return {guides_on(on) + museum.ambient.count, seats > 1 ? 1 + seats : 1};
+  return {guides_on(on) + museum.ambient.count, seats > 1 ? 1 + seats : 1 + Captions::part};
 }
 
 Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
@@ -47,6 +47,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       doors_(museum),
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
+      captions_(settings.reduced_motion),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -137,6 +138,10 @@ std::vector<interface::OnGlass> Guide::on_glass() const {
              session.overlay().focus(), session.overlay().scrolled()))
       all.push_back(std::move(item));
   }
+  if (const interface::View* caption = captions_.view(); caption != nullptr)
+    for (interface::OnGlass& item :
+         interface::on_glass(museum_, *caption, settings_.shape, captions_.left(), -1))
+      all.push_back(std::move(item));
   return all;
 }
 
@@ -275,6 +280,10 @@ void Guide::resize(const interface::ScreenShape& shape) noexcept {
 void Guide::take_answers() noexcept {
   while (std::unique_ptr<interface::View> view = planner_.take_view()) {
     const std::size_t part = view->part;
+    if (!is_shared() && part == Captions::part) {
+      captions_.take(std::move(view));
+      continue;
+    }
     if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
     if (part == 0)
@@ -303,6 +312,7 @@ void Guide::step(Seconds dt) noexcept {
     session.step(seconds, settings_.idle_reset.count());
     counters_.routes += session.routes();
   }
+  if (!is_shared()) captions_.step(sessions_[0], settings_.shape, planner_, seconds);
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   stage_.advance(state(), leader(), seconds);
@@ -385,6 +395,7 @@ const scene::DrawList& Guide::draw_list() noexcept {
                            names && !stage_.is_flying() ? 1 : 0,
                            {guide.shown_floor, guide.body.position}, list_);
   }
+  captions_.draw(list_);
   return list_;
 }
 

@@ -336,6 +336,33 @@ std::vector<CountedUtterance> Composer::remaining() const {
 
 }  // namespace
 
+const Utterance* said_in(const Speech& speech, const SpeechPart& part) noexcept {
+  using Kind = SpeechPart::Kind;
+  const auto at = [&](const auto& all) {
+    return part.index < all.size() ? &all[part.index] : nullptr;
+  };
+  switch (part.kind) {
+    case Kind::Nothing:
+    case Kind::Silence:
+      return nullptr;
+    case Kind::Opening:
+      return &speech.opening;
+    case Kind::Help:
+      return &speech.help;
+    case Kind::Control:
+      return at(speech.controls);
+    case Kind::Remaining:
+      return part.index < speech.remaining.size() ? &speech.remaining[part.index].said : nullptr;
+    case Kind::Volume:
+      return at(speech.volumes);
+    case Kind::Speed:
+      return at(speech.speeds);
+    case Kind::Ended:
+      return &speech.ended;
+  }
+  return nullptr;
+}
+
 Speech speech_of(const Museum& museum, const ViewRequest& request,
                  const std::vector<Control>& controls, const Closures& closed,
                  const ShownWay* way) {

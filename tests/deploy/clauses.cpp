@@ -127,9 +127,12 @@ const std::array table{
     Clause{"5.1.5",
            "What is heard can be seen",
            State::InPart,
-           "All that is spoken is text on the glass. Open: recordings of staff that say something "
-           "else have no captions.",
-           {"Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
+           "While something is said to one visitor, the glass shows it as a caption, page by page. "
+           "Open: recordings of staff that say something else are captioned with what they stand "
+           "for, and the pages turn by an estimate of time.",
+           {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+            "Caption.CoversNothingThatCanBeTouched",
+            "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
     Clause{"5.1.6.1",
            "Without a keyboard",
            State::Met,
