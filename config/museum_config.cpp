@@ -566,6 +566,8 @@ class MuseumLoader {
                   room_for_title, is_completed);
       check_texts(fmt::format("the text of exhibit '{}'", exhibit.id.value), exhibit.text,
                   room_for_text, is_completed);
+      check_texts(fmt::format("the description of exhibit '{}'", exhibit.id.value),
+                  exhibit.description, room_for_text, is_completed);
       // A name or a tag may be the same in several languages: it need not be written in each.
       for (const auto& [name, texts] :
            {std::pair{"artist", &exhibit.artist}, std::pair{"subject", &exhibit.subject},

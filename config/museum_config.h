@@ -115,7 +115,7 @@ struct ExhibitSection {
   Located<Size> size;      ///< Of the floor that it takes where it stands free.
   Located<Vec2> view;
   Located<std::string> image;
-  Located<LocatedTexts> title, text, artist, subject, period;
+  Located<LocatedTexts> title, text, description, artist, subject, period;
   Located<bool> closed;
   Located<std::string> hours;
   Located<double> weight, looking_seconds;

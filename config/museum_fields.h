@@ -350,6 +350,9 @@ inline constexpr std::array exhibit_fields{
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,
                           "What there is to say about it, by language"},
+    Field<ExhibitSection>{"description", &ExhibitSection::description, Presence::Optional,
+                          "What its picture shows, by language, for those who do not see it: it is "
+                          "spoken after the title, and read where there is no picture"},
     Field<ExhibitSection>{"artist", &ExhibitSection::artist, Presence::Optional,
                           "Who made it, by language: visitors find it by that"},
     Field<ExhibitSection>{"subject", &ExhibitSection::subject, Presence::Optional,

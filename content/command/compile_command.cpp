@@ -165,10 +165,12 @@ void print_stages(const Museum& museum, const compile::Progress& progress,
                       {"seconds", stage.seconds},
                       {"bytes", made == sizes.stages.end() ? 0 : made->second}});
   }
-  const nlohmann::ordered_json summary = {{"stages", stages},
-                                          {"found", found_json(museum)},
-                                          {"seconds", progress.seconds()},
-                                          {"bytes", sizes.file}};
+  const nlohmann::ordered_json summary = {
+      {"stages", stages},
+      {"found", found_json(museum)},
+      {"undescribed_pictures", compile::undescribed_pictures(museum)},
+      {"seconds", progress.seconds()},
+      {"bytes", sizes.file}};
   fmt::print("{}\n", summary.dump());
 }
 

@@ -21,6 +21,8 @@ std::vector<MuseumText> museum_texts(const config::MuseumConfig& config) {
   for (const config::ExhibitSection& exhibit : config.exhibits) {
     add(exhibit.id.value + ".title", "title", exhibit.id.value, exhibit.id.place, exhibit.title);
     add(exhibit.id.value + ".text", "text", exhibit.id.value, exhibit.id.place, exhibit.text);
+    add(exhibit.id.value + ".description", "description", exhibit.id.value, exhibit.id.place,
+        exhibit.description);
   }
   return all;
 }

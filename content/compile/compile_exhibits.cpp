@@ -373,6 +373,7 @@ class ExhibitCompiler {
     exhibit.placement = {section.position.value, to_radians(section.facing.value)};
     exhibit.title = plain_texts(section.title.value);
     exhibit.text = plain_texts(section.text.value);
+    exhibit.description = plain_texts(section.description.value);
     exhibit.artist = plain_texts(section.artist.value);
     exhibit.subject = plain_texts(section.subject.value);
     exhibit.period = plain_texts(section.period.value);

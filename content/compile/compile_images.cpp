@@ -51,6 +51,7 @@ void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
       image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
     else if (!wanted.name.empty())
       check_image(file);
+    if (use == Images::Check) image.name = wanted.name;
     if (file.extension() == ".svg") wanted.lost = linked_pictures(content::read_source(file));
   } catch (const content::ContentError& error) {
     wanted.problem = error;

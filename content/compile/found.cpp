@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace docent::compile {
 
 std::vector<std::pair<std::string_view, std::size_t>> found_in(const Museum& museum) {
@@ -16,6 +18,13 @@ std::vector<std::pair<std::string_view, std::size_t>> found_in(const Museum& mus
           {"languages", museum.languages.size()}};
 }
 
+std::size_t undescribed_pictures(const Museum& museum) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(museum.exhibits, [&](const Exhibit& exhibit) {
+        return has_picture(museum, exhibit) && exhibit.description.empty();
+      }));
+}
+
 std::string found_text(const Museum& museum, const Museum* before) {
   const auto now = found_in(museum);
   const auto then = before == nullptr ? now : found_in(*before);
@@ -27,7 +36,12 @@ std::string found_text(const Museum& museum, const Museum* before) {
     if (now[i].second != then[i].second)
       parts.back() += fmt::format(" ({} before)", then[i].second);
   }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  std::string text = fmt::format("{}", fmt::join(parts, ", "));
+  if (const std::size_t count = undescribed_pictures(museum); count == 1)
+    text += "; 1 picture has no description";
+  else if (count > 1)
+    text += fmt::format("; {} pictures have no description", count);
+  return text;
 }
 
 }  // namespace docent::compile

@@ -38,7 +38,7 @@ std::size_t guides_on(const GuideSettings& settings) noexcept {
 PlannerSize planner_size(const Museum& museum, const GuideSettings& settings) noexcept {
   const GuideSettings on = settled(settings);
   const std::size_t seats = interface::seats_on(on.shape, on.visitors);
-  return {guides_on(on) + Strollers::most(museum), seats > 1 ? 1 + seats : 1};
+  return {guides_on(on) + Strollers::most(museum), seats > 1 ? 1 + seats : 1 + Captions::part};
 }
 
 Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& settings)
@@ -52,6 +52,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       attention_(museum, exhibit_shapes_),
       attract_(museum),
       chapters_(museum),
+      captions_(settings.reduced_motion),
       stage_(museum, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
@@ -142,6 +143,10 @@ std::vector<interface::OnGlass> Guide::on_glass() const {
              session.overlay().focus(), session.overlay().scrolled()))
       all.push_back(std::move(item));
   }
+  if (const interface::View* caption = captions_.view(); caption != nullptr)
+    for (interface::OnGlass& item :
+         interface::on_glass(museum_, *caption, settings_.shape, captions_.left(), -1))
+      all.push_back(std::move(item));
   return all;
 }
 
@@ -295,6 +300,10 @@ void Guide::resize(const interface::ScreenShape& shape) noexcept {
 void Guide::take_answers() noexcept {
   while (std::unique_ptr<interface::View> view = planner_.take_view()) {
     const std::size_t part = view->part;
+    if (!is_shared() && part == Captions::part) {
+      captions_.take(std::move(view));
+      continue;
+    }
     if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
     if (part == 0 && !attract_.is_on())
@@ -327,6 +336,7 @@ void Guide::step(Seconds dt) noexcept {
     session.step(seconds, settings_.idle_reset.count());
     counters_.routes += session.routes();
   }
+  if (!is_shared()) captions_.step(sessions_[0], settings_.shape, planner_, seconds);
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   attract(seconds);
@@ -438,6 +448,7 @@ void Guide::draw_interface() noexcept {
                            names && !stage_.is_flying() ? 1 : 0,
                            {guide.shown_floor, guide.body.position}, list_);
   }
+  captions_.draw(list_);
   if (opacity < 1)
     for (scene::Quad& quad : list_.quads) quad.colour.a *= opacity;
   if (view() != nullptr) attract_.draw_welcome(*view(), list_);

@@ -10,6 +10,7 @@
 #include "runtime/guide/attention.h"
 #include "runtime/guide/attract.h"
 #include "runtime/guide/chapters.h"
+#include "runtime/guide/captions.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
 #include "runtime/guide/seating.h"
@@ -94,6 +95,8 @@ class Guide {
   /// Texture memory that must change before the draw list is drawn; nothing when there is no more.
   std::unique_ptr<interface::PieceChanges> take_pieces() noexcept { return planner_.take_pieces(); }
 
+  /// What is said, as text on the glass; null while nothing is.
+  const interface::View* caption() const noexcept { return captions_.view(); }
   /// What is said to the visitor of a glass of their own.
   const Voice& voice() const noexcept { return sessions_[0].voice(); }
 
@@ -177,6 +180,7 @@ class Guide {
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.
+  Captions captions_;               ///< Of the glass of one visitor.
   std::vector<Held> held_;
   std::vector<LedVisitor> led_visitors_;
   std::size_t speaker_ = 0;      ///< The part whose visitor touched last.

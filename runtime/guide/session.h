@@ -77,6 +77,9 @@ class Session {
 
   const interface::InterfaceState& state() const noexcept { return state_; }
   const Voice& voice() const noexcept { return voice_; }
+  const std::optional<interface::RouteSummary>& route_summary() const noexcept {
+    return route_summary_;
+  }
   void heard(bool is_speaking) noexcept { voice_.heard(is_speaking); }
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }

@@ -122,37 +122,14 @@ void Voice::read(std::int32_t from, std::int32_t to) noexcept {
   if (reads_on_) say({What::Kind::Control, static_cast<std::size_t>(to)});
 }
 
-const interface::Utterance* Voice::find(const interface::View& view, const What& what) noexcept {
-  const interface::Speech& speech = view.speech;
-  switch (what.kind) {
-    case What::Kind::Nothing:
-    case What::Kind::Silence:
-      return nullptr;
-    case What::Kind::Opening:
-      return &speech.opening;
-    case What::Kind::Help:
-      return &speech.help;
-    case What::Kind::Control:
-      return what.index < speech.controls.size() ? &speech.controls[what.index] : nullptr;
-    case What::Kind::Remaining:
-      return what.index < speech.remaining.size() ? &speech.remaining[what.index].said : nullptr;
-    case What::Kind::Volume:
-      return &speech.volumes[what.index];
-    case What::Kind::Speed:
-      return &speech.speeds[what.index];
-    case What::Kind::Ended:
-      return &speech.ended;
-  }
-  return nullptr;
-}
-
 void Voice::begin(const interface::View& view, const What& what) noexcept {
-  const interface::Utterance* utterance = find(view, what);
+  const interface::Utterance* utterance = interface::said_in(view.speech, what);
   is_new_ = utterance != nullptr || what.kind == What::Kind::Silence;
   if (!is_new_) return;
   saying_ = {utterance, {}};
   if (what.kind == What::Kind::Control) saying_.control = view.controls[what.index].name;
-  left_ = utterance == nullptr ? 0 : seconds_of(*utterance) / speed();
+  now_ = what;
+  whole_ = left_ = utterance == nullptr ? 0 : seconds_of(*utterance) / speed();
   silence_ = 0;
   heard_ = heard_ ? std::optional(utterance != nullptr) : std::nullopt;
   const bool can_be_repeated = what.kind == What::Kind::Opening || what.kind == What::Kind::Help ||

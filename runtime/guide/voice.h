@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -52,27 +53,20 @@ class Voice {
   const Saying* saying() const noexcept { return is_new_ ? &saying_ : nullptr; }
   /// Is somebody being read to?
   bool is_busy() const noexcept { return is_on_ && (is_speaking() || reads_on_); }
+  /// What is being said; Nothing in silence.
+  interface::SpeechPart now() const noexcept {
+    return is_speaking() ? now_ : interface::SpeechPart{};
+  }
+  /// About which share of it is still to be said.
+  float share_left() const noexcept {
+    return whole_ > 0 ? std::clamp(left_ / whole_, 0.0F, 1.0F) : 0;
+  }
   std::size_t volume() const noexcept { return volume_; }  ///< 0 to interface::loudest.
   float speed() const noexcept { return interface::speech_speeds[speed_]; }
 
  private:
   /// What is to be said, found in whatever view is shown when that begins.
-  struct What {
-    enum class Kind : std::uint8_t {
-      Nothing,
-      Silence,
-      Opening,
-      Help,
-      Control,
-      Remaining,
-      Volume,
-      Speed,
-      Ended
-    };
-    Kind kind = Kind::Nothing;
-    std::size_t index = 0;
-  };
-  static const interface::Utterance* find(const interface::View& view, const What& what) noexcept;
+  using What = interface::SpeechPart;
   void begin(const interface::View& view, const What& what) noexcept;
   bool is_speaking() const noexcept { return heard_ ? *heard_ : left_ > 0; }
   void say(const What& what, bool waits = false) noexcept;
@@ -87,6 +81,8 @@ class Voice {
   bool reads_on_ = false, was_pressed_ = false;
   int rounds_ = 0;             ///< How often the controls are still read from first to last.
   std::uint64_t opening_ = 0;  ///< Tells what was said last of a view from what is new.
+  What now_;                   ///< What was begun last.
+  float whole_ = 0;            ///< Seconds that saying it takes.
   float left_ = 0;             ///< Seconds that saying it still takes, where nobody plays it.
   float silence_ = 0;          ///< Seconds since it was said.
   float told_ = std::numeric_limits<float>::max();  ///< Metres that were said to remain.

@@ -6,6 +6,7 @@
 #include "runtime/interface/measures.h"
 #include "runtime/interface/piece_cache.h"
 #include "runtime/interface/shown_way.h"
+#include "runtime/interface/speech.h"
 #include "runtime/interface/view.h"
 #include "runtime/model/closures.h"
 #include "runtime/model/museum.h"
@@ -46,6 +47,7 @@ struct ViewRequest {
   ScreenShape shape;
   std::optional<RouteSummary> route_summary;  ///< Absent while the way is still being planned.
   std::uint32_t part = 0;  ///< Of the glass: 0 is the whole of it, or the model; then the seats.
+  std::optional<SpeechPart> said{};  ///< Of a caption: what it shows (caption.h).
 };
 
 /// Lays out one view: what it says, and where everything lies on the glass. On the glass of one

@@ -202,8 +202,14 @@ std::string goal_title(const Sheet& sheet) {
 
 std::string goal_text(const Sheet& sheet) {
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
-    const std::string closed = closed_line(sheet, *sheet.request().state.exhibit);
-    return closed + (closed.empty() ? "" : "\n") + std::string(sheet.local(exhibit->text));
+    std::string told = closed_line(sheet, *sheet.request().state.exhibit);
+    const auto add = [&](std::string_view line) {
+      if (!told.empty() && !line.empty()) told += '\n';
+      told += line;
+    };
+    if (!has_picture(sheet.museum(), *exhibit)) add(sheet.local(exhibit->description));
+    add(sheet.local(exhibit->text));
+    return told;
   }
   const Museum& museum = sheet.museum();
   const std::optional<Goal> goal = goal_of(museum, sheet.request().state);

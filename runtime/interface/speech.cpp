@@ -255,8 +255,10 @@ void Composer::add_arrival(Utterance& out) const {
   add_tour(out);
   append_spoken(out, goal_title());
   if (state_.exhibit && *state_.exhibit < museum_.exhibits.size()) {
+    const Exhibit& exhibit = museum_.exhibits[*state_.exhibit];
     if (closed_exhibit(closed_, *state_.exhibit) != nullptr) append_spoken(out, say("closed_now"));
-    return append_spoken(out, local(museum_.exhibits[*state_.exhibit].text));
+    append_spoken(out, local(exhibit.description));
+    return append_spoken(out, local(exhibit.text));
   }
   if (const std::optional<Goal> goal = goal_of(museum_, state_))
     add_where(out, goal->floor, room_of(museum_, goal->floor, goal->position));
@@ -333,6 +335,33 @@ std::vector<CountedUtterance> Composer::remaining() const {
 }
 
 }  // namespace
+
+const Utterance* said_in(const Speech& speech, const SpeechPart& part) noexcept {
+  using Kind = SpeechPart::Kind;
+  const auto at = [&](const auto& all) {
+    return part.index < all.size() ? &all[part.index] : nullptr;
+  };
+  switch (part.kind) {
+    case Kind::Nothing:
+    case Kind::Silence:
+      return nullptr;
+    case Kind::Opening:
+      return &speech.opening;
+    case Kind::Help:
+      return &speech.help;
+    case Kind::Control:
+      return at(speech.controls);
+    case Kind::Remaining:
+      return part.index < speech.remaining.size() ? &speech.remaining[part.index].said : nullptr;
+    case Kind::Volume:
+      return at(speech.volumes);
+    case Kind::Speed:
+      return at(speech.speeds);
+    case Kind::Ended:
+      return &speech.ended;
+  }
+  return nullptr;
+}
 
 Speech speech_of(const Museum& museum, const ViewRequest& request,
                  const std::vector<Control>& controls, const Closures& closed,

@@ -36,6 +36,27 @@ struct Speech {
   bool is_typed = false;  ///< The visitor types: nothing is read on, and the focus stays.
 };
 
+/// Something that can be said while a view is shown.
+struct SpeechPart {
+  enum class Kind : std::uint8_t {
+    Nothing,
+    Silence,
+    Opening,
+    Help,
+    Control,
+    Remaining,
+    Volume,
+    Speed,
+    Ended
+  };
+  Kind kind = Kind::Nothing;
+  std::size_t index = 0;  ///< Of those that there are several of.
+
+  bool operator==(const SpeechPart&) const = default;
+};
+/// Null where nothing is said, or the view has no such part.
+const Utterance* said_in(const Speech& speech, const SpeechPart& part) noexcept;
+
 /// Pure. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.
 Speech speech_of(const Museum& museum, const ViewRequest& request,
                  const std::vector<Control>& controls, const Closures& closed, const ShownWay* way);

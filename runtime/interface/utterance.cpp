@@ -142,6 +142,7 @@ void Gatherer::add_names() {
   for (const Tour& tour : museum_.tours) add(tour.title);
   for (const Exhibit& exhibit : museum_.exhibits) {
     add(exhibit.title);
+    add(exhibit.description);
     add(exhibit.text);
     add(exhibit.subject);
     add(exhibit.period);

@@ -88,6 +88,11 @@ struct Museum {
   SkinnedMesh avatar;
 };
 
+/// Has staff given it a picture? Else a blank one stands in for it.
+[[nodiscard]] inline bool has_picture(const Museum& museum, const Exhibit& exhibit) noexcept {
+  return exhibit.image < museum.images.size() && !museum.images[exhibit.image].name.empty();
+}
+
 /// Makes the kiosk the one with that id; false, and nothing changed, where there is none. Strollers
 /// stay away from a floor that their entrances are not on.
 [[nodiscard]] inline bool stand_at(Museum& museum, std::string_view id) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/interface/caption.h"
 #include "runtime/model/last_catch.h"
 #include "runtime/plan/find_shown_way.h"
 #include "runtime/plan/order_own_tour.h"
@@ -160,8 +161,9 @@ void Planner::answer(const interface::ViewRequest& asked) {
   if (!request.state.own_tour.is_ordered) order_own_tour(museum_, building_, request.state);
   if (!request.state.found.is_current) finder_.look_up(request.state);
   const std::optional<interface::ShownWay> way = shown_way(request.state);
+  const auto make = request.said ? interface::make_caption : interface::make_view;
   std::unique_ptr<interface::View> view =
-      interface::make_view(museum_, request, cache_, *closed_.load(), way ? &*way : nullptr);
+      make(museum_, request, cache_, *closed_.load(), way ? &*way : nullptr);
   if (auto changes = cache_.end_view(request.part)) send(pieces_, std::move(changes), stop_);
   send(views_, std::move(view), stop_);
   // Letters of a language that nobody reads any more; on a shared glass somebody may.

@@ -52,6 +52,8 @@ class Planner {
 
   /// How many avatars there may be.
   std::size_t avatars() const noexcept { return orders_.size(); }
+  /// How many parts of the glass.
+  std::size_t parts() const noexcept { return requests_.size(); }
   const std::vector<std::shared_ptr<const path::FloorMap>>& maps() const noexcept { return maps_; }
   /// From now on that is closed for all who walk, and views made from now on say so. Any thread but
   /// the frame's: it takes a while.

@@ -290,6 +290,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   for (std::size_t i = 0; i < museum.exhibits.size(); ++i) {
     store.texts("exhibit.title", i, museum.exhibits[i].title);
     store.texts("exhibit.text", i, museum.exhibits[i].text);
+    store.texts("exhibit.description", i, museum.exhibits[i].description);
     store.texts("exhibit.artist", i, museum.exhibits[i].artist);
     store.texts("exhibit.subject", i, museum.exhibits[i].subject);
     store.texts("exhibit.period", i, museum.exhibits[i].period);

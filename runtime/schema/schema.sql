@@ -42,7 +42,7 @@ CREATE TABLE language (      -- the first is the default
 );
 
 CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
-  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.artist exhibit.subject exhibit.period place.title tour.title language.word museum.reading
+  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.artist exhibit.subject exhibit.period place.title tour.title language.word museum.reading
   owner INTEGER NOT NULL,    -- id in the subject's table
   key TEXT NOT NULL,         -- language tag; for language.word the word's key, for museum.reading what is read so
   text TEXT NOT NULL,

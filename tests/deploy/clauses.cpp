@@ -64,10 +64,12 @@ const std::array table{
            {"Player.EndsASentenceForTheNext"}},
     Clause{"5.1.3.6",
            "Speech for what is no text",
-           State::Open,
-           "Pictures of exhibits have no description of their own: the exhibit's text is read "
-           "instead.",
-           {}},
+           State::InPart,
+           "What staff write as an exhibit's `description` is spoken after its title, and compile "
+           "says how many pictures have none. Open: of those the exhibit's text alone is read.",
+           {"Speech.DescribesThePictureAfterTheTitle",
+            "AnExhibitWithoutAPicture.IsDescribedWhereThePictureWouldBe",
+            "Found.SaysHowManyPicturesHaveNoDescription"}},
     Clause{"5.1.3.7", "Speech for video", State::NotConcerned, "There is no video.", {}},
     Clause{"5.1.3.8",
            "Masked entry",
@@ -125,9 +127,12 @@ const std::array table{
     Clause{"5.1.5",
            "What is heard can be seen",
            State::InPart,
-           "All that is spoken is text on the glass. Open: recordings of staff that say something "
-           "else have no captions.",
-           {"Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
+           "While something is said to one visitor, the glass shows it as a caption, page by page. "
+           "Open: recordings of staff that say something else are captioned with what they stand "
+           "for, and the pages turn by an estimate of time.",
+           {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+            "Caption.CoversNothingThatCanBeTouched",
+            "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
     Clause{"5.1.6.1",
            "Without a keyboard",
            State::Met,

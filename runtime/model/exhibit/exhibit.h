@@ -23,6 +23,7 @@ struct Exhibit {
   ExhibitPlace place = ExhibitPlace::OnFloor;
   LocalText title;
   LocalText text;
+  LocalText description{};  ///< What its picture shows, for who does not see it; may be empty.
   /// By which it is found, besides its title: staff's tags. Any may be empty.
   LocalText artist{}, subject{}, period{};
   std::uint32_t image = 0;  ///< Index into Museum::images.

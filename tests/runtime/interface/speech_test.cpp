@@ -17,6 +17,7 @@
 namespace docent::interface {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -105,6 +106,21 @@ TEST(Speech, NamesEachLanguageInThatLanguage) {
     EXPECT_EQ(speech.controls[i].language, language.tag);
     EXPECT_EQ(speech.controls[i].pieces.front().text, language.name);
   }
+}
+
+TEST(Speech, DescribesThePictureAfterTheTitle) {
+  Museum described = museum();
+  described.exhibits[0].title = {{"en", "Jar"}};
+  described.exhibits[0].description = {{"en", "A red jar with two handles."}};
+  described.exhibits[0].text = {{"en", "It held millet."}};
+  ViewRequest request;
+  request.state.screen = Screen::Arrived;
+  request.state.arrived = true;
+  request.state.exhibit = 0;
+
+  EXPECT_EQ(text_of(speech_of(described, request, {}, {}, nullptr).opening),
+            "Jar. A red jar with two handles. It held millet.");
+  EXPECT_THAT(spoken_pieces(described, 0), Contains("A red jar with two handles"));
 }
 
 TEST(Speech, TellsOnTheWayTheThreeSentencesAndThenTheText) {

@@ -1,0 +1,130 @@
+#include "runtime/interface/caption.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/interface/sheet.h"
+
+namespace docent::interface {
+namespace {
+
+constexpr float most_lines = 3;
+constexpr float widest = 90;  // units
+
+bool begins_letter(char c) noexcept {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
+
+/// About how long it takes to say, of any unit: signs that are a syllable take longer.
+float weight_of(std::string_view text) noexcept {
+  constexpr float letter = 1, sign = 2.3F;
+  float weight = 0;
+  for (const char c : text)
+    if (begins_letter(c)) weight += static_cast<unsigned char>(c) >= 0xE0U ? sign : letter;
+  return weight;
+}
+
+/// Where a text may be broken: words with what follows them, and a few signs at a time where it
+/// has no spaces.
+std::vector<std::string_view> parts_of(std::string_view text) {
+  constexpr std::size_t longest = 16;  // letters
+  std::vector<std::string_view> parts;
+  std::size_t first = 0, letters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!begins_letter(text[i])) continue;
+    if (i > first && (text[i - 1] == ' ' || letters >= longest)) {
+      parts.push_back(text.substr(first, i - first));
+      first = i;
+      letters = 0;
+    }
+    ++letters;
+  }
+  if (first < text.size()) parts.push_back(text.substr(first));
+  return parts;
+}
+
+/// As much of a text at a time as a few lines hold; together they are the text.
+std::vector<std::string_view> pages_of(Sheet& sheet, const TextStyle& style, std::string_view text,
+                                       float width) {
+  const float most = most_lines * std::round(style.size * style.line_height) + 1;
+  std::vector<std::string_view> pages;
+  std::size_t first = 0, end = 0;
+  for (const std::string_view part : parts_of(text)) {
+    const std::size_t next = end + part.size();
+    if (end > first && sheet.height_of(style, text.substr(first, next - first), width) > most) {
+      pages.push_back(text.substr(first, end - first));
+      first = end;
+    }
+    end = next;
+  }
+  if (end > first) pages.push_back(text.substr(first, end - first));
+  return pages;
+}
+
+/// Below the model's middle, above all that lies there.
+PixelBox box_above(const View& view, const scene::Rect& free, float width, float height,
+                   float gap) noexcept {
+  const float x = (free.x + free.width / 2) * view.pixel_width - width / 2;
+  float bottom = (free.y + free.height) * view.pixel_height - gap;
+  const float middle = (free.y + free.height / 2) * view.pixel_height;
+  for (const Control& control : view.controls) {
+    const scene::Rect& r = control.rect;
+    const float left = r.x * view.pixel_width, top = r.y * view.pixel_height;
+    const bool is_below = top > middle && left < x + width && left + r.width * view.pixel_width > x;
+    if (control.role != Role::Spot && r.width > 0 && is_below) bottom = std::min(bottom, top - gap);
+  }
+  return {std::round(x), std::round(bottom - height), width, height};
+}
+
+}  // namespace
+
+std::unique_ptr<View> make_caption(const Museum& museum, const ViewRequest& asked,
+                                   PieceCache& pieces, const Closures& closed,
+                                   const ShownWay* way) {
+  const std::unique_ptr<View> below = make_view(museum, asked, pieces, closed, way);
+  auto view = std::make_unique<View>();
+  view->request = asked.id;
+  view->part = asked.part;
+  view->state = asked.state;
+  view->pixel_width = static_cast<float>(asked.shape.width);
+  view->pixel_height = static_cast<float>(asked.shape.height);
+  const Utterance* said = asked.said ? said_in(below->speech, *asked.said) : nullptr;
+  if (said == nullptr || said->empty()) return view;
+
+  ViewRequest request = asked;
+  request.shape.text_scale = shape_for(asked.shape, asked.state).text_scale;
+  Sheet sheet(museum, request, pieces, closed, *view);
+  const Measures& m = sheet.measures();
+  view->unit_px = m.unit;
+  const scene::Rect free =
+      free_part_of(asked.shape, runs_right_to_left(museum, asked.state.language));
+  const float width = std::floor(std::min(free.width * view->pixel_width - 2 * m.gap,
+                                          widest * m.unit * request.shape.text_scale));
+  const float pad = std::round(1.5F * m.unit), room = width - 2 * pad;
+  const TextStyle style = sheet.style(Letters::Body);
+  const std::string text = text_of(*said);
+  const std::vector<std::string_view> pages = pages_of(sheet, style, text, room);
+  float height = 0;
+  for (const std::string_view page : pages)
+    height = std::max(height, sheet.extent(style, page, room).height);
+  const PixelBox box = box_above(*below, free, width, height + 2 * pad, m.gap);
+  sheet.lie_on(box);
+  sheet.fill(box, sheet.theme().ink, m.corner);
+  float left = 0;
+  const float whole = std::max(1.0F, weight_of(text));
+  for (auto page = pages.rbegin(); page != pages.rend(); ++page) {
+    left += weight_of(*page);
+    const TextPiece piece = sheet.set(style, *page, room);
+    view->remaining.push_back(
+        {left / whole + 1e-3F,
+         sheet.quad_of(piece, box.x + pad, box.y + pad, room, Align::Start, sheet.theme().paper),
+         sheet.words_of(piece)});
+  }
+  sheet.finish();
+  return view;
+}
+
+}  // namespace docent::interface
