@@ -54,6 +54,14 @@ void add_layer(const Layer& layer, const SkinWeights& weights, const Occlusion& 
   for (const std::uint32_t v : surface.indices) mesh.indices.push_back(first + v);
 }
 
+/// Appends the cloth of the body that comes next.
+void add_cloth(const Cloth& cloth, SkinnedMesh& mesh) {
+  const auto figure = static_cast<std::uint8_t>(mesh.figure_end.size());
+  for (ClothNode node : cloth.node) node.figure = figure, mesh.cloth.node.push_back(node);
+  for (ClothCollider limb : cloth.collider)
+    limb.figure = figure, mesh.cloth.collider.push_back(limb);
+}
+
 }  // namespace
 
 SkinnedMesh make_avatar(const Skeleton& skeleton, const Figure& figure) {
@@ -77,6 +85,7 @@ SkinnedMesh make_avatar(const Skeleton& skeleton, const Figure& figure) {
 
   SkinnedMesh mesh;
   for (const Layer& layer : layers) add_layer(layer, weights, occlusion, mesh);
+  mesh.cloth = weights.cloth();
   mesh.figure_end.push_back(static_cast<std::uint32_t>(mesh.indices.size()));
   for (const Mat4& world : body.stance.world) mesh.inverse_bind.push_back(glm::inverse(world));
   return mesh;
@@ -91,6 +100,7 @@ SkinnedMesh make_avatars(const Skeleton& skeleton, unsigned jobs) {
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
     all.vertices.insert(all.vertices.end(), one.vertices.begin(), one.vertices.end());
     for (const std::uint32_t v : one.indices) all.indices.push_back(first + v);
+    add_cloth(one.cloth, all);
     all.figure_end.push_back(static_cast<std::uint32_t>(all.indices.size()));
   }
   return all;

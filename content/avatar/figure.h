@@ -98,7 +98,7 @@ inline constexpr std::array<Figure, 8> figures{{
      .headwear = Headwear::Scarf,
      .garment = Garment::Abaya,
      .face = {.width = 0.96F, .jaw = 0.88F, .brow = 0.4F, .nose = 0.95F, .lips = 1.1F},
-     .build = {.shoulders = 0.94F, .waist = 0.92F, .bust = 0.02F, .neck = 0.88F}},
+     .build = {.shoulders = 0.94F, .waist = 0.92F, .hips = 1.04F, .bust = 0.02F, .neck = 0.88F}},
 }};
 
 }  // namespace docent::avatar

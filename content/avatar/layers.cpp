@@ -184,7 +184,7 @@ void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
                         }});
   if (has_hair(body.figure))
     layers.push_back({.material = Material::Hair,
-                      .region = BodyRegion::Head,
+                      .region = BodyRegion::Hair,
                       .solid = [&body](Vec3 p) { return hair(body, p); },
                       .box = hair_box,
                       .cell = 0.0026F * s,

@@ -96,6 +96,27 @@ SkinWeights::SkinWeights(const Skeleton& skeleton, const BodyShape& body)
                {joint_of(left ? BodyPart::LeftToe : BodyPart::RightToe), limb.toe,
                 limb.foot_forward, 0.022F * s}};
   }
+  hang_cloth(skeleton);
+}
+
+void SkinWeights::hang_cloth(const Skeleton& skeleton) {
+  Sheet skirt = skirt_of(body_), hair = long_hair_of(body_);
+  std::vector<ClothNode> nodes = nodes_of(body_, skirt, hair);
+  if (joint_count_ + nodes.size() > most_joints) return;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const bool is_hair = n >= skirt.size();
+    const JointShares by = at(nodes[n].place, is_hair ? BodyRegion::Head : BodyRegion::Coat);
+    nodes[n].joint = by.joint;
+    nodes[n].weight = by.weight;
+  }
+  const ClothJoints joints{.thigh = thigh_,
+                           .shin = {leg_[0][1].joint, leg_[1][1].joint},
+                           .chest = chest_,
+                           .neck = index_of(skeleton[BodyPart::Neck])};
+  if (!nodes.empty()) cloth_.collider = colliders_of(body_, joints);
+  cloth_.node = std::move(nodes);
+  skirt_ = std::move(skirt);
+  hair_ = std::move(hair);
 }
 
 /// From the tip inwards, each joint takes its part of what is left; the first takes the rest.
@@ -133,8 +154,14 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
 
   // The front is pushed by the thigh that comes forward; the back hangs freely and follows less.
   const float drop = body_.hip_height + 0.02F * s - p.y;
-  const float follows = 0.82F + 0.16F * smoothstep(-0.11F * s, 0.09F * s, p.z);
+  const float follows = 0.80F + 0.10F * smoothstep(-0.11F * s, 0.09F * s, p.z);
   const float skirt = follows * smoothstep(-0.02F * s, 0.23F * s, drop);
+  if (swings()) {
+    const float swinging = trunk * (1 - cap) * swinging_share(skirt_, p);
+    share_out(skirt_, p, swinging, nodes(shares, 0, skirt_.size()));
+    add_chain(spine_, p, trunk * (1 - cap) - swinging, shares);
+    return;
+  }
   // Front and back panels, across the middle, go with both legs.
   const float left = smoothstep(-0.10F * s, 0.10F * s, p.x);
   // What hangs below the knees goes with the shins, though not as far.
@@ -160,11 +187,21 @@ void SkinWeights::add_head(Vec3 p, Shares& shares) const {
   add_chain(neck_, p, (1 - head) * free, shares);
 }
 
+void SkinWeights::add_hair(Vec3 p, Shares& shares) const {
+  add_head(p, shares);
+  const float swinging = swinging_share(hair_, p);
+  for (float& share : shares) share *= 1 - swinging;
+  share_out(hair_, p, swinging, nodes(shares, skirt_.size(), hair_.size()));
+}
+
 JointShares SkinWeights::at(Vec3 p, BodyRegion region) const {
-  Shares shares(joint_count_, 0.0F);
+  Shares shares(joint_count_ + cloth_.node.size(), 0.0F);
   switch (region) {
     case BodyRegion::Head:
       add_head(p, shares);
+      break;
+    case BodyRegion::Hair:
+      add_hair(p, shares);
       break;
     case BodyRegion::Coat:
       add_coat(p, shares);

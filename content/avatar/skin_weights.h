@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "content/avatar/body.h"
+#include "content/avatar/drape.h"
 #include "runtime/model/motion/skinned_mesh.h"
 
 namespace docent::avatar {
 
 /// What a vertex follows: a region of the body with its own rule.
-enum class BodyRegion : std::uint8_t { Head, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
+enum class BodyRegion : std::uint8_t { Head, Hair, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
 
 /// At most four joints and their shares, which add up to 255.
 struct JointShares {
@@ -22,12 +23,16 @@ struct JointShares {
 ///
 /// Along a limb, a joint takes over from its parent across a plane that halves the angle between
 /// their bones, softly over a few centimetres. The coat's skirt goes to the thighs the more the
-/// lower it is, to the left and right one by the side it is on, so that it swings with the legs.
+/// lower it is, to the left and right one by the side it is on. That is how its cloth is carried;
+/// its vertices go to the cloth's nodes, which swing about that, where a skeleton leaves room for
+/// them among `most_joints`.
 class SkinWeights {
  public:
   SkinWeights(const Skeleton& skeleton, const BodyShape& body);
 
   JointShares at(Vec3 p, BodyRegion region) const;
+  /// What swings; nothing where there is no room for it.
+  const Cloth& cloth() const noexcept { return cloth_; }
 
  private:
   /// A joint takes what lies beyond `point` in the direction of `normal`, softly over `softness`.
@@ -42,6 +47,12 @@ class SkinWeights {
   void add_chain(const Chain& chain, Vec3 p, float share, Shares& shares) const;
   void add_coat(Vec3 p, Shares& shares) const;
   void add_head(Vec3 p, Shares& shares) const;
+  void add_hair(Vec3 p, Shares& shares) const;
+  void hang_cloth(const Skeleton& skeleton);
+  bool swings() const noexcept { return !cloth_.node.empty(); }
+  std::span<float> nodes(Shares& shares, std::size_t first, std::size_t count) const {
+    return std::span(shares).subspan(joint_count_ + first, count);
+  }
 
   const BodyShape& body_;
   std::size_t joint_count_;
@@ -50,6 +61,8 @@ class SkinWeights {
   Chain spine_;  ///< Root to chest.
   Chain neck_;   ///< Chest to the last joint before the head.
   std::array<Chain, 2> arm_, leg_;
+  Sheet skirt_, hair_;
+  Cloth cloth_;
 };
 
 }  // namespace docent::avatar

@@ -69,8 +69,8 @@ std::array<Vec4, parts_of_look> parts_of(const scene::Look& look) noexcept {
   return parts;
 }
 
-std::size_t joints_of(const Body& body) noexcept {
-  return std::min(body.joints, most_joints);
+std::size_t matrices_of(const Body& body) noexcept {
+  return std::min(body.matrices, most_joints);
 }
 
 /// Which of the bodies it wears.
@@ -286,9 +286,9 @@ void AvatarPass::write_record(const scene::DrawList& list, std::size_t place,
   record[3] = seen.window;
   record[4] = tile_of(place, seen_count_);
   const std::size_t first = std::min<std::size_t>(avatar.first_matrix, list.palette.size());
-  const std::size_t joints = std::min(joints_of(*worn_), list.palette.size() - first);
+  const std::size_t matrices = std::min(matrices_of(*worn_), list.palette.size() - first);
   Vec4* row = record + first_matrix_row;
-  for (std::size_t j = 0; j < joints; ++j) {
+  for (std::size_t j = 0; j < matrices; ++j) {
     const Mat4 rows = glm::transpose(list.palette[first + j]);
     for (int r = 0; r < 3; ++r) *row++ = rows[r];
   }
@@ -378,7 +378,7 @@ void AvatarPass::prepare(const scene::DrawList& list, const Body& body, Vec3 sun
   seen_count_ = 0;
   if (body.figure.empty()) return;
   worn_ = &body;
-  record_size_ = (first_matrix_row + 3 * joints_of(body) + alignment - 1) / alignment * alignment;
+  record_size_ = (first_matrix_row + 3 * matrices_of(body) + alignment - 1) / alignment * alignment;
   choose(list, sun, picture);
   if (seen_count_ == 0) return;
   send(list);

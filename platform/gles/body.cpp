@@ -100,7 +100,7 @@ void upload_indices(const std::vector<Index>& indices) noexcept {
 
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   Body body;
-  body.joints = joints_of(mesh);
+  body.matrices = matrices_of(mesh);
   body.has_own = has_own_body(mesh);
   body.figure = levels.figure;
   body.array = make_vertex_array();

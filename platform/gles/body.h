@@ -15,8 +15,8 @@ struct Body {
   GlVertexArray array;
   std::vector<scene::BodyLevels::Levels> figure;  ///< Of the indices, one a body.
   GLenum index_type = GL_UNSIGNED_SHORT;
-  std::size_t joints = 0;
-  bool has_own = false;  ///< The last body is the museum's, with a colour for each vertex.
+  std::size_t matrices = 0;  ///< That one of them is drawn with.
+  bool has_own = false;      ///< The last body is the museum's, with a colour for each vertex.
 };
 /// `levels`: of that mesh.
 Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels);

@@ -152,6 +152,31 @@ Bearing bearing_of(const Avatar& avatar) noexcept {
           .walks = avatar.gait == motion::Gait::Walk};
 }
 
+/// Fills the palette that the body is drawn with; cloth and hair swing.
+void dress(const Museum& museum, Avatar& avatar, double seconds) noexcept {
+  const SkinnedMesh& mesh = museum.avatar;
+  const std::size_t joints = avatar.world.size();
+  const std::size_t bound = mesh.inverse_bind.size();
+  if (joints == 0 || bound == 0 || bound % joints != 0 || avatar.palette.size() < joints) return;
+  const bool each_has_its_own = bound > joints;
+  const std::size_t body = scene::body_of(
+      avatar.look, std::max(mesh.figure_end.size(), bound / joints), each_has_its_own);
+  motion::fill_skinning_palette(
+      avatar.world,
+      std::span(mesh.inverse_bind).subspan(each_has_its_own ? body * joints : 0, joints),
+      avatar.palette);
+  const motion::ClothView cloth{of_figure(mesh.cloth.node, body),
+                                of_figure(mesh.cloth.collider, body)};
+  const std::size_t matrices = joints + cloth.node.size();
+  if (matrices > avatar.palette.size()) return;
+  const auto palette = std::span(avatar.palette).first(matrices);
+  if (avatar.breathes && avatar.dressed_as == body)
+    motion::swing(cloth, seconds, palette, avatar.cloth);
+  else
+    motion::hang(cloth, palette, avatar.cloth);
+  avatar.dressed_as = body;
+}
+
 void pose(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   const motion::Walk& walk = avatar.plan->walk;
   if (walk.joint_count == 0 || walk.joint_count != avatar.rotation.size()) return;
@@ -164,6 +189,7 @@ void pose(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   behave(skeleton, avatar.limbs.arms, avatar.company, bearing_of(avatar), seconds, avatar.manner,
          view);
   motion::to_world_space(skeleton, view, avatar.world);
+  dress(museum, avatar, seconds);
 }
 
 /// World y of a body part; the floor where the skeleton has no such part.
@@ -205,6 +231,11 @@ Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<pl
   avatar.plan = std::move(standing);
   avatar.rotation.resize(avatar.plan->walk.joint_count, Quat(1, 0, 0, 0));
   avatar.world.resize(avatar.rotation.size(), Mat4(1));
+  if (!museum.avatar.inverse_bind.empty()) {
+    const std::size_t nodes = nodes_of(museum.avatar);
+    avatar.palette.resize(avatar.world.size() + nodes, Mat4(1));
+    avatar.cloth = motion::make_cloth_motion(nodes);
+  }
   advance(museum, avatar, 0);
   const auto ground = static_cast<float>(avatar.height);
   avatar.ankle_rest = place_of(museum, avatar, BodyPart::LeftAnkle).y - ground;
@@ -275,19 +306,14 @@ void advance(const Museum& museum, Avatar& avatar, double seconds) noexcept {
 }
 
 void draw(const Museum& museum, const Avatar& avatar, scene::DrawList& list) noexcept {
-  const std::vector<Mat4>& inverse_bind = museum.avatar.inverse_bind;
   const std::size_t joints = avatar.world.size();
-  if (joints == 0 || inverse_bind.empty() || inverse_bind.size() % joints != 0) return;
-  const std::size_t bodies = inverse_bind.size() / joints;  // more than one: each has its own
-  const std::size_t body = bodies > 1 ? scene::body_of(avatar.look, bodies, true) : 0;
+  if (joints == 0 || avatar.palette.empty()) return;
   const std::size_t first = list.palette.size();
-  list.palette.resize(first + joints);
-  motion::fill_skinning_palette(avatar.world,
-                                std::span(inverse_bind).subspan(body * joints, joints),
-                                std::span(list.palette).subspan(first, joints));
-  list.joint.resize(first + avatar.world.size());
-  for (std::size_t j = 0; j < avatar.world.size(); ++j)
-    list.joint[first + j] = Vec3(avatar.world[j][3]);
+  list.palette.insert(list.palette.end(), avatar.palette.begin(), avatar.palette.end());
+  list.joint.resize(list.palette.size());
+  for (std::size_t j = 0; j < joints; ++j) list.joint[first + j] = Vec3(avatar.world[j][3]);
+  for (std::size_t n = joints; n < avatar.palette.size(); ++n)
+    list.joint[first + n] = avatar.cloth.place[n - joints];
 
   scene::AvatarDraw it;
   it.first_matrix = static_cast<std::uint32_t>(first);

@@ -5,6 +5,7 @@
 
 #include "runtime/guide/manner.h"
 #include "runtime/model/museum.h"
+#include "runtime/motion/cloth.h"
 #include "runtime/motion/idle.h"
 #include "runtime/motion/pose.h"
 #include "runtime/plan/plan.h"
@@ -24,7 +25,8 @@ struct Avatar {
   double seconds = 0;                ///< Since the first frame of plan's walk.
   double standing = 0;     ///< Seconds that it has stood; keeps its value while it sets out...
   double idle_weight = 1;  ///< ... and this fades the idle motion out.
-  bool breathes = true;    ///< False: it stands as still as at the first moment.
+  bool breathes = true;    ///< False: it stands as still as at the first moment, and its clothes
+                           ///< and hair move only as its body does.
   Placement body;
   double height = 0;              ///< World y of what it stands on, metres.
   std::uint32_t shown_floor = 0;  ///< On which it is seen: half way along a ride, the next one.
@@ -36,8 +38,12 @@ struct Avatar {
   Manner manner;    ///< What it does besides walking.
 
   motion::Limbs limbs;
-  std::vector<Quat> rotation;          ///< One per joint.
-  std::vector<Mat4> world;             ///< One per joint, world frame.
+  std::vector<Quat> rotation;  ///< One per joint.
+  std::vector<Mat4> world;     ///< One per joint, world frame.
+  /// What its body is drawn with (matrices_of): joints, then cloth. World frame.
+  std::vector<Mat4> palette;
+  motion::ClothMotion cloth;
+  std::size_t dressed_as = 0;          ///< The body whose cloth that is.
   float ankle_rest = 0, toe_rest = 0;  ///< Height of the joints when standing flat.
 };
 

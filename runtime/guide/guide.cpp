@@ -63,7 +63,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   list_.walls = stage_.walls();
   list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
   list_.avatars.reserve(crowd_.size());
-  list_.palette.reserve(crowd_.size() * leader().world.size());
+  list_.palette.reserve(crowd_.size() * leader().palette.size());
   list_.joint.reserve(list_.palette.capacity());
   const auto guides =
       static_cast<std::size_t>(std::ranges::count_if(crowd_.members(), leaves_a_trail));

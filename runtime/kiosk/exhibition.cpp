@@ -118,8 +118,9 @@ void forget_what_is_uploaded(Exhibition& exhibition) {
   SkinnedMesh& body = exhibition.museum.avatar;
   body = SkinnedMesh{.vertices = {},
                      .indices = {},
-                     .figure_end = {},
-                     .inverse_bind = std::move(body.inverse_bind)};
+                     .figure_end = std::move(body.figure_end),
+                     .inverse_bind = std::move(body.inverse_bind),
+                     .cloth = std::move(body.cloth)};
 }
 
 }  // namespace

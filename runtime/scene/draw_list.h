@@ -73,8 +73,8 @@ struct CameraView {
   bool operator==(const CameraView&) const = default;
 };
 
-/// An avatar to be drawn: `joint_count` matrices of DrawList::palette from `first_matrix`, world
-/// frame, in the order of the skeleton.
+/// An avatar to be drawn: matrices_of(the mesh) matrices of DrawList::palette from `first_matrix`,
+/// world frame: the skeleton's joints in their order, then its cloth's nodes.
 struct AvatarDraw {
   std::uint32_t first_matrix = 0;
   std::uint32_t look = 0;  ///< Of `looks` (look.h).
@@ -165,7 +165,7 @@ struct DrawList {
   std::vector<LeafDraw> leaves;
   std::vector<AvatarDraw> avatars;
   std::vector<Mat4> palette;
-  std::vector<Vec3> joint;  ///< Of each matrix: where its joint is, world frame.
+  std::vector<Vec3> joint;  ///< Of each matrix: where its joint or node is, world frame.
   std::vector<ObjectDraw> objects;
   /// The one that is looked at, or about to be: it is drawn from nearby, where that is at hand.
   std::optional<std::uint32_t> near_object{};

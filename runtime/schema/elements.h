@@ -57,6 +57,14 @@ void fields(auto& io, MaybeConst<SkinnedVertex> auto& v) {
   io(v.position, v.normal, v.joint, v.weight, v.material, v.occlusion);
 }
 
+void fields(auto& io, MaybeConst<ClothNode> auto& n) {
+  io(n.figure, n.joint, n.weight, n.place, n.outward, n.above, n.left, n.right, n.radius);
+  io(n.keeps_out, n.stiffness, n.damping, n.drag, n.tension);
+}
+void fields(auto& io, MaybeConst<ClothCollider> auto& c) {
+  io(c.figure, c.joint, c.from, c.to, c.from_radius, c.to_radius);
+}
+
 void fields(auto& io, MaybeConst<ObjectVertex> auto& v) {
   io(v.position, v.normal, v.uv, v.colour, v.occlusion);
 }

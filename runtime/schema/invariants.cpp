@@ -1,6 +1,8 @@
 #include "runtime/schema/invariants.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -390,17 +392,57 @@ bool are_ends(const std::vector<std::uint32_t>& ends, std::size_t indices) {
          std::ranges::all_of(ends, [](std::uint32_t end) { return end % 3 == 0; });
 }
 
+/// Can the cloth of one body swing?
+bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> colliders,
+           std::size_t joints) {
+  if (colliders.size() > most_cloth_colliders) return false;
+  const auto is_node = [&](std::uint8_t n, std::size_t end) {
+    return n == ClothNode::none || n < end;
+  };
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const ClothNode& node = nodes[n];
+    const bool sound =
+        finite(node.place) && finite(node.outward) && is_node(node.above, n) &&
+        is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
+        std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
+        std::bit_width(node.keeps_out) <= static_cast<int>(colliders.size()) &&
+        std::ranges::all_of(
+            std::array{node.radius, node.stiffness, node.damping, node.drag, node.tension},
+            [](float x) { return x >= 0 && x <= most_cloth_pull; });
+    if (!sound) return false;
+  }
+  return std::ranges::all_of(colliders, [=](const ClothCollider& limb) {
+    return finite(limb.from) && finite(limb.to) && limb.joint < joints && limb.from_radius >= 0 &&
+           limb.to_radius >= 0 && limb.from_radius < 1 && limb.to_radius < 1;
+  });
+}
+
+bool keeps(const Cloth& cloth, std::size_t bodies, std::size_t joints) {
+  const auto in_order = [=](const auto& parts) {
+    using Part = std::ranges::range_value_t<decltype(parts)>;
+    return std::ranges::is_sorted(parts, {}, &Part::figure) &&
+           (parts.empty() || parts.back().figure < bodies);
+  };
+  if (!in_order(cloth.node) || !in_order(cloth.collider)) return false;
+  for (std::size_t body = 0; body < bodies; ++body)
+    if (!keeps(of_figure(cloth.node, body), of_figure(cloth.collider, body), joints)) return false;
+  return true;
+}
+
 bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
   const auto sound_matrix = [](const Mat4& m) {
     return finite(Vec3(m[0])) && finite(Vec3(m[1])) && finite(Vec3(m[2])) && finite(Vec3(m[3]));
   };
+  const std::size_t matrices = joints + nodes_of(mesh);
   const auto sound_vertex = [=](const SkinnedVertex& v) {
     return finite(v.position) && finite(v.normal) && exists(v.material, Material::Count) &&
-           std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < joints; });
+           std::ranges::all_of(v.joint, [=](std::uint8_t j) { return j < matrices; });
   };
   if (mesh.vertices.empty())
-    return mesh.indices.empty() && mesh.figure_end.empty() && mesh.colour.empty();
-  return are_ends(mesh.figure_end, mesh.indices.size()) && joints <= most_joints &&
+    return mesh.indices.empty() && mesh.figure_end.empty() && mesh.colour.empty() &&
+           mesh.cloth.node.empty() && mesh.cloth.collider.empty();
+  return are_ends(mesh.figure_end, mesh.indices.size()) && matrices <= most_joints &&
+         keeps(mesh.cloth, mesh.figure_end.size(), joints) &&
          mesh.inverse_bind.size() == joints * (has_own_body(mesh) ? mesh.figure_end.size() : 1) &&
          mesh.colour.size() <= mesh.vertices.size() &&
          std::ranges::all_of(mesh.inverse_bind, sound_matrix) &&

@@ -252,6 +252,8 @@ void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
   row("figure_end", mesh.figure_end);
   row("inverse_bind", mesh.inverse_bind);
   row("colour", mesh.colour);
+  row("cloth_node", mesh.cloth.node);
+  row("cloth_collider", mesh.cloth.collider);
 }
 
 /// Goes through all tables in one order. A store has

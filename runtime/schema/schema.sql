@@ -288,5 +288,7 @@ CREATE TABLE avatar (           -- one row
   triangle BLOB NOT NULL,       -- u32
   figure_end BLOB NOT NULL,     -- u32, one a body: past its last of `triangle`
   inverse_bind BLOB NOT NULL,   -- Mat4, one a joint; with a museum's own body, one a body and joint
-  colour BLOB NOT NULL          -- sRGB, three bytes for each vertex of the museum's own body, which is the last; or none
+  colour BLOB NOT NULL,         -- sRGB, three bytes for each vertex of the museum's own body, which is the last; or none
+  cloth_node BLOB NOT NULL,     -- ClothNode: what swings, body after body, chains from the top down
+  cloth_collider BLOB NOT NULL  -- ClothCollider: limbs that cloth is kept out of, body after body
 );

@@ -11,6 +11,7 @@
 
 #include "platform/sqlite/content_reader.h"
 #include "runtime/guide/avatar.h"
+#include "runtime/scene/look.h"
 #include "tests/bench/measure.h"
 
 namespace docent::bench {
@@ -32,16 +33,23 @@ std::unique_ptr<plan::Plan> walk_ahead(const Museum& museum, double metres) {
   return plan;
 }
 
+struct Clothes {
+  std::uint32_t look = 0;
+  bool swing = true;
+};
+
 enum class Doing : std::uint8_t { Nothing, Looks, Waves, Points };
 
 /// Microseconds a frame of one of many bodies, the median of the rounds.
-double cost(const Museum& museum, bool walks, Doing doing) {
+double cost(const Museum& museum, bool walks, Doing doing, const Clothes& clothes = {}) {
   constexpr std::size_t bodies = 64;
   constexpr int rounds = 60;
   std::vector<guide::Avatar> all;
   for (std::size_t i = 0; i < bodies; ++i) {
     all.push_back(guide::make_avatar(museum, 0, plan::make_standing(museum, museum.kiosk), i));
     guide::Avatar& one = all.back();
+    one.look = clothes.look;
+    if (!clothes.swing) one.palette.clear();
     if (walks) one.plan = walk_ahead(museum, 30);
     const Vec3 aside = to_world(one.body.position + Vec2{1.2, 0.8}, 1.3);
     if (doing != Doing::Nothing) one.company = {.visitor = aside + Vec3(2, 4, 2), .is_used = true};
@@ -75,6 +83,14 @@ int measure(const std::string& database) {
   row("looks at a visitor", Doing::Looks);
   row("waves", Doing::Waves);
   row("points", Doing::Points);
+  std::printf("of it its clothes, by look\n");
+  for (std::uint32_t look = 0; look < scene::guide_look_count; ++look) {
+    const auto clothes = [&](bool walks) {
+      return cost(*museum, walks, Doing::Nothing, {look}) -
+             cost(*museum, walks, Doing::Nothing, {look, false});
+    };
+    std::printf("%-30u %10.2f %9.2f\n", look, clothes(false), clothes(true));
+  }
   return 0;
 }
 

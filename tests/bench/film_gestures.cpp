@@ -30,12 +30,23 @@ struct Options {
   double away = 1.6, rise = 0;  ///< Metres to it, and above 1.2 m.
 };
 
+bool looks_round(const Options& options) {
+  return options.scene == "back" || options.scene == "set-out";
+}
+bool walks(const Options& options) {
+  return looks_round(options) || options.scene == "walk" || options.scene == "corner";
+}
+
 std::unique_ptr<plan::Plan> straight_ahead(const Museum& museum, const Placement& from,
-                                           double metres) {
+                                           double metres, bool then_left) {
   auto plan = std::make_unique<plan::Plan>();
   const Vec2 ahead{std::cos(from.heading), std::sin(from.heading)};
   plan->points = {from.position, from.position + metres * ahead};
   plan->reach = {0, metres};
+  if (then_left) {
+    plan->points.push_back(plan->points.back() + metres * Vec2{-ahead.y, ahead.x});
+    plan->reach.push_back(2 * metres);
+  }
   motion::WalkRequest request;
   request.path = plan->points;
   const Result<motion::Walk> walk = motion::make_walk(museum.motion, request);
@@ -58,6 +69,7 @@ Vec3 kiosk_camera(const guide::Avatar& avatar) {
 
 void begin(const Options& options, guide::Avatar& avatar, const Museum& museum) {
   guide::Company& company = avatar.company;
+  if (options.scene == "walk" || options.scene == "corner") company.calm = true;
   company.is_used = true;
   if (options.scene == "greet" || options.scene == "back" || options.scene == "set-out")
     company.visitor = kiosk_camera(avatar);
@@ -67,12 +79,9 @@ void begin(const Options& options, guide::Avatar& avatar, const Museum& museum) 
   if (options.scene.starts_with("greet") || options.scene == "set-out") greet(avatar.manner);
   if (options.scene == "point")
     company.exhibit = beside(avatar, options.aside, options.away, 1.2 + options.rise);
-  if (options.scene == "back" || options.scene == "set-out")
-    avatar.plan = straight_ahead(museum, avatar.body, 10);
-}
-
-bool walks(const Options& options) {
-  return options.scene == "back" || options.scene == "set-out";
+  if (walks(options))
+    avatar.plan = straight_ahead(museum, avatar.body, options.scene == "corner" ? 4 : 10,
+                                 options.scene == "corner");
 }
 
 scene::CameraView seen(const Options& options, const guide::Avatar& avatar) {
@@ -99,7 +108,7 @@ int film(const Options& options, const std::filesystem::path& out, const Museum&
     const double at =
         options.from + (options.to - options.from) * i / std::max(1U, options.pictures - 1);
     for (; time < at; time += frame) {
-      if (walks(options)) avatar.company.visitor = kiosk_camera(avatar);
+      if (looks_round(options)) avatar.company.visitor = kiosk_camera(avatar);
       advance(museum, avatar, frame);
     }
     list.avatars.clear();
@@ -120,7 +129,7 @@ int run(int argc, char** argv) {
   Options options;
   app.add_option("database", database, "a compiled museum")->required();
   app.add_option("--scene", options.scene,
-                 "greet, greet-front, set-out, back (it looks round), point or idle");
+                 "greet, greet-front, set-out, back (it looks round), point, walk, corner or idle");
   app.add_option("--out", out, "the sheet");
   app.add_option("--yaw", options.yaw,
                  "radians from the front to the camera, to the guide's right");

@@ -14,6 +14,7 @@
 #include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "platform/image/image.h"
+#include "runtime/motion/cloth.h"
 #include "runtime/scene/look.h"
 
 namespace docent::bench {
@@ -117,6 +118,13 @@ std::vector<Mat4> posed(const SkinnedMesh& mesh, const Skeleton& skeleton, const
   return palette;
 }
 
+void hang_clothes(Model& model) {
+  const Cloth& cloth = model.mesh.cloth;
+  model.palette.resize(matrices_of(model.mesh), Mat4(1));
+  motion::ClothMotion motion = motion::make_cloth_motion(cloth.node.size());
+  motion::hang({cloth.node, cloth.collider}, model.palette, motion);
+}
+
 struct Options {
   std::string kind = "body", bvh;
   std::filesystem::path out = "turntable.png";
@@ -182,6 +190,7 @@ int run(int argc, char** argv) {
     model.palette.assign(model.mesh.inverse_bind.size(), Mat4(1));
     if (options.frame >= 0)
       model.palette = posed(model.mesh, skeleton, clip, static_cast<std::size_t>(options.frame));
+    hang_clothes(model);
     fmt::print("figure {}: {} triangles, {} vertices\n", figure, model.mesh.indices.size() / 3,
                model.mesh.vertices.size());
     studio.put(model);

@@ -154,6 +154,9 @@ inline Museum small_museum() {
                    .indices = {0, 0, 0},
                    .figure_end = {3},
                    .inverse_bind = {Mat4(1), Mat4(2)}};
+  museum.avatar.cloth.node = {{.weight = {255, 0, 0, 0}, .place = {0, 2, 2}},
+                              {.weight = {255, 0, 0, 0}, .place = {0, 1, 2}, .above = 0}};
+  museum.avatar.cloth.collider = {{.joint = 1, .to_radius = 0.25F}};
   return museum;
 }
 

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 #include <set>
 
 #include "content/gait/gait.h"
 #include "content/gait/gait_skeleton.h"
 #include "content/import/motion/bvh.h"
+#include "tests/content/avatar/posed_body.h"
 #include "tests/support/reference_data.h"
 
 namespace docent::avatar {
@@ -22,29 +22,12 @@ const SkinnedMesh& avatar() {
   return mesh;
 }
 
-/// Where the vertices are in a frame of a clip, by linear blend skinning.
+/// Where the vertices are in a frame of a clip.
 std::vector<Vec3> posed(const SkinnedMesh& mesh, const Skeleton& skeleton, const MotionClip& clip,
                         std::size_t frame) {
-  std::vector<Mat4> palette;
-  std::vector<Mat4> world;
-  for (std::size_t j = 0; j < skeleton.joint.size(); ++j) {
-    const Mat4 turn = glm::mat4_cast(clip.rotation[frame * clip.joint_count + j]);
-    const Joint& joint = skeleton.joint[j];
-    world.push_back(joint.parent == JointIndex::None
-                        ? glm::translate(Mat4(1.0F), clip.root[frame]) * turn
-                        : world[index_of(joint.parent)] * glm::translate(Mat4(1.0F), joint.offset) *
-                              turn);
-    palette.push_back(world[j] * mesh.inverse_bind[j]);
-  }
-  std::vector<Vec3> places;
-  for (const SkinnedVertex& vertex : mesh.vertices) {
-    Vec4 place{0};
-    for (std::size_t k = 0; k < 4; ++k)
-      place += static_cast<float>(vertex.weight[k]) / 255.0F *
-               (palette[vertex.joint[k]] * Vec4(vertex.position, 1));
-    places.emplace_back(place);
-  }
-  return places;
+  test::PosedBody body(mesh, skeleton);
+  body.hang(clip, frame);
+  return body.places();
 }
 
 float lowest(const std::vector<Vec3>& places) {
@@ -68,11 +51,12 @@ void expect_sound(const SkinnedMesh& mesh, const Skeleton& skeleton) {
   EXPECT_GT(mesh.indices.size() / 3, 8000U);
   EXPECT_LT(mesh.indices.size() / 3, 20000U);
   ASSERT_EQ(mesh.inverse_bind.size(), skeleton.joint.size());
+  EXPECT_LE(matrices_of(mesh), most_joints);
   for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
   std::set<Material> materials;
   for (const SkinnedVertex& vertex : mesh.vertices) {
     EXPECT_EQ(std::accumulate(vertex.weight.begin(), vertex.weight.end(), 0), 255);
-    for (const std::uint8_t joint : vertex.joint) EXPECT_LT(joint, skeleton.joint.size());
+    for (const std::uint8_t joint : vertex.joint) EXPECT_LT(joint, matrices_of(mesh));
     EXPECT_NEAR(glm::length(vertex.normal), 1, 1e-3);
     materials.insert(vertex.material);
   }

@@ -51,6 +51,11 @@ TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
   EXPECT_EQ(read->motion.clips[0].rotation[3].z, 1.0F);
   EXPECT_EQ(read->motion.skeleton.has_rotation, museum.motion.skeleton.has_rotation);
   EXPECT_EQ(read->avatar.inverse_bind[1], Mat4(2));
+  ASSERT_EQ(read->avatar.cloth.node.size(), 2U);
+  EXPECT_EQ(read->avatar.cloth.node[1].place, Vec3(0, 1, 2));
+  EXPECT_EQ(read->avatar.cloth.node[1].above, 0);
+  ASSERT_EQ(read->avatar.cloth.collider.size(), 1U);
+  EXPECT_EQ(read->avatar.cloth.collider[0].to_radius, 0.25F);
   EXPECT_EQ(read->languages[1].words.at("home"), "البداية");
 }
 
@@ -234,11 +239,20 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
        [](Museum& m) {
          m.motion.classes[0].coefficient[1] = m.motion.classes[1].coefficient[0] = NAN;
        }},
-      {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.vertices[0].joint[3] = 4; }},
       {"avatar", [](Museum& m) { m.avatar.indices[0] = 1; }},
       {"avatar", [](Museum& m) { m.avatar.figure_end.back() = 6; }},
       {"avatar", [](Museum& m) { m.avatar.inverse_bind.pop_back(); }},
       {"avatar", [](Museum& m) { m.avatar.colour.resize(m.avatar.vertices.size() + 1); }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[0].figure = 1; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].joint[3] = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[0].above = 0; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].left = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].keeps_out = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].stiffness = NAN; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.collider[0].joint = 2; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.collider.resize(most_cloth_colliders + 1); }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node.resize(most_joints - 1); }},
       {"avatar",
        [](Museum& m) {
          m.avatar.colour.resize(1);
