@@ -9,8 +9,8 @@
 
 #include "runtime/guide/attention.h"
 #include "runtime/guide/attract.h"
-#include "runtime/guide/chapters.h"
 #include "runtime/guide/captions.h"
+#include "runtime/guide/chapters.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
 #include "runtime/guide/seating.h"

@@ -108,12 +108,12 @@ void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
                             .here = museum.kiosk.position,
                             .compass = {turned ? box.width - compass : compass, middle},
                             .unit = m.unit};
-  sheet.drawing(box,
-                fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor,
-                            shape.width, shape.height, turned, scene::hex_of(way_colour),
-                            museum.kiosk.position.x, static_cast<int>(side),
-                            print_of(sheet.way()->line)),
-                [&] { return draw_plan(drawing); });
+  sheet.drawing(
+      box,
+      fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor, shape.width,
+                  shape.height, turned, scene::hex_of(way_colour), museum.kiosk.position.x,
+                  static_cast<int>(side), print_of(sheet.way()->line)),
+      [&] { return draw_plan(drawing); });
   const float room = compass - 4 * m.unit - pad;
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);

@@ -30,12 +30,13 @@ std::uint32_t FloorMap::site_at(Vec2 point) const noexcept {
   return wall_site_[nearest.wall];
 }
 
-bool FloorMap::has_room(Vec2 point, double radius) const noexcept {
+Fit FloorMap::fit_at(Vec2 point, double radius) const noexcept {
   const auto nearest = walls_.nearest_wall(point);
-  if (!std::isfinite(nearest.distance)) return false;
+  if (!std::isfinite(nearest.distance)) return Fit::None;
+  const bool is_inside = walls_.is_inside(point, nearest);
   if (radius < smallest_radius)
-    return nearest.distance <= touching || walls_.is_inside(point, nearest);
-  return nearest.distance >= least_clearance(radius) && walls_.is_inside(point, nearest);
+    return is_inside ? Fit::Inside : nearest.distance <= touching ? Fit::Behind : Fit::None;
+  return is_inside && nearest.distance >= least_clearance(radius) ? Fit::Inside : Fit::None;
 }
 
 }  // namespace docent::path

@@ -15,6 +15,9 @@
 
 namespace docent::path {
 
+/// Does a disc fit somewhere? `Behind`: it is a point, and touches a wall from behind (touching.h).
+enum class Fit : std::uint8_t { None, Behind, Inside };
+
 /// Everything that `route.h` asks of a floor. Any thread may ask. Its answers do not change, but
 /// for what is closed just now, of which any thread may tell at any time; and the maps of radii
 /// that the compiler did not precompute are made in the background and kept.
@@ -36,7 +39,10 @@ class FloorMap {
   std::uint32_t site_of_wall(std::uint32_t wall) const noexcept { return wall_site_[wall]; }
 
   /// May the centre of a disc be here: inside, and no nearer to a wall than fits (touching.h)?
-  bool has_room(Vec2 point, double radius) const noexcept;
+  Fit fit_at(Vec2 point, double radius) const noexcept;
+  bool has_room(Vec2 point, double radius) const noexcept {
+    return fit_at(point, radius) != Fit::None;
+  }
 
   /// The maps of shortest ways by radius, and the search for where there is none.
   const RadiusMaps& shortest_ways() const noexcept { return shortest_ways_; }

@@ -29,28 +29,44 @@ bool is_in_doubt(const RouteQuery& query, const Way& way) noexcept {
          query.closed->may_block(way.points, query.radius);
 }
 
-Way find_shortest(const FloorMap& map, const RouteQuery& query) {
+/// Where a point touches a wall from behind, exact predicates see that wall between it and the
+/// floor, and what lies beyond the floor before it: then its ways begin just inside.
+Way find_shortest(const FloorMap& map, const RouteQuery& asked) {
+  RouteQuery query = asked;
   const auto ways = map.shortest_ways().find(query.radius);
-  const auto has_room = [&](Vec2 point) {
-    return ((ways && ways->surely_has_room(point)) || map.has_room(point, query.radius)) &&
-           leaves_room(query, point);
+  const auto fit_at = [&](Vec2 point) {
+    return ways && ways->surely_has_room(point) ? Fit::Inside : map.fit_at(point, query.radius);
+  };
+  const auto see = [&]() -> std::optional<Way> {
+    if (!ways || !ways->walls().cell_at(query.to)) return {};  // no place, or off the floor's grid
+    return straight_way(*ways, query.from, query.to);
   };
   const auto search = [&] {
     return search_tangents(map.search(), query.radius, query.from, query.to, query.closed);
   };
-  if (!has_room(query.from)) return {.status = RouteStatus::StartBlocked};
-  std::optional<Way> straight;
-  if (ways && ways->walls().cell_at(query.to))  // a place, and on the floor's grid
-    straight = straight_way(*ways, query.from, query.to);
+  const Fit start = fit_at(query.from);
+  if (start == Fit::None || !leaves_room(query, query.from))
+    return {.status = RouteStatus::StartBlocked};
+  if (start == Fit::Behind) query.from = map.walls().brought_inside(query.from);
+  std::optional<Way> straight = see();
   // What a point sees of the interior is inside.
-  const bool is_seen = straight && query.radius == 0;
-  if (is_seen ? !leaves_room(query, query.to) : !has_room(query.to))
-    return {.status = RouteStatus::GoalBlocked};
+  if (!straight || query.radius > 0) {
+    const Fit goal = fit_at(query.to);
+    if (goal == Fit::None) return {.status = RouteStatus::GoalBlocked};
+    if (goal == Fit::Behind) {
+      query.to = map.walls().brought_inside(query.to);
+      straight = see();
+    }
+  }
+  if (!leaves_room(query, query.to)) return {.status = RouteStatus::GoalBlocked};
   Way way = straight ? *std::move(straight)
             : ways   ? bent_way(*ways, query.from, query.to)
                      : search();
   if (ways && is_in_doubt(query, way)) way = search();
-  if (way.status != RouteStatus::Ok || way.points.size() > 2) return way;
+  if (way.status != RouteStatus::Ok) return way;
+  way.points.front() = asked.from;
+  way.points.back() = asked.to;
+  if (way.points.size() > 2) return way;
   way.clearance_min = query.radius;
   if (query.tell_clearance)
     way.clearance_min = map.walls().segment_clearance(

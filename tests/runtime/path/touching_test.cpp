@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <ostream>
 #include <vector>
 
@@ -146,6 +147,39 @@ TEST(Touching, BlocksAnEndForEveryKindOfRouteOrForNone) {
             }
         }
       }
+}
+
+/// The length of the shortest way of a point; infinite where there is none.
+double length_of(const path::FloorMap& map, Vec2 from, Vec2 to) {
+  const path::Way way = route(map, {.from = from, .to = to, .radius = 0});
+  return way.status == RouteStatus::Ok ? way.length : HUGE_VAL;
+}
+
+/// An end at x = 0 lies behind the left wall by what that stands off. Found by the fuzz target
+/// `route`: what lies beyond the floor was seen from there.
+TEST(Touching, FromBehindIsAsShortAsFromJustInside) {
+  for (const double off : {1.4e-17, 1e-13, 3e-10, 9e-10}) {
+    const Points cut{{off, 0.7}, {0.4, 0.4}, {0.7, 0}, {12, 0}, {12, 8}, {0, 8}};
+    const Points boxed{{off, 0}, {12, 0}, {12, 8}, {off, 8}, {off, 5}, {1, 5}, {1, 3}, {off, 3}};
+    for (const bool is_named : {true, false}) {
+      const auto floor_of_ring = [&](const Points& ring) {
+        return is_named ? floor_of(drawn(ring))
+                        : floor_of(drawn(ring), std::initializer_list<double>{});
+      };
+      const Floor corner = floor_of_ring(cut), box = floor_of_ring(boxed);
+      const path::FloorMap at_corner(corner), at_box(box);
+      const auto expect_way = [](const path::FloorMap& map, Vec2 from, Vec2 to, double length) {
+        EXPECT_NEAR(length_of(map, from, to), length, 1e-8);
+        EXPECT_NEAR(length_of(map, to, from), length, 1e-8);
+      };
+      expect_way(at_corner, {0, 3.9}, {6, 4}, std::hypot(6, 0.1));
+      expect_way(at_corner, {0, 3.9}, {0, 7}, 3.1);
+      expect_way(at_box, {0, 6}, {6, 6}, 6);
+      expect_way(at_box, {0, 6}, {0, 2}, 2 + 2 * std::numbers::sqrt2);
+      EXPECT_EQ(statuses_of(at_corner, {0, 3.9}, {0, 0}, 0), all(RouteStatus::GoalBlocked));
+      EXPECT_EQ(statuses_of(at_corner, {0, 0}, {0, 3.9}, 0), all(RouteStatus::StartBlocked));
+    }
+  }
 }
 
 TEST(Touching, LeadsAlongTheWallsOfADoorOfTwiceTheDistanceAsOfANarrowerOne) {
