@@ -110,7 +110,10 @@ void Attract::go_on(Crowd& crowd) noexcept {
       if (phase_seconds_ >= (seconds_ < rest ? first_rest : rest)) choose(crowd);
       return;
     case Phase::Asks:
-      if (!guide.route_summary) return;
+      if (!guide.route_summary) {
+        if (phase_seconds_ >= longest_phase) enter(Phase::Rests);
+        return;
+      }
       if (guide.route_summary->status != path::RouteStatus::Ok) return enter(Phase::Rests);
       state_ = {.screen = interface::Screen::Walking, .exhibit = chosen_};
       return enter(Phase::Overlooks);

@@ -309,7 +309,8 @@ void Crowd::step(double seconds) noexcept {
   clock_ += seconds;
   for (Agent& one : members_) one.is_answered = false;
   take_answers();
-  for (Agent& one : members_) advance(museum_, one.avatar, seconds);
+  for (Agent& one : members_)
+    if (!one.is_away) advance(museum_, one.avatar, seconds);
   for (Proximity& floor : proximity_) floor.look(members_, seconds);
   for (std::uint32_t who = 0; who < members_.size(); ++who) {
     Agent& one = members_[who];

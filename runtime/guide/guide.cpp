@@ -99,6 +99,8 @@ void Guide::enter_guides() {
 void Guide::take_seats() {
   const std::size_t seats = std::min<std::size_t>(
       interface::seats_on(settings_.shape, settings_.visitors), homes_.size());
+  const bool shared = seats > 1;
+  if (!shared) settings_.shape.sides = {};  // there was no place for a second guide to wait
   const SessionContext context{museum_,
                                planner_,
                                crowd_,
@@ -106,7 +108,6 @@ void Guide::take_seats() {
                                homes_,
                                exhibit_shapes_,
                                settings_.reduced_motion};
-  const bool shared = seats > 1;
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
   state.can_lower = !shared && interface::can_be_lowered(settings_.shape);
@@ -120,7 +121,7 @@ void Guide::take_seats() {
   }
   if (shared) seating_.emplace(sessions_, settings_.shape);
   held_.reserve(most_contacts);
-  led_visitors_.reserve(sessions_.size());
+  led_visitors_.reserve(sessions_.size() + 1);  // and who is led while nobody is there
   speaker_ = shared ? 1 : 0;
 }
 
@@ -218,6 +219,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
 }
 
 void Guide::headphones(bool are_in) noexcept {
+  if (are_in) wake();
   if (!is_shared()) sessions_[0].headphones(are_in);
 }
 
@@ -237,12 +239,21 @@ bool Guide::wake() noexcept {
   return true;
 }
 
+/// Whatever has rested on the glass until nobody is taken to be there presses nothing later.
+void Guide::let_go() noexcept {
+  for (const Held& held : held_)
+    sessions_[held.visitor].touch(
+        {.kind = input::InputEvent::Kind::Cancel, .contact = {.id = held.contact}},
+        sessions_[held.surface].overlay());
+  held_.clear();
+}
+
 /// Each contact belongs to the visitor nearest to it.
 void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
+  std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (wake()) return sessions_[0].overlay().ring(event.contact.x, event.contact.y);
   const scene::ScreenPoint at{event.contact.x, event.contact.y};
-  std::erase_if(held_, [&](const Held& held) { return held.contact == event.contact.id; });
   if (held_.size() == held_.capacity()) return;
   if (!seating_) {
     held_.push_back({event.contact.id, 0, 0, scene::Side::Bottom});
@@ -346,10 +357,12 @@ void Guide::step(Seconds dt) noexcept {
 /// While nobody is there. The model then has the whole screen.
 void Guide::attract(float seconds) noexcept {
   if (settings_.reduced_motion || view() == nullptr) return;
+  const bool was_on = attract_.is_on();
   if (attract_.step(seconds, is_vacant() && !voice().is_busy(), crowd_))
     stage_.enter(attract_.state(),
                  interface::is_landscape(settings_.shape) ? scene::Rect{0, 0, 1, 1} : above_welcome,
                  interface::aspect_ratio(settings_.shape), leader());
+  if (attract_.is_on() && !was_on) let_go();
   if (attract_.has_begun()) strollers_.come(crowd_);
   stage_.sway(attract_.turn(), attract_.further());
 }

@@ -147,6 +147,7 @@ class Guide {
   void enter_guides();
   void take_seats();
   bool wake() noexcept;
+  void let_go() noexcept;
   void attract(float seconds) noexcept;
   const interface::InterfaceState& seen() const noexcept {
     return attract_.is_on() ? attract_.state() : state();

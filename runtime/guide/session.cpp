@@ -383,6 +383,7 @@ void Session::take_way() noexcept {
   route_summary_ = agent().route_summary;
   if (route_summary_ && route_summary_->status != path::RouteStatus::Ok) {
     errand_ = {};
+    state_.skips = false;
     context_.crowd.stop(*guide_);  // it goes on no farther to where it was going before
   }
   request_view();

@@ -20,8 +20,11 @@ struct Sides {
     bits = static_cast<std::uint8_t>(bits | 1U << static_cast<unsigned>(side));
   }
   constexpr int count() const noexcept { return std::popcount(bits); }
-  /// People look at it from several sides: it lies, and does not hang.
-  constexpr bool is_table() const noexcept { return count() > 1; }
+  /// People look at it from several sides, or from another than its lower edge: it lies, and does
+  /// not hang.
+  constexpr bool is_table() const noexcept {
+    return count() > 1 || (count() == 1 && !has(scene::Side::Bottom));
+  }
   bool operator==(const Sides&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "runtime/scene/side.h"
@@ -71,17 +72,12 @@ std::uint32_t room_at(const ScreenShape& shape, Side side) noexcept {
 std::array<std::uint32_t, 4> seats_by_side(const ScreenShape& shape, std::uint32_t seats) noexcept {
   std::array<std::uint32_t, 4> count{};
   for (std::uint32_t i = 0; i < seats; ++i) {
-    std::size_t best = 0;
-    float most = -1;
-    for (const Side side : round) {
-      const auto at = static_cast<std::size_t>(side);
-      if (count[at] >= room_at(shape, side)) continue;
-      const float width = length_of_strip(shape, side) / static_cast<float>(count[at] + 1);
-      if (width <= most) continue;
-      most = width;
-      best = at;
-    }
-    ++count[best];
+    const auto free_at = [&](Side side) {
+      const std::uint32_t taken = count[static_cast<std::size_t>(side)];
+      const float width = length_of_strip(shape, side) / static_cast<float>(taken + 1);
+      return std::tuple{sides_of(shape).has(side), taken < room_at(shape, side), width};
+    };
+    ++count[static_cast<std::size_t>(*std::ranges::max_element(round, {}, free_at))];
   }
   return count;
 }

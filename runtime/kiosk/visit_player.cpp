@@ -35,6 +35,16 @@ const interface::Control* head_on(const interface::View& view, const interface::
   return nullptr;
 }
 
+/// Is that control of the cluster that is open, which has no room for it?
+bool is_crowded_out(const interface::View& view, const interface::Control& wanted) {
+  if (view.open < 0 || view.cluster.width <= 0) return false;
+  return std::ranges::any_of(view.labels, [&](const interface::FloorLabel& label) {
+    if (label.control < 0 || label.head != view.open) return false;
+    const interface::Control& control = view.controls[static_cast<std::size_t>(label.control)];
+    return control.name == wanted.name && control.role == wanted.role;
+  });
+}
+
 /// What turns the part that scrolls towards that control, where it lies there and is not seen.
 const interface::Control* turner_to(const interface::View& view, const interface::Control& wanted) {
   const interface::ScrollArea& area = view.scroll;
@@ -154,6 +164,11 @@ Result<void> VisitPlayer::continue_named_tap(double time, const guide::Guide& gu
     else if (const interface::Control* head = head_on(*guide.view(part), touches.front());
              head != nullptr && guide.is_settled(part))
       tap_on(*head);
+    else if (is_crowded_out(*guide.view(part), touches.front()))
+      return std::unexpected(
+          Error{Errc::InvalidInput,
+                fmt::format("line {}: '@{}' lies among others, and there is no room to show it",
+                            wanted.line, wanted.name)});
     return {};
   }
   const interface::View& shown = *guide.view(part);

@@ -405,10 +405,14 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
         finite(node.place) && finite(node.outward) && is_node(node.above, n) &&
         is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
         std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
-        std::bit_width(node.keeps_out) <= static_cast<int>(colliders.size()) &&
+        std::bit_width(node.keeps_out) <= static_cast<int>(colliders.size()) && node.radius >= 0 &&
+        node.radius < 1 &&
         std::ranges::all_of(
-            std::array{node.radius, node.stiffness, node.damping, node.drag, node.tension},
-            [](float x) { return x >= 0 && x <= most_cloth_pull; });
+            std::array{node.stiffness, node.tension},
+            [](float x) { return x >= 0 && x <= most_cloth_pull; }) &&
+        std::ranges::all_of(
+            std::array{node.damping, node.drag},
+            [](float x) { return x >= 0 && x <= most_cloth_damping; });
     if (!sound) return false;
   }
   return std::ranges::all_of(colliders, [=](const ClothCollider& limb) {

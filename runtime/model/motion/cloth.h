@@ -40,7 +40,7 @@ struct ClothCollider {
 inline constexpr std::size_t most_cloth_colliders = 16;
 
 /// No spring is stiffer, and none damps more: what a step of 1/120 s follows.
-inline constexpr float most_cloth_pull = 2000;
+inline constexpr float most_cloth_pull = 2000, most_cloth_damping = 100;
 
 /// All cloth of some bodies, body after body.
 struct Cloth {

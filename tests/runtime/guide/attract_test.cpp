@@ -91,6 +91,31 @@ TEST(TheMuseum, ShowsAWayToAnExhibitThatTheGuideWalksAndComesHome) {
   EXPECT_EQ(kiosk.guide.counters().collisions, 0U);
 }
 
+TEST(TheMuseum, IsNotTouchedByAFingerThatHasRestedOnTheGlassAllTheWhile) {
+  Kiosk kiosk;
+  const scene::Rect begin = kiosk.guide.view()->controls.front().rect;
+  const input::Contact finger{1, begin.x + begin.width / 2, begin.y + begin.height / 2};
+  kiosk.guide.touch({.kind = input::InputEvent::Kind::Down, .contact = finger});
+  kiosk.run(61);
+  ASSERT_TRUE(kiosk.guide.is_attracting());
+
+  kiosk.guide.touch({.kind = input::InputEvent::Kind::Up, .contact = finger});
+  kiosk.run(1);
+
+  EXPECT_TRUE(kiosk.guide.is_attracting());
+  EXPECT_EQ(kiosk.guide.state().screen, interface::Screen::Welcome);
+}
+
+TEST(TheMuseum, IsThereForWhoPlugsHeadphonesIn) {
+  Kiosk kiosk;
+  kiosk.run(61);
+  ASSERT_TRUE(kiosk.guide.is_attracting());
+
+  kiosk.guide.headphones(true);
+
+  EXPECT_FALSE(kiosk.guide.is_attracting());
+}
+
 TEST(TheMuseum, GivesTheFirstScreenBackInTheFrameOfATouch) {
   for (const double alone : {60.5, 66.0, 80.0, 130.0}) {
     Kiosk kiosk;
