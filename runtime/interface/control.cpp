@@ -7,6 +7,7 @@
 #include "runtime/interface/face.h"
 #include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/parts.h"
 #include "runtime/interface/places.h"
 #include "runtime/scene/look.h"
 
