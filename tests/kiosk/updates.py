@@ -84,9 +84,12 @@ def from_stick(kiosk: Kiosk, releases: Releases) -> None:
 def power_cut(kiosk: Kiosk, releases: Releases) -> None:
     """While a release is being installed. Old or new, never none; and the next look finishes it."""
     publish(kiosk, 3)
+    # Who is looking already has seen the old manifest, perhaps: so it is told again, now and then.
+    begun = "ls /var/lib/docent/releases/*.part /var/lib/docent/releases/parts/* >/dev/null 2>&1"
     kiosk.machine.must(
-        "systemctl start --no-block docent-update; "
-        "until ls /var/lib/docent/releases/*.part /var/lib/docent/releases/parts/* >/dev/null 2>&1; do :; done"
+        f"for look in $(seq 20); do systemctl start --no-block docent-update; "
+        f"for time in $(seq 300); do if {begun}; then break 2; fi; done; done; {begun}",
+        TO_DRAW,
     )
     kiosk.machine.cut_power()
     kiosk.machine.wait_for_shell(TO_BOOT)
