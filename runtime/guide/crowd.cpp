@@ -36,6 +36,13 @@ bool stands(const Avatar& avatar) noexcept {
   return !avatar.next && avatar.seconds >= avatar.plan->seconds();
 }
 
+bool is_to_be_seen(const Agent& one) noexcept {
+  constexpr double same_place = 1e-3;  // metres
+  if (one.is_here || one.is_away || !one.appears_at) return one.is_here;
+  return one.avatar.floor == one.appears_on &&
+         glm::distance(one.avatar.body.position, one.appears_at->position) < same_place;
+}
+
 bool is_between_floors(const Agent& one) noexcept {
   if (one.appears_at) return false;
   return one.boards || ride_of(one.avatar) != nullptr;

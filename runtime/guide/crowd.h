@@ -146,6 +146,9 @@ class Crowd {
   double clock_ = 0;
 };
 
+/// Is it here, or about to be where it stands already?
+bool is_to_be_seen(const Agent& one) noexcept;
+
 /// Is it on a connection, or about to be? Then it comes out on the other floor, whatever it is
 /// told.
 bool is_between_floors(const Agent& one) noexcept;

@@ -419,7 +419,7 @@ void Guide::draw_bodies() noexcept {
   const scene::CameraView camera =
       scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape));
   for (const Agent& one : crowd_.members()) {
-    if (!one.is_here || one.avatar.shown_floor != stage_.floor()) continue;
+    if (!is_to_be_seen(one) || one.avatar.shown_floor != stage_.floor()) continue;
     const std::size_t before = list_.avatars.size();
     draw(museum_, one.avatar, list_);
     if (!is_shared() || list_.avatars.size() == before) continue;

@@ -38,8 +38,8 @@ class FloorMap {
   std::uint32_t site_at(Vec2 point) const noexcept;
   std::uint32_t site_of_wall(std::uint32_t wall) const noexcept { return wall_site_[wall]; }
 
-  /// May the centre of a disc be here: inside, and no nearer to a wall than fits (touching.h)?
   Fit fit_at(Vec2 point, double radius) const noexcept;
+  /// May the centre of a disc be here: inside, and no nearer to a wall than fits (touching.h)?
   bool has_room(Vec2 point, double radius) const noexcept {
     return fit_at(point, radius) != Fit::None;
   }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -405,6 +406,7 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
         finite(node.place) && finite(node.outward) && is_node(node.above, n) &&
         is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
         std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
+        std::reduce(node.weight.begin(), node.weight.end(), 0) == 255 &&
         std::bit_width(node.keeps_out) <= static_cast<int>(colliders.size()) && node.radius >= 0 &&
         node.radius < 1 &&
         std::ranges::all_of(

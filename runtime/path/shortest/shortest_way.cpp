@@ -14,8 +14,8 @@
 #include "runtime/path/shortest/make_tangent_graph.h"
 
 namespace docent::path {
-/// Inlined where candidates are listed. What both give is found again for the few that are looked
-/// at: kept for all, it costs more.
+/// Inlined where candidates are listed. Where they touch is found for the few that are looked at:
+/// kept for all, it costs more.
 [[gnu::always_inline]] inline std::optional<double> ShortestWayMap::length_to(
     std::uint32_t side, Vec2 point) const noexcept {
   const ArcOfEnds& arc = arc_[side / 2];
@@ -352,7 +352,7 @@ class Query {
     const auto cost = static_cast<std::int64_t>(work_.hub[hub] - (work_.round << cost_bits));
     for (std::uint32_t i = 0; i < from_.candidates.size(); ++i) {
       const Candidate& candidate = from_.candidates[i];
-      if (candidate.looked == none) continue;
+      if (candidate.looked == none || candidate.bound == unreached) continue;
       const auto label = map_.leaving(candidate.side);
       const auto entry = std::ranges::lower_bound(label, hub, {}, &HubCost::hub);
       if (entry == label.end() || entry->hub != hub) continue;

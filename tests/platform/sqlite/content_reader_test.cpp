@@ -250,6 +250,8 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].left = 2; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].keeps_out = 2; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].stiffness = NAN; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].damping = 2 * most_cloth_damping; }},
+      {"avatar", [](Museum& m) { --m.avatar.cloth.node[1].weight[0]; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.collider[0].joint = 2; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.collider.resize(most_cloth_colliders + 1); }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node.resize(most_joints - 1); }},

@@ -2,20 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/camera.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 struct Kiosk {
   Kiosk(const Museum& shown, const GuideSettings& settings)
@@ -36,7 +30,7 @@ struct Kiosk {
 };
 
 TEST(Attention, IsGivenToTheCameraWhereOneVisitorHasTheGlass) {
-  Kiosk kiosk(museum(), {.shape = {.width = 1920, .height = 1080}});
+  Kiosk kiosk(test::sample_museum(), {.shape = {.width = 1920, .height = 1080}});
   kiosk.tap(0.9F, 0.1F);
   kiosk.run(3);  // until the camera rests
 
@@ -51,7 +45,7 @@ TEST(Attention, IsGivenByEachGuideToTheCardOfItsVisitor) {
   const GuideSettings settings{.shape = {.width = 1920, .height = 1080, .diagonal_inches = 55},
                                .idle_reset = Seconds{120},
                                .visitors = 8};
-  Kiosk kiosk(museum(), settings);
+  Kiosk kiosk(test::sample_museum(), settings);
   for (const std::uint32_t seat : {1U, 8U}) {
     const scene::Rect column = interface::column_of(settings.shape, 8, seat);
     kiosk.tap(column.x + column.width / 2, 0.95F);
@@ -79,7 +73,7 @@ TEST(Attention, IsGivenByEachGuideToTheCardOfItsVisitor) {
 }
 
 TEST(Attention, IsGivenNowAndThenToStrollersWhoPassAndSomeWaveBack) {
-  Museum busy = museum();
+  Museum busy = test::sample_museum();
   busy.ambient.count = 12;
   busy.ambient.entrances = {busy.kiosk.position + Vec2{1.2, 1.5}};
   Kiosk kiosk(busy, {.shape = {.width = 1920, .height = 1080}});

@@ -5,25 +5,20 @@
 
 #include <algorithm>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/scene/shown_list.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
-
 struct Kiosk {
   explicit Kiosk(GuideSettings settings = {.shape = {.width = 1920, .height = 1080}})
-      : planner(museum(), {test::boxes, {}}, planner_size(museum(), settings).avatars,
-                planner_size(museum(), settings).parts),
-        guide(museum(), planner, settings) {
+      : planner(test::sample_museum(), {test::boxes, {}},
+                planner_size(test::sample_museum(), settings).avatars,
+                planner_size(test::sample_museum(), settings).parts),
+        guide(test::sample_museum(), planner, settings) {
     run(1);
   }
   void run(double seconds) { test::run(planner, guide, seconds); }
@@ -75,18 +70,19 @@ TEST(TheMuseum, ShowsAWayToAnExhibitThatTheGuideWalksAndComesHome) {
   const scene::RibbonDraw& way = list.ribbons.front();
   const Vec2 begins = list.ribbon_point[way.first];
   const Vec2 ends = list.ribbon_point[way.first + way.count - 1];
-  EXPECT_LT(glm::distance(begins, museum().kiosk.position), 0.5);
-  const auto shown = std::ranges::find_if(museum().exhibits, [&](const Exhibit& exhibit) {
-    return glm::distance(exhibit.viewing_point.position, ends) < 0.1;
-  });
-  ASSERT_NE(shown, museum().exhibits.end());
+  EXPECT_LT(glm::distance(begins, test::sample_museum().kiosk.position), 0.5);
+  const auto shown =
+      std::ranges::find_if(test::sample_museum().exhibits, [&](const Exhibit& exhibit) {
+        return glm::distance(exhibit.viewing_point.position, ends) < 0.1;
+      });
+  ASSERT_NE(shown, test::sample_museum().exhibits.end());
   const auto is_at = [&](Vec2 place) {
     return [&kiosk, place](const scene::DrawList&) {
       return glm::distance(kiosk.guide.crowd()[0].avatar.body.position, place) < 0.3;
     };
   };
   EXPECT_GT(kiosk.seconds_until(90, is_at(ends)), 0);
-  EXPECT_GT(kiosk.seconds_until(90, is_at(museum().kiosk.position)), 0);
+  EXPECT_GT(kiosk.seconds_until(90, is_at(test::sample_museum().kiosk.position)), 0);
   EXPECT_GT(kiosk.seconds_until(120, has_way), 0) << "and another one";
   EXPECT_EQ(kiosk.guide.counters().collisions, 0U);
 }
@@ -104,6 +100,23 @@ TEST(TheMuseum, IsNotTouchedByAFingerThatHasRestedOnTheGlassAllTheWhile) {
 
   EXPECT_TRUE(kiosk.guide.is_attracting());
   EXPECT_EQ(kiosk.guide.state().screen, interface::Screen::Welcome);
+}
+
+TEST(TheMuseum, IsNeverWithoutItsGuide) {
+  Kiosk kiosk;
+  kiosk.run(58);
+  for (int frame = 0; frame < 4 * 60; ++frame) {
+    ASSERT_GE(kiosk.guide.draw_list().avatars.size(), 1U) << frame;
+    EXPECT_EQ(kiosk.guide.draw_list().avatars[0].look, 0U) << frame;
+    kiosk.run(1.0 / 60);
+  }
+  ASSERT_TRUE(kiosk.guide.is_attracting());
+
+  kiosk.touch(input::InputEvent::Kind::Down);
+  for (int frame = 0; frame < 30; ++frame) {
+    kiosk.run(1.0 / 60);
+    ASSERT_EQ(kiosk.guide.draw_list().avatars.size(), 1U) << frame;
+  }
 }
 
 TEST(TheMuseum, IsThereForWhoPlugsHeadphonesIn) {
@@ -135,7 +148,8 @@ TEST(TheMuseum, GivesTheFirstScreenBackInTheFrameOfATouch) {
     EXPECT_TRUE(list.markers == first.markers);
     EXPECT_TRUE(list.ribbons.empty());
     ASSERT_EQ(list.avatars.size(), 1U);
-    EXPECT_LT(glm::distance(kiosk.guide.crowd()[0].avatar.body.position, museum().kiosk.position),
+    EXPECT_LT(glm::distance(kiosk.guide.crowd()[0].avatar.body.position,
+                            test::sample_museum().kiosk.position),
               0.01);
     // What the finger lies on was not there when it came down.
     kiosk.touch(input::InputEvent::Kind::Up);

@@ -5,18 +5,12 @@
 #include <algorithm>
 #include <string>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 GuideSettings settings() {
   return {.shape = {.width = 1280, .height = 720}};
@@ -24,9 +18,10 @@ GuideSettings settings() {
 
 struct Listener {
   Listener()
-      : planner(museum(), {test::boxes, {}}, planner_size(museum(), settings()).avatars,
-                planner_size(museum(), settings()).parts),
-        guide(museum(), planner, settings()) {
+      : planner(test::sample_museum(), {test::boxes, {}},
+                planner_size(test::sample_museum(), settings()).avatars,
+                planner_size(test::sample_museum(), settings()).parts),
+        guide(test::sample_museum(), planner, settings()) {
     test::run(planner, guide, 0.2);
   }
   /// What of the caption is on the glass.

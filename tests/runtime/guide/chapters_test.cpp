@@ -5,21 +5,15 @@
 
 #include <algorithm>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/model/exhibit/room_of.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
 using interface::Chapter;
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 /// A visitor who goes along to an exhibit.
 struct Walk {
@@ -28,28 +22,19 @@ struct Walk {
     guide.touch(
         {.kind = input::InputEvent::Kind::KeyDown, .contact = {}, .key = input::Key::Enter});
     run(1.5);
-    const auto it = std::ranges::find(museum().exhibits, exhibit, &Exhibit::id);
-    if (it->floor != museum().kiosk_floor) tap("floor:" + museum().floors[it->floor].plan.name);
+    const auto it = std::ranges::find(test::sample_museum().exhibits, exhibit, &Exhibit::id);
+    if (it->floor != test::sample_museum().kiosk_floor)
+      tap("floor:" + test::sample_museum().floors[it->floor].plan.name);
     tap("exhibit:" + std::string(exhibit));
     run(2);
     tap("walk");
     run(1);
   }
   void run(double seconds) { test::run(planner, guide, seconds); }
-  void tap(const std::string& name) {
-    const auto& controls = guide.view()->controls;
-    const auto control = std::ranges::find(controls, name, &interface::Control::name);
-    ASSERT_NE(control, controls.end()) << name;
-    const scene::Rect& at = control->rect;
-    const input::Contact finger{1, at.x + at.width / 2, at.y + at.height / 2};
-    for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
-      guide.touch({.kind = kind, .contact = finger});
-      run(1.0 / 60);
-    }
-  }
+  void tap(std::string_view name) { test::tap(planner, guide, name); }
   std::uint32_t room() const {
     const Avatar& one = guide.crowd()[0].avatar;
-    return room_of(museum(), one.floor, one.body.position);
+    return room_of(test::sample_museum(), one.floor, one.body.position);
   }
   /// Seconds until the guide no longer hurries.
   double seconds_of_haste() {
@@ -62,8 +47,8 @@ struct Walk {
   }
 
   GuideSettings settings{.shape = {.width = 1920, .height = 1080}, .idle_reset = Seconds{600}};
-  plan::Planner planner{museum(), {test::boxes, {}}};
-  Guide guide{museum(), planner, settings};
+  plan::Planner planner{test::sample_museum(), {test::boxes, {}}};
+  Guide guide{test::sample_museum(), planner, settings};
 };
 
 TEST(Chapters, AreTheRoomsOnTheWayAndThenTheGoal) {
@@ -124,9 +109,10 @@ TEST(Chapters, AreSkippedByTheKeypadToo) {
 }
 
 TEST(Chapters, EndWhereOneHasComeToAnotherFloor) {
-  const auto above = std::ranges::find_if(
-      museum().exhibits, [](const Exhibit& it) { return it.floor != museum().kiosk_floor; });
-  ASSERT_NE(above, museum().exhibits.end());
+  const auto above = std::ranges::find_if(test::sample_museum().exhibits, [](const Exhibit& it) {
+    return it.floor != test::sample_museum().kiosk_floor;
+  });
+  ASSERT_NE(above, test::sample_museum().exhibits.end());
   Walk walk(above->id);
   bool came_to_stairs = false;
   for (int i = 0; i < 20 && !walk.guide.state().arrived; ++i) {
@@ -149,7 +135,7 @@ TEST(Chapters, AreNotOfferedToWhoSeesTheWholeWay) {
   Walk walk("tripod-ding");
   interface::InterfaceState state = walk.guide.state();
   state.pace = 0;
-  const auto controls = interface::controls_of(museum(), state, 5);
+  const auto controls = interface::controls_of(test::sample_museum(), state, 5);
 
   EXPECT_EQ(std::ranges::find(controls, "onward", &interface::Control::name), controls.end());
 }

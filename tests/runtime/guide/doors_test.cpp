@@ -5,16 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "platform/sqlite/content_reader.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 /// One of the sample museum's doors, hung and opened in some way, and places on either side of it.
 struct Doorway {
@@ -32,7 +26,7 @@ struct Doorway {
 };
 
 Doorway doorway(DoorOpens opens, DoorHinge hinge = DoorHinge::Both, double width = 2) {
-  Doorway it{museum(), museum().kiosk_floor, 0};
+  Doorway it{test::sample_museum(), test::sample_museum().kiosk_floor, 0};
   Door& door = it.museum.floors[it.floor].plan.doors[0];
   const Vec2 middle = 0.5 * (door.a + door.b), half = width / 2 * glm::normalize(door.b - door.a);
   door.a = middle - half;

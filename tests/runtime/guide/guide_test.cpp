@@ -6,23 +6,17 @@
 #include <cstring>
 #include <numbers>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/scene/theme.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
-
 /// A guide in simulated time: the worker's answers are there in the next step.
 class Session {
  public:
-  explicit Session(const Museum& shown = museum())
+  explicit Session(const Museum& shown = test::sample_museum())
       : planner_(shown, {test::boxes, {}}), guide_(shown, planner_, settings()) {
     run(0.1);
   }
@@ -62,7 +56,7 @@ class Session {
 };
 
 std::string first_exhibit() {
-  return "exhibit:" + museum().exhibits.front().id;
+  return "exhibit:" + test::sample_museum().exhibits.front().id;
 }
 
 std::size_t rings(Session& session) {
@@ -161,9 +155,9 @@ TEST(Guide, GoesToAnExhibitTouchedOnTheModel) {
   session.tap("begin");
   session.run(2);
   std::uint32_t last = 0;  // of the kiosk's floor
-  for (std::uint32_t i = 0; i < museum().exhibits.size(); ++i)
-    if (museum().exhibits[i].floor == museum().kiosk_floor) last = i;
-  session.tap("exhibit:" + museum().exhibits[last].id, interface::Role::Spot);
+  for (std::uint32_t i = 0; i < test::sample_museum().exhibits.size(); ++i)
+    if (test::sample_museum().exhibits[i].floor == test::sample_museum().kiosk_floor) last = i;
+  session.tap("exhibit:" + test::sample_museum().exhibits[last].id, interface::Role::Spot);
 
   EXPECT_EQ(session.guide().state().exhibit, last);
 }
@@ -176,8 +170,8 @@ TEST(Guide, ArrivesAndSuggestsWhatIsCloseBy) {
 
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
   EXPECT_TRUE(session.guide().state().arrived);
-  const Vec2 off =
-      session.guide().crowd()[0].avatar.body.position - museum().exhibits[0].viewing_point.position;
+  const Vec2 off = session.guide().crowd()[0].avatar.body.position -
+                   test::sample_museum().exhibits[0].viewing_point.position;
   EXPECT_LT(std::hypot(off.x, off.y), 1.1);
 }
 
@@ -185,7 +179,7 @@ TEST(Guide, LooksIntoABendBeforeItWalksIt) {
   Session session;
   session.tap("begin");
   session.run(2);
-  session.tap("exhibit:" + museum().exhibits[6].id, interface::Role::Spot);
+  session.tap("exhibit:" + test::sample_museum().exhibits[6].id, interface::Role::Spot);
   int led = 0, bends = 0;
   double gaze = session.guide().crowd()[0].avatar.manner.gaze.yaw;
   for (int i = 0; i < 60 * 20; ++i) {
@@ -216,7 +210,8 @@ TEST(Guide, GreetsTheNextVisitorInTheFirstLanguageAndWalksHome) {
   session.run(80);
 
   EXPECT_EQ(session.guide().state(), interface::InterfaceState{});
-  const Vec2 off = session.guide().crowd()[0].avatar.body.position - museum().kiosk.position;
+  const Vec2 off =
+      session.guide().crowd()[0].avatar.body.position - test::sample_museum().kiosk.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.3);
 }
 
@@ -227,14 +222,15 @@ TEST(Guide, BeginsEveryVisitAtYouAreHereWhereverTheLastOneEnded) {
   session.run(6);
   session.tap("home");
   session.run(0.5);
-  const Vec2 left = session.guide().crowd()[0].avatar.body.position - museum().kiosk.position;
+  const Vec2 left =
+      session.guide().crowd()[0].avatar.body.position - test::sample_museum().kiosk.position;
   ASSERT_GT(std::hypot(left.x, left.y), 1.0) << "it is still walking home";
 
   session.tap("begin");
   session.run(0.1);
 
   const Agent& guide = session.guide().crowd()[0];
-  const Vec2 off = guide.avatar.body.position - museum().kiosk.position;
+  const Vec2 off = guide.avatar.body.position - test::sample_museum().kiosk.position;
   EXPECT_LT(std::hypot(off.x, off.y), 0.01);
   EXPECT_TRUE(guide.is_here);
   session.tap(first_exhibit());
@@ -321,7 +317,7 @@ TEST(Guide, KeepsNothingOfTheLastVisitorForTheNext) {
   session.tap("begin");
   session.tap("language:ar");
   session.tap("route:offset");
-  session.tap("collect:" + museum().exhibits.front().id);
+  session.tap("collect:" + test::sample_museum().exhibits.front().id);
   session.tap("home");
   session.run(21);
 
@@ -333,7 +329,7 @@ TEST(Guide, DoesNotLeaveAVisitorWhoFollows) {
   session.tap("begin");
   session.tap("page:next");
   session.tap("page:next");
-  session.tap("exhibit:" + museum().exhibits[18].id);
+  session.tap("exhibit:" + test::sample_museum().exhibits[18].id);
   session.run(22);  // longer than the idle time, shorter than the way
 
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
@@ -366,18 +362,20 @@ TEST(Guide, TurnsThePictureToTheNewWayWithinASecondAndAHalfOfAChangeOfMind) {
     EXPECT_TRUE(shows_the_walk(session));
     session.key(input::Key::Back);
     session.run(0.5);
-    session.tap("exhibit:" + museum().exhibits[second].id, interface::Role::Spot);
+    session.tap("exhibit:" + test::sample_museum().exhibits[second].id, interface::Role::Spot);
     session.run(1.5);
     for (int i = 0; i < 1200 && session.guide().state().screen == interface::Screen::Walking; ++i) {
-      ASSERT_TRUE(shows_the_walk(session)) << museum().exhibits[second].id << " after " << i;
+      ASSERT_TRUE(shows_the_walk(session))
+          << test::sample_museum().exhibits[second].id << " after " << i;
       session.run(1.0 / 60);
     }
   }
 }
 
 TEST(Guide, LeavesTheWallStandingThatAnExhibitHangsOn) {
-  const auto hung = std::ranges::find(museum().exhibits, ExhibitPlace::OnWall, &Exhibit::place);
-  ASSERT_NE(hung, museum().exhibits.end());
+  const auto hung =
+      std::ranges::find(test::sample_museum().exhibits, ExhibitPlace::OnWall, &Exhibit::place);
+  ASSERT_NE(hung, test::sample_museum().exhibits.end());
   Session session;
   session.key(input::Key::Enter);
   session.run(1.5);
@@ -428,7 +426,7 @@ double metres_in_two_seconds(int presses) {
   Session session;
   session.key(input::Key::Enter);
   session.run(1.5);
-  session.tap("exhibit:" + museum().exhibits[8].id, interface::Role::Spot);
+  session.tap("exhibit:" + test::sample_museum().exhibits[8].id, interface::Role::Spot);
   session.run(3);
   for (int i = 0; i < presses; ++i) session.tap("walk");
   const Vec2 before = session.guide().crowd()[0].avatar.body.position;
@@ -518,7 +516,7 @@ TEST(Guide, CanBeUsedByKeysAlone) {
   session.key(input::Key::Enter);
   session.run(0.5);
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
-  for (std::size_t tour = 0; tour < museum().tours.size(); ++tour)
+  for (std::size_t tour = 0; tour < test::sample_museum().tours.size(); ++tour)
     session.key(input::Key::Down);  // they come before the exhibits
   session.key(input::Key::Down);
   session.key(input::Key::Down);
@@ -538,12 +536,12 @@ TEST(Guide, LeadsToTheNearestToiletsByOneTouchFromEveryScreen) {
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Walking);
   const auto place = session.guide().state().place;
   ASSERT_TRUE(place);
-  EXPECT_TRUE(answers(museum().places[*place].kind, PlaceKind::Toilets));
+  EXPECT_TRUE(answers(test::sample_museum().places[*place].kind, PlaceKind::Toilets));
   for (int i = 0; i < 60 && !session.guide().state().arrived; ++i) session.run(1);
 
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Arrived);
   EXPECT_LT(glm::distance(session.guide().crowd()[0].avatar.body.position,
-                          museum().places[*place].standing),
+                          test::sample_museum().places[*place].standing),
             0.02);
   session.tap("places");
   session.run(0.5);
@@ -563,7 +561,7 @@ TEST(Guide, IsSentToAPlaceByItsSignOnTheModel) {
   session.run(1);
 
   ASSERT_TRUE(session.guide().state().place);
-  EXPECT_EQ(museum().places[*session.guide().state().place].id, "shop");
+  EXPECT_EQ(test::sample_museum().places[*session.guide().state().place].id, "shop");
   EXPECT_FALSE(session.guide().state().seeks);
 }
 
@@ -589,7 +587,7 @@ TEST(Guide, ShowsNoSignOverAnotherNorOverAName) {
   session.tap("begin");
   session.run(2);
   for (const std::uint32_t floor : {0U, 1U, 2U}) {
-    session.tap("floor:" + museum().floors[floor].plan.name);
+    session.tap("floor:" + test::sample_museum().floors[floor].plan.name);
     session.run(1.5);
     const interface::View& view = *session.guide().view();
     std::size_t signs = 0;
@@ -611,7 +609,7 @@ TEST(Guide, ShowsNoNameOfAGalleryUnderANumberNorUnderAnother) {
   session.tap("begin");
   session.run(2);
   for (const std::uint32_t floor : {0U, 1U, 2U}) {
-    session.tap("floor:" + museum().floors[floor].plan.name);
+    session.tap("floor:" + test::sample_museum().floors[floor].plan.name);
     session.run(1.5);
     const auto& labels = session.guide().view()->labels;
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -628,7 +626,8 @@ TEST(Guide, LeadsThroughTheTourThatAVisitorPutsTogether) {
   Session session;
   session.tap("begin");
   session.run(0.5);
-  for (const std::uint32_t i : {2U, 0U, 1U}) session.tap("collect:" + museum().exhibits[i].id);
+  for (const std::uint32_t i : {2U, 0U, 1U})
+    session.tap("collect:" + test::sample_museum().exhibits[i].id);
   session.run(0.5);
 
   EXPECT_TRUE(session.guide().state().own_tour.is_ordered) << "the worker has ordered it";
@@ -665,7 +664,7 @@ TEST(Guide, TurnsThePageWhenTheListIsSwiped) {
 /// The sample museum twice, one above the other, with a lift beside the kiosk; upstairs is a copy
 /// of the first exhibit.
 Museum house_with_a_lift() {
-  Museum house = museum();
+  Museum house = test::sample_museum();
   const std::uint32_t ground = house.kiosk_floor;
   house.floors.push_back(house.floors[ground]);
   house.scenery.push_back(house.scenery[ground]);
@@ -740,12 +739,12 @@ TEST(Guide, PlansAnewAtOnceWithoutStepsAndGoesAnyWayAgainWithTheNextVisitor) {
   session.run(1);
   session.tap("floor:upper");
   session.run(1);
-  const auto upstairs = std::ranges::find(museum().exhibits, 1U, &Exhibit::floor);
+  const auto upstairs = std::ranges::find(test::sample_museum().exhibits, 1U, &Exhibit::floor);
   session.tap("exhibit:" + upstairs->id, interface::Role::Spot);
   session.run(2);
   const auto taken = [&] {
     const auto& then = session.guide().crowd()[0].avatar.plan->then;
-    return then ? museum().connections[then->connection].id : std::string();
+    return then ? test::sample_museum().connections[then->connection].id : std::string();
   };
   EXPECT_EQ(taken(), "grand-stairs");
 
@@ -760,7 +759,7 @@ TEST(Guide, PlansAnewAtOnceWithoutStepsAndGoesAnyWayAgainWithTheNextVisitor) {
 }
 
 TEST(Guide, WhoFindsNoWayWithoutStepsStopsAndGoesOnWhenAnyWayWillDo) {
-  Museum house = museum();
+  Museum house = test::sample_museum();
   for (Connection& connection : house.connections) connection.step_free = false;
   Session session(house);
   session.tap("begin");
@@ -804,7 +803,7 @@ TEST(Guide, SaysThatAnExhibitIsClosedAndLeadsThereOnceItIsOpen) {
   session.tap("begin");
   session.run(0.5);
   Closures closed;
-  closed.doors.resize(museum().floors.size());
+  closed.doors.resize(test::sample_museum().floors.size());
   closed.exhibits = {{0}};
   session.close(closed);
   session.run(0.5);
@@ -832,7 +831,7 @@ TEST(Guide, StopsOnItsWayToAnExhibitThatIsClosedAndSaysSo) {
   session.run(3);
   ASSERT_EQ(session.guide().state_of(0), AvatarState::Walk);
   Closures closed;
-  closed.doors.resize(museum().floors.size());
+  closed.doors.resize(test::sample_museum().floors.size());
   closed.exhibits = {{0}};
 
   session.close(closed);

@@ -8,20 +8,14 @@
 #include <random>
 #include <set>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/avatar.h"
 #include "runtime/motion/leg.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
 constexpr double frame = 1.0 / 60;
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 std::unique_ptr<plan::Plan> walk_ahead(const Placement& from, double metres) {
   auto plan = std::make_unique<plan::Plan>();
@@ -32,17 +26,20 @@ std::unique_ptr<plan::Plan> walk_ahead(const Placement& from, double metres) {
   motion::WalkRequest request;
   request.path = plan->points;
   request.start = from;
-  plan->walk = motion::make_walk(museum().motion, request).value();
+  plan->walk = motion::make_walk(test::sample_museum().motion, request).value();
   return plan;
 }
 
 /// One guide, without a crowd.
 struct Body {
   explicit Body(std::uint64_t who = 1)
-      : avatar(make_avatar(museum(), 0, plan::make_standing(museum(), museum().kiosk), who)) {}
+      : avatar(make_avatar(test::sample_museum(), 0,
+                           plan::make_standing(test::sample_museum(), test::sample_museum().kiosk),
+                           who)) {}
 
   void run(double seconds) {
-    for (long i = 0; i < std::lround(seconds / frame); ++i) advance(museum(), avatar, frame);
+    for (long i = 0; i < std::lround(seconds / frame); ++i)
+      advance(test::sample_museum(), avatar, frame);
   }
   void set_out(double metres) {
     avatar.plan = walk_ahead(avatar.body, metres);
@@ -54,11 +51,11 @@ struct Body {
                     height);
   }
   Vec3 joint(BodyPart part) const {
-    return Vec3(avatar.world[index_of(museum().motion.skeleton[part])][3]);
+    return Vec3(avatar.world[index_of(test::sample_museum().motion.skeleton[part])][3]);
   }
   /// Where the face looks.
   Vec3 face() const {
-    return Vec3(avatar.world[index_of(museum().motion.skeleton[BodyPart::Head])] *
+    return Vec3(avatar.world[index_of(test::sample_museum().motion.skeleton[BodyPart::Head])] *
                 Vec4(0, 0, 1, 0));
   }
   double highest_hand() const {
@@ -200,8 +197,8 @@ TEST(Manner, NeverShowsTheSameTwentySecondsTwiceInAnHour) {
 
 TEST(Manner, MovesNoJointQuickerThanTheClipsMoveTheirQuickestHoweverItIsInterrupted) {
   float quickest = 0;  // metres a second
-  for (const MotionClip& clip : museum().motion.clips) {
-    const Skeleton& skeleton = museum().motion.skeleton;
+  for (const MotionClip& clip : test::sample_museum().motion.clips) {
+    const Skeleton& skeleton = test::sample_museum().motion.skeleton;
     std::vector<Quat> rotation(skeleton.joint.size());
     std::vector<Mat4> world(rotation.size()), last;
     for (double t = 0; t * clip.frame_rate < frame_count(clip); t += frame) {
@@ -219,7 +216,7 @@ TEST(Manner, MovesNoJointQuickerThanTheClipsMoveTheirQuickestHoweverItIsInterrup
   float worst = 0;
   for (int walk = 0; walk < 12; ++walk) {
     body.set_out(2 + walk % 3);
-    if (walk % 4 == 3) body.avatar.plan = walk_ahead(museum().kiosk, 1), body.run(0);
+    if (walk % 4 == 3) body.avatar.plan = walk_ahead(test::sample_museum().kiosk, 1), body.run(0);
     for (int i = 0, wait = 0; i < 60 * 14; ++i, --wait) {
       Company& company = body.avatar.company;
       if (wait <= 0) {
@@ -270,7 +267,7 @@ TEST(Manner, IsCalmWhereItIsToldToBe) {
 }
 
 TEST(Manner, IsThatOfABodyWithoutArmsOrHead) {
-  Museum bare = museum();
+  Museum bare = test::sample_museum();
   for (const BodyPart part : {BodyPart::LeftElbow, BodyPart::RightWrist, BodyPart::Head,
                               BodyPart::Neck, BodyPart::LeftKnee})
     bare.motion.skeleton.part[static_cast<std::size_t>(part)] = JointIndex::None;
@@ -283,7 +280,7 @@ TEST(Manner, IsThatOfABodyWithoutArmsOrHead) {
 
 TEST(Manner, IsAsSmoothAfterAMonth) {
   Body young(3), old(3);
-  for (int hour = 0; hour < 30 * 24; ++hour) advance(museum(), old.avatar, 3600);
+  for (int hour = 0; hour < 30 * 24; ++hour) advance(test::sample_museum(), old.avatar, 3600);
   const auto most_moved = [](Body& body) {
     float most = 0;
     for (int i = 0; i < 60 * 30; ++i) {

@@ -2,27 +2,21 @@
 
 #include <algorithm>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/scene/shown_list.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 enum class Motion : std::uint8_t { Full, Reduced };
 
 /// A kiosk of one visitor, in simulated time.
 struct Kiosk {
   explicit Kiosk(Motion motion)
-      : planner(museum(), {test::boxes, {}}),
-        guide(museum(), planner,
+      : planner(test::sample_museum(), {test::boxes, {}}),
+        guide(test::sample_museum(), planner,
               {.shape = {.width = 1920, .height = 1080},
                .idle_reset = Seconds{600},
                .reduced_motion = motion == Motion::Reduced}) {
@@ -31,17 +25,7 @@ struct Kiosk {
 
   void run(double seconds) { test::run(planner, guide, seconds); }
 
-  void tap(std::string_view name) {
-    const auto& controls = guide.view()->controls;
-    const auto control = std::ranges::find(controls, name, &interface::Control::name);
-    ASSERT_NE(control, controls.end()) << name;
-    const scene::Rect& at = control->rect;
-    const input::Contact finger{1, at.x + at.width / 2, at.y + at.height / 2};
-    for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
-      guide.touch({.kind = kind, .contact = finger});
-      run(1.0 / 60);
-    }
-  }
+  void tap(std::string_view name) { test::tap(planner, guide, name); }
 
   /// Of so many seconds' frames, how many would have to be drawn.
   int drawn_in(double seconds, float pixels_high) {
@@ -93,9 +77,10 @@ TEST(ReducedMotion, FollowsAWalkInStepsAndNeverLosesIt) {
   kiosk.tap("begin");
   kiosk.run(0.1);
   scene::CameraView before = kiosk.guide.draw_list().camera;
-  const Exhibit& farthest = *std::ranges::max_element(museum().exhibits, {}, [](const Exhibit& e) {
-    return glm::distance(e.viewing_point.position, museum().kiosk.position);
-  });
+  const Exhibit& farthest =
+      *std::ranges::max_element(test::sample_museum().exhibits, {}, [](const Exhibit& e) {
+        return glm::distance(e.viewing_point.position, test::sample_museum().kiosk.position);
+      });
   kiosk.tap("exhibit:" + farthest.id);
   int frames = 0, cuts = 0;
   for (; frames < 60 * 60 && !kiosk.guide.state().arrived; ++frames) {

@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 /// A tall screen of 43 inches, whose lower edge is 700 mm above the floor.
 interface::ScreenShape high_glass() {
@@ -24,8 +18,8 @@ interface::ScreenShape high_glass() {
 
 struct Kiosk {
   explicit Kiosk(const interface::ScreenShape& shape)
-      : planner(museum(), {test::boxes, {}}),
-        guide(museum(), planner, {.shape = shape, .idle_reset = Seconds{20}}) {
+      : planner(test::sample_museum(), {test::boxes, {}}),
+        guide(test::sample_museum(), planner, {.shape = shape, .idle_reset = Seconds{20}}) {
     run(0.1);
   }
   void run(double seconds) { test::run(planner, guide, seconds); }

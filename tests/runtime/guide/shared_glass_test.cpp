@@ -5,24 +5,18 @@
 #include <set>
 #include <string>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/guide/waiting_places.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
 #include "runtime/scene/side.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
 constexpr std::uint32_t seats = 8;
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 GuideSettings settings() {
   return {.shape = {.width = 1920, .height = 1080, .diagonal_inches = 55},
@@ -34,9 +28,10 @@ GuideSettings settings() {
 class Glassful {
  public:
   Glassful()
-      : planner_(museum(), {test::boxes, {}}, planner_size(museum(), settings()).avatars,
-                 planner_size(museum(), settings()).parts),
-        guide_(museum(), planner_, settings()) {
+      : planner_(test::sample_museum(), {test::boxes, {}},
+                 planner_size(test::sample_museum(), settings()).avatars,
+                 planner_size(test::sample_museum(), settings()).parts),
+        guide_(test::sample_museum(), planner_, settings()) {
     run(0.5);
   }
 
@@ -175,9 +170,9 @@ TEST(ASharedGlass, LeadsEightVisitorsAtOnceEachByTheirOwnGuide) {
     const interface::InterfaceState& state = glass.at(seat);
     ASSERT_TRUE(state.exhibit);
     EXPECT_TRUE(state.arrived) << "seat " << seat;
-    EXPECT_LT(
-        distance(glass.guide().crowd()[seat - 1], museum().exhibits[*state.exhibit].viewing_point),
-        1.1)
+    EXPECT_LT(distance(glass.guide().crowd()[seat - 1],
+                       test::sample_museum().exhibits[*state.exhibit].viewing_point),
+              1.1)
         << "it stands beside the place from which one looks";
   }
   EXPECT_EQ(glass.guide().counters().collisions, 0U);
@@ -270,7 +265,7 @@ TEST(ASharedGlass, CallsAGuideBackWhoHasNotYetSetOut) {
   Glassful glass;
   glass.sit_down(3, "saffron");
   const Placement home = glass.guide().crowd()[2].avatar.body;
-  const scene::Rect row = glass.place_of(3, "exhibit:" + museum().exhibits[0].id);
+  const scene::Rect row = glass.place_of(3, "exhibit:" + test::sample_museum().exhibits[0].id);
   const scene::Rect leave = glass.place_of(3, "home");
   glass.down(1, row.x + row.width / 2, row.y + row.height / 2);
   glass.down(2, leave.x + leave.width / 2, leave.y + leave.height / 2);
@@ -328,7 +323,7 @@ TEST(ASharedGlass, SendsAGuideHomeWhenItsVisitorLeavesAndLendsItToTheNext) {
   glass.sit_down(3, "saffron");
   const Placement home = glass.guide().crowd()[2].avatar.body;
   while (glass.exhibits_at(3).empty()) glass.tap(3, "page:next");  // tours come first
-  glass.tap(3, "exhibit:" + museum().exhibits[0].id);
+  glass.tap(3, "exhibit:" + test::sample_museum().exhibits[0].id);
   glass.run(8);
   EXPECT_GT(distance(glass.guide().crowd()[2], home), 0.5);
   glass.tap(3, "stop");
@@ -420,14 +415,16 @@ TEST(ASharedGlass, StaysSoundWhateverHandsDoOnIt) {
 }
 
 TEST(WaitingPlaces, HaveAWallBehindThemAndTheKioskInSight) {
-  const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
-  const auto places = waiting_places(*map, museum().kiosk, 8, museum().body_radius, {});
+  const auto map =
+      path::make_floor_map(test::sample_museum().floors[test::sample_museum().kiosk_floor]);
+  const auto places =
+      waiting_places(*map, test::sample_museum().kiosk, 8, test::sample_museum().body_radius, {});
 
   ASSERT_EQ(places.size(), 8U);
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Placement& place = places[i];
-    EXPECT_GT(path::clearance_at(*map, place.position), museum().body_radius);
-    EXPECT_TRUE(path::can_see(*map, place.position, museum().kiosk.position));
+    EXPECT_GT(path::clearance_at(*map, place.position), test::sample_museum().body_radius);
+    EXPECT_TRUE(path::can_see(*map, place.position, test::sample_museum().kiosk.position));
     const Vec2 ahead = 0.3 * Vec2{std::cos(place.heading), std::sin(place.heading)};
     EXPECT_GT(path::clearance_at(*map, place.position + ahead),
               path::clearance_at(*map, place.position - ahead));
@@ -435,11 +432,14 @@ TEST(WaitingPlaces, HaveAWallBehindThemAndTheKioskInSight) {
 }
 
 TEST(WaitingPlaces, KeepClearOfWhereOthersWantToStand) {
-  const auto map = path::make_floor_map(museum().floors[museum().kiosk_floor]);
-  const auto places = waiting_places(*map, museum().kiosk, 8, museum().body_radius, {});
+  const auto map =
+      path::make_floor_map(test::sample_museum().floors[test::sample_museum().kiosk_floor]);
+  const auto places =
+      waiting_places(*map, test::sample_museum().kiosk, 8, test::sample_museum().body_radius, {});
   const Vec2 wanted = places[3].position;
   for (const Placement& place :
-       waiting_places(*map, museum().kiosk, 8, museum().body_radius, std::span(&wanted, 1)))
+       waiting_places(*map, test::sample_museum().kiosk, 8, test::sample_museum().body_radius,
+                      std::span(&wanted, 1)))
     EXPECT_GT(glm::distance(place.position, wanted), 0.85);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -29,6 +31,19 @@ inline void run(plan::Planner& planner, guide::Guide& guide, double seconds) {
     guide.step(frame);
     while (guide.take_pieces() != nullptr) continue;
     guide.draw_list();
+  }
+}
+
+/// Touches a control of the glass of one visitor.
+inline void tap(plan::Planner& planner, guide::Guide& guide, std::string_view name) {
+  const auto& controls = guide.view()->controls;
+  const auto control = std::ranges::find(controls, name, &interface::Control::name);
+  ASSERT_NE(control, controls.end()) << name;
+  const scene::Rect& at = control->rect;
+  const input::Contact finger{1, at.x + at.width / 2, at.y + at.height / 2};
+  for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
+    guide.touch({.kind = kind, .contact = finger});
+    run(planner, guide, 1.0 / 60);
   }
 }
 

@@ -5,23 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
-
 interface::Goal goal_at(std::uint32_t exhibit) {
   interface::InterfaceState state;
   state.exhibit = exhibit;
-  return *interface::goal_of(museum(), state);
+  return *interface::goal_of(test::sample_museum(), state);
 }
 
 double turned(double from, double to) {
@@ -33,31 +27,32 @@ double direction(Vec2 line) {
 }
 
 TEST(StepAside, FindsAPlaceBesideEveryExhibitThatHidesNothingAndTouchesNothing) {
-  const auto shapes = exhibit_shapes(museum());
+  const auto shapes = exhibit_shapes(test::sample_museum());
   std::size_t found = 0;
-  for (std::uint32_t i = 0; i < museum().exhibits.size(); ++i) {
+  for (std::uint32_t i = 0; i < test::sample_museum().exhibits.size(); ++i) {
     const interface::Goal goal = goal_at(i);
-    const auto map = path::make_floor_map(museum().floors[goal.floor]);
+    const auto map = path::make_floor_map(test::sample_museum().floors[goal.floor]);
     const Vec2 towards = glm::normalize(goal.position - goal.standing.position);
     const Placement comes{goal.standing.position - 1.5 * towards, direction(towards)};
     const Placement from = map->has_room(comes.position, 0.25) ? comes : goal.standing;
 
-    const auto place = place_aside(*map, goal, shapes[i], from, {}, museum().body_radius);
+    const auto place =
+        place_aside(*map, goal, shapes[i], from, {}, test::sample_museum().body_radius);
 
     if (!place) continue;
     ++found;
-    EXPECT_TRUE(map->has_room(place->position, museum().body_radius)) << i;
-    EXPECT_GT(distance_to(shapes[i], place->position), museum().body_radius) << i;
+    EXPECT_TRUE(map->has_room(place->position, test::sample_museum().body_radius)) << i;
+    EXPECT_GT(distance_to(shapes[i], place->position), test::sample_museum().body_radius) << i;
     // The body leaves the line free along which one looks from the viewing point.
     const Vec2 off = place->position - goal.standing.position;
-    EXPECT_GT(std::abs(cross(towards, off)), museum().body_radius + 0.3) << i;
+    EXPECT_GT(std::abs(cross(towards, off)), test::sample_museum().body_radius + 0.3) << i;
     // Half turned: neither has it its back to the exhibit nor to the visitor.
     const Vec2 exhibit = to_floor(shapes[i].middle);
     const double visitor = arrival_yaw(goal, place->position) + std::numbers::pi;
     EXPECT_LT(turned(place->heading, direction(exhibit - place->position)), 1.2) << i;
     EXPECT_LT(turned(place->heading, visitor), 1.7) << i;
   }
-  EXPECT_GE(found * 10, museum().exhibits.size() * 9) << found;
+  EXPECT_GE(found * 10, test::sample_museum().exhibits.size() * 9) << found;
 }
 
 TEST(StepAside, LooksOverTheShoulderOnWhoseSideTheGuideIsNot) {
@@ -67,8 +62,8 @@ TEST(StepAside, LooksOverTheShoulderOnWhoseSideTheGuideIsNot) {
 }
 
 TEST(StepAside, EndsBesideTheExhibitPointsAtItAndTellsSo) {
-  plan::Planner planner(museum(), {test::boxes, {}});
-  Guide guide(museum(), planner, {.shape = {.width = 1920, .height = 1080}});
+  plan::Planner planner(test::sample_museum(), {test::boxes, {}});
+  Guide guide(test::sample_museum(), planner, {.shape = {.width = 1920, .height = 1080}});
   test::run(planner, guide, 0.2);
   const auto tap = [&](std::string_view name) {
     const auto& controls = guide.view()->controls;
@@ -85,7 +80,7 @@ TEST(StepAside, EndsBesideTheExhibitPointsAtItAndTellsSo) {
   test::run(planner, guide, 0.1);
   EXPECT_EQ(guide.state_of(0), AvatarState::Gesture) << "it greets";
   test::run(planner, guide, 0.5);
-  tap("exhibit:" + museum().exhibits[1].id);
+  tap("exhibit:" + test::sample_museum().exhibits[1].id);
   bool gestured = false;
   for (int i = 0; i < 60 * 60 && !guide.state().arrived; ++i) {
     test::run(planner, guide, 1.0 / 60);

@@ -6,39 +6,38 @@
 #include <numbers>
 #include <random>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/path/building/building_map.h"
 #include "runtime/plan/traffic.h"
 #include "tests/runtime/motion/walk_measures.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 const motion::WalkGraph& walking() {
-  static const motion::WalkGraph graph = motion::make_walk_graph(museum().motion).value();
+  static const motion::WalkGraph graph =
+      motion::make_walk_graph(test::sample_museum().motion).value();
   return graph;
 }
 const path::BuildingMap& building() {
   static const path::BuildingMap building = [] {
     std::vector<std::shared_ptr<const path::FloorMap>> maps;
-    for (const Floor& floor : museum().floors) maps.push_back(path::make_floor_map(floor));
-    return path::BuildingMap(museum(), std::move(maps));
+    for (const Floor& floor : test::sample_museum().floors)
+      maps.push_back(path::make_floor_map(floor));
+    return path::BuildingMap(test::sample_museum(), std::move(maps));
   }();
   return building;
 }
 
 /// For one body alone.
 std::unique_ptr<plan::Plan> plan_for(const plan::WalkOrder& order) {
-  return plan::Traffic(museum(), &walking(), building(), museum().kiosk_floor).plan(order);
+  return plan::Traffic(test::sample_museum(), &walking(), building(),
+                       test::sample_museum().kiosk_floor)
+      .plan(order);
 }
 
 const test::Quickest& recorded() {
-  static const test::Quickest quickest = test::quickest(museum().motion);
+  static const test::Quickest quickest = test::quickest(test::sample_museum().motion);
   return quickest;
 }
 
@@ -53,8 +52,10 @@ struct Journey {
 /// Walks a way from stretch to stretch as the guide does.
 Journey journey(RouteKind kind, const Placement& goal) {
   Journey out;
-  plan::WalkOrder order{
-      .floor = museum().kiosk_floor, .kind = kind, .goal = goal, .start = museum().kiosk};
+  plan::WalkOrder order{.floor = test::sample_museum().kiosk_floor,
+                        .kind = kind,
+                        .goal = goal,
+                        .start = test::sample_museum().kiosk};
   std::unique_ptr<plan::Plan> plan = plan_for(order), before;
   for (;;) {
     EXPECT_EQ(plan->status, path::RouteStatus::Ok);
@@ -83,16 +84,16 @@ class Journeys : public testing::TestWithParam<RouteKind> {
  protected:
   std::vector<Journey> all() const {
     std::vector<Journey> journeys;
-    for (const Exhibit& exhibit : museum().exhibits)
-      if (exhibit.floor == museum().kiosk_floor)
+    for (const Exhibit& exhibit : test::sample_museum().exhibits)
+      if (exhibit.floor == test::sample_museum().kiosk_floor)
         journeys.push_back(journey(GetParam(), exhibit.viewing_point));
     return journeys;
   }
 };
 
 TEST_P(Journeys, ArriveWhereTheyShould) {
-  for (const Exhibit& exhibit : museum().exhibits) {
-    if (exhibit.floor != museum().kiosk_floor) continue;
+  for (const Exhibit& exhibit : test::sample_museum().exhibits) {
+    if (exhibit.floor != test::sample_museum().kiosk_floor) continue;
     const Placement last = journey(GetParam(), exhibit.viewing_point).body.back();
     EXPECT_LT(glm::distance(last.position, exhibit.viewing_point.position), 0.02) << exhibit.id;
     const double off =
@@ -139,10 +140,11 @@ TEST_P(Journeys, NeedNoMoreMemoryWhereTheyAreLonger) {
 TEST(CalledElsewhere, AWalkerIsNeverQuickerThanTheRecordedMotion) {
   std::mt19937 random(5);
   std::vector<Placement> views;
-  for (const Exhibit& exhibit : museum().exhibits)
-    if (exhibit.floor == museum().kiosk_floor) views.push_back(exhibit.viewing_point);
-  plan::WalkOrder order{
-      .floor = museum().kiosk_floor, .goal = views.front(), .start = museum().kiosk};
+  for (const Exhibit& exhibit : test::sample_museum().exhibits)
+    if (exhibit.floor == test::sample_museum().kiosk_floor) views.push_back(exhibit.viewing_point);
+  plan::WalkOrder order{.floor = test::sample_museum().kiosk_floor,
+                        .goal = views.front(),
+                        .start = test::sample_museum().kiosk};
   std::unique_ptr<plan::Plan> plan = plan_for(order), before;
   for (int call = 0; call < 120; ++call) {
     before = std::move(plan);

@@ -4,24 +4,18 @@
 #include <cmath>
 #include <string>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/guide/guide.h"
 #include "runtime/guide/stature.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
 #include "runtime/scene/side.h"
 #include "tests/runtime/guide/simulated.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::guide {
 namespace {
 
 constexpr std::uint32_t seats = 8;
-
-const Museum& museum() {
-  static const Museum it = sqlite::load_museum(test::sample_database()).value();
-  return it;
-}
 
 GuideSettings settings() {
   GuideSettings settings{.shape = {.width = 1920, .height = 1080, .diagonal_inches = 55},
@@ -35,9 +29,10 @@ GuideSettings settings() {
 class Table {
  public:
   Table()
-      : planner_(museum(), {test::boxes, {}}, planner_size(museum(), settings()).avatars,
-                 planner_size(museum(), settings()).parts),
-        guide_(museum(), planner_, settings()) {
+      : planner_(test::sample_museum(), {test::boxes, {}},
+                 planner_size(test::sample_museum(), settings()).avatars,
+                 planner_size(test::sample_museum(), settings()).parts),
+        guide_(test::sample_museum(), planner_, settings()) {
     run(0.5);
   }
   void run(double seconds) { test::run(planner_, guide_, seconds); }
@@ -197,9 +192,10 @@ TEST(ATable, GivesATouchOfTheModelToWhoStandsNearestAtTheirSide) {
 TEST(AGlassOfOne, HasNoSidesWhateverIsSaid) {
   GuideSettings alone = settings();
   alone.visitors = 1;
-  plan::Planner planner(museum(), {test::boxes, {}}, planner_size(museum(), alone).avatars,
-                        planner_size(museum(), alone).parts);
-  const Guide guide(museum(), planner, alone);
+  plan::Planner planner(test::sample_museum(), {test::boxes, {}},
+                        planner_size(test::sample_museum(), alone).avatars,
+                        planner_size(test::sample_museum(), alone).parts);
+  const Guide guide(test::sample_museum(), planner, alone);
 
   EXPECT_EQ(guide.seats(), 1U);
   EXPECT_EQ(guide.shape().sides.count(), 0);

@@ -277,6 +277,15 @@ TEST(Card, LiesApartFromAllOthersAndFromTheModel) {
   }));
 }
 
+/// A glass that has become smaller keeps its seats.
+TEST(Card, LiesWherePeopleStandEvenWhereThereIsNoRoomForAll) {
+  EXPECT_TRUE(rc::check("more seats than room", [] {
+    const ScreenShape shape = any_card().shape;
+    for (std::uint32_t seat = 1; seat <= most_seats; ++seat)
+      RC_ASSERT(shape.sides.has(side_of(shape, most_seats, seat)));
+  }));
+}
+
 TEST(Card, HasSixRowsOfTheListAndLettersOfFiveMillimetres) {
   EXPECT_TRUE(rc::check("six items a page", [] {
     ViewRequest request = any_card();

@@ -9,21 +9,15 @@
 #include <numbers>
 #include <optional>
 
-#include "platform/sqlite/content_reader.h"
 #include "runtime/motion/leg.h"
 #include "runtime/motion/walk_graph.h"
-#include "tests/support/sample_database.h"
+#include "tests/support/sample_as_read.h"
 
 namespace docent::motion {
 namespace {
 
-const Museum& museum() {
-  static const Museum sample = sqlite::load_museum(test::sample_database()).value();
-  return sample;
-}
-
 const WalkGraph& graph() {
-  static const WalkGraph ready = *make_walk_graph(museum().motion);
+  static const WalkGraph ready = *make_walk_graph(test::sample_museum().motion);
   return ready;
 }
 
@@ -92,7 +86,7 @@ class Watcher {
     for (const Side side : both_sides) {
       const std::size_t s = index_of(side);
       const Leg& leg = graph().legs[side];
-      const LegPose at = leg_pose(museum().motion.skeleton, leg, pose);
+      const LegPose at = leg_pose(test::sample_museum().motion.skeleton, leg, pose);
       const Vec3 toe = at.position[leg.toe], ankle = at.position[leg.ankle];
       const double ball = toe.y - graph().toe_height[s];
       const bool planted = s == 0 ? walk_.plants[f].left : walk_.plants[f].right;
