@@ -54,7 +54,7 @@ bool Voice::enter(const interface::View& view, std::int32_t focus) noexcept {
     told_ = std::numeric_limits<float>::max();
     // What comes by itself, such as an arrival, waits until the visitor has heard what was before.
     say({What::Kind::Opening}, !was_pressed && is_speaking());
-    if (view.speech.is_typed && focus >= 0) {
+    if (view.speech.keeps_focus && focus >= 0) {
       reads_on_ = false;
       return false;
     }

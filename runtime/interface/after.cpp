@@ -14,6 +14,8 @@ void forget_goal(InterfaceState& state) noexcept {
   state.place.reset();
   state.tour.reset();
   state.arrived = false;
+  state.picture.reset();
+  state.tells_more = false;
   state.pace = 0;
   state.next = Chapter::Goal;
   state.skips = false;
@@ -173,6 +175,13 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::ShowFloor:
       state.floor = action.argument;
       break;
+    case Action::Kind::ShowPicture:
+      state.picture = static_cast<std::uint8_t>(
+          std::min<std::uint32_t>(action.argument, FurtherPicture::most - 1));
+      break;
+    case Action::Kind::TellMore:
+      state.tells_more = action.argument != 0;
+      break;
     case Action::Kind::Speak:
       speak(state, action.argument);
       break;
@@ -207,6 +216,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
         state.floor.reset();
       } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      state.picture.reset();  // who has been elsewhere is told all of it
       break;
     case Action::Kind::GoOnward:
       state.skips = true;

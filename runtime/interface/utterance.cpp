@@ -144,8 +144,14 @@ void Gatherer::add_names() {
     add(exhibit.title);
     add(exhibit.description);
     add(exhibit.text);
+    for_each_line(in_language(museum_, language_, exhibit.more),
+                  [this](std::string_view line) { add(line); });
     add(exhibit.subject);
     add(exhibit.period);
+  }
+  for (const FurtherPicture& picture : museum_.pictures) {
+    add(picture.caption);
+    add(picture.description);
   }
 }
 
@@ -190,6 +196,10 @@ void append_spoken(Utterance& utterance, std::string_view text) {
     utterance.pieces.push_back({.text = std::string(piece)});
   });
   if (utterance.pieces.size() > before) utterance.pieces.back().pause = true;
+}
+
+void append_paragraphs(Utterance& utterance, std::string_view text) {
+  for_each_line(text, [&](std::string_view line) { append_spoken(utterance, line); });
 }
 
 std::string spoken_distance(const Museum& museum, std::uint32_t language, double metres) {

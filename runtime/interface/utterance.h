@@ -46,6 +46,9 @@ std::string apart(std::string_view value);
 /// quotation marks and commas at a piece's ends, is left out. A pause follows.
 void append_spoken(Utterance& utterance, std::string_view text);
 
+/// The same of a longer text, whose lines are said one after another.
+void append_paragraphs(Utterance& utterance, std::string_view text);
+
 /// Metres and minutes as they are said: in whole phrases, so that each language keeps its plurals.
 /// Far distances are rounded, to at most `farthest_spoken`.
 std::string spoken_distance(const Museum& museum, std::uint32_t language, double metres);

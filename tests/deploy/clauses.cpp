@@ -66,8 +66,11 @@ const std::array table{
            "Speech for what is no text",
            State::InPart,
            "What staff write as an exhibit's `description` is spoken after its title, and compile "
-           "says how many pictures have none. Open: of those the exhibit's text alone is read.",
+           "says how many pictures have none; where there are several, each is described as one "
+           "leafs to "
+           "it. Open: of those without, the exhibit's text alone is read.",
            {"Speech.DescribesThePictureAfterTheTitle",
+            "ACloserLook.LeafsRoundAndRoundThroughThePicturesAndSaysWhichOneIsSeen",
             "AnExhibitWithoutAPicture.IsDescribedWhereThePictureWouldBe",
             "Found.SaysHowManyPicturesHaveNoDescription"}},
     Clause{"5.1.3.7", "Speech for video", State::NotConcerned, "There is no video.", {}},
