@@ -400,6 +400,11 @@ Speech speech_of(const Museum& museum, const ViewRequest& request,
   for (std::size_t i = 0; i < speeds.size(); ++i)
     speech.speeds[i] = composer.said(composer.say(speeds[i]));
   speech.ended = composer.said(composer.say("speech_off"));
+  for (Utterance* one : {&speech.opening, &speech.help, &speech.ended}) time_pieces(*one, museum);
+  for (Utterance& one : speech.controls) time_pieces(one, museum);
+  for (CountedUtterance& one : speech.remaining) time_pieces(one.said, museum);
+  for (Utterance& one : speech.volumes) time_pieces(one, museum);
+  for (Utterance& one : speech.speeds) time_pieces(one, museum);
   return speech;
 }
 

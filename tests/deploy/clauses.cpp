@@ -130,10 +130,11 @@ const std::array table{
     Clause{"5.1.5",
            "What is heard can be seen",
            State::InPart,
-           "While something is said to one visitor, the glass shows it as a caption, page by page. "
-           "Open: recordings of staff that say something else are captioned with what they stand "
-           "for, and the pages turn by an estimate of time.",
+           "While something is said to one visitor, the glass shows it as a caption, page by page, "
+           "each for as long as it sounds. Open: recordings of staff that say something else are "
+           "captioned with what they stand for.",
            {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+            "Caption.TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes",
             "Caption.CoversNothingThatCanBeTouched",
             "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
     Clause{"5.1.6.1",
