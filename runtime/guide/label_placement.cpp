@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
+
+#include "runtime/scene/side.h"
 
 namespace docent::guide {
 namespace {
@@ -128,16 +131,17 @@ void cover_panel(const interface::View& view, Covered& covered) noexcept {
 void place_name(const interface::View& view, const scene::Rect& gallery,
                 interface::FloorLabel& name, const Covered& soft, const Covered& hard) noexcept {
   const scene::Rect at = name.rect, ground = ground_of(view, name);
-  const float across = ground.height * view.pixel_height / view.pixel_width;
+  const float line = std::min(ground.width * view.pixel_width, ground.height * view.pixel_height);
+  const float across = line / view.pixel_width, down = line / view.pixel_height;
   for (const Covered* covered : {&soft, &hard})
     for (const auto& [x, y] : name_steps) {
-      const scene::Rect here{ground.x + x * across, ground.y + y * ground.height, ground.width,
+      const scene::Rect here{ground.x + x * across, ground.y + y * down, ground.width,
                              ground.height};
       const bool is_moved = x != 0 || y != 0;
       if (is_moved && !scene::contains(gallery, here.x + here.width / 2, here.y + here.height / 2))
         continue;
       if (!covered->has_room(here)) continue;
-      name.rect = {at.x + x * across, at.y + y * ground.height, at.width, at.height};
+      name.rect = {at.x + x * across, at.y + y * down, at.width, at.height};
       return;
     }
   name.rect = {};
@@ -253,9 +257,25 @@ void open_cluster(interface::View& view) noexcept {
     ++n;
     label.anchor_x = view.cluster.x + (board.pad + (column + 0.5F) * board.cell) / view.pixel_width;
     label.anchor_y = view.cluster.y + (board.pad + (row + 0.5F) * board.cell) / view.pixel_height;
-    label.rect = around(label.anchor_x, label.anchor_y, label.width_px / view.pixel_width,
-                        label.height_px / view.pixel_height);
+    label.rect = around(label.anchor_x, label.anchor_y, label.lying_width() / view.pixel_width,
+                        label.lying_height() / view.pixel_height);
   }
+}
+
+/// Of those at which people stand at a table; else the lower one.
+scene::Side nearest_side(const interface::View& view, float x, float y) noexcept {
+  scene::Side nearest = scene::Side::Bottom;
+  float least = 1e9F;
+  for (const scene::Side side : scene::all_sides) {
+    if (!view.readers.has(side)) continue;
+    const scene::ScreenPoint seen = scene::as_seen_from(side, {x, y});
+    const float far =
+        (1 - seen.y) * (scene::is_at_end(side) ? view.pixel_width : view.pixel_height);
+    if (far >= least) continue;
+    least = far;
+    nearest = side;
+  }
+  return nearest;
 }
 
 /// A spot is touched where its label is.
@@ -274,6 +294,7 @@ void move_spots(interface::View& view) noexcept {
 scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
   const float unit = view.unit_px;
   float width = label.width_px + 1.6F * unit, height = label.height_px * 0.82F;
+  if (scene::is_at_end(label.side)) std::swap(width, height);
   if (label.on_disc)
     width = height = std::max({4.2F * unit, label.width_px + 1.4F * unit, label.height_px});
   if (label.is_sign) width = height = label.width_px + 1.2F * unit;
@@ -292,8 +313,9 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
     if (!at || !scene::contains(view.free, at->x, at->y)) continue;
     label.anchor_x = at->x;
     label.anchor_y = at->y;
-    label.rect = around(at->x, at->y, label.width_px / view.pixel_width,
-                        label.height_px / view.pixel_height);
+    label.side = nearest_side(view, at->x, at->y);
+    label.rect = around(at->x, at->y, label.lying_width() / view.pixel_width,
+                        label.lying_height() / view.pixel_height);
   }
   move_spots(view);
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/scene/side.h"
+
 namespace docent::guide {
 namespace {
 
@@ -64,6 +66,7 @@ TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
     interface::View view =
         view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300, 5000),
                 *rc::gen::inRange<std::size_t>(0, 20), *rc::gen::inRange(1U, 380U));
+    view.readers.bits = static_cast<std::uint8_t>(*rc::gen::inRange(0, 16));
     place_labels(view, overview(), 0);
     std::vector<scene::Rect> grounds;
     for (const interface::FloorLabel& label : view.labels)
@@ -135,6 +138,31 @@ TEST(PlacedLabels, AreAllShownWhereThereIsRoom) {
   place_labels(view, overview(), 0);
 
   for (const interface::FloorLabel& label : view.labels) EXPECT_GT(label.rect.width, 0);
+}
+
+TEST(PlacedLabels, AreReadFromTheNearestEdgeAtWhichPeopleStand) {
+  using scene::Side;
+  for (const std::uint8_t sides : {0b0000, 0b0001, 0b0101, 0b1111, 0b1010}) {
+    interface::View view = view_of(40, 5, 380);
+    view.panel = {};
+    view.free = {0, 0, 1, 1};
+    view.readers.bits = sides;
+    place_labels(view, overview(), 0);
+
+    for (const interface::FloorLabel& label : view.labels) {
+      if (label.anchor_x < 0) continue;
+      const auto from_edge = [&](Side side) {
+        const float y = 1 - scene::as_seen_from(side, {label.anchor_x, label.anchor_y}).y;
+        return y * (scene::is_at_end(side) ? 1920 : 1080);
+      };
+      EXPECT_TRUE(sides == 0 ? label.side == Side::Bottom : view.readers.has(label.side));
+      for (const Side side : scene::all_sides)
+        if (view.readers.has(side)) EXPECT_LE(from_edge(label.side), from_edge(side));
+      if (label.rect.width <= 0) continue;
+      EXPECT_NEAR(label.rect.width * 1920,
+                  scene::is_at_end(label.side) ? label.height_px : label.width_px, 0.1);
+    }
+  }
 }
 
 TEST(PlacedLabels, StayWhereTheyAreWhenNothingIsInTheWay) {
