@@ -262,16 +262,16 @@ void open_cluster(interface::View& view) noexcept {
   }
 }
 
-/// Of those at which people stand at a table; else the lower one.
+/// Of those from which it is read, as shares of the model's part of the glass: each has its
+/// quarter, however long the glass is. Where nobody is said to read it, the lower one.
 scene::Side nearest_side(const interface::View& view, float x, float y) noexcept {
   scene::Side nearest = scene::Side::Bottom;
   float least = 1e9F;
+  const scene::ScreenPoint at{(x - view.free.x) / view.free.width,
+                              (y - view.free.y) / view.free.height};
   for (const scene::Side side : scene::all_sides) {
-    if (!view.readers.has(side)) continue;
-    const scene::ScreenPoint seen = scene::as_seen_from(side, {x, y});
-    const float far =
-        (1 - seen.y) * (scene::is_at_end(side) ? view.pixel_width : view.pixel_height);
-    if (far >= least) continue;
+    const float far = 1 - scene::as_seen_from(side, at).y;
+    if (!view.readers.has(side) || far >= least) continue;
     least = far;
     nearest = side;
   }

@@ -181,6 +181,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       break;
     case Action::Kind::TellMore:
       state.tells_more = action.argument != 0;
+      if (!state.tells_more) state.picture.reset();  // the short text is read from its beginning
       break;
     case Action::Kind::Speak:
       speak(state, action.argument);

@@ -152,8 +152,7 @@ TEST(PlacedLabels, AreReadFromTheNearestEdgeAtWhichPeopleStand) {
     for (const interface::FloorLabel& label : view.labels) {
       if (label.anchor_x < 0) continue;
       const auto from_edge = [&](Side side) {
-        const float y = 1 - scene::as_seen_from(side, {label.anchor_x, label.anchor_y}).y;
-        return y * (scene::is_at_end(side) ? 1920 : 1080);
+        return 1 - scene::as_seen_from(side, {label.anchor_x, label.anchor_y}).y;
       };
       EXPECT_TRUE(sides == 0 ? label.side == Side::Bottom : view.readers.has(label.side));
       for (const Side side : scene::all_sides)

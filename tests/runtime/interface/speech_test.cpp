@@ -186,6 +186,7 @@ TEST(ACloserLook, KeepsTheFocusWhereOneLeafs) {
 TEST(ACloserLook, ReadsTheLongerTextLineByLineAndComesBack) {
   CloserLook look;
 
+  look.press("picture:next");
   EXPECT_EQ(look.press("more"), "Jar. It was buried. It was found.");
   EXPECT_THAT(spoken_pieces(look.shown, 0), Contains("It was found"));
   EXPECT_EQ(look.press("picture:next"), "there is no such control");
