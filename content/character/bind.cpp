@@ -297,7 +297,8 @@ SkinnedMesh bind_body(const Character& character, const Measures& m, const Fit& 
   const std::size_t joints = fit.skeleton.joint.size();
   std::vector<std::int32_t> became;
   const Springs springs =
-      with_at_most(most_joints - std::min(joints, most_joints), character.swinging, became);
+      with_at_most(std::min(most_bones_of_a_guide, most_joints - std::min(joints, most_joints)),
+                   character.swinging, became);
 
   SkinnedMesh mesh;
   mesh.cloth = cloth_of(springs, m, joint);

@@ -34,8 +34,11 @@ struct Springs {
   std::vector<std::int32_t> bone_of_node;  ///< One a node of the file; -1: it goes with the body.
 };
 
-/// No character keeps more of them; and how many a guide has room for, its skeleton says (fit.h).
+/// No character keeps more of them...
 inline constexpr std::size_t most_spring_bones = 150;
+/// ... and a guide has no more, so that what swings costs a frame 5 to 7 microseconds at most; nor
+/// more than its skeleton leaves room for (fit.h).
+inline constexpr std::size_t most_bones_of_a_guide = 24;
 
 /// Takes over what VRM says of swinging (VRM 1.0, springBone; UniVRM for 0.x): joints and their
 /// ends, as bones. Bones of the body never swing. What cannot be used is told in `notes`.

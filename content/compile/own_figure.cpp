@@ -69,12 +69,12 @@ double OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceCl
   const character::Fit fit = character::fit_skeleton(skeleton, measures_, static_cast<float>(rest));
   body_ = character::bind_body(character_, measures_, fit);
   if (body_.cloth.node.size() < character_.swinging.bone.size())
-    problems_.push_back(
-        note(character_.file,
-             fmt::format(
-                 "of its {} bones that swing {} have room beside the {} joints of the clips; the "
-                 "ends of chains go with what they hang on",
-                 character_.swinging.bone.size(), body_.cloth.node.size(), skeleton.joint.size())));
+    problems_.push_back(note(
+        character_.file,
+        fmt::format(
+            "of its {} bones that swing a guide has {}; the ends of chains that carry least go "
+            "with what they hang on",
+            character_.swinging.bone.size(), body_.cloth.node.size())));
   std::vector<const MotionClip*> walks;
   for (const motion::offline::SourceClip& source : clips) walks.push_back(&source.clip);
   const float spread = character::spread_for(fit, body_, walks);

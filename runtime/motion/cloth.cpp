@@ -255,8 +255,8 @@ class HangingCloth {
     Bone bone{root, length};
     if (above != ClothNode::none) {
       const Vec3 end = carried(above, share);
-      const glm::mat3 turned = shortest_turn(end - carried_root(above, share),
-                                             motion_.place[above] - motion_.begin[above]);
+      const ShortestTurn turned(end - carried_root(above, share),
+                                motion_.place[above] - motion_.begin[above]);
       bone = {motion_.place[above] + turned * (root - end), turned * length};
     }
     motion_.begin[n] = bone.root;
@@ -305,7 +305,7 @@ class HangingCloth {
   void turn_bone(std::size_t n) noexcept {
     Mat4& matrix = palette_[first_ + n];
     const glm::mat3 turned =
-        shortest_turn(motion_.carried[n] - motion_.root[n], motion_.place[n] - motion_.begin[n]) *
+        ShortestTurn(motion_.carried[n] - motion_.root[n], motion_.place[n] - motion_.begin[n]) *
         glm::mat3(matrix);
     matrix = Mat4(turned);
     matrix[3] = Vec4(motion_.begin[n] - turned * cloth_.node[n].root, 1);
@@ -322,7 +322,7 @@ class HangingCloth {
     const Vec3 carried = hangs ? motion_.carried[node.above] : firm;
     const Vec3 place = hangs ? motion_.place[node.above] : firm;
     const glm::mat3 turned =
-        shortest_turn(carried - motion_.carried[below], place - motion_.place[below]) *
+        ShortestTurn(carried - motion_.carried[below], place - motion_.place[below]) *
         glm::mat3(matrix);
     matrix = Mat4(turned);
     matrix[3] = Vec4(motion_.place[n] - turned * node.place, 1);

@@ -52,18 +52,30 @@ inline float way_out(const Limb& limb, Vec3 point, float around, Vec3 outward) n
   return whole;
 }
 
-/// The turn that takes one direction to another by the shortest way.
-inline glm::mat3 shortest_turn(Vec3 from, Vec3 to) noexcept {
-  const float lengths = std::sqrt(glm::dot(from, from) * glm::dot(to, to));
-  if (lengths < 1e-9F) return glm::mat3(1);
-  const float cosine = glm::dot(from, to) / lengths;
-  if (cosine < -most_turn) return glm::mat3(1);
-  const Vec3 a = glm::cross(from, to) / lengths;
-  const float b = 1 / (1 + cosine);
-  return {Vec3{cosine + b * a.x * a.x, b * a.x * a.y + a.z, b * a.x * a.z - a.y},
-          Vec3{b * a.x * a.y - a.z, cosine + b * a.y * a.y, b * a.y * a.z + a.x},
-          Vec3{b * a.x * a.z + a.y, b * a.y * a.z - a.x, cosine + b * a.z * a.z}};
-}
+/// The turn that takes one direction to another by the shortest way; none where they are opposite.
+class ShortestTurn {
+ public:
+  ShortestTurn(Vec3 from, Vec3 to) noexcept {
+    const float lengths = std::sqrt(glm::dot(from, from) * glm::dot(to, to));
+    if (!(lengths > 1e-9F)) return;
+    const float cosine = glm::dot(from, to) / lengths;
+    if (cosine < -most_turn) return;
+    cosine_ = cosine;
+    axis_ = glm::cross(from, to) / lengths;
+    along_ = 1 / (1 + cosine);
+  }
+  /// Rodrigues' formula.
+  Vec3 operator*(Vec3 v) const noexcept {
+    return cosine_ * v + glm::cross(axis_, v) + along_ * glm::dot(axis_, v) * axis_;
+  }
+  glm::mat3 operator*(const glm::mat3& m) const noexcept {
+    return {*this * m[0], *this * m[1], *this * m[2]};
+  }
+
+ private:
+  Vec3 axis_{0};  ///< As long as the sine.
+  float cosine_ = 1, along_ = 0.5F;
+};
 
 /// A place out of a limb by so much at least, by the shortest way. What is not a number, or lies
 /// on the limb's own axis, stays where it is.

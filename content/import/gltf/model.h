@@ -97,8 +97,8 @@ struct Vrm {
   std::vector<Bone> bones;
   std::vector<std::string> expressions;  ///< As the file names them.
   std::size_t spring_count = 0;          ///< Chains of joints that the file says swing.
-  std::vector<Spring> springs;           ///< Those of them that can be used.
-  std::vector<SpringCollider> colliders;
+  std::vector<Spring> springs{};         ///< Those of them that can be used.
+  std::vector<SpringCollider> colliders{};
 };
 
 struct Model {

@@ -40,8 +40,7 @@ TEST(OwnFigure, WalksWithTheClipsAtItsOwnMeasure) {
   EXPECT_EQ(mesh.inverse_bind.size(), mesh.figure_end.size() * joints_of(mesh));
 }
 
-/// A plait of 60 joints beside the joints of the clips: as much of it swings as a body has
-/// matrices, and all of it hangs together.
+/// A plait of 60 joints: as much of it swings as a frame has time for and a body has matrices.
 TEST(OwnFigure, WearsWhatSwingsAsFarAsThereIsRoom) {
   const test::TemporaryFolder folder;
   std::vector<Diagnostic> problems;
@@ -59,8 +58,9 @@ TEST(OwnFigure, WearsWhatSwingsAsFarAsThereIsRoom) {
 
   const std::size_t own = mesh.figure_end.size() - 1;
   const std::span<const ClothNode> nodes = of_figure(mesh.cloth.node, own);
-  EXPECT_EQ(joints_of(mesh) + nodes.size(), most_joints);
-  EXPECT_EQ(matrices_of(mesh), most_joints);
+  EXPECT_EQ(nodes.size(),
+            std::min(character::most_bones_of_a_guide, most_joints - joints_of(mesh)));
+  EXPECT_LE(matrices_of(mesh), most_joints);
   EXPECT_TRUE(
       std::ranges::all_of(nodes, [](const ClothNode& n) { return n.kind == ClothKind::Bone; }));
   std::size_t swinging = 0;
