@@ -488,8 +488,18 @@ float Guide::height_of_floor() const noexcept {
   return static_cast<float>(museum_.floors[stage_.floor()].plan.height);
 }
 
+interface::Sides Guide::readers() const noexcept {
+  const interface::Sides all = settings_.shape.sides;
+  if (!is_shared() || !all.is_table()) return {};
+  interface::Sides taken;
+  for (const Session& session : std::span(sessions_).subspan(1))
+    if (!session.is_vacant()) taken.add(interface::side_of(settings_.shape, session.state()));
+  return taken.count() > 0 ? taken : all;
+}
+
 void Guide::draw_interface() noexcept {
   const float opacity = attract_.interface_opacity();
+  sessions_[0].overlay().turn_labels(readers());
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, height_of_floor());

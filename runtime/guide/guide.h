@@ -154,6 +154,8 @@ class Guide {
   const interface::InterfaceState& seen() const noexcept {
     return attract_.is_on() ? attract_.state() : state();
   }
+  /// From where people look at the model who are at a table, or might come to it.
+  interface::Sides readers() const noexcept;
   void draw_interface() noexcept;
   float height_of_floor() const noexcept;
   DrawnSize drawn_size() const noexcept;

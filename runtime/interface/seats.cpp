@@ -83,11 +83,11 @@ std::array<std::uint32_t, 4> seats_by_side(const ScreenShape& shape, std::uint32
 }
 
 /// A seat's place at its side.
-struct Place {
+struct SeatPlace {
   Side side = Side::Bottom;
   std::uint32_t index = 0, count = 1;  ///< From the left; of how many.
 };
-Place place_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
+SeatPlace place_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
   const auto count = seats_by_side(shape, seats);
   std::uint32_t index = seat - 1;
   for (const Side side : round) {
@@ -126,7 +126,7 @@ ScreenShape seen_from(Side side, const ScreenShape& shape) noexcept {
 }
 
 scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t seat) noexcept {
-  const Place place = place_of(shape, seats, seat);
+  const SeatPlace place = place_of(shape, seats, seat);
   const ScreenShape seen = seen_from(place.side, shape);
   const auto width = static_cast<float>(seen.width), height = static_cast<float>(seen.height);
   const auto [begin, end] = ends_of_strip(shape, place.side);

@@ -244,6 +244,16 @@ bool keeps(const Exhibit& exhibit, const Museum& museum) {
          sound_time(exhibit.looking_seconds) && stands(exhibit, museum);
 }
 
+/// Those of an exhibit lie together, and are not too many to leaf through.
+bool keep(const std::vector<FurtherPicture>& pictures, const Museum& museum) {
+  const auto is_there = [&](const FurtherPicture& picture) {
+    return picture.exhibit < museum.exhibits.size() && picture.image < museum.images.size() &&
+           further_pictures(museum, picture.exhibit).size() < FurtherPicture::most;
+  };
+  return std::ranges::is_sorted(pictures, {}, &FurtherPicture::exhibit) &&
+         std::ranges::all_of(pictures, is_there);
+}
+
 bool keeps(const Tour& tour, std::size_t exhibits) {
   std::vector<std::uint32_t> all = tour.exhibits;
   std::ranges::sort(all);
@@ -503,6 +513,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(object)) return "object '" + object.name + "'";
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
+  if (!keep(museum.pictures, museum)) return "the exhibits' further pictures";
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
   for (const Connection& connection : museum.connections)

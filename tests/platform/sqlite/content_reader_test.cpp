@@ -192,6 +192,14 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"room", [](Museum& m) { m.rooms[0].floor = 2; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].image = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures[0].image = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures[0].exhibit = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures.resize(FurtherPicture::most); }},
+      {"further pictures",
+       [](Museum& m) {
+         m.exhibits.push_back(m.exhibits.front());
+         m.pictures.insert(m.pictures.begin(), {.exhibit = 1});
+       }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 2; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 0; }},
