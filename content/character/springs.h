@@ -36,8 +36,8 @@ struct Springs {
 
 /// No character keeps more of them...
 inline constexpr std::size_t most_spring_bones = 150;
-/// ... and a guide has no more, so that what swings costs a frame 5 to 7 microseconds at most; nor
-/// more than its skeleton leaves room for (fit.h).
+/// ... and a guide has no more, because of what they cost a frame (tests/bench/README.md); nor more
+/// than its skeleton leaves room for (fit.h).
 inline constexpr std::size_t most_bones_of_a_guide = 24;
 
 /// Takes over what VRM says of swinging (VRM 1.0, springBone; UniVRM for 0.x): joints and their
