@@ -413,7 +413,11 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const ClothNode& node = nodes[n];
     const bool sound =
-        finite(node.place) && finite(node.outward) && is_node(node.above, n) &&
+        exists(node.kind, ClothKind::Count) && finite(node.place) && finite(node.outward) &&
+        finite(node.root) && finite(node.gravity) &&
+        glm::dot(node.gravity, node.gravity) <= most_cloth_gravity * most_cloth_gravity &&
+        is_node(node.above, n) &&
+        (node.above == ClothNode::none || nodes[node.above].kind == node.kind) &&
         is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
         std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
         std::reduce(node.weight.begin(), node.weight.end(), 0) == 255 &&
@@ -429,7 +433,8 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
   }
   return std::ranges::all_of(colliders, [=](const ClothCollider& limb) {
     return finite(limb.from) && finite(limb.to) && limb.joint < joints && limb.from_radius >= 0 &&
-           limb.to_radius >= 0 && limb.from_radius < 1 && limb.to_radius < 1;
+           limb.to_radius >= 0 && limb.from_radius <= most_cloth_radius &&
+           limb.to_radius <= most_cloth_radius;
   });
 }
 
