@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "content/object/agree.h"
 #include "content/object/crease.h"
 #include "content/object/occlusion.h"
 #include "content/object/pack.h"
@@ -60,6 +61,7 @@ MadeObject make_object(const import::object::ObjectFile& source, const std::stri
   Shape shape = shape_of(source.model, file, made.notes);
   stand_up(source, wish, shape, made.notes);
   made.triangles = shape.indices.size() / 3;
+  agree(shape);
   LitShape near = near_shape(shape);
   LitShape distant = distant_shape(near.shape, distant_triangles);
   const Box box = box_of(near.shape);

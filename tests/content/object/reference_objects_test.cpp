@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
 
 #include <fmt/format.h>
 
@@ -11,6 +13,7 @@
 #include "platform/image/image.h"
 #include "runtime/schema/object_blob.h"
 #include "tests/content/object/silhouette.h"
+#include "tests/content/object/varied_objects.h"
 #include "tests/support/reference_data.h"
 #include "tests/support/sanitized.h"
 
@@ -80,6 +83,63 @@ TEST(ReferenceObjects, AreMadeWithinTheirBudgetAndKeepTheirOutlines) {
                     detail.mesh.triangles.size() / 3, made.triangles,
                     made.object.distant.triangles.size() / 3, made.object.detail.size(),
                     made.object.size.y, took.count(), error));
+  }
+}
+
+/// How many copies: few in the ordinary run, 200 in `.ci/objects`.
+std::uint32_t copies() {
+  const char* said = std::getenv("DOCENT_VARIED_OBJECTS");
+  return said != nullptr ? static_cast<std::uint32_t>(std::strtoul(said, nullptr, 10)) : 12;
+}
+
+/// Of more than so many the outline may be two pixels off, as that of the originals is.
+constexpr std::size_t very_many_triangles = 90000;
+
+/// Within its budget, and its outline kept to a pixel.
+void check_copy(const VariedObject& copy, const std::string& told) {
+  const auto nothing_beside = [](const std::string&) { return std::optional<std::string>(); };
+  const import::object::ObjectFile source =
+      import::object::parse_object(copy.bytes, copy.name, nothing_beside);
+  const MadeObject made = make_object(source, copy.name);
+  ObjectDetail detail;
+  ASSERT_TRUE(schema::decode(made.object.detail, detail));
+  std::vector<std::string> notes;
+  Shape shape = shape_of(source.model, copy.name, notes);
+  stand_up(source, {}, shape, notes);
+  const bool is_measured = made.triangles * 3 > detail.mesh.triangles.size() && !test::is_sanitized;
+  const float error =
+      is_measured ? test::silhouette_error(shape, drawn(made.object, detail), 2) : 0;
+  EXPECT_LE(detail.mesh.triangles.size() / 3, ObjectDetail::most_triangles);
+  EXPECT_LE(made.object.distant.triangles.size() / 3, ExhibitObject::most_distant_triangles);
+  EXPECT_LE(made.object.detail.size(), ExhibitObject::most_bytes);
+  EXPECT_TRUE(schema::is_whole(made.object.distant));
+  EXPECT_GT(made.object.size.y, 0);
+  EXPECT_LE(error, made.triangles > very_many_triangles ? 2 : 1);
+  std::cout << fmt::format("{}: {} of {} triangles, {} bytes, {:.2f} m high, outline {:.2f}\n",
+                           told, detail.mesh.triangles.size() / 3, made.triangles,
+                           made.object.detail.size(), made.object.size.y, error);
+}
+
+TEST(ReferenceObjects, AreMadeWithinTheirBudgetAsAStrangerWouldBringThem) {
+  NEEDS_REFERENCE_DATA("models/objects");
+  const fs::path folder = test::reference_data() / "models" / "objects";
+  const std::vector<fs::path> files = models_below(folder);
+  std::vector<Shape> shapes;
+  std::vector<std::string> notes;
+  for (const fs::path& file : files)
+    shapes.push_back(shape_of(import::object::read_object(file).model, file.string(), notes));
+  for (std::uint32_t i = 0; i < copies(); ++i) {
+    const std::size_t of = i % files.size();
+    const VariedObject copy = varied(shapes[of], shapes[(of + 1 + i / 7) % files.size()], i);
+    const std::string told =
+        fmt::format("{} {}: {}", i, fs::relative(files[of], folder).string(), copy.told);
+    SCOPED_TRACE(told);
+
+    try {
+      check_copy(copy, told);
+    } catch (const content::ContentError& error) {
+      ADD_FAILURE() << error.what();
+    }
   }
 }
 
