@@ -155,7 +155,7 @@ struct SourceSection {
   Place place;
   Located<std::string> file, encoding, separator;
   Located<std::string> id, image, floor, facing;
-  Located<LocatedTexts> title, text;
+  Located<LocatedTexts> title, text, artist, subject, period;
   Located<LocatedList> position;  ///< The columns of east and north.
 };
 

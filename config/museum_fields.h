@@ -489,6 +489,15 @@ inline constexpr std::array source_fields{
                          "Columns by language: title.en = \"Title\""},
     Field<SourceSection>{"text", &SourceSection::text, Presence::Optional,
                          "Columns by language: text.en = \"Description\""},
+    Field<SourceSection>{"artist", &SourceSection::artist, Presence::Optional,
+                         "Columns of who made it, by language: artist.en = \"Maker\""},
+    Field<SourceSection>{
+        "subject", &SourceSection::subject, Presence::Optional,
+        "Columns of what it is about, by language, in the same words for all that belong together: "
+        "subject.en = \"Theme\"; of several in a cell, with ; or | between them, the first"},
+    Field<SourceSection>{"period", &SourceSection::period, Presence::Optional,
+                         "Columns of when it was made, by language, likewise: period.en = "
+                         "\"Dynasty\""},
     Field<SourceSection>{
         "image", &SourceSection::image, Presence::Optional,
         "The column of the picture's file; it is looked for beside the CSV file, in "

@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "config/museum_path.h"
 #include "config/text_faults.h"
@@ -16,6 +21,7 @@
 #include "content/import/collection/csv.h"
 #include "content/import/collection/iiif.h"
 #include "content/import/collection/plain_text.h"
+#include "content/import/drawing/lower_case.h"
 #include "content/read_source.h"
 #include "platform/file/file_kind.h"
 #include "platform/file/read_file.h"
@@ -33,9 +39,22 @@ using config::Place;
 using config::SourceSection;
 using import::CollectionObject;
 
+using Texts = std::map<std::string, std::string, std::less<>>;
+
+/// What exhibits are found by, and what belongs together by it.
+struct Tag {
+  std::string_view name;
+  Located<LocatedTexts> SourceSection::* columns;
+  Located<LocatedTexts> ExhibitSection::* texts;
+};
+constexpr std::array tags{Tag{"artist", &SourceSection::artist, &ExhibitSection::artist},
+                          Tag{"subject", &SourceSection::subject, &ExhibitSection::subject},
+                          Tag{"period", &SourceSection::period, &ExhibitSection::period}};
+
 /// An object with what only spreadsheets say of it.
 struct Placed {
   CollectionObject object;
+  std::array<Texts, tags.size()> tagged;  ///< By language.
   std::optional<Vec2> position;
   std::optional<double> facing;
   std::string floor;
@@ -71,10 +90,29 @@ std::optional<double> number_of(std::string text) {
   return value;
 }
 
+/// The first of several things in a cell.
+std::string first_of(const std::string& cell) {
+  return cell.substr(0, cell.find_first_of(";|"));
+}
+
 /// The first of several pictures in a cell, with slashes.
 std::string first_picture(std::string cell) {
   std::ranges::replace(cell, '\\', '/');
-  return cell.substr(0, cell.find_first_of(";|"));
+  return first_of(cell);
+}
+
+/// A tag in one line, with single blanks.
+std::string tag_in(const std::string& cell) {
+  std::string tag;
+  for (const char c : import::plain_text(first_of(cell))) {
+    const bool is_blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
+    if (!is_blank)
+      tag += c;
+    else if (!tag.empty() && tag.back() != ' ')
+      tag += ' ';
+  }
+  while (tag.ends_with(' ')) tag.pop_back();
+  return tag;
 }
 
 class CollectionAdder {
@@ -234,6 +272,9 @@ class CollectionAdder {
     const auto facing = column(table, source.facing.value, source.facing.place);
     const auto title = text_columns(table, source.title.value);
     const auto text = text_columns(table, source.text.value);
+    std::array<std::map<std::string, std::size_t>, tags.size()> tagged;
+    for (std::size_t i = 0; i < tags.size(); ++i)
+      tagged[i] = text_columns(table, (source.*tags[i].columns).value);
     std::vector<std::optional<std::size_t>> position;
     for (const Located<std::string>& name : source.position.value)
       position.push_back(column(table, name.value, name.place));
@@ -252,6 +293,9 @@ class CollectionAdder {
         placed.object.title[language] = import::plain_text(record.cell[cell]);
       for (const auto& [language, cell] : text)
         placed.object.text[language] = import::plain_text(record.cell[cell]);
+      for (std::size_t i = 0; i < tags.size(); ++i)
+        for (const auto& [language, cell] : tagged[i])
+          placed.tagged[i][language] = tag_in(record.cell[cell]);
       if (image) placed.object.image = first_picture(record.cell[*image]);
       if (floor) placed.floor = record.cell[*floor];
       if (facing) placed.facing = number_of(record.cell[*facing]);
@@ -286,6 +330,8 @@ class CollectionAdder {
     take_place(placed, place, exhibit);
     merge_texts("title", id, placed.object.title, place, exhibit.title);
     merge_texts("text", id, placed.object.text, place, exhibit.text);
+    for (std::size_t i = 0; i < tags.size(); ++i)
+      take_tags(tags[i], placed.tagged[i], place, exhibit);
     take_image(placed.object, place, exhibit);
   }
 
@@ -335,6 +381,34 @@ class CollectionAdder {
                          place.range.line, shortened(text)));
     }
     if (!index_.contains(id)) fill_up(what, id, place, out);
+  }
+
+  /// Where nothing is written by hand. What belongs together has the same words: other capitals are
+  /// taken for a slip. A tag need not be written in every language.
+  void take_tags(const Tag& tag, const Texts& texts, const Place& place, ExhibitSection& exhibit) {
+    Located<LocatedTexts>& out = exhibit.*tag.texts;
+    if (out.given && out.place.file != place.file) return;
+    LocatedTexts taken;
+    for (const auto& [language, text] : texts) {
+      if (text.empty()) continue;
+      if (std::ranges::find(config_.languages, language) == config_.languages.end()) continue;
+      const auto [usual, is_new] =
+          spelt_.try_emplace({tag.name, language, import::lower_case(text)}, text, place);
+      const auto& [words, first] = usual->second;
+      if (words != text)
+        tell(Severity::Warning, place, "tag-spelt-otherwise",
+             fmt::format("the {} '{}' is taken for '{}'", tag.name, text, words),
+             fmt::format("write it as in line {}", first.range.line));
+      taken.emplace(language, Located<std::string>{words, place, true});
+    }
+    if (taken.empty()) return;
+    for (const auto& [language, text] : taken)
+      for (const config::TextFault& fault : config::faults_of(text.value, config::room_for_title))
+        tell(Severity::Warning, place, fault.code,
+             fmt::format("the {} of exhibit '{}' {} in '{}'{}", tag.name, exhibit.id.value,
+                         fault.what, language, fault.why),
+             fault.hint);
+    out = {std::move(taken), place, true};
   }
 
   static std::string shortened(std::string text) {
@@ -445,6 +519,10 @@ class CollectionAdder {
   std::size_t by_hand_ = 0;
   std::map<std::string, std::size_t, std::less<>> index_;  ///< Exhibits that are written by hand.
   std::set<std::string> seen_;
+  /// How a tag is written, and where for the first time; by its name, its language, and its words
+  /// in lower case.
+  std::map<std::tuple<std::string_view, std::string, std::string>, std::pair<std::string, Place>>
+      spelt_;
   Counts counts_;
 };
 

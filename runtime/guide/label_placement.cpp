@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "runtime/scene/side.h"
@@ -24,6 +25,24 @@ class Covered {
       for (int x = std::max(cells.left, 0); x <= std::min(cells.right, side - 1); ++x)
         cell_[index(x, y)] = 1;
   }
+  /// A line from `begin` on, which is a share of it.
+  void add(const Leader& line, float begin) noexcept {
+    follow(line, begin, [this](const scene::Rect& point, float /*share*/) {
+      add(point);
+      return true;
+    });
+  }
+  /// From where on a line is free, as a share of it: its beginning may lie below what has taken its
+  /// place. Empty where less than half of it would be seen.
+  std::optional<float> has_room(const Leader& line) const noexcept {
+    constexpr float most_hidden = 0.5F;
+    float hidden = 0;
+    const bool is_seen = follow(line, 0, [&](const scene::Rect& point, float share) {
+      if (!has_room(point)) hidden = share;
+      return hidden < most_hidden;
+    });
+    return is_seen ? std::optional(hidden) : std::nullopt;
+  }
   /// Is it within the free part, and covers nothing?
   bool has_room(const scene::Rect& rect) const noexcept {
     const Cells cells = cells_of(rect);
@@ -40,6 +59,23 @@ class Covered {
   struct Cells {
     int left, top, right, bottom;
   };
+  /// Calls for squares of a cell along a line that lie less than that apart, as long as that says
+  /// so: two lines that cross share one.
+  template <typename Visit>
+  bool follow(const Leader& line, float begin, Visit&& visit) const noexcept {
+    const float across = line.to.x - line.from.x, down = line.to.y - line.from.y;
+    const float cells =
+        side * std::max(std::abs(across) / free_.width, std::abs(down) / free_.height);
+    const int count = std::max(1, static_cast<int>(std::ceil(2 * cells)));
+    for (int i = 0; i < count; ++i) {  // its end lies at the label
+      const float share = static_cast<float>(i) / static_cast<float>(count);
+      if (share <= begin && begin > 0) continue;
+      const scene::Rect point = around(line.from.x + share * across, line.from.y + share * down,
+                                       free_.width / side, free_.height / side);
+      if (!visit(point, share)) return false;
+    }
+    return true;
+  }
   static std::size_t index(int x, int y) noexcept {
     return static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x);
   }
@@ -163,6 +199,35 @@ void place_spot(const interface::View& view, interface::FloorLabel& label,
   label.rect = {};
 }
 
+/// A label that has found no room at its place goes to the nearest from which a line leads to what
+/// it marks without crossing anything. Another fingertip's breadth away at each try, all round.
+void place_afar(const interface::View& view, interface::FloorLabel& label,
+                Covered& covered) noexcept {
+  constexpr int most_rings = 24, directions = 24;
+  label.rect = around(label.anchor_x, label.anchor_y, label.width_px / view.pixel_width,
+                      label.height_px / view.pixel_height);
+  const scene::Rect at = label.rect, room = room_of(view, label);
+  const float ring_px = std::max(0.4F * view.spot_px, 0.8F * room.height * view.pixel_height);
+  for (int ring = 1; ring <= most_rings; ++ring)
+    for (int i = 0; i < directions; ++i) {
+      const auto turn =
+          static_cast<float>((i + 0.5 * (ring % 2)) * 2 * std::numbers::pi / directions);
+      const float x = static_cast<float>(ring) * ring_px * std::sin(turn) / view.pixel_width,
+                  y = -static_cast<float>(ring) * ring_px * std::cos(turn) / view.pixel_height;
+      const scene::Rect here{room.x + x, room.y + y, room.width, room.height};
+      if (!covered.has_room(here)) continue;
+      label.rect = {at.x + x, at.y + y, at.width, at.height};
+      const Leader line = leader_of(view, label);
+      const std::optional<float> begin = covered.has_room(line);
+      if (!begin) continue;
+      covered.add(line, *begin);
+      covered.add(room_of(view, label));
+      label.is_led = true;
+      return;
+    }
+  label.rect = {};
+}
+
 /// What is in the picture and has found no room joins the exhibit that is nearest to it.
 void gather(interface::View& view) noexcept {
   const auto is_head = [](const interface::FloorLabel& label) {
@@ -218,6 +283,19 @@ scene::Rect place_of(const interface::View& view, const Board& board, const scen
   return best;
 }
 
+/// Does the board of the open cluster lie over the line that leads to a label?
+bool crosses(const interface::View& view, const interface::FloorLabel& label) noexcept {
+  constexpr int points = 64;
+  const auto [from, to] = leader_of(view, label);
+  for (int i = 0; i <= points; ++i) {
+    const float share = static_cast<float>(i) / points;
+    if (scene::contains(view.cluster, std::lerp(from.x, to.x, share),
+                        std::lerp(from.y, to.y, share)))
+      return true;
+  }
+  return false;
+}
+
 /// All of the open cluster side by side, as many as there is room for; what they would cover is not
 /// to be seen meanwhile.
 void open_cluster(interface::View& view) noexcept {
@@ -250,7 +328,9 @@ void open_cluster(interface::View& view) noexcept {
   for (std::size_t i = 0; i < view.labels.size(); ++i) {
     interface::FloorLabel& label = view.labels[i];
     if (!is_in(i)) {
-      if (label.rect.width > 0 && touches(room_of(view, label), view.cluster)) label.rect = {};
+      const bool is_under = label.rect.width > 0 && (touches(room_of(view, label), view.cluster) ||
+                                                     (label.is_led && crosses(view, label)));
+      if (is_under) label.rect = {};
       continue;
     }
     label.rect = {};
@@ -321,6 +401,17 @@ scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& 
                 width / view.pixel_width, height / view.pixel_height);
 }
 
+Leader leader_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
+  const scene::Rect ground = ground_of(view, label);
+  const float x = ground.x + ground.width / 2, y = ground.y + ground.height / 2;
+  const float across = std::abs(label.anchor_x - x), down = std::abs(label.anchor_y - y);
+  // From the middle, what share of the line is within.
+  const float inside = std::min({1.0F, across > 0 ? ground.width / 2 / across : 1.0F,
+                                 down > 0 ? ground.height / 2 / down : 1.0F});
+  return {{label.anchor_x, label.anchor_y},
+          {std::lerp(x, label.anchor_x, inside), std::lerp(y, label.anchor_y, inside)}};
+}
+
 void project_labels(interface::View& view, const scene::CameraView& camera,
                     float floor_height) noexcept {
   for (interface::FloorLabel& label : view.labels) {
@@ -328,6 +419,7 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
     label.rect = {};
     label.head = -1;
     label.held = 0;
+    label.is_led = false;
     label.anchor_x = -1;  // out of the picture
     if (!at || !scene::contains(view.free, at->x, at->y)) continue;
     label.anchor_x = at->x;
@@ -364,6 +456,17 @@ void place_labels(interface::View& view, const scene::CameraView& camera,
   place([&](const interface::FloorLabel& one) { return is_selected(view, one); });
   place([&](const interface::FloorLabel& one) { return one.on_disc && !is_selected(view, one); });
   place([&](const interface::FloorLabel& one) { return one.is_sign && !is_selected(view, one); });
+  std::size_t afar = 0;
+  constexpr std::size_t most_afar = 64;  // more lines than that nobody follows
+  const auto place_others = [&](auto&& is_meant) {
+    for (interface::FloorLabel& label : view.labels) {
+      if (label.rect.width > 0 || label.anchor_x < 0 || !is_meant(label)) continue;
+      if (++afar <= most_afar) place_afar(view, label, hard);
+    }
+  };
+  place_others([&](const interface::FloorLabel& one) { return is_selected(view, one); });
+  place_others(is_name);
+  place_others([](const interface::FloorLabel& one) { return one.is_sign; });
   gather(view);
   view.cluster = {};
   if (view.open >= 0) open_cluster(view);

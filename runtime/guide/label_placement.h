@@ -12,6 +12,12 @@ inline scene::Rect around(float x, float y, float width, float height) noexcept 
 /// What a label covers where it is shown, with what it is drawn on. Screen frame.
 scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& label) noexcept;
 
+/// From what a label marks to the edge of what it covers. Screen frame.
+struct Leader {
+  scene::ScreenPoint from, to;
+};
+Leader leader_of(const interface::View& view, const interface::FloorLabel& label) noexcept;
+
 /// Is it the name of a gallery?
 inline bool is_name(const interface::FloorLabel& label) noexcept {
   return !label.on_disc && !label.is_sign;
@@ -25,9 +31,11 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
 /// Places the labels so that none covers another, a control, or a text of the panel, and none
 /// leaves the free part. Names of galleries come first and stay about their gallery; then exhibits,
 /// what is selected before the rest; then places. A spot that is moved stays within a few
-/// fingertips of what it marks, and keeps its `anchor`. What finds no room gets an empty rectangle:
-/// an exhibit is then in the cluster of the one nearest to it, and the list leads to places. The
-/// cluster that is open lies on a board of its own, each of it to be touched. Does not allocate.
+/// fingertips of what it marks, and keeps its `anchor`. A name or a place that finds no room there
+/// goes further away, with a line that crosses no label and no other such line (`leader_of`), after
+/// all that have room. What has none even then gets an empty rectangle: an exhibit is in the
+/// cluster of the one nearest to it, and the list leads to places. The cluster that is open lies on
+/// a board of its own, each of it to be touched. Does not allocate.
 void place_labels(interface::View& view, const scene::CameraView& camera,
                   float floor_height) noexcept;
 

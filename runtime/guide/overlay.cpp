@@ -434,17 +434,17 @@ void Overlay::draw_leader(const interface::View& view, const interface::FloorLab
                           float opacity, scene::DrawList& list) const noexcept {
   const scene::Theme& theme = theme_of(view);
   constexpr float step = 1.2F, dot = 0.45F;  // units
-  const float x = label.rect.x + label.rect.width / 2, y = label.rect.y + label.rect.height / 2;
-  const float across = (x - label.anchor_x) * view.pixel_width,
-              down = (y - label.anchor_y) * view.pixel_height;
+  const auto [from, to] = leader_of(view, label);
+  const float across = (to.x - from.x) * view.pixel_width,
+              down = (to.y - from.y) * view.pixel_height;
   const auto dots = static_cast<int>(std::hypot(across, down) / (step * view.unit_px));
-  if (dots < 2 || list.quads.size() + static_cast<std::size_t>(dots) > list.quads.capacity() / 2)
+  if (dots < 1 || list.quads.size() + static_cast<std::size_t>(dots) > list.quads.capacity() / 2)
     return;
   const float size = dot * view.unit_px;
   for (int i = 0; i < dots; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(dots);
     scene::Quad quad;
-    quad.rect = around(std::lerp(label.anchor_x, x, share), std::lerp(label.anchor_y, y, share),
+    quad.rect = around(std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share),
                        size / view.pixel_width, size / view.pixel_height);
     quad.corner = size / 2 / shorter_px(view);
     quad.colour = scene::with_opacity(theme.quiet_ink, opacity);
@@ -457,6 +457,10 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
   const scene::Theme& theme = theme_of(view);
   if (opacity <= 0.002F) return;
   const float shorter = shorter_px(view);
+  // Lines lie below all labels. A name that has not left its gallery needs none.
+  for (const interface::FloorLabel& label : view.labels)
+    if (label.rect.width > 0 && (label.is_led || !is_name(label)))
+      draw_leader(view, label, opacity, list);
   draw_cluster(view, opacity, list);
   for (const interface::FloorLabel& label : view.labels) {
     if (label.rect.width <= 0 || label.texture == scene::TextureId::None) continue;
@@ -473,7 +477,6 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
                                         : label.is_closed ? theme.plaster
                                                           : theme.paper,
                                         is_name(label) ? 0.74F * opacity : opacity);
-    if (label.on_disc) draw_leader(view, label, opacity, list);
     if (!is_name(label) && !label.is_sign) {  // paper is seen on paper by its edge
       scene::Quad edge = ground;
       const float x = 0.25F * view.unit_px / view.pixel_width,

@@ -78,7 +78,8 @@ void letters_changed(InterfaceState& state) noexcept {
 }
 
 void search(InterfaceState& state) noexcept {
-  if (state.seat || state.glass != Glass::Whole) return;  // there is no room for keys
+  // On a shared glass keys lie on a visitor's card.
+  if (state.glass != Glass::Whole && !(state.seat && state.look)) return;
   state.screen = Screen::Searching;
   state.lists = Listed::Found;
   state.page = 0;

@@ -312,6 +312,11 @@ void add_searching(const ControlRequest& request, std::vector<Control>& out) {
   add_keys(request, out);
   add_back(request, "home", out);
 }
+void add_searching_on_card(const ControlRequest& request, std::vector<Control>& out) {
+  add_list(request, out);
+  add_keys(request, out);
+  add_back(request, "leave", out);
+}
 void add_choosing(const ControlRequest& request, std::vector<Control>& out) {
   add_list(request, out);
   add_floors(request, out);
@@ -431,10 +436,9 @@ const std::array<ScreenFaces, 6> screens{{
      {add_choosing_on_card, lay_out_choosing_card}},
     {Screen::Walking, {add_walking, lay_out_walking}, {add_walking_on_card, lay_out_walking_card}},
     {Screen::Arrived, {add_arrived, lay_out_arrived}, {add_arrived_on_card, lay_out_arrived_card}},
-    // A card has no room for keys: nobody searches there.
     {Screen::Searching,
      {add_searching, lay_out_searching},
-     {add_choosing_on_card, lay_out_choosing_card}},
+     {add_searching_on_card, lay_out_searching_card}},
 }};
 
 std::vector<Control> route_controls(const Museum& museum, RouteKind selected,

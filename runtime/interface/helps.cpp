@@ -123,7 +123,8 @@ void add_helps(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
   add_avoidances(request, out);
   add_senses(request, out);
-  const bool can_search = state.glass == Glass::Whole && !state.seat && shows_spots(state.screen);
+  const bool can_search = state.seat ? state.screen == Screen::Choosing
+                                     : state.glass == Glass::Whole && shows_spots(state.screen);
   if (can_search) out.push_back(button(museum, "search", "search", {Action::Kind::Search}));
   const bool lists_places = state.screen == Screen::Choosing && state.lists == Listed::Places;
   const bool is_away = lists_places || state.screen == Screen::Searching;

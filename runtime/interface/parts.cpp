@@ -16,7 +16,7 @@
 namespace docent::interface {
 namespace {
 
-constexpr std::string_view between = "  ·  ";  // parts of a line
+constexpr std::string_view dot_between = "  ·  ";  // parts of a line
 
 }  // namespace
 
@@ -334,7 +334,7 @@ std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t ro
   const Museum& museum = sheet.museum();
   std::string line;
   const auto add = [&line](std::string_view part) {
-    if (!part.empty()) line.append(line.empty() ? "" : between).append(part);
+    if (!part.empty()) line.append(line.empty() ? "" : dot_between).append(part);
   };
   if (room < museum.rooms.size()) add(sheet.local(museum.rooms[room].title));
   if (floor != museum.kiosk_floor) add(sheet.local(museum.floors[floor].title));
@@ -359,7 +359,7 @@ std::string exhibit_line(const Sheet& sheet, std::uint32_t index) {
   const std::string closed = closed_line(sheet, index);
   const std::string after =
       closed.empty() ? where_line(sheet, exhibit.floor, exhibit.room) : closed;
-  if (!after.empty()) line.append(between).append(after);
+  if (!after.empty()) line.append(dot_between).append(after);
   return line;
 }
 
@@ -385,7 +385,7 @@ std::string own_tour_line(const Sheet& sheet) {
   std::string line = filled_in(sheet.word("own_tour_stops"), "n",
                                number_in(sheet.museum(), state.language, tour.count));
   if (tour.is_ordered && tour.seconds > 0)
-    line.append(between).append(time_in(sheet.museum(), state.language, tour.seconds));
+    line.append(dot_between).append(time_in(sheet.museum(), state.language, tour.seconds));
   return line;
 }
 
@@ -422,12 +422,12 @@ std::string tour_progress(const Sheet& sheet) {
   const std::string_view title = state.tour->tour == TourWalk::own
                                      ? sheet.word("own_tour")
                                      : sheet.local(museum.tours[state.tour->tour].title);
-  line = std::string(title).append(between) + line;
+  line = std::string(title).append(dot_between) + line;
   if (is_over)
-    line.append(between).append(sheet.word("tour_done"));
+    line.append(dot_between).append(sheet.word("tour_done"));
   else if (left > 0)
-    line.append(between).append(
-        filled_in(sheet.word("tour_left"), "time", time_in(museum, state.language, left)));
+    line.append(dot_between)
+        .append(filled_in(sheet.word("tour_left"), "time", time_in(museum, state.language, left)));
   return line;
 }
 
@@ -485,7 +485,7 @@ std::string line_of(const Sheet& sheet, const Control& control) {
   if (control.action.kind == Action::Kind::Browse) {
     const Group group = group_of(sheet.museum(), control.action.argument);
     return std::string(sheet.word(group.kind))
-        .append(between)
+        .append(dot_between)
         .append(number_in(sheet.museum(), sheet.request().state.language,
                           static_cast<long>(group.exhibits.size())));
   }

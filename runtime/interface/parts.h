@@ -29,6 +29,7 @@ void lay_out_picking_card(Sheet& sheet, const PixelBox& content);
 void lay_out_choosing_card(Sheet& sheet, const PixelBox& content);
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content);
 void lay_out_arrived_card(Sheet& sheet, const PixelBox& content);
+void lay_out_searching_card(Sheet& sheet, const PixelBox& content);
 
 /// The shared glass: the model, and the cards of those who stand at it.
 void lay_out_model(Sheet& sheet);

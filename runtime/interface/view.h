@@ -83,8 +83,9 @@ struct FloorLabel {
   scene::Side side = scene::Side::Bottom;
   scene::Rect rect;                  ///< Screen frame: where it is seen now; follows the camera.
   float anchor_x = 0, anchor_y = 0;  ///< Screen frame: what it marks; it may have made way.
-  /// Set by the frame thread: a label that finds no room is in the cluster of another, which then
-  /// stands for so many more.
+  bool is_led = false;  ///< Set by the frame thread: it lies elsewhere, and a line leads there.
+  /// Likewise: a label that finds no room is in the cluster of another, which then stands for so
+  /// many more.
   std::int32_t head = -1;
   std::uint32_t held = 0;
 

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
+#include "platform/sqlite/content_reader.h"
 #include "tests/support/museum_folder.h"
 
 namespace docent::compile {
@@ -85,6 +87,52 @@ TEST(Collections, WhatStaffWroteByHandWinsAndIsSaid) {
                               "'G-1912-4' in 'en' is written by hand, and wins"),
                     HasSubstr("objects.csv:2 says: Vase \"Lotus\""), HasSubstr("found 5 exhibits")))
       << "the third object has a place now";
+}
+
+/// Thousands of exhibits get their tags from the catalogue, and nobody writes them by hand.
+TEST(Collections, GiveExhibitsTheTagsByWhichTheyAreFound) {
+  const MuseumFolder museum;
+  museum.write("objects.csv",
+               "Nr,Title,Maker,Theme,Thema ar,Dynasty,x,y\n"
+               "1,Vase,\"Ōta, Ren\",Sea;Trade,بحر,Ming,3.5,5\n"
+               "2,Jug,,<i>sea</i>,,Ming ,4.5,5\n"
+               "3,Bowl,,,,,5,5\n");
+  museum.replace("museum.toml", "[[room]]",
+                 "[source]\nfile = \"objects.csv\"\nid = \"Nr\"\ntitle.en = \"Title\"\n"
+                 "artist.en = \"Maker\"\nsubject.en = \"Theme\"\nsubject.ar = \"Thema ar\"\n"
+                 "period.en = \"Dynasty\"\nposition = [\"x\", \"y\"]\n[[room]]");
+
+  const ProgramRun run = museum.compile();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+
+  EXPECT_THAT(run.err, HasSubstr("objects.csv:3:1: warning[tag-spelt-otherwise]: the subject 'sea' "
+                                 "is taken for 'Sea'"));
+  const auto read = sqlite::load_museum(museum.database());
+  ASSERT_TRUE(read.has_value()) << read.error().what;
+  const auto exhibit = [&](std::string_view id) -> const Exhibit& {
+    return *std::ranges::find(read->exhibits, id, &Exhibit::id);
+  };
+  EXPECT_EQ(exhibit("1").artist, (LocalText{{"en", "Ōta, Ren"}}));
+  EXPECT_EQ(exhibit("1").subject, (LocalText{{"en", "Sea"}, {"ar", "بحر"}}));
+  EXPECT_EQ(exhibit("2").subject, (LocalText{{"en", "Sea"}}));
+  EXPECT_EQ(exhibit("1").period, exhibit("2").period);
+  EXPECT_TRUE(exhibit("3").subject.empty());
+}
+
+TEST(Collections, ATagThatStaffWroteByHandWins) {
+  const MuseumFolder museum;
+  museum.write("objects.csv", "Nr,Title,Theme,x,y\n1,Vase,Sea,3.5,5\n");
+  museum.replace("museum.toml", "[[room]]",
+                 "[source]\nfile = \"objects.csv\"\nid = \"Nr\"\ntitle.en = \"Title\"\n"
+                 "subject.en = \"Theme\"\nposition = [\"x\", \"y\"]\n[[room]]");
+  museum.write("exhibits/mine.toml", "[[exhibit]]\nid = \"1\"\nsubject.en = \"Ships\"\n");
+
+  ASSERT_EQ(museum.compile().exit_code, 0) << museum.compile().err;
+
+  const auto read = sqlite::load_museum(museum.database());
+  ASSERT_TRUE(read.has_value()) << read.error().what;
+  EXPECT_EQ(std::ranges::find(read->exhibits, "1", &Exhibit::id)->subject,
+            (LocalText{{"en", "Ships"}}));
 }
 
 TEST(Collections, AColumnThatIsNotThereIsTold) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "runtime/scene/side.h"
@@ -80,6 +81,94 @@ TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
       for (std::size_t j = 0; j < i && i < 300; ++j)
         RC_ASSERT(!overlap(view.controls[i].rect, view.controls[j].rect));
   }));
+}
+
+/// Does a line from one point to another pass through a rectangle?
+bool crosses(const Leader& line, const scene::Rect& rect) {
+  for (int i = 0; i <= 400; ++i) {
+    const float share = static_cast<float>(i) / 400;
+    if (scene::contains(rect, std::lerp(line.from.x, line.to.x, share),
+                        std::lerp(line.from.y, line.to.y, share)))
+      return true;
+  }
+  return false;
+}
+
+bool cross(const Leader& a, const Leader& b) {
+  const auto side = [](const Leader& line, scene::ScreenPoint p) {
+    return (line.to.x - line.from.x) * (p.y - line.from.y) -
+           (line.to.y - line.from.y) * (p.x - line.from.x);
+  };
+  return side(a, b.from) * side(a, b.to) < 0 && side(b, a.from) * side(b, a.to) < 0;
+}
+
+/// Signs and names that find no room at their place, in a museum as crowded as it likes.
+TEST(PlacedLabels, ThatLieFurtherAwayHaveALineThatCrossesNothing) {
+  EXPECT_TRUE(rc::check("1 to 300 exhibits, near and far, up to 60 places", [] {
+    interface::View view =
+        view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300),
+                *rc::gen::inRange<std::size_t>(0, 60), *rc::gen::inRange(1U, 380U));
+    view.unit_px = *rc::gen::element(8.0F, 11.0F);
+    place_labels(view, overview(), 0);
+    for (std::size_t i = 0; i < view.labels.size(); ++i) {
+      const interface::FloorLabel& led = view.labels[i];
+      if (!led.is_led) continue;
+      RC_ASSERT(led.rect.width > 0 && !led.on_disc);
+      Leader line = leader_of(view, led);
+      // Its beginning may lie below what has taken its place.
+      const Leader whole = line;
+      line.from = {std::midpoint(line.from.x, line.to.x), std::midpoint(line.from.y, line.to.y)};
+      for (std::size_t j = 0; j < view.labels.size(); ++j) {
+        const interface::FloorLabel& other = view.labels[j];
+        if (j == i || other.rect.width <= 0) continue;
+        RC_ASSERT(!crosses(line, ground_of(view, other)));
+        if (other.is_led && j < i) {
+          Leader seen = leader_of(view, other);
+          seen.from = {std::midpoint(seen.from.x, seen.to.x),
+                       std::midpoint(seen.from.y, seen.to.y)};
+          RC_ASSERT(!cross(line, seen));
+        }
+      }
+      RC_ASSERT(!crosses(whole, view.panel));
+    }
+  }));
+}
+
+/// 36 exhibits stand close together, and six places in their midst.
+interface::View crowded() {
+  interface::View view = view_of(36, 6, 380);
+  for (std::size_t i = 0; i < 36; ++i)
+    view.labels[i].position = {10 + 0.6 * static_cast<double>(i % 6),
+                               10 + 0.6 * static_cast<double>(i / 6)};
+  for (std::size_t i = 36; i < 42; ++i)
+    view.labels[i].position = {11 + 0.3 * static_cast<double>(i - 36), 12.0};
+  return view;
+}
+
+TEST(PlacedLabels, ThatFindNoRoomAtTheirPlaceGoWhereThereIsSome) {
+  interface::View view = crowded();
+  place_labels(view, overview(), 0);
+
+  std::size_t led = 0;
+  for (const interface::FloorLabel& label : view.labels) {
+    if (label.on_disc) continue;
+    EXPECT_GT(label.rect.width, 0) << label.position.x << ", " << label.position.y;
+    led += label.is_led ? 1 : 0;
+  }
+  EXPECT_GT(led, 0U) << "else this says nothing";
+}
+
+TEST(PlacedLabels, LieWhereTheyLayWhenTheSamePictureIsLaidOutAgain) {
+  interface::View view = crowded();
+  place_labels(view, overview(), 0);
+  const interface::View before = view;
+
+  place_labels(view, overview(), 0);
+
+  for (std::size_t i = 0; i < view.labels.size(); ++i) {
+    EXPECT_EQ(view.labels[i].rect.x, before.labels[i].rect.x);
+    EXPECT_EQ(view.labels[i].rect.y, before.labels[i].rect.y);
+  }
 }
 
 /// A museum of 300 exhibits with large letters: every exhibit is seen, or in a cluster that opens.

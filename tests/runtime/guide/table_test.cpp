@@ -101,6 +101,27 @@ TEST(ATable, TakesTouchesAsTheyAreSeenFromEachSide) {
   }
 }
 
+TEST(ATable, IsSearchedByEachVisitorForThemselvesOnKeysThatLieOnTheirCard) {
+  Table table;
+  for (std::uint32_t seat = 1; seat <= seats; ++seat) table.sit_down(seat);
+
+  for (std::uint32_t seat = 1; seat <= seats; ++seat) table.tap(seat, "search");
+  table.tap(2, "key:j");
+  table.tap(2, "key:a");
+  table.tap(5, "key:f");
+  table.tap(2, "key:d");
+  table.run(0.5);
+
+  for (std::uint32_t seat = 1; seat <= seats; ++seat)
+    EXPECT_EQ(table.at(seat).screen, interface::Screen::Searching) << seat;
+  EXPECT_EQ(table.at(2).typed.letters(), u"jad");
+  EXPECT_EQ(table.at(5).typed.letters(), u"f");
+  EXPECT_EQ(table.at(4).typed.count, 0);
+  table.tap(2, "exhibit:jade-disc");
+  EXPECT_EQ(table.at(2).screen, interface::Screen::Walking);
+  EXPECT_EQ(table.at(5).screen, interface::Screen::Searching);
+}
+
 TEST(ATable, SetsEveryTextUprightForWhoReadsItAndInsideTheirCard) {
   Table table;
   for (std::uint32_t seat = 1; seat <= seats; ++seat) table.sit_down(seat);
