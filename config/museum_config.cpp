@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/exhibit_media.h"
 #include "config/language_tag.h"
 #include "config/letters.h"
 #include "config/museum_cases.h"
@@ -20,7 +21,6 @@
 #include "config/text_faults.h"
 #include "config/toml_folder.h"
 #include "platform/file/read_file.h"
-#include "platform/file/text_encoding.h"
 #include "platform/terminal/suggest.h"
 
 namespace docent::config {
@@ -115,7 +115,7 @@ class MuseumLoader {
           diagnostics_.push_back(std::move(missing));
     check_references();
     check_files();
-    for (ExhibitSection& exhibit : config_.exhibits) read_more(exhibit);
+    read_exhibit_media(config_, paths_, diagnostics_);
     check_translations();
     sort_diagnostics();
     return {.value = std::move(config_), .diagnostics = std::move(diagnostics_)};
@@ -479,7 +479,7 @@ class MuseumLoader {
     for (FloorSection& floor : config_.floors) check_file(floor.plan);
     for (ExhibitSection& exhibit : config_.exhibits) {
       check_file(exhibit.image);
-      check_pictures(exhibit);
+      for (PictureSection& picture : exhibit.pictures.value) check_file(picture.image);
       check_file(exhibit.model);
     }
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
@@ -497,69 +497,6 @@ class MuseumLoader {
           std::move(fault->hint));
     file.value.clear();
     file.given = false;
-  }
-
-  /// One leafs on from the exhibit's own picture.
-  void check_pictures(ExhibitSection& exhibit) {
-    std::vector<PictureSection>& pictures = exhibit.pictures.value;
-    for (PictureSection& picture : pictures) check_file(picture.image);
-    if (pictures.empty()) return;
-    if (config_.sources.empty() && !exhibit.image.given && exhibit.image.value.empty() &&
-        exhibit.image.place.range == exhibit.place.range)
-      error(exhibit.pictures.place, "missing-field",
-            fmt::format("exhibit '{}' has further pictures and no first one", exhibit.id.value), {},
-            fmt::format("write image = \"{}\", and take it out of 'pictures'",
-                        pictures.front().image.value));
-    if (pictures.size() < FurtherPicture::most) return;
-    error(exhibit.pictures.place, "out-of-range",
-          fmt::format("exhibit '{}' has {} pictures, its own one included", exhibit.id.value,
-                      pictures.size() + 1),
-          {}, fmt::format("visitors leaf through at most {}", FurtherPicture::most));
-  }
-
-  /// Puts what the files of `more_file` hold among the texts of `more`.
-  void read_more(ExhibitSection& exhibit) {
-    for (auto& [tag, name] : exhibit.more_file.value) {
-      if (!name.given) continue;
-      if (exhibit.more.value.contains(tag)) {
-        error(name.place, "bad-value",
-              fmt::format("exhibit '{}' has both more.{} and more_file.{}", exhibit.id.value, tag,
-                          tag),
-              {}, "keep one of them");
-        continue;
-      }
-      Located<std::string> text = name;
-      if (!read_text(name, text.value)) continue;
-      exhibit.more.value.emplace(tag, std::move(text));
-      if (!exhibit.more.given) exhibit.more.place = exhibit.more_file.place;
-      exhibit.more.given = true;
-    }
-  }
-
-  /// The text of a file that staff name; false where it cannot be read, which is told.
-  bool read_text(const Located<std::string>& name, std::string& text) {
-    constexpr std::size_t largest = 60'000;  // bytes
-    if (auto fault = paths_.fault(name.value)) {
-      error(name.place, std::move(fault->code), std::move(fault->message), std::move(fault->label),
-            std::move(fault->hint));
-      return false;
-    }
-    Result<std::string> bytes = file::read_file(config_.folder / name.value, largest);
-    if (!bytes) {
-      error(name.place, "unreadable-file", bytes.error().what, {},
-            fmt::format("a text for visitors has at most {} bytes", largest));
-      return false;
-    }
-    if (auto fault = file::encoding_fault(*bytes)) {
-      const std::string where = fault->line > 0 ? fmt::format(":{}", fault->line) : "";
-      error(name.place, "not-utf8", fmt::format("{}{} {}", name.value, where, fault->message), {},
-            std::move(fault->hint));
-      return false;
-    }
-    text = file::without_byte_order_mark(*bytes);
-    std::erase(text, '\r');
-    while (text.ends_with('\n')) text.pop_back();
-    return true;
   }
 
   /// A tag that is none is told once, and taken for the one that was meant.

@@ -231,11 +231,11 @@ TEST(PlacedLabels, AreAllShownWhereThereIsRoom) {
 
 TEST(PlacedLabels, AreReadFromTheNearestEdgeAtWhichPeopleStand) {
   using scene::Side;
-  for (const std::uint8_t sides : {0b0000, 0b0001, 0b0101, 0b1111, 0b1010}) {
+  for (const unsigned sides : {0b0000U, 0b0001U, 0b0101U, 0b1111U, 0b1010U}) {
     interface::View view = view_of(40, 5, 380);
     view.panel = {};
     view.free = {0, 0, 1, 1};
-    view.readers.bits = sides;
+    view.readers.bits = static_cast<std::uint8_t>(sides);
     place_labels(view, overview(), 0);
 
     for (const interface::FloorLabel& label : view.labels) {
@@ -245,12 +245,31 @@ TEST(PlacedLabels, AreReadFromTheNearestEdgeAtWhichPeopleStand) {
       };
       EXPECT_TRUE(sides == 0 ? label.side == Side::Bottom : view.readers.has(label.side));
       for (const Side side : scene::all_sides)
-        if (view.readers.has(side)) EXPECT_LE(from_edge(label.side), from_edge(side));
+        EXPECT_TRUE(!view.readers.has(side) || from_edge(label.side) <= from_edge(side));
       if (label.rect.width <= 0) continue;
       EXPECT_NEAR(label.rect.width * 1920,
                   scene::is_at_end(label.side) ? label.height_px : label.width_px, 0.1);
     }
   }
+}
+
+TEST(PlacedLabels, AreNotTurnedToTheEndsWhereTheyWouldReachIntoTheNextGallery) {
+  interface::View view = view_of(0, 0, 380);
+  view.panel = {};
+  view.free = {0, 0, 1, 1};
+  const auto has_turned = [&] {
+    place_labels(view, overview(), 0);
+    return std::ranges::any_of(view.labels, [](const interface::FloorLabel& label) {
+      return scene::is_at_end(label.side);
+    });
+  };
+
+  view.readers.bits = 0b1111;
+  EXPECT_TRUE(has_turned());
+  for (interface::FloorLabel& label : view.labels) label.width_px = 700;
+  EXPECT_FALSE(has_turned());
+  view.readers.bits = 0b1010;
+  EXPECT_TRUE(has_turned()) << "where nobody else is there";
 }
 
 TEST(PlacedLabels, StayWhereTheyAreWhenNothingIsInTheWay) {
