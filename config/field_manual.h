@@ -44,6 +44,8 @@ std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return "list of texts";
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
     return "[{floor, position, facing}, ...]";
+  else if constexpr (std::is_same_v<Value, std::vector<PictureSection>>)
+    return "[{image, caption, description}, ...]";
   else
     return "text by key";
 }

@@ -178,10 +178,32 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
   return true;
 }
 
+namespace {
+
+bool is_list_of_tables(const TomlNode& node) {
+  return node.kind == TomlNode::Kind::Array &&
+         std::ranges::all_of(
+             node.items, [](const TomlNode& item) { return item.kind == TomlNode::Kind::Table; });
+}
+
+}  // namespace
+
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
+                               std::vector<PictureSection>& value) {
+  if (!is_list_of_tables(node))
+    return wrong_type(node, rules.key,
+                      "a list of pictures: [{image = \"images/...\", caption.en = \"...\"}, ...]");
+  for (const TomlNode& item : node.items) {
+    PictureSection& picture = value.emplace_back();
+    picture.place = place(item.range);
+    read<PictureSection>(item, fmt::format("an item of '{}'", rules.key), picture_fields, picture);
+  }
+  return true;
+}
+
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
                                std::vector<StopSection>& value) {
-  const auto is_table = [](const TomlNode& item) { return item.kind == TomlNode::Kind::Table; };
-  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_table))
+  if (!is_list_of_tables(node))
     return wrong_type(node, rules.key,
                       "a list of places: [{floor = \"...\", position = [east, north]}, ...]");
   for (const TomlNode& item : node.items) {

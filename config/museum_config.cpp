@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "config/exhibit_media.h"
 #include "config/language_tag.h"
 #include "config/letters.h"
 #include "config/museum_cases.h"
@@ -27,6 +28,9 @@ namespace docent::config {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Letters of a longer text: nobody reads more of it standing.
+constexpr std::size_t room_for_more = 20'000;
 
 /// Reads the sections of one file's root table, and says which tables it should not hold.
 class SectionVisitor {
@@ -111,6 +115,7 @@ class MuseumLoader {
           diagnostics_.push_back(std::move(missing));
     check_references();
     check_files();
+    read_exhibit_media(config_, paths_, diagnostics_);
     check_translations();
     sort_diagnostics();
     return {.value = std::move(config_), .diagnostics = std::move(diagnostics_)};
@@ -474,6 +479,7 @@ class MuseumLoader {
     for (FloorSection& floor : config_.floors) check_file(floor.plan);
     for (ExhibitSection& exhibit : config_.exhibits) {
       check_file(exhibit.image);
+      for (PictureSection& picture : exhibit.pictures.value) check_file(picture.image);
       check_file(exhibit.model);
     }
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
@@ -568,6 +574,15 @@ class MuseumLoader {
                   room_for_text, is_completed);
       check_texts(fmt::format("the description of exhibit '{}'", exhibit.id.value),
                   exhibit.description, room_for_text, is_completed);
+      check_texts(fmt::format("the longer text of exhibit '{}'", exhibit.id.value), exhibit.more,
+                  room_for_more);
+      for (std::size_t i = 0; i < exhibit.pictures.value.size(); ++i) {
+        const PictureSection& picture = exhibit.pictures.value[i];
+        const std::string which =
+            fmt::format("picture {} of exhibit '{}'", i + 2, exhibit.id.value);
+        check_texts("the caption of " + which, picture.caption, room_for_text);
+        check_texts("the description of " + which, picture.description, room_for_text);
+      }
       // A name or a tag may be the same in several languages: it need not be written in each.
       for (const auto& [name, texts] :
            {std::pair{"artist", &exhibit.artist}, std::pair{"subject", &exhibit.subject},

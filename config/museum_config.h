@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/located.h"
+#include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/vec2.h"
 
 namespace docent::config {
@@ -105,6 +106,12 @@ struct CaseSection {
   Located<double> facing;  ///< Degrees counter-clockwise from east, as written.
   Located<Size> size;
 };
+/// A further picture of an exhibit.
+struct PictureSection {
+  Place place;
+  Located<std::string> image;
+  Located<LocatedTexts> caption, description;
+};
 struct ExhibitSection {
   Place place;
   /// `in` names the case that it stands in; the loader has then made its other fields those of the
@@ -115,7 +122,9 @@ struct ExhibitSection {
   Located<Size> size;      ///< Of the floor that it takes where it stands free.
   Located<Vec2> view;
   Located<std::string> image;
-  Located<LocatedTexts> title, text, description, artist, subject, period;
+  Located<std::vector<PictureSection>> pictures;
+  /// `more` has what the files of `more_file` hold, too, once the museum is loaded.
+  Located<LocatedTexts> title, text, description, more, more_file, artist, subject, period;
   Located<bool> closed;
   Located<std::string> hours;
   Located<double> weight, looking_seconds;

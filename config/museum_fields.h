@@ -309,6 +309,19 @@ inline constexpr std::array case_fields{
 
 inline constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
 
+inline constexpr std::array picture_fields{
+    Field<PictureSection>{"image",
+                          &PictureSection::image,
+                          Presence::Required,
+                          "An SVG, PNG, JPEG, WebP, GIF or HEIC file",
+                          {},
+                          Form::File},
+    Field<PictureSection>{"caption", &PictureSection::caption, Presence::Optional,
+                          "What visitors read below it, by language"},
+    Field<PictureSection>{"description", &PictureSection::description, Presence::Optional,
+                          "What it shows, by language, for those who do not see it"},
+};
+
 inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"id",
                           &ExhibitSection::id,
@@ -346,6 +359,9 @@ inline constexpr std::array exhibit_fields{
                           "A picture of it: an SVG, PNG, JPEG, WebP, GIF or HEIC file",
                           {},
                           Form::File},
+    Field<ExhibitSection>{
+        "pictures", &ExhibitSection::pictures, Presence::Optional,
+        "Further pictures, which visitors leaf through in this order; at most 19"},
     Field<ExhibitSection>{"title", &ExhibitSection::title, Presence::UnlessSource,
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,
@@ -353,6 +369,10 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"description", &ExhibitSection::description, Presence::Optional,
                           "What its picture shows, by language, for those who do not see it: it is "
                           "spoken after the title, and read where there is no picture"},
+    Field<ExhibitSection>{"more", &ExhibitSection::more, Presence::Optional,
+                          "A longer text, by language, for those who ask for more about it"},
+    Field<ExhibitSection>{"more_file", &ExhibitSection::more_file, Presence::Optional,
+                          "The same from a text file in UTF-8, by language"},
     Field<ExhibitSection>{"artist", &ExhibitSection::artist, Presence::Optional,
                           "Who made it, by language: visitors find it by that"},
     Field<ExhibitSection>{"subject", &ExhibitSection::subject, Presence::Optional,

@@ -67,6 +67,10 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
     return {{"type", "array"}, {"items", section_schema("", stop_fields)}, {"minItems", 2}};
+  else if constexpr (std::is_same_v<Value, std::vector<PictureSection>>)
+    return {{"type", "array"},
+            {"items", section_schema("", picture_fields)},
+            {"maxItems", FurtherPicture::most - 1}};
   else
     return texts_by_language();
 }

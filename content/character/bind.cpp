@@ -14,6 +14,11 @@
 namespace docent::character {
 namespace {
 
+/// How much of VRM's drag is the air's: who walks steadily keeps their hair down but for that. The
+/// rest is drag about the body, as where a spring of VRM has a "center".
+constexpr float share_of_air = 0.25F;
+constexpr float thickest_end = 0.5F;  // metres
+
 /// The shortest turn from one direction to another.
 Quat shortest_turn(Vec3 from, Vec3 to) {
   from = glm::normalize(from);
@@ -208,8 +213,8 @@ struct JointWeights {
   std::array<std::uint8_t, 4> joint{}, weight{};
 };
 
-JointWeights weights_of(const BoneShares& shares,
-                        const std::array<std::uint8_t, bone_count>& joint) {
+/// `joint` has one for each bone of the body, then one for each that swings.
+JointWeights weights_of(const BoneShares& shares, const std::vector<std::uint8_t>& joint) {
   std::vector<std::pair<float, std::uint8_t>> parts;
   for (std::size_t k = 0; k < 4; ++k) {
     if (!(shares.share[k] > 0)) continue;
@@ -235,15 +240,72 @@ JointWeights weights_of(const BoneShares& shares,
   return out;
 }
 
+/// A spring that a step of the clock could not follow is made weaker, and its weight with it, so
+/// that it hangs as it would.
+ClothNode node_of(const SpringBone& bone, const Measures& m, std::uint8_t joint) {
+  const float length = glm::distance(bone.root, bone.end);
+  // As strong as VRM's constant pull for what swings on a string so long.
+  const float stiffness = bone.pull / length;
+  const float gravity = m.scale * glm::length(bone.gravity);
+  const float weaker = std::min({1.0F, most_cloth_pull / std::max(stiffness, 1.0F),
+                                 most_cloth_gravity / std::max(gravity, 1.0F)});
+  return {.kind = ClothKind::Bone,
+          .joint = {joint, 0, 0, 0},
+          .weight = {255, 0, 0, 0},
+          .place = m.place(bone.end),
+          .outward = Vec3{0, 0, 1},
+          .above = bone.above < 0 ? ClothNode::none : static_cast<std::uint8_t>(bone.above),
+          .radius = std::min(m.scale * bone.radius, thickest_end),
+          .stiffness = weaker * stiffness,
+          .damping = std::min((1 - share_of_air) * bone.drag, most_cloth_damping),
+          .drag = std::min(share_of_air * bone.drag, most_cloth_damping),
+          .root = m.place(bone.root),
+          .gravity = weaker * m.scale * bone.gravity};
+}
+
+/// Binds what swings: the springs that have room, and the limbs that they are kept out of.
+Cloth cloth_of(const Springs& springs, const Measures& m, const std::vector<std::uint8_t>& joint) {
+  Cloth cloth;
+  const std::vector<std::uint32_t> ball = busiest_balls(springs, most_cloth_colliders);
+  for (const std::uint32_t c : ball) {
+    const SpringBall& it = springs.ball[c];
+    const float radius = std::min(m.scale * it.radius, most_cloth_radius);
+    cloth.collider.push_back({.joint = joint[index_of(it.body)],
+                              .from = m.place(it.from),
+                              .to = m.place(it.to),
+                              .from_radius = radius,
+                              .to_radius = radius});
+  }
+  for (const SpringBone& bone : springs.bone) {
+    ClothNode node = node_of(bone, m, joint[index_of(bone.body)]);
+    for (const std::uint32_t c : bone.colliders)
+      if (const auto at = std::ranges::find(ball, c) - ball.begin();
+          at < static_cast<std::ptrdiff_t>(ball.size()))
+        node.keeps_out |= 1U << static_cast<unsigned>(at);
+    cloth.node.push_back(node);
+  }
+  return cloth;
+}
+
 }  // namespace
 
 SkinnedMesh bind_body(const Character& character, const Measures& m, const Fit& fit) {
-  std::array<std::uint8_t, bone_count> joint{};
+  std::vector<std::uint8_t> joint(bone_count);
   for (std::size_t b = 0; b < bone_count; ++b)
     joint[b] = static_cast<std::uint8_t>(
         joint_of(fit.skeleton, slot_of(static_cast<HumanBone>(b), character.standing.bones)));
+  const std::size_t joints = fit.skeleton.joint.size();
+  std::vector<std::int32_t> became;
+  const Springs springs =
+      with_at_most(std::min(most_bones_of_a_guide, most_joints - std::min(joints, most_joints)),
+                   character.swinging, became);
 
   SkinnedMesh mesh;
+  mesh.cloth = cloth_of(springs, m, joint);
+  for (std::size_t s = 0; s < became.size(); ++s)
+    joint.push_back(became[s] >= 0
+                        ? static_cast<std::uint8_t>(joints + static_cast<std::size_t>(became[s]))
+                        : joint[index_of(character.swinging.bone[s].body)]);
   for (const SurfaceVertex& v : character.body.surface.vertices) {
     const JointWeights weights = weights_of(v.shares, joint);
     mesh.vertices.push_back({.position = m.place(v.position),

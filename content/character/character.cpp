@@ -20,8 +20,11 @@ void note_losses(const import::gltf::Model& model, Character& character) {
         "is lost");
   if (character.springs > 0)
     character.notes.push_back(
-        fmt::format("its {} spring chains were read; what hangs on them goes with the body",
-                    character.springs));
+        character.swinging.bone.empty()
+            ? fmt::format("nothing that can be seen hangs on its {} spring chains: nothing swings",
+                          character.springs)
+            : fmt::format("its {} spring chains swing, by {} bones", character.springs,
+                          character.swinging.bone.size()));
   if (!character.expressions.empty())
     character.notes.push_back(
         fmt::format("its {} expressions were read; the face stays as it was modelled",
@@ -40,7 +43,8 @@ Character make_character(const import::gltf::Model& model, const std::string& fi
                       .body = {},
                       .bone_node = std::vector<std::string>(bone_count),
                       .extent = {},
-                      .springs = model.vrm.springs,
+                      .springs = model.vrm.spring_count,
+                      .swinging = {},
                       .expressions = model.vrm.expressions,
                       .notes = model.warnings};
   character.standing = stand_up(model, file, character.notes);
@@ -53,7 +57,9 @@ Character make_character(const import::gltf::Model& model, const std::string& fi
   character.joints = static_cast<std::size_t>(std::ranges::count(is_joint, true));
   character.extent = extent_of(model, character.standing);
   const Colours colours(model);
-  character.body = to_budget(surface_of(model, character.standing, file, character.notes), colours);
+  character.swinging = springs_of(model, character.standing, character.notes);
+  character.body = to_budget(
+      surface_of(model, character.standing, character.swinging, file, character.notes), colours);
   if (character.body.surface.indices.empty())
     throw content::ContentError(file, 0, 0, "not-humanoid",
                                 "it has bones and nothing to see: no triangles in its scene",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "content/character/budget.h"
+#include "content/character/springs.h"
 #include "content/character/standing.h"
 
 namespace docent::character {
@@ -18,7 +19,8 @@ struct Character {
   std::vector<std::string> bone_node;  ///< By HumanBone: the node's name; "#7" for one without.
   Extent extent;                       ///< Of all that the file shows.
   std::size_t joints = 0;              ///< Of its skins, each once.
-  std::size_t springs = 0;
+  std::size_t springs = 0;             ///< Chains that the file says swing...
+  Springs swinging;                    ///< ... and what of them does.
   std::vector<std::string> expressions;
   std::vector<std::string> notes;  ///< What was mended, left out or lost: sentences.
 };

@@ -32,10 +32,10 @@ constexpr std::array<SideBones, 2> side_bones{
 
 /// The share that a vertex has in some bones.
 template <typename Is>
-float share_of(const SurfaceVertex& vertex, Is is) {
+float share_of(const Character& character, const SurfaceVertex& vertex, Is is) {
   float share = 0;
   for (std::size_t k = 0; k < 4; ++k)
-    if (is(static_cast<HumanBone>(vertex.shares.bone[k]))) share += vertex.shares.share[k];
+    if (is(body_bone(character.swinging, vertex.shares.bone[k]))) share += vertex.shares.share[k];
   return share;
 }
 bool is_of_foot(HumanBone bone) {
@@ -60,7 +60,7 @@ Vec3 mean_place(const Standing& s, HumanBone SideBones::* bone, float middle) {
 float sole_of(const Character& character, float ankle, float leg) {
   float lowest = ankle;
   for (const SurfaceVertex& v : character.body.surface.vertices)
-    if (share_of(v, is_of_foot) > 0.5F) lowest = std::min(lowest, v.position.y);
+    if (share_of(character, v, is_of_foot) > 0.5F) lowest = std::min(lowest, v.position.y);
   const float usual_ankle = 0.09F * leg;
   return lowest < ankle - 0.01F * leg && lowest > ankle - 0.6F * leg ? lowest : ankle - usual_ankle;
 }
@@ -76,7 +76,8 @@ float foot_of(const Character& character, float leg) {
       joints += 0.5F * std::hypot(toe.x, toe.z);
     }
     for (const SurfaceVertex& v : character.body.surface.vertices)
-      if (share_of(v, is_of_foot) > 0.5F && std::abs(v.position.x - ankle.x) < 0.3F * leg)
+      if (share_of(character, v, is_of_foot) > 0.5F &&
+          std::abs(v.position.x - ankle.x) < 0.3F * leg)
         longest = std::max(longest, v.position.z - ankle.z);
   }
   if (joints > 0.05F * leg && s.bones.has(HumanBone::LeftToes) && s.bones.has(HumanBone::RightToes))
@@ -100,7 +101,7 @@ Measures measure(const Character& character) {
   float crown = top;
   for (const SurfaceVertex& v : character.body.surface.vertices) {
     top = std::max(top, v.position.y);
-    if (share_of(v, [](HumanBone b) { return b == HumanBone::Head; }) > 0.5F)
+    if (share_of(character, v, [](HumanBone b) { return b == HumanBone::Head; }) > 0.5F)
       crown = std::max(crown, v.position.y);
   }
   const float height = top - sole;

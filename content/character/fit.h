@@ -45,7 +45,8 @@ struct Fit {
 /// ContentError (`incomplete-skeleton`) where the recording's skeleton lacks a part of the body.
 Fit fit_skeleton(const Skeleton& recorded, const Measures& measures, float toe_rest);
 
-/// The character's body, one figure, bound to the fitted skeleton.
+/// The character's body, one figure, bound to the fitted skeleton. What swings is its cloth, as
+/// much of it as there is room for among the matrices that a body is drawn with.
 SkinnedMesh bind_body(const Character& character, const Measures& measures, const Fit& fit);
 
 }  // namespace docent::character

@@ -287,7 +287,7 @@ class Trunk {
       int share = 0;
       Vec3 place{0};
       for (std::size_t k = 0; k < 4; ++k) {
-        if (is_trunk[v.joint[k]]) share += v.weight[k];
+        if (v.joint[k] < is_trunk.size() && is_trunk[v.joint[k]]) share += v.weight[k];
         place += static_cast<float>(v.weight[k]) / 255 *
                  Vec3(body.inverse_bind[v.joint[k]] * Vec4(v.position, 1));
       }

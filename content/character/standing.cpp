@@ -158,6 +158,7 @@ Standing stand_up(const Model& model, const std::string& file, std::vector<std::
         "hips, the feet are not under them, or the hands are at the ground",
         "only what stands on two legs can be a guide; anything else can be an exhibit's object");
   if (is_turned_up) notes.emplace_back("it lay on its back or side, and was stood up");
+  standing.turn = *turn;
   for (Mat4& m : standing.rest) m = *turn * m;
   for (Mat4& m : standing.bind) m = *turn * m;
   refuse_far_bones(standing.bones, standing.rest, "as its nodes stand", file);

@@ -18,6 +18,7 @@ enum class RestPose : std::uint8_t { T, A, ArmsDown };
 struct Standing {
   BoneMap bones;
   std::vector<Mat4> rest, bind;  ///< World transforms, one a node.
+  Mat4 turn{1};                  ///< From the file's frame.
   RestPose pose = RestPose::T;
   float arm_elevation = 0;  ///< Degrees of the arms above the horizontal, mean of both.
 

@@ -30,7 +30,11 @@ using import::gltf::Primitive;
 /// Which bone each node goes with.
 class BoneOfNode {
  public:
-  BoneOfNode(const Model& model, const Standing& standing) : bone_(model.nodes.size(), -1) {
+  BoneOfNode(const Model& model, const Standing& standing, const Springs& springs)
+      : bone_(model.nodes.size(), -1) {
+    for (std::size_t n = 0; n < bone_.size(); ++n)
+      if (springs.bone_of_node[n] >= 0)
+        bone_[n] = static_cast<std::int32_t>(bone_count) + springs.bone_of_node[n];
     for (std::size_t b = 0; b < bone_count; ++b)
       if (standing.bones.node[b] >= 0)
         bone_[entry(standing.bones.node[b])] = static_cast<std::int32_t>(b);
@@ -189,9 +193,9 @@ Extent extent_of(const Model& model, const Standing& standing) {
   return extent;
 }
 
-Surface surface_of(const Model& model, const Standing& standing, const std::string& file,
-                   std::vector<std::string>& notes) {
-  const BoneOfNode bone_of(model, standing);
+Surface surface_of(const Model& model, const Standing& standing, const Springs& springs,
+                   const std::string& file, std::vector<std::string>& notes) {
+  const BoneOfNode bone_of(model, standing, springs);
   const std::vector<bool> is_held = held_at_once(model, bone_of, notes);
   Surface surface;
   import::gltf::for_each_primitive(model, [&](std::int32_t n, const Primitive& primitive) {

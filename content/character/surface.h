@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 
 #include "content/character/human_bone.h"
+#include "content/character/springs.h"
 #include "content/character/standing.h"
 #include "content/import/gltf/model.h"
 
@@ -17,7 +18,7 @@ namespace docent::character {
 /// At most four bones that a vertex follows; their shares add up to 1. Those with no share are
 /// hips.
 struct BoneShares {
-  std::array<std::uint8_t, 4> bone{};  ///< HumanBone.
+  std::array<std::uint8_t, 4> bone{};  ///< HumanBone; from bone_count on, SpringBone.
   std::array<float, 4> share{};
 };
 
@@ -43,11 +44,20 @@ struct Extent {
 };
 Extent extent_of(const import::gltf::Model& model, const Standing& standing);
 
-/// All triangles of the scene, bound to human bones: each joint to the nearest bone above it in
-/// the tree, or else the nearest in space. What hangs in one hand several at a time (an armoury's
-/// swords and shields) is left out, and told in `notes`. ContentError (`not-humanoid`) about `file`
-/// for a mesh that reaches further from the body than ten times its height.
+static_assert(bone_count + most_spring_bones <= 255);
+
+/// The bone of the body that one of BoneShares is or hangs on.
+inline HumanBone body_bone(const Springs& springs, std::uint8_t bone) noexcept {
+  return bone < bone_count ? static_cast<HumanBone>(bone) : springs.bone[bone - bone_count].body;
+}
+
+/// All triangles of the scene, bound to human bones and to those that swing: each joint to the
+/// nearest bone above it in the tree, or else the nearest in space. What hangs in one hand several
+/// at a time (an armoury's swords and shields) is left out, and told in `notes`. ContentError
+/// (`not-humanoid`) about `file` for a mesh that reaches further from the body than ten times its
+/// height.
 Surface surface_of(const import::gltf::Model& model, const Standing& standing,
-                   const std::string& file, std::vector<std::string>& notes);
+                   const Springs& springs, const std::string& file,
+                   std::vector<std::string>& notes);
 
 }  // namespace docent::character

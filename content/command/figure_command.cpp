@@ -38,6 +38,7 @@ nlohmann::ordered_json facts_of(const character::Character& it, const character:
     if (!it.bone_node[b].empty())
       facts["bones"][std::string(character::bone_names[b])] = it.bone_node[b];
   facts["springs"] = it.springs;
+  facts["spring_bones"] = it.swinging.bone.size();
   facts["expressions"] = it.expressions;
   facts["scale"] = m.scale;
   facts["guide_height"] = std::round(static_cast<double>(m.height) * 1e4) / 1e4;

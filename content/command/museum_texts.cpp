@@ -23,6 +23,14 @@ std::vector<MuseumText> museum_texts(const config::MuseumConfig& config) {
     add(exhibit.id.value + ".text", "text", exhibit.id.value, exhibit.id.place, exhibit.text);
     add(exhibit.id.value + ".description", "description", exhibit.id.value, exhibit.id.place,
         exhibit.description);
+    if (exhibit.more_file.value.empty())  // else translators get the files
+      add(exhibit.id.value + ".more", "more", exhibit.id.value, exhibit.id.place, exhibit.more);
+    for (std::size_t i = 0; i < exhibit.pictures.value.size(); ++i) {
+      const config::PictureSection& picture = exhibit.pictures.value[i];
+      const std::string id = exhibit.id.value + ".pictures." + std::to_string(i + 2);
+      add(id + ".caption", "caption", {}, picture.place, picture.caption);
+      add(id + ".description", "description", {}, picture.place, picture.description);
+    }
   }
   return all;
 }

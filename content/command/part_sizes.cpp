@@ -28,6 +28,7 @@ constexpr TablePart table_parts[] = {
     {"museum", "exhibits", "exhibits"},
     {"room", "exhibits", "exhibits"},
     {"exhibit", "exhibits", "exhibits"},
+    {"picture", "exhibits", "exhibits"},
     {"language", "texts", "exhibits"},
     {"text", "texts", "exhibits"},
     {"image", "images", "images"},

@@ -374,6 +374,11 @@ class ExhibitCompiler {
     exhibit.title = plain_texts(section.title.value);
     exhibit.text = plain_texts(section.text.value);
     exhibit.description = plain_texts(section.description.value);
+    exhibit.more = plain_texts(section.more.value);
+    for (const config::PictureSection& picture : section.pictures.value)
+      museum_.pictures.push_back({.exhibit = static_cast<std::uint32_t>(museum_.exhibits.size()),
+                                  .caption = plain_texts(picture.caption.value),
+                                  .description = plain_texts(picture.description.value)});
     exhibit.artist = plain_texts(section.artist.value);
     exhibit.subject = plain_texts(section.subject.value);
     exhibit.period = plain_texts(section.period.value);

@@ -29,17 +29,33 @@ struct WantedImage {
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
-std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museum& museum) {
-  std::vector<WantedImage> wanted;
-  std::map<std::string, std::uint32_t> index;
-  for (std::size_t i = 0; i < config.exhibits.size(); ++i) {
-    const config::Located<std::string>& image = config.exhibits[i].image;
+class WantedImages {
+ public:
+  std::uint32_t index_of(const config::Located<std::string>& image) {
     const auto [known, is_new] =
-        index.emplace(image.value, static_cast<std::uint32_t>(wanted.size()));
-    if (is_new) wanted.push_back({image.value, image.place, std::nullopt, {}});
-    museum.exhibits[i].image = known->second;
+        index_.emplace(image.value, static_cast<std::uint32_t>(all.size()));
+    if (is_new) all.push_back({image.value, image.place, std::nullopt, {}});
+    return known->second;
   }
-  return wanted;
+
+  std::vector<WantedImage> all;
+
+ private:
+  std::map<std::string, std::uint32_t> index_;
+};
+
+/// Ties the exhibits, and what one leafs to, to their images. Those that are the exhibits' own have
+/// the first indices.
+std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museum& museum) {
+  WantedImages wanted;
+  for (std::size_t i = 0; i < config.exhibits.size(); ++i)
+    museum.exhibits[i].image = wanted.index_of(config.exhibits[i].image);
+  for (FurtherPicture& picture : museum.pictures) {
+    const auto& of_it = config.exhibits[picture.exhibit].pictures.value;
+    const std::span<const FurtherPicture> all = further_pictures(museum, picture.exhibit);
+    picture.image = wanted.index_of(of_it[static_cast<std::size_t>(&picture - all.data())].image);
+  }
+  return std::move(wanted.all);
 }
 
 void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,

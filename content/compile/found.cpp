@@ -19,10 +19,12 @@ std::vector<std::pair<std::string_view, std::size_t>> found_in(const Museum& mus
 }
 
 std::size_t undescribed_pictures(const Museum& museum) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(museum.exhibits, [&](const Exhibit& exhibit) {
-        return has_picture(museum, exhibit) && exhibit.description.empty();
-      }));
+  const auto own = std::ranges::count_if(museum.exhibits, [&](const Exhibit& exhibit) {
+    return has_picture(museum, exhibit) && exhibit.description.empty();
+  });
+  const auto further = std::ranges::count_if(
+      museum.pictures, [](const FurtherPicture& one) { return one.description.empty(); });
+  return static_cast<std::size_t>(own + further);
 }
 
 std::string found_text(const Museum& museum, const Museum* before) {

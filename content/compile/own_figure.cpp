@@ -68,6 +68,13 @@ double OwnFigure::take(Skeleton& skeleton, std::vector<motion::offline::SourceCl
   const double rest = stand_on_ground(skeleton, clips, jobs);
   const character::Fit fit = character::fit_skeleton(skeleton, measures_, static_cast<float>(rest));
   body_ = character::bind_body(character_, measures_, fit);
+  if (body_.cloth.node.size() < character_.swinging.bone.size())
+    problems_.push_back(note(
+        character_.file,
+        fmt::format(
+            "of its {} bones that swing a guide has {}; the ends of chains that carry least go "
+            "with what they hang on",
+            character_.swinging.bone.size(), body_.cloth.node.size())));
   std::vector<const MotionClip*> walks;
   for (const motion::offline::SourceClip& source : clips) walks.push_back(&source.clip);
   const float spread = character::spread_for(fit, body_, walks);
@@ -97,6 +104,10 @@ SkinnedMesh OwnFigure::among_others(const Skeleton& skeleton, unsigned jobs) con
   for (const std::uint32_t v : body_.indices) all.indices.push_back(first + v);
   all.figure_end.push_back(static_cast<std::uint32_t>(all.indices.size()));
   all.colour = body_.colour;
+  const auto figure = static_cast<std::uint8_t>(all.figure_end.size() - 1);
+  for (ClothNode node : body_.cloth.node) node.figure = figure, all.cloth.node.push_back(node);
+  for (ClothCollider limb : body_.cloth.collider)
+    limb.figure = figure, all.cloth.collider.push_back(limb);
   return all;
 }
 

@@ -243,6 +243,10 @@ Avatar make_avatar(const Museum& museum, std::uint32_t floor, std::unique_ptr<pl
   return avatar;
 }
 
+float build_of(const Avatar& avatar) noexcept {
+  return scene::looks[avatar.look % scene::looks.size()].height;
+}
+
 bool has_finished(const Avatar& avatar) noexcept {
   return !avatar.next && avatar.plan->is_whole && avatar.seconds >= avatar.plan->seconds();
 }

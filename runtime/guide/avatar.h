@@ -57,6 +57,9 @@ const plan::Ride* ride_of(const Avatar& avatar) noexcept;
 /// How far it is along its ride, or 0: 0 to 1.
 double ride_share(const Museum& museum, const Avatar& avatar) noexcept;
 
+/// A body is drawn so much higher than its skeleton is, from the ground.
+float build_of(const Avatar& avatar) noexcept;
+
 /// Is it at the end of its plan?
 bool has_finished(const Avatar& avatar) noexcept;
 

@@ -87,6 +87,8 @@ class Crowd {
   }
   /// It lifts a hand to its visitor in the next step, whatever it does.
   void greet(std::uint32_t who) noexcept { guide::greet(members_[who].avatar.manner); }
+  /// The same, to somebody there (world frame).
+  void wave(std::uint32_t who, Vec3 whom) noexcept { wave_to(whom, members_[who].avatar.manner); }
   /// Who stands does not breathe, from now on; for all who were added.
   void hold_still() noexcept;
   /// Who is on a connection between two floors comes out first. `exhibit`: what one sees from the

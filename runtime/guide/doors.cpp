@@ -320,8 +320,13 @@ void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
   push.since += seconds;
   if (push.grasp) {
     std::optional<Held> held;
-    if (!is_done)
-      held = Held{grip_of(leaf, push, museum_.floors[leaf.floor].plan.height), push.since};
+    if (!is_done) {
+      const double floor = museum_.floors[leaf.floor].plan.height;
+      held = Held{grip_of(leaf, push, floor), push.since};
+      // Somebody who is drawn taller than life reaches less high for the same bar.
+      const auto ground = static_cast<float>(floor);
+      held->grip.place.y = ground + (held->grip.place.y - ground) / build_of(one.avatar);
+    }
     crowd.hold(push.who, push.grasp->side, held);
   }
   if (is_done) leaf.push.reset();

@@ -48,6 +48,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       crowd_(museum, planner),
       strollers_(museum),
       doors_(museum),
+      handshakes_(museum),
       exhibit_shapes_(exhibit_shapes(museum)),
       attention_(museum, exhibit_shapes_),
       attract_(museum),
@@ -203,6 +204,7 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   }
   const auto held = std::ranges::find(held_, event.contact.id, &Held::contact);
   if (held == held_.end()) return;
+  if (event.kind == input::InputEvent::Kind::Move) held->at = {event.contact.x, event.contact.y};
   const Held finger = *held;
   input::InputEvent seen = event;
   const scene::ScreenPoint at =
@@ -212,6 +214,11 @@ void Guide::touch(const input::InputEvent& event) noexcept {
   if (event.kind != input::InputEvent::Kind::Down && event.kind != input::InputEvent::Kind::Move)
     held_.erase(held);
   const bool meant = sessions_[finger.visitor].touch(seen, sessions_[finger.surface].overlay());
+  if (!meant && finger.surface == 0 && is_shared())
+    if (const auto whom = guide_at(finger.at)) {
+      wish(finger.visitor, *whom, finger.at);
+      return tell_each_other();
+    }
   // Perhaps somebody who found no seat.
   if (!meant && finger.surface == 0 && state().glass == interface::Glass::Full)
     refusal_seconds_ = refusal_shown_for;
@@ -248,6 +255,32 @@ void Guide::let_go() noexcept {
   held_.clear();
 }
 
+/// Whose guide a finger on the model of a shared glass means: the one it is on, or nearly.
+std::optional<std::uint32_t> Guide::guide_at(scene::ScreenPoint at) const noexcept {
+  const DrawnSize size = drawn_size();
+  std::optional<std::uint32_t> found;
+  float nearest = nearly_on_figure;
+  for (std::uint32_t who = 0; who < homes_.size(); ++who) {
+    const Agent& one = crowd_[who];
+    if (!is_to_be_seen(one) || one.avatar.shown_floor != stage_.floor() ||
+        std::ranges::none_of(sessions_, [&](const Session& s) { return s.guide() == who; }))
+      continue;
+    const float off = millimetres_to_figure(
+        size.camera, settings_.shape, to_world(one.avatar.body.position, one.avatar.height), at);
+    if (off >= nearest) continue;
+    nearest = off;
+    found = who;
+  }
+  return found;
+}
+
+/// A touch of a guide on the model is that of somebody else than its own visitor: hands reach over
+/// each other there, and one's own guide is told what to do on its card.
+void Guide::wish(std::size_t part, std::uint32_t guide, scene::ScreenPoint at) noexcept {
+  if (sessions_[part].guide() == guide) part = seating_->other_visitor_at(at, part);
+  if (part > 0) handshakes_.wish(part, guide, sessions_, drawn_size(), planner_, crowd_);
+}
+
 /// Each contact belongs to the visitor nearest to it.
 void Guide::put_down(const input::InputEvent& event) noexcept {
   ++counters_.touches;
@@ -256,7 +289,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   const scene::ScreenPoint at{event.contact.x, event.contact.y};
   if (held_.size() == held_.capacity()) return;
   if (!seating_) {
-    held_.push_back({event.contact.id, 0, 0, scene::Side::Bottom});
+    held_.push_back({event.contact.id, 0, 0, scene::Side::Bottom, at});
     return;
   }
   const std::size_t visitor = seating_->visitor_at(at);
@@ -267,7 +300,7 @@ void Guide::put_down(const input::InputEvent& event) noexcept {
   speaker_ = visitor;
   seating_->touch(visitor, at);
   const std::size_t surface = seating_->is_on_model(at) ? 0 : visitor;
-  held_.push_back({event.contact.id, visitor, surface, sessions_[surface].overlay().side()});
+  held_.push_back({event.contact.id, visitor, surface, sessions_[surface].overlay().side(), at});
 }
 
 /// Which guides are taken, and whether there is room for more visitors.
@@ -367,8 +400,13 @@ void Guide::attract(float seconds) noexcept {
   stage_.sway(attract_.turn(), attract_.further());
 }
 
+DrawnSize Guide::drawn_size() const noexcept {
+  return {scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)), settings_.shape};
+}
+
 void Guide::walk(float seconds) noexcept {
   doors_.step(seconds, crowd_);
+  if (is_shared()) handshakes_.step(seconds, sessions_, drawn_size(), crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();
@@ -450,8 +488,18 @@ float Guide::height_of_floor() const noexcept {
   return static_cast<float>(museum_.floors[stage_.floor()].plan.height);
 }
 
+interface::Sides Guide::readers() const noexcept {
+  const interface::Sides all = settings_.shape.sides;
+  if (!is_shared() || !all.is_table()) return {};
+  interface::Sides taken;
+  for (const Session& session : std::span(sessions_).subspan(1))
+    if (!session.is_vacant()) taken.add(interface::side_of(settings_.shape, session.state()));
+  return taken.count() > 0 ? taken : all;
+}
+
 void Guide::draw_interface() noexcept {
   const float opacity = attract_.interface_opacity();
+  sessions_[0].overlay().turn_labels(readers());
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
     session.overlay().follow(list_.camera, height_of_floor());

@@ -13,6 +13,7 @@
 #include "runtime/guide/chapters.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
+#include "runtime/guide/handshakes.h"
 #include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
@@ -143,6 +144,7 @@ class Guide {
     std::uint32_t contact = 0;
     std::size_t visitor = 0, surface = 0;    ///< Parts.
     scene::Side side = scene::Side::Bottom;  ///< From where that surface is read.
+    scene::ScreenPoint at{};                 ///< Where it is, as far as is known.
   };
   void enter_guides();
   void take_seats();
@@ -152,8 +154,13 @@ class Guide {
   const interface::InterfaceState& seen() const noexcept {
     return attract_.is_on() ? attract_.state() : state();
   }
+  /// From where people look at the model who are at a table, or might come to it.
+  interface::Sides readers() const noexcept;
   void draw_interface() noexcept;
   float height_of_floor() const noexcept;
+  DrawnSize drawn_size() const noexcept;
+  void wish(std::size_t part, std::uint32_t guide, scene::ScreenPoint at) noexcept;
+  std::optional<std::uint32_t> guide_at(scene::ScreenPoint at) const noexcept;
   void put_down(const input::InputEvent& event) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
@@ -174,6 +181,7 @@ class Guide {
   Crowd crowd_;
   Strollers strollers_;
   Doors doors_;
+  Handshakes handshakes_;
   std::vector<ExhibitShape> exhibit_shapes_;
   Attention attention_;
   Attract attract_;

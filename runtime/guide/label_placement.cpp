@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <utility>
+
+#include "runtime/scene/side.h"
 
 namespace docent::guide {
 namespace {
@@ -163,17 +166,21 @@ void cover_panel(const interface::View& view, Covered& covered) noexcept {
 /// Tries the places about a name: free of all, or, where there is none, free of what is `hard`.
 void place_name(const interface::View& view, const scene::Rect& gallery,
                 interface::FloorLabel& name, const Covered& soft, const Covered& hard) noexcept {
+  if (scene::is_at_end(name.side))  // it has room in its gallery, and stays there
+    name.rect.y = std::clamp(name.rect.y, gallery.y,
+                             std::max(gallery.y, gallery.y + gallery.height - name.rect.height));
   const scene::Rect at = name.rect, ground = ground_of(view, name);
-  const float across = ground.height * view.pixel_height / view.pixel_width;
+  const float line = std::min(ground.width * view.pixel_width, ground.height * view.pixel_height);
+  const float across = line / view.pixel_width, down = line / view.pixel_height;
   for (const Covered* covered : {&soft, &hard})
     for (const auto& [x, y] : name_steps) {
-      const scene::Rect here{ground.x + x * across, ground.y + y * ground.height, ground.width,
+      const scene::Rect here{ground.x + x * across, ground.y + y * down, ground.width,
                              ground.height};
       const bool is_moved = x != 0 || y != 0;
       if (is_moved && !scene::contains(gallery, here.x + here.width / 2, here.y + here.height / 2))
         continue;
       if (!covered->has_room(here)) continue;
-      name.rect = {at.x + x * across, at.y + y * ground.height, at.width, at.height};
+      name.rect = {at.x + x * across, at.y + y * down, at.width, at.height};
       return;
     }
   name.rect = {};
@@ -333,9 +340,41 @@ void open_cluster(interface::View& view) noexcept {
     ++n;
     label.anchor_x = view.cluster.x + (board.pad + (column + 0.5F) * board.cell) / view.pixel_width;
     label.anchor_y = view.cluster.y + (board.pad + (row + 0.5F) * board.cell) / view.pixel_height;
-    label.rect = around(label.anchor_x, label.anchor_y, label.width_px / view.pixel_width,
-                        label.height_px / view.pixel_height);
+    label.rect = around(label.anchor_x, label.anchor_y, label.lying_width() / view.pixel_width,
+                        label.lying_height() / view.pixel_height);
   }
+}
+
+/// Of those from which it is read, as shares of the model's part of the glass: each has its
+/// quarter, however long the glass is. Where nobody is said to read it, the lower one.
+scene::Side nearest_side(const interface::View& view, interface::Sides readers, float x,
+                         float y) noexcept {
+  scene::Side nearest = scene::Side::Bottom;
+  float least = 1e9F;
+  const scene::ScreenPoint at{(x - view.free.x) / view.free.width,
+                              (y - view.free.y) / view.free.height};
+  for (const scene::Side side : scene::all_sides) {
+    const float far = 1 - scene::as_seen_from(side, at).y;
+    if (!readers.has(side) || far >= least) continue;
+    least = far;
+    nearest = side;
+  }
+  return nearest;
+}
+
+/// From where a label is read. A name that is longer than its gallery is deep would lie in the next
+/// one: it is read from the longer sides, where anybody is there.
+scene::Side side_of(const interface::View& view, interface::FloorLabel label,
+                    const scene::CameraView& camera, float height) noexcept {
+  label.side = nearest_side(view, view.readers, label.anchor_x, label.anchor_y);
+  if (!is_name(label) || !scene::is_at_end(label.side)) return label.side;
+  interface::Sides along;
+  for (const scene::Side side : scene::all_sides)
+    if (view.readers.has(side) && !scene::is_at_end(side)) along.add(side);
+  const float room = seen_gallery(camera, label, height).height * view.pixel_height;
+  return along.count() == 0 || label.lying_height() <= room
+             ? label.side
+             : nearest_side(view, along, label.anchor_x, label.anchor_y);
 }
 
 /// A spot is touched where its label is.
@@ -354,6 +393,7 @@ void move_spots(interface::View& view) noexcept {
 scene::Rect ground_of(const interface::View& view, const interface::FloorLabel& label) noexcept {
   const float unit = view.unit_px;
   float width = label.width_px + 1.6F * unit, height = label.height_px * 0.82F;
+  if (scene::is_at_end(label.side)) std::swap(width, height);
   if (label.on_disc)
     width = height = std::max({4.2F * unit, label.width_px + 1.4F * unit, label.height_px});
   if (label.is_sign) width = height = label.width_px + 1.2F * unit;
@@ -384,8 +424,9 @@ void project_labels(interface::View& view, const scene::CameraView& camera,
     if (!at || !scene::contains(view.free, at->x, at->y)) continue;
     label.anchor_x = at->x;
     label.anchor_y = at->y;
-    label.rect = around(at->x, at->y, label.width_px / view.pixel_width,
-                        label.height_px / view.pixel_height);
+    label.side = side_of(view, label, camera, floor_height + label.height);
+    label.rect = around(at->x, at->y, label.lying_width() / view.pixel_width,
+                        label.lying_height() / view.pixel_height);
   }
   move_spots(view);
 }

@@ -153,6 +153,7 @@ bool looks_back(const Company& company, const Bearing& bearing, const Manner& ma
 
 Look look_of(const Company& company, const Bearing& bearing, const Doing& doing,
              const Manner& manner) noexcept {
+  if (company.partner) return {.at = company.partner};
   if (doing.gesture == Gesture::Wave && (bearing.stands || doing.since < looks_while_greeting))
     return {.at = doing.target};
   if (manner.shows != Manner::never) return look_while_showing(company, doing, manner);

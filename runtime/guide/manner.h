@@ -17,6 +17,7 @@ struct Company {
   bool is_used = false;           ///< The visitor is there, and touches the glass.
   std::optional<Vec3> exhibit{};  ///< What it has led its visitor to.
   std::optional<Vec3> passer{};   ///< Somebody who passes near.
+  std::optional<Vec3> partner{};  ///< Whom it meets: it looks at nobody else.
   bool calm = false;  ///< It points at what it has led to, and does nothing for its own sake.
 };
 

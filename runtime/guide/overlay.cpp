@@ -223,6 +223,7 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
   is_placed_ = !moves;
   for (interface::View* view : {view_.get(), leaving_.get()}) {
     if (view == nullptr) continue;
+    view->readers = readers_;
     if (moves) {
       view->open = -1;
       view->cluster = {};
@@ -491,6 +492,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
     scene::Quad text;
     text.fill = scene::QuadFill::Text;
     text.texture = label.texture;
+    text.side = label.side;
     text.rect = label.rect;
     text.rect.x = std::round(text.rect.x * view.pixel_width) / view.pixel_width;
     text.rect.y = std::round(text.rect.y * view.pixel_height) / view.pixel_height;

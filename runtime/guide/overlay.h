@@ -30,6 +30,12 @@ class Overlay {
   /// Spots and names follow the camera; when it stands still, they make way for each other.
   void follow(const scene::CameraView& camera, float floor_height) noexcept;
 
+  /// From which edges of a table what is written on the model is read; none: from below.
+  void turn_labels(interface::Sides readers) noexcept {
+    if (readers != readers_) is_placed_ = false;
+    readers_ = readers;
+  }
+
   /// The control at a point of the screen: one of the panel's, or else the nearest spot of the
   /// model within reach; -1 where there is none.
   std::int32_t control_at(float x, float y) const noexcept;
@@ -118,7 +124,8 @@ class Overlay {
   std::unique_ptr<interface::View> view_, leaving_;
   std::optional<scene::CameraView> camera_;  ///< That the labels follow, ...
   bool is_placed_ = false;  ///< ... and which stands still: they have made way for each other.
-  float age_ = 1;           ///< Seconds since view_ was entered.
+  interface::Sides readers_{};
+  float age_ = 1;  ///< Seconds since view_ was entered.
   float seconds_left_ = 0;
   float open_seconds_ = 0;  ///< Since a cluster was opened.
   float run_ = 0;           ///< Seconds since the figure on the inset plan set out.

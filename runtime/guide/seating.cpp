@@ -70,6 +70,18 @@ std::size_t Seating::visitor_at(scene::ScreenPoint at) const noexcept {
   return nearest > 0 ? nearest : vacant;
 }
 
+std::size_t Seating::other_visitor_at(scene::ScreenPoint at, std::size_t than) const noexcept {
+  std::size_t nearest = 0;
+  float distance = 1e9F;
+  for (std::size_t part = 1; part < sessions_.size(); ++part) {
+    const float mm = millimetres(part, territory_[part], at, reach_up);
+    if (part == than || !sessions_[part].guide() || mm > distance) continue;
+    distance = mm;
+    nearest = part;
+  }
+  return nearest;
+}
+
 /// Whose column is nearest: at a corner two strips meet.
 std::size_t Seating::seat_at(scene::ScreenPoint at) const noexcept {
   std::size_t nearest = 0;

@@ -27,6 +27,9 @@ class Seating {
   std::optional<std::size_t> part_of(std::uint32_t seat) const noexcept;
   /// The part whose visitor touches there; 0 where it is somebody new and no seat is free.
   std::size_t visitor_at(scene::ScreenPoint at) const noexcept;
+  /// The part of another visitor than that one who has a guide and touches nearest to there; 0
+  /// where there is none.
+  std::size_t other_visitor_at(scene::ScreenPoint at, std::size_t than) const noexcept;
   bool is_on_model(scene::ScreenPoint at) const noexcept;
 
   /// The part's visitor has touched there.

@@ -324,6 +324,29 @@ void Session::order(const Errand& errand) noexcept {
   request_view();
 }
 
+bool Session::can_meet() const noexcept {
+  return guide_ && agent().is_here && !is_between_floors(agent()) && !agent().is_away &&
+         ride_of(agent().avatar) == nullptr &&
+         (errand_.kind == Errand::Kind::None || errand_.kind == Errand::Kind::ToGoal);
+}
+
+void Session::meet(const Placement& place) noexcept {
+  waiting_errand_ = errand_;
+  stood_ = agent().avatar.body;
+  errand_ = {.kind = Errand::Kind::Meet};
+  context_.crowd.send(*guide_, agent().avatar.floor, place, RouteKind::Shortest, state_.ways);
+}
+
+void Session::part() noexcept {
+  if (!is_meeting() || !guide_) return;
+  if (waiting_errand_.kind == Errand::Kind::ToGoal && !state_.arrived)
+    return order(waiting_errand_);
+  // It goes back to where it waited, or showed something.
+  errand_ = waiting_errand_;
+  ends_aside_ = true;
+  context_.crowd.send(*guide_, agent().avatar.floor, stood_, RouteKind::Shortest, state_.ways);
+}
+
 /// At a seat the guide is free from now on, for whoever comes next.
 void Session::go_home() noexcept {
   if (guide_ && is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
@@ -422,7 +445,7 @@ void Session::step_aside() noexcept {
 }
 
 void Session::notice_arrival() noexcept {
-  if (!guide_ || errand_.kind == Errand::Kind::None || agent().awaits_answer ||
+  if (!guide_ || errand_.kind == Errand::Kind::None || is_meeting() || agent().awaits_answer ||
       !stands(agent().avatar) || !agent().has_arrived)
     return;
   if (errand_.kind != Errand::Kind::ToGoal) {

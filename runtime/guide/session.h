@@ -20,7 +20,7 @@ namespace docent::guide {
 
 /// What a guide was sent to do.
 struct Errand {
-  enum class Kind : std::uint8_t { None, ToGoal, Stop, Home };
+  enum class Kind : std::uint8_t { None, ToGoal, Stop, Home, Meet };
   Kind kind = Kind::None;
   std::optional<std::uint32_t> exhibit{};
   std::optional<PlaceKind> seeks{};  ///< The nearest place of that kind; or just this place.
@@ -88,6 +88,14 @@ class Session {
   const TurnTable& table() const noexcept { return table_; }
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
+  bool is_under_way() const noexcept { return leads_to_goal() && !state_.arrived; }
+  /// Can the guide go and meet another where it is?
+  bool can_meet() const noexcept;
+  bool is_meeting() const noexcept { return errand_.kind == Errand::Kind::Meet; }
+  /// The guide goes to a place of its floor to meet another; what it was doing waits...
+  void meet(const Placement& place) noexcept;
+  /// ... until here, unless it has been told something else.
+  void part() noexcept;
   /// Has the guide left its way for its place beside what it leads to?
   bool ends_aside() const noexcept { return ends_aside_; }
   /// Does the glass show the state that the visitor asked for?
@@ -127,6 +135,8 @@ class Session {
   interface::InterfaceState state_, vacant_;
   std::optional<std::uint32_t> guide_;
   Errand errand_;
+  Errand waiting_errand_{};  ///< What is gone on with after a meeting, ...
+  Placement stood_{};        ///< ... and where it stood before.
   bool ends_aside_ = false;
   std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;

@@ -25,19 +25,6 @@ std::uint64_t print_of(const interface::Utterance& utterance) noexcept {
 
 }  // namespace
 
-float seconds_of(const interface::Utterance& utterance) noexcept {
-  constexpr float letter = 0.06F, sign = 0.14F, gap = 0.25F, start = 0.2F;
-  float seconds = start;
-  for (const interface::SpokenPiece& piece : utterance.pieces) {
-    for (const char c : piece.text) {
-      const auto byte = static_cast<unsigned char>(c);
-      if ((byte & 0xC0U) != 0x80U) seconds += byte >= 0xE0U ? sign : letter;
-    }
-    if (piece.pause) seconds += gap;
-  }
-  return seconds;
-}
-
 bool Voice::enter(const interface::View& view, std::int32_t focus) noexcept {
   const bool was_pressed = was_pressed_;
   was_pressed_ = false;
@@ -54,7 +41,7 @@ bool Voice::enter(const interface::View& view, std::int32_t focus) noexcept {
     told_ = std::numeric_limits<float>::max();
     // What comes by itself, such as an arrival, waits until the visitor has heard what was before.
     say({What::Kind::Opening}, !was_pressed && is_speaking());
-    if (view.speech.is_typed && focus >= 0) {
+    if (view.speech.keeps_focus && focus >= 0) {
       reads_on_ = false;
       return false;
     }
@@ -129,7 +116,7 @@ void Voice::begin(const interface::View& view, const What& what) noexcept {
   saying_ = {utterance, {}};
   if (what.kind == What::Kind::Control) saying_.control = view.controls[what.index].name;
   now_ = what;
-  whole_ = left_ = utterance == nullptr ? 0 : seconds_of(*utterance) / speed();
+  whole_ = left_ = utterance == nullptr ? 0 : interface::seconds_of(*utterance) / speed();
   silence_ = 0;
   heard_ = heard_ ? std::optional(utterance != nullptr) : std::nullopt;
   const bool can_be_repeated = what.kind == What::Kind::Opening || what.kind == What::Kind::Help ||

@@ -19,9 +19,6 @@ struct Saying {
   std::string_view control;                         ///< The name of the one it is about; or empty.
 };
 
-/// About how long it takes to say that at the usual speed, where nobody plays it. Seconds.
-float seconds_of(const interface::Utterance& utterance) noexcept;
-
 /// Reads the glass aloud to one visitor: says what a screen is, and then reads on from control to
 /// control, so that a single key chooses what has just been heard. Whoever moves the focus by
 /// themselves is read to no further than that. What is left of a way is said as it gets shorter.
@@ -83,7 +80,7 @@ class Voice {
   std::uint64_t opening_ = 0;  ///< Tells what was said last of a view from what is new.
   What now_;                   ///< What was begun last.
   float whole_ = 0;            ///< Seconds that saying it takes.
-  float left_ = 0;             ///< Seconds that saying it still takes, where nobody plays it.
+  float left_ = 0;             ///< Seconds that saying it still takes.
   float silence_ = 0;          ///< Seconds since it was said.
   float told_ = std::numeric_limits<float>::max();  ///< Metres that were said to remain.
   std::optional<bool> heard_;

@@ -14,6 +14,8 @@ void forget_goal(InterfaceState& state) noexcept {
   state.place.reset();
   state.tour.reset();
   state.arrived = false;
+  state.picture.reset();
+  state.tells_more = false;
   state.pace = 0;
   state.next = Chapter::Goal;
   state.skips = false;
@@ -174,6 +176,14 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::ShowFloor:
       state.floor = action.argument;
       break;
+    case Action::Kind::ShowPicture:
+      state.picture = static_cast<std::uint8_t>(
+          std::min<std::uint32_t>(action.argument, FurtherPicture::most - 1));
+      break;
+    case Action::Kind::TellMore:
+      state.tells_more = action.argument != 0;
+      if (!state.tells_more) state.picture.reset();  // the short text is read from its beginning
+      break;
     case Action::Kind::Speak:
       speak(state, action.argument);
       break;
@@ -208,6 +218,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
         state.floor.reset();
       } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
+      state.picture.reset();  // who has been elsewhere is told all of it
       break;
     case Action::Kind::GoOnward:
       state.skips = true;

@@ -18,15 +18,6 @@ bool begins_letter(char c) noexcept {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
 
-/// About how long it takes to say, of any unit: signs that are a syllable take longer.
-float weight_of(std::string_view text) noexcept {
-  constexpr float letter = 1, sign = 2.3F;
-  float weight = 0;
-  for (const char c : text)
-    if (begins_letter(c)) weight += static_cast<unsigned char>(c) >= 0xE0U ? sign : letter;
-  return weight;
-}
-
 /// Where a text may be broken: words with what follows them, and a few signs at a time where it
 /// has no spaces.
 std::vector<std::string_view> parts_of(std::string_view text) {
@@ -63,6 +54,37 @@ std::vector<std::string_view> pages_of(Sheet& sheet, const TextStyle& style, std
   if (end > first) pages.push_back(text.substr(first, end - first));
   return pages;
 }
+
+/// When a text is said, as it follows from how long its pieces sound.
+class Timing {
+ public:
+  Timing(const Utterance& said, std::string_view text) : begins_(begins_of(said)) {
+    std::size_t end = 0;  // pieces follow each other in the text
+    for (const SpokenPiece& piece : said.pieces) {
+      end = text.find(piece.text, end) + piece.text.size();
+      ends_.push_back(end);
+      lengths_.push_back(piece.text.size());
+    }
+  }
+  /// The share that is still to be said when it comes to that byte.
+  float left_at(std::size_t byte) const noexcept {
+    if (byte == 0) return 1;
+    float seconds = begins_.back();
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      if (byte >= ends_[i]) continue;
+      const std::size_t begin = ends_[i] - lengths_[i];
+      const float within =
+          byte <= begin ? 0 : static_cast<float>(byte - begin) / static_cast<float>(lengths_[i]);
+      seconds = std::lerp(begins_[i], begins_[i + 1], within);
+      break;
+    }
+    return 1 - seconds / begins_.back();
+  }
+
+ private:
+  std::vector<float> begins_;                ///< Of the pieces, and then the end of all.
+  std::vector<std::size_t> ends_, lengths_;  ///< Bytes of the text.
+};
 
 /// Below the model's middle, above all that lies there.
 PixelBox box_above(const View& view, const scene::Rect& free, float width, float height,
@@ -113,13 +135,12 @@ std::unique_ptr<View> make_caption(const Museum& museum, const ViewRequest& aske
   const PixelBox box = box_above(*below, free, width, height + 2 * pad, m.gap);
   sheet.lie_on(box);
   sheet.fill(box, sheet.theme().ink, m.corner);
-  float left = 0;
-  const float whole = std::max(1.0F, weight_of(text));
+  const Timing timing(*said, text);
   for (auto page = pages.rbegin(); page != pages.rend(); ++page) {
-    left += weight_of(*page);
+    const float left = timing.left_at(static_cast<std::size_t>(page->data() - text.data()));
     const TextPiece piece = sheet.set(style, *page, room);
     view->remaining.push_back(
-        {left / whole + 1e-3F,
+        {left + 1e-3F,
          sheet.quad_of(piece, box.x + pad, box.y + pad, room, Align::Start, sheet.theme().paper),
          sheet.words_of(piece)});
   }

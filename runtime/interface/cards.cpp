@@ -13,6 +13,7 @@
 #include "runtime/interface/figure.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
 
@@ -259,7 +260,9 @@ void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
 
 void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
-  const std::vector<Block> told = goal_blocks(sheet, Letters::Heading);
+  const bool is_longer = reads_more(sheet.museum(), sheet.request().state);
+  const std::vector<Block> told =
+      is_longer ? more_blocks(sheet, Letters::Heading) : goal_blocks(sheet, Letters::Heading);
   const Block tour = text_block(sheet, sheet.style(Letters::Small), tour_progress(sheet),
                                 sheet.theme().quiet_ink, m.unit);
   const Block name = beside_corner(sheet, {tour, told.front()}, m.unit);
@@ -267,16 +270,19 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   std::vector<Block> foot;
   if (const std::int32_t next = sheet.control("next"); next >= 0)
     foot.push_back(row_block(sheet, next, m.unit));
-  constexpr std::array<std::string_view, 2> buttons{"choose", "home"};
+  constexpr std::array<std::string_view, 4> buttons{"more", "less", "choose", "home"};
   foot.push_back(card_buttons(sheet, buttons, 0));
-  Block picture = picture_block(sheet, 0, 6 * m.unit, m.unit);
   std::vector<Block> words{name};
+  // A longer text takes the wide end, where its pictures were.
+  if (is_longer && lay_out_wide(sheet, content, {words, foot, text, {}})) return;
+  std::vector<Block> seen = picture_blocks(sheet, 0, 6 * m.unit, m.unit);
   std::ranges::copy(text, std::back_inserter(words));
-  if (lay_out_wide(sheet, content, {words, foot, {picture}, {}, true})) return;
-  picture.most = [room = 0.4F * content.height, most = picture.most](float width) {
+  if (lay_out_wide(sheet, content, {words, foot, seen, {}, true})) return;
+  seen.front().most = [room = 0.4F * content.height, most = seen.front().most](float width) {
     return std::min(room, most(width));
   };
-  std::vector<Block> body{name, picture};
+  std::vector<Block> body{name};
+  if (!is_longer) std::ranges::copy(seen, std::back_inserter(body));
   std::ranges::copy(text, std::back_inserter(body));
   lay_out_column(sheet, content, std::move(body), std::move(foot));
 }

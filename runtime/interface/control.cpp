@@ -8,6 +8,7 @@
 #include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/parts.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/places.h"
 #include "runtime/scene/look.h"
 
@@ -372,14 +373,36 @@ void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   if (!to_next_stop(request.museum, request.state)) add_collect(request, out);
   add_home(request, "home", out);
 }
+/// Round and round through the exhibit's pictures, and to its longer text or back from that.
+void add_closer_look(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
+  if (!state.exhibit || *state.exhibit >= museum.exhibits.size()) return;
+  if (reads_more(museum, state)) {
+    out.push_back(button(museum, "less", "less", {Action::Kind::TellMore, 0}));
+    return;
+  }
+  const ShownPicture shown = shown_picture(museum, state, *state.exhibit);
+  const auto at = static_cast<std::uint32_t>(shown.number - 1),
+             count = static_cast<std::uint32_t>(shown.count);
+  if (count > 1) {
+    out.push_back(button(museum, "picture:next", "picture_next",
+                         {Action::Kind::ShowPicture, (at + 1) % count}));
+    out.push_back(button(museum, "picture:previous", "picture_previous",
+                         {Action::Kind::ShowPicture, (at + count - 1) % count}));
+  }
+  if (!museum.exhibits[*state.exhibit].more.empty())
+    out.push_back(button(museum, "more", "more", {Action::Kind::TellMore, 1}));
+}
 void add_arrived_on_card(const ControlRequest& request, std::vector<Control>& out) {
-  add_next(request, out);
+  add_closer_look(request, out);
+  if (!reads_more(request.museum, request.state)) add_next(request, out);
   add_choose(request, out);
   add_home(request, "leave", out);
 }
 void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
-  if (!add_next(request, out) && state.exhibit)
+  add_closer_look(request, out);
+  if (!reads_more(museum, state) && !add_next(request, out) && state.exhibit)
     for (const std::uint32_t next : neighbours(museum, *state.exhibit, suggestion_count))
       out.push_back(exhibit_control(museum, next, Role::ListItem, state));
   add_collect(request, out);

@@ -62,6 +62,9 @@ struct InterfaceState {
   std::optional<PlaceKind> seeks{};  ///< They want the nearest place of that kind, ...
   /// ... which is this one, once that has been found out; or they chose this one on the model.
   std::optional<std::uint32_t> place{};
+  /// Which of the exhibit's pictures is seen, once they have leafed through them.
+  std::optional<std::uint8_t> picture{};
+  bool tells_more = false;  ///< Its longer text is read.
   RouteKind kind = RouteKind::Shortest;
   path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
   bool arrived = false;      ///< The guide stands there.
@@ -104,6 +107,8 @@ struct Action {
     GoToPlace,        ///< Go to place `argument`.
     TurnPage,         ///< Show page `argument` of the list.
     ShowFloor,        ///< Show floor `argument` from above.
+    ShowPicture,      ///< Picture `argument` of the exhibit, from 0.
+    TellMore,         ///< The exhibit's longer text, where `argument` is 1; 0: what one saw before.
     Speak,            ///< Language `argument`.
     TakeRoute,        ///< RouteKind `argument`.
     AvoidSteps,       ///< Ways without steps only, where `argument` is 1; 0: any.

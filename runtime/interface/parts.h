@@ -48,6 +48,11 @@ std::vector<Block> goal_blocks(Sheet& sheet, Letters title);
 /// The exhibit's picture, or the place's pictogram, at least so high, and larger where there is
 /// room; where that is less than `worthwhile`, none.
 Block picture_block(Sheet& sheet, float least, float worthwhile, float gap);
+/// The same where one leafs through an exhibit's pictures: between two buttons, and below them
+/// which one this is, and its caption. As high for all of them, so that the buttons stay in place.
+std::vector<Block> picture_blocks(Sheet& sheet, float least, float worthwhile, float gap);
+/// The exhibit's name and its longer text.
+std::vector<Block> more_blocks(Sheet& sheet, Letters title);
 /// The small plan with the way, on the model's upper corner.
 void draw_inset(Sheet& sheet, const PixelBox& free);
 /// The same on a card, turned as the model is seen from there.
@@ -82,7 +87,7 @@ std::string goal_title(const Sheet& sheet);
 /// place is.
 std::string goal_text(const Sheet& sheet);
 /// The exhibit's picture, or the place's pictogram, as large as fits; returns its height.
-float draw_goal(Sheet& sheet, const PixelBox& box);
+float draw_goal(Sheet& sheet, const PixelBox& box, Align align = Align::Start);
 /// "Closed until 5 p.m."; empty where the exhibit can be seen.
 std::string closed_line(const Sheet& sheet, std::uint32_t exhibit);
 /// A room, and its floor where that is not the kiosk's.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -10,6 +11,16 @@
 #include "runtime/model/museum.h"
 
 namespace docent::interface {
+
+/// Calls `take` with each line of a text that holds anything.
+template <typename Take>
+void for_each_line(std::string_view text, const Take& take) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (end > 0) take(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
 
 /// `text` with every "{name}" replaced by `value`.
 std::string filled_in(std::string_view text, std::string_view name, std::string_view value);

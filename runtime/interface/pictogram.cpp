@@ -324,6 +324,10 @@ Shapes shapes_of(Pictogram what) {
       return {line(5, 15.5F, 12, 8.5F, 2.6F), line(12, 8.5F, 19, 15.5F, 2.6F)};
     case Pictogram::FurtherDown:
       return {line(5, 8.5F, 12, 15.5F, 2.6F), line(12, 15.5F, 19, 8.5F, 2.6F)};
+    case Pictogram::LeafLeft:
+      return {line(15.5F, 5, 8.5F, 12, 2.6F), line(8.5F, 12, 15.5F, 19, 2.6F)};
+    case Pictogram::LeafRight:
+      return {line(8.5F, 5, 15.5F, 12, 2.6F), line(15.5F, 12, 8.5F, 19, 2.6F)};
     case Pictogram::Count:
       return {};
   }

@@ -22,6 +22,8 @@ enum class Pictogram : std::uint8_t {
   Search,
   FurtherUp,
   FurtherDown,
+  LeafLeft,
+  LeafRight,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

@@ -10,6 +10,7 @@
 #include "runtime/interface/goal.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/places.h"
 
 namespace docent::interface {
@@ -219,22 +220,33 @@ std::string goal_text(const Sheet& sheet) {
 
 namespace {
 
-/// How high it is where there is room.
+/// How high it is where it is so wide.
+float height_of_image(const Museum& museum, std::uint32_t index, float width) noexcept {
+  if (index >= museum.images.size() || museum.images[index].width == 0) return 0;
+  const EncodedImage& image = museum.images[index];
+  return std::floor(width * static_cast<float>(image.height) / static_cast<float>(image.width));
+}
+
+/// How high it is where there is room: as the highest of an exhibit's pictures.
 float height_of_goal(Sheet& sheet, float width) {
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
-    const auto& images = sheet.museum().images;
-    if (exhibit->image >= images.size() || images[exhibit->image].width == 0) return 0;
-    const EncodedImage& image = images[exhibit->image];
-    return std::floor(width * static_cast<float>(image.height) / static_cast<float>(image.width));
+    const Museum& museum = sheet.museum();
+    float height = height_of_image(museum, exhibit->image, width);
+    for (const FurtherPicture& picture : further_pictures(museum, *sheet.request().state.exhibit))
+      height = std::max(height, height_of_image(museum, picture.image, width));
+    return height;
   }
   return chosen_kind(sheet) ? std::min(width, 40 * sheet.measures().unit) : 0;
 }
 
 }  // namespace
 
-float draw_goal(Sheet& sheet, const PixelBox& box) {
-  if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr)
-    return sheet.whole_image(box, exhibit->image, sheet.measures().corner);
+float draw_goal(Sheet& sheet, const PixelBox& box, Align align) {
+  if (chosen_exhibit(sheet) != nullptr) {
+    const InterfaceState& state = sheet.request().state;
+    return sheet.whole_image(box, shown_picture(sheet.museum(), state, *state.exhibit).image,
+                             sheet.measures().corner, align);
+  }
   const std::optional<PlaceKind> kind = chosen_kind(sheet);
   const float side = std::round(std::min({box.width, box.height, 40 * sheet.measures().unit}));
   if (!kind || side < 1) return 0;
@@ -250,6 +262,19 @@ Block picture_block(Sheet& sheet, float least, float worthwhile, float gap) {
               },
           .gap = gap,
           .most = [&sheet](float width) { return height_of_goal(sheet, width); }};
+}
+
+std::vector<Block> more_blocks(Sheet& sheet, Letters title) {
+  const Measures& m = sheet.measures();
+  std::vector<Block> blocks{
+      heading_block(sheet, title, goal_title(sheet), sheet.theme().ink, m.unit)};
+  const Exhibit* exhibit = chosen_exhibit(sheet);
+  if (exhibit == nullptr) return blocks;
+  for_each_line(sheet.local(exhibit->more), [&](std::string_view paragraph) {
+    blocks.push_back(text_block(sheet, sheet.style(Letters::Body), std::string(paragraph),
+                                sheet.theme().ink, m.unit));
+  });
+  return blocks;
 }
 
 std::vector<Block> invitation_blocks(Sheet& sheet, Letters title) {
@@ -521,10 +546,12 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
 
 void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
+  const bool is_longer = reads_more(sheet.museum(), sheet.request().state);
   TwoColumns all;
-  all.left = {picture_block(sheet, 0, 1, 0)};
+  all.left = picture_blocks(sheet, 0, 1, 0);
   all.right = {tour_block(sheet)};
-  append(all.right, goal_blocks(sheet, Letters::Title));
+  append(all.right,
+         is_longer ? more_blocks(sheet, Letters::Title) : goal_blocks(sheet, Letters::Title));
   const std::vector<std::int32_t> cards = list_items(sheet);
   if (!cards.empty())
     all.right_foot.push_back(
@@ -536,12 +563,16 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
         card_block(sheet, card, card == cards.back() ? m.gap : std::round(m.unit)));
   all.right_foot.push_back(
       buttons_block(sheet,
-                    {{sheet.collect(sheet.request().state.exhibit), Sheet::Emphasis::Plain},
+                    {{sheet.control(is_longer ? "less" : "more"), Sheet::Emphasis::Soft},
+                     {sheet.collect(sheet.request().state.exhibit), Sheet::Emphasis::Plain},
                      {sheet.control("choose"), Sheet::Emphasis::Soft}},
                     m.gap));
   all.foot = foot_blocks(sheet, "home");
   if (lay_out_in_two(sheet, content, all, 0.42F)) return;
-  all.right.insert(all.right.begin() + 1, picture_block(sheet, 24 * m.unit, 1, m.gap));
+  if (!is_longer) {
+    const std::vector<Block> seen = picture_blocks(sheet, 24 * m.unit, 1, m.gap);
+    all.right.insert(all.right.begin() + 1, seen.begin(), seen.end());
+  }
   append(all.right_foot, std::move(all.foot));
   lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot));
 }

@@ -273,7 +273,7 @@ void Sheet::image(const PixelBox& box, std::uint32_t image, float corner, std::i
       control);
 }
 
-float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner) {
+float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner, Align align) {
   if (image >= museum_.images.size() || museum_.images[image].height == 0) return 0;
   const EncodedImage& picture = museum_.images[image];
   constexpr float most_crop = 0.1F;
@@ -281,7 +281,9 @@ float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner)
   const float widest = box.height * shape / (1 - most_crop);
   const float width = std::round(std::min(box.width, widest));
   const float height = std::round(std::min(box.height, width / shape));
-  this->image({box.x, box.y, width, height}, image, corner);
+  const float aside = align == Align::Centre ? std::floor((box.width - width) / 2) : 0,
+              above = align == Align::Centre ? std::floor((box.height - height) / 2) : 0;
+  this->image({box.x + aside, box.y + above, width, height}, image, corner);
   return height;
 }
 

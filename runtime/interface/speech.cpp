@@ -9,6 +9,7 @@
 #include "runtime/interface/keyboard.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/places.h"
 #include "runtime/interface/sentences.h"
 #include "runtime/model/exhibit/room_of.h"
@@ -71,6 +72,7 @@ class Composer {
   void add_search(Utterance& out) const;
   void add_walk(Utterance& out) const;
   void add_arrival(Utterance& out) const;
+  void add_picture(Utterance& out, const ShownPicture& picture) const;
   void add_tour(Utterance& out) const;
   std::string count(std::string_view key, std::size_t n, std::size_t total) const;
   std::string_view goal_title() const;
@@ -251,13 +253,27 @@ void Composer::add_walk(Utterance& out) const {
     append_spoken(out, *sentence);
 }
 
+/// Which of several pictures is seen, and what it shows.
+void Composer::add_picture(Utterance& out, const ShownPicture& picture) const {
+  if (picture.count > 1) append_spoken(out, count("picture_of", picture.number, picture.count));
+  if (picture.caption != nullptr) append_spoken(out, local(*picture.caption));
+  append_spoken(out, local(*picture.description));
+}
+
 void Composer::add_arrival(Utterance& out) const {
+  if (reads_more(museum_, state_)) {
+    append_spoken(out, goal_title());
+    return append_paragraphs(out, local(museum_.exhibits[*state_.exhibit].more));
+  }
+  if (state_.picture && state_.exhibit && *state_.exhibit < museum_.exhibits.size() &&
+      picture_count(museum_, *state_.exhibit) > 1)
+    return add_picture(out, shown_picture(museum_, state_, *state_.exhibit));
   add_tour(out);
   append_spoken(out, goal_title());
   if (state_.exhibit && *state_.exhibit < museum_.exhibits.size()) {
     const Exhibit& exhibit = museum_.exhibits[*state_.exhibit];
     if (closed_exhibit(closed_, *state_.exhibit) != nullptr) append_spoken(out, say("closed_now"));
-    append_spoken(out, local(exhibit.description));
+    add_picture(out, shown_picture(museum_, state_, *state_.exhibit));
     return append_spoken(out, local(exhibit.text));
   }
   if (const std::optional<Goal> goal = goal_of(museum_, state_))
@@ -370,7 +386,10 @@ Speech speech_of(const Museum& museum, const ViewRequest& request,
   Speech speech;
   speech.opening = composer.opening();
   speech.help = composer.help();
-  speech.is_typed = request.state.screen == Screen::Searching && request.state.typed.count > 0;
+  const InterfaceState& state = request.state;
+  speech.keeps_focus =
+      (state.screen == Screen::Searching && state.typed.count > 0) ||
+      (state.screen == Screen::Arrived && state.picture && !reads_more(museum, state));
   for (const Control& control : controls) speech.controls.push_back(composer.control(control));
   speech.remaining = composer.remaining();
   for (std::size_t i = 0; i < speech.volumes.size(); ++i)
@@ -381,6 +400,11 @@ Speech speech_of(const Museum& museum, const ViewRequest& request,
   for (std::size_t i = 0; i < speeds.size(); ++i)
     speech.speeds[i] = composer.said(composer.say(speeds[i]));
   speech.ended = composer.said(composer.say("speech_off"));
+  for (Utterance* one : {&speech.opening, &speech.help, &speech.ended}) time_pieces(*one, museum);
+  for (Utterance& one : speech.controls) time_pieces(one, museum);
+  for (CountedUtterance& one : speech.remaining) time_pieces(one.said, museum);
+  for (Utterance& one : speech.volumes) time_pieces(one, museum);
+  for (Utterance& one : speech.speeds) time_pieces(one, museum);
   return speech;
 }
 

@@ -32,8 +32,9 @@ struct Speech {
   std::vector<CountedUtterance> remaining;  ///< Descending metres; of a way alone.
   std::array<Utterance, loudest + 1> volumes;
   std::array<Utterance, speech_speeds.size()> speeds;
-  Utterance ended;        ///< From now on nothing is said.
-  bool is_typed = false;  ///< The visitor types: nothing is read on, and the focus stays.
+  Utterance ended;  ///< From now on nothing is said.
+  /// The visitor types or leafs: nothing is read on, and the focus stays.
+  bool keeps_focus = false;
 };
 
 /// Something that can be said while a view is shown.

@@ -126,6 +126,9 @@ bool is_control_name(const Museum& museum, std::string_view name) {
       return true;
   for (const Room& room : museum.rooms)
     if (name == "gallery:" + room.id) return true;
+  if (name == "picture:previous" || name == "picture:next") return !museum.pictures.empty();
+  if (name == "more" || name == "less")
+    return std::ranges::any_of(museum.exhibits, [](const Exhibit& e) { return !e.more.empty(); });
   if (name == "languages") return museum.languages.size() > most_languages_beside;
   if (name == "own-tour" || name == "start-tour") return !museum.exhibits.empty();
   InterfaceState searching;

@@ -144,8 +144,14 @@ void Gatherer::add_names() {
     add(exhibit.title);
     add(exhibit.description);
     add(exhibit.text);
+    for_each_line(in_language(museum_, language_, exhibit.more),
+                  [this](std::string_view line) { add(line); });
     add(exhibit.subject);
     add(exhibit.period);
+  }
+  for (const FurtherPicture& picture : museum_.pictures) {
+    add(picture.caption);
+    add(picture.description);
   }
 }
 
@@ -180,6 +186,57 @@ std::string text_of(const Utterance& utterance) {
   return text;
 }
 
+namespace {
+
+constexpr float start_seconds = 0.2F, pause_seconds = 0.25F;
+
+bool has_sound(const Utterance& utterance) noexcept {
+  return std::ranges::any_of(utterance.pieces,
+                             [](const SpokenPiece& piece) { return piece.seconds > 0; });
+}
+
+/// With its pause.
+float seconds_within(const SpokenPiece& piece, bool others_sound) noexcept {
+  const float own = others_sound ? piece.seconds : seconds_of(piece);
+  return own + (piece.pause ? pause_seconds : 0);
+}
+
+}  // namespace
+
+float seconds_of(const SpokenPiece& piece) noexcept {
+  constexpr float letter = 0.06F, sign = 0.14F;  // signs that are a syllable take longer
+  if (piece.seconds > 0) return piece.seconds;
+  float seconds = 0;
+  for (const char c : piece.text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) != 0x80U) seconds += byte >= 0xE0U ? sign : letter;
+  }
+  return seconds;
+}
+
+float seconds_of(const Utterance& utterance) noexcept {
+  const bool sounds = has_sound(utterance);
+  float seconds = start_seconds;
+  for (const SpokenPiece& piece : utterance.pieces) seconds += seconds_within(piece, sounds);
+  return seconds;
+}
+
+std::vector<float> begins_of(const Utterance& utterance) {
+  const bool sounds = has_sound(utterance);
+  std::vector<float> begins{start_seconds};
+  for (const SpokenPiece& piece : utterance.pieces)
+    begins.push_back(begins.back() + seconds_within(piece, sounds));
+  return begins;
+}
+
+void time_pieces(Utterance& utterance, const Museum& museum) noexcept {
+  const auto language = std::ranges::find(museum.languages, utterance.language, &Language::tag);
+  const auto index = static_cast<std::uint32_t>(language - museum.languages.begin());
+  for (SpokenPiece& piece : utterance.pieces)
+    if (const SpeechSound* sound = find_sound(museum.speech, index, piece.text); sound != nullptr)
+      piece.seconds = static_cast<float>(sound->samples) / static_cast<float>(SpeechSound::rate);
+}
+
 std::string apart(std::string_view value) {
   return fmt::format("{}{}{}", between_pieces, value, between_pieces);
 }
@@ -190,6 +247,10 @@ void append_spoken(Utterance& utterance, std::string_view text) {
     utterance.pieces.push_back({.text = std::string(piece)});
   });
   if (utterance.pieces.size() > before) utterance.pieces.back().pause = true;
+}
+
+void append_paragraphs(Utterance& utterance, std::string_view text) {
+  for_each_line(text, [&](std::string_view line) { append_spoken(utterance, line); });
 }
 
 std::string spoken_distance(const Museum& museum, std::uint32_t language, double metres) {

@@ -14,6 +14,7 @@ namespace docent::interface {
 struct SpokenPiece {
   std::string text;    ///< UTF-8; one of spoken_pieces() of the language.
   bool pause = false;  ///< A short silence follows: a phrase ends here.
+  float seconds = 0;   ///< How long its sound takes at the usual speed; 0: it has none.
 
   bool operator==(const SpokenPiece&) const = default;
 };
@@ -37,6 +38,16 @@ std::vector<std::string> spoken_pieces(const Museum& museum, std::uint32_t langu
 /// where none is written.
 std::string text_of(const Utterance& utterance);
 
+/// How long a piece takes at the usual speed, without its pause: as its sound does, or about so
+/// long where it has none.
+float seconds_of(const SpokenPiece& piece) noexcept;
+/// The same of all of it, with its pauses. Where any piece has a sound, those without are not said.
+float seconds_of(const Utterance& utterance) noexcept;
+/// When it comes to each piece: seconds from its beginning, and then its end.
+std::vector<float> begins_of(const Utterance& utterance);
+/// Notes how long the museum's sounds are.
+void time_pieces(Utterance& utterance, const Museum& museum) noexcept;
+
 /// What stands between the parts of a text that is to be said, such as a sentence and what fills
 /// its holes: never in a word of the interface.
 inline constexpr char between_pieces = '\x1f';
@@ -45,6 +56,9 @@ std::string apart(std::string_view value);
 /// Appends a text, which may hold `between_pieces`, piece by piece. What is not said, such as
 /// quotation marks and commas at a piece's ends, is left out. A pause follows.
 void append_spoken(Utterance& utterance, std::string_view text);
+
+/// The same of a longer text, whose lines are said one after another.
+void append_paragraphs(Utterance& utterance, std::string_view text);
 
 /// Metres and minutes as they are said: in whole phrases, so that each language keeps its plurals.
 /// Far distances are rounded, to at most `farthest_spoken`.

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/measures.h"
 #include "runtime/interface/speech.h"
 #include "runtime/interface/text.h"
 #include "runtime/model/pixels.h"
 #include "runtime/scene/draw_list.h"
+#include "runtime/scene/side.h"
 
 namespace docent::interface {
 
@@ -76,6 +78,9 @@ struct FloorLabel {
   bool is_sign = false;       ///< A place's pictogram, on a dark tile; makes way for other labels.
   /// Floor frame: the corners between which a gallery's name stays when it makes way.
   Vec2 least{}, most{};
+  /// From where it is read: on a table from the nearest edge at which people stand. Set by the
+  /// frame thread.
+  scene::Side side = scene::Side::Bottom;
   scene::Rect rect;                  ///< Screen frame: where it is seen now; follows the camera.
   float anchor_x = 0, anchor_y = 0;  ///< Screen frame: what it marks; it may have made way.
   bool is_led = false;  ///< Set by the frame thread: it lies elsewhere, and a line leads there.
@@ -83,6 +88,10 @@ struct FloorLabel {
   /// many more.
   std::int32_t head = -1;
   std::uint32_t held = 0;
+
+  /// As it lies on the glass, in pixels.
+  float lying_width() const noexcept { return scene::is_at_end(side) ? height_px : width_px; }
+  float lying_height() const noexcept { return scene::is_at_end(side) ? width_px : height_px; }
 };
 
 /// One of several prepared texts: shown while at most `metres` of the way remain.
@@ -111,6 +120,7 @@ struct View {
   std::uint32_t part = 0;     ///< Of the glass.
   /// From where it is read: its screen frame is that of the glass as it is seen from there.
   scene::Side side = scene::Side::Bottom;
+  Sides readers{};  ///< From where labels are read; none: from below. Set by the frame thread.
   InterfaceState state;
   std::vector<Control> controls;
   std::vector<Element> elements;

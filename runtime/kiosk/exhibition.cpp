@@ -36,8 +36,16 @@ Pixels decode(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
   return image::decode_image(bytes).value_or(Pixels{});
 }
 
+/// Past the last that the model shows: one only leafs to those that follow, as a rule.
+std::size_t scenery_images(const Museum& museum) noexcept {
+  std::size_t end = 0;
+  for (const Exhibit& exhibit : museum.exhibits)
+    end = std::max<std::size_t>(end, exhibit.image + std::size_t{1});
+  return std::min(end, museum.images.size());
+}
+
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
-/// `pictures` has one for each image of the museum, and stays where it is until all are made.
+/// `pictures` has one for each of those images, and stays where it is until all are made.
 std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
                                                      std::span<std::vector<Pixels>> pictures) {
   const std::size_t at_a_time = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
@@ -222,7 +230,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   keep_what_is_walked(exhibition->museum);
   exhibition->sounds = leave_sounds_on_disk(exhibition->content, exhibition->museum.speech);
   const Museum& kept = exhibition->museum;
-  exhibition->scenery_pictures.resize(kept.images.size());
+  exhibition->scenery_pictures.resize(scenery_images(kept));
   auto pictures_made = make_scenery_pictures(kept, exhibition->scenery_pictures);
   // Pictures as they came are read when the worker sets one; null, and they stay in memory.
   const std::shared_ptr<BlobArchive> pictures = sqlite::open_archive(

@@ -59,7 +59,7 @@ void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
   if (is_silent) {  // a language without a voice: its captions are read in the time that they take
     constexpr float pauses_a_second =
         SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
-    const float pauses = guide::seconds_of(utterance) * pauses_a_second;
+    const float pauses = interface::seconds_of(utterance) * pauses_a_second;
     count = std::min(parts_.size(), static_cast<std::size_t>(pauses));
     std::fill_n(parts_.begin(), count, sound::SpeechPart{.sound = nullptr, .pause = true});
   }

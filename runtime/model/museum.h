@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +69,7 @@ struct Museum {
   std::vector<Scenery> scenery;  ///< One per floor: what is drawn of it.
   std::vector<Room> rooms;
   std::vector<Exhibit> exhibits;
+  std::vector<FurtherPicture> pictures;  ///< In the order of their exhibits.
   std::vector<Tour> tours;
   /// How titles and names are read that are not typed as they are written: Chinese in Pinyin,
   /// Japanese in kana, syllables with spaces between them. By the text.
@@ -91,6 +93,14 @@ struct Museum {
 /// Has staff given it a picture? Else a blank one stands in for it.
 [[nodiscard]] inline bool has_picture(const Museum& museum, const Exhibit& exhibit) noexcept {
   return exhibit.image < museum.images.size() && !museum.images[exhibit.image].name.empty();
+}
+
+/// The pictures that one leafs to from the exhibit's own, in that order.
+[[nodiscard]] inline std::span<const FurtherPicture> further_pictures(
+    const Museum& museum, std::uint32_t exhibit) noexcept {
+  const auto of_it =
+      std::ranges::equal_range(museum.pictures, exhibit, {}, &FurtherPicture::exhibit);
+  return {of_it.begin(), of_it.end()};
 }
 
 /// Makes the kiosk the one with that id; false, and nothing changed, where there is none. Strollers

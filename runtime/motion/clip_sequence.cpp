@@ -1,7 +1,9 @@
 #include "runtime/motion/clip_sequence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "runtime/motion/placement.h"
 #include "runtime/motion/smoothing.h"
@@ -9,14 +11,23 @@
 namespace docent::motion {
 namespace {
 
+/// Per frame of a sequence, what is known of its clips' frames already.
+struct SequenceParts {
+  std::vector<double> facing;                ///< Radians.
+  std::array<std::vector<LegEnds>, 2> ends;  ///< Per side.
+};
+
 /// Writes frames of clips, laid onto the floor, one after another.
 class Player {
  public:
-  Player(const WalkGraph& graph, ClipSequence& sequence) : graph_(graph), sequence_(sequence) {}
+  Player(const WalkGraph& graph, ClipSequence& sequence, SequenceParts& parts)
+      : graph_(graph), sequence_(sequence), parts_(parts) {}
 
   void make_room(std::size_t frames) {
     sequence_.root.reserve(frames), sequence_.source.reserve(frames);
     sequence_.rotation.reserve(frames * joint_count());
+    parts_.facing.reserve(frames);
+    for (auto& ends : parts_.ends) ends.reserve(frames);
   }
   void lay_clip(const Placement& clip_to_floor) {
     clip_to_floor_ = clip_to_floor;
@@ -50,6 +61,7 @@ class Player {
       const Quat turn = world_rotation(destination.heading);
       for (std::uint32_t j = 0; j < joints; ++j)
         out[j] = glm::normalize(glm::slerp(out[j], j == 0 ? turn * other[0] : other[j], share));
+      measure_last();
     }
     lay_clip(destination);
   }
@@ -67,25 +79,39 @@ class Player {
     sequence_.rotation.insert(sequence_.rotation.end(), first, first + clip.joint_count);
     sequence_.rotation[at] = turn_ * sequence_.rotation[at];
     sequence_.source.push_back(frame);
+    const ClipPath& path = graph_.clip[frame.clip];
+    parts_.facing.push_back(path.facing[frame.frame] + clip_to_floor_.heading);
+    for (const Side side : both_sides) {
+      const LegEnds& ends = path.ends[index_of(side)][frame.frame];
+      parts_.ends[index_of(side)].push_back(
+          {origin_ + turn_ * ends.toe, origin_ + turn_ * ends.ankle});
+    }
+  }
+
+  /// Of a frame that is blended of two.
+  void measure_last() {
+    const Skeleton& skeleton = motion().skeleton;
+    const std::size_t joints = joint_count();
+    const PoseView pose{sequence_.root.back(), std::span(sequence_.rotation).last(joints)};
+    parts_.facing.back() = facing(skeleton, graph_.legs, pose);
+    for (const Side side : both_sides) {
+      const Leg& leg = graph_.legs[side];
+      const LegPose at = leg_pose(skeleton, leg, pose);
+      parts_.ends[index_of(side)].back() = {at.position[leg.toe], at.position[leg.ankle]};
+    }
   }
 
   const WalkGraph& graph_;
   ClipSequence& sequence_;
+  SequenceParts& parts_;
   Placement clip_to_floor_;
   Quat turn_{1, 0, 0, 0};  ///< The same, in the world.
   Vec3 origin_{};
 };
 
-void find_body(const WalkGraph& graph, ClipSequence& sequence) {
-  const std::size_t frames = sequence.root.size();
-  const std::size_t joints = graph.motion->skeleton.joint.size();
-  std::vector<Vec2> roots(frames);
-  std::vector<double> headings(frames);
-  for (std::size_t f = 0; f < frames; ++f) {
-    roots[f] = to_floor(sequence.root[f]);
-    const PoseView pose{sequence.root[f], std::span(sequence.rotation).subspan(f * joints, joints)};
-    headings[f] = facing(graph.motion->skeleton, graph.legs, pose);
-  }
+void find_body(const WalkGraph& graph, std::vector<double> headings, ClipSequence& sequence) {
+  std::vector<Vec2> roots(sequence.root.size());
+  std::ranges::transform(sequence.root, roots.begin(), to_floor);
   unwrap_angles(headings);
   sequence.body = body_track(roots, headings, graph.stride_seconds * graph.frame_rate);
   sequence.effort = effort_along(sequence.body);
@@ -121,17 +147,11 @@ void tidy_contacts(std::vector<bool>& contact, double frame_rate) {
 
 /// When the toe joint rests on the ground: from when the clip's own plants say so, and while the
 /// foot still rolls over it, which plants (a flat and still foot) leave out.
-void find_contacts(const WalkGraph& graph, ClipSequence& sequence, Side side) {
+void find_contacts(const WalkGraph& graph, const std::vector<LegEnds>& ends, Side side,
+                   ClipSequence& sequence) {
   const std::size_t frames = sequence.root.size();
-  const std::size_t joints = graph.motion->skeleton.joint.size();
-  const Leg& leg = graph.legs[side];
-  std::vector<Vec3> toe(frames), ankle(frames);
   std::vector<bool> planted(frames);
   for (std::size_t f = 0; f < frames; ++f) {
-    const PoseView pose{sequence.root[f], std::span(sequence.rotation).subspan(f * joints, joints)};
-    const LegPose at = leg_pose(graph.motion->skeleton, leg, pose);
-    toe[f] = at.position[leg.toe];
-    ankle[f] = at.position[leg.ankle];
     const FootPlants plants =
         graph.motion->clips[sequence.source[f].clip].plants[sequence.source[f].frame];
     planted[f] = side == Side::Left ? plants.left : plants.right;
@@ -139,16 +159,17 @@ void find_contacts(const WalkGraph& graph, ClipSequence& sequence, Side side) {
   const float rest = graph.toe_height[index_of(side)];
   const auto speed = [&](std::size_t f) {
     const std::size_t a = f > 1 ? f - 2 : 0, b = std::min(f + 2, frames - 1);
-    const Vec3 step = toe[b] - toe[a];
+    const Vec3 step = ends[b].toe - ends[a].toe;
     return std::hypot(step.x, step.z) * static_cast<float>(graph.frame_rate) /
            static_cast<float>(std::max<std::size_t>(b - a, 1));
   };
   const auto rolls = [&](std::size_t f) {
-    return toe[f].y < rest + rolling_height && speed(f) < rolling_speed;
+    return ends[f].toe.y < rest + rolling_height && speed(f) < rolling_speed;
   };
   const auto has_landed = [&](std::size_t f) {
-    const bool flat = ankle[f].y < graph.ankle_height[index_of(side)] + flat_height;
-    return toe[f].y < rest + touching_height && speed(f) < (flat ? landing_speed : rolling_speed);
+    const bool flat = ends[f].ankle.y < graph.ankle_height[index_of(side)] + flat_height;
+    return ends[f].toe.y < rest + touching_height &&
+           speed(f) < (flat ? landing_speed : rolling_speed);
   };
   std::vector<bool>& contact = sequence.contact[index_of(side)];
   contact = planted;
@@ -173,7 +194,8 @@ std::size_t frames_of(const WalkGraph& graph, const MotionPlan& plan) {
 
 ClipSequence play(const WalkGraph& graph, const MotionPlan& plan, const Placement& clip_to_floor) {
   ClipSequence sequence;
-  Player player(graph, sequence);
+  SequenceParts parts;
+  Player player(graph, sequence, parts);
   player.lay_clip(clip_to_floor);
   const auto run_up = static_cast<std::uint32_t>(graph.stride_seconds * graph.frame_rate);
   const bool from_standing = graph.motion->clips[plan.start.clip].role == ClipRole::Start &&
@@ -200,8 +222,9 @@ ClipSequence play(const WalkGraph& graph, const MotionPlan& plan, const Placemen
     earliest = frame = way.to.frame + radius;
   }
   player.copy(clip, frame, plan.last_frame + 1);
-  find_body(graph, sequence);
-  for (const Side side : both_sides) find_contacts(graph, sequence, side);
+  find_body(graph, std::move(parts.facing), sequence);
+  for (const Side side : both_sides)
+    find_contacts(graph, parts.ends[index_of(side)], side, sequence);
   return sequence;
 }
 

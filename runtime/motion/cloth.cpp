@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/motion/cloth_limb.h"
+
 namespace docent::motion {
 namespace {
 
@@ -22,9 +24,7 @@ constexpr float most_inward = 0.006F;     // metres
 constexpr float most_swing_speed = 4.0F;  // metres a second
 constexpr float taken_along = 0.3F;       // share of a limb's push that cloth keeps as motion
 constexpr float firm_length = 0.15F;      // metres of firm cloth above the highest nodes
-constexpr int most_parts = 4;             // of a way out of a limb
-constexpr float least_room = 0.0002F;     // metres: then it is out
-constexpr float most_turn = 0.999F;       // cosine: below it a node turns with its cloth
+constexpr float least_bone = 1e-4F;       // metres
 
 /// The blend of the matrices that carry a node.
 Mat4 carrier(const ClothNode& node, std::span<const Mat4> palette) noexcept {
@@ -33,56 +33,6 @@ Mat4 carrier(const ClothNode& node, std::span<const Mat4> palette) noexcept {
     if (node.weight[k] != 0)
       sum += (static_cast<float>(node.weight[k]) / 255) * palette[node.joint[k]];
   return sum;
-}
-
-/// A limb at one moment.
-struct Limb {
-  Vec3 from, along;
-  float from_radius, more_radius;
-  float inverse_length;  ///< Of its square; 0: a ball.
-};
-
-/// How far along `outward` a ball has to go to be out of a limb, as the part of the limb that is
-/// nearest now has it: metres.
-float way_out_of_nearest(const Limb& limb, Vec3 point, float around, Vec3 outward) noexcept {
-  const Vec3 off = point - limb.from;
-  const float share = std::clamp(glm::dot(off, limb.along) * limb.inverse_length, 0.0F, 1.0F);
-  const float radius = limb.from_radius + share * limb.more_radius + around;
-  const Vec3 across = off - share * limb.along;
-  const float inside = radius * radius - glm::dot(across, across);
-  if (inside <= 0) return 0;
-  // Beside the limb only what leads across its axis leads out of it; past its end all does.
-  const bool beside = share > 0 && share < 1;
-  const Vec3 way =
-      beside ? outward - (glm::dot(outward, limb.along) * limb.inverse_length) * limb.along
-             : outward;
-  const float quick = std::max(glm::dot(way, way), 0.04F);
-  const float toward = glm::dot(across, way);
-  return (std::sqrt(toward * toward + quick * inside) - toward) / quick;
-}
-
-/// The same, out of all of the limb.
-float way_out(const Limb& limb, Vec3 point, float around, Vec3 outward) noexcept {
-  float whole = 0;
-  for (int part = 0; part < most_parts; ++part) {
-    const float more = way_out_of_nearest(limb, point + whole * outward, around, outward);
-    if (more <= 0) break;
-    whole += more + least_room;
-  }
-  return whole;
-}
-
-/// The turn that takes one direction to another by the shortest way.
-glm::mat3 shortest_turn(Vec3 from, Vec3 to) noexcept {
-  const float lengths = std::sqrt(glm::dot(from, from) * glm::dot(to, to));
-  if (lengths < 1e-9F) return glm::mat3(1);
-  const float cosine = glm::dot(from, to) / lengths;
-  if (cosine < -most_turn) return glm::mat3(1);
-  const Vec3 a = glm::cross(from, to) / lengths;
-  const float b = 1 / (1 + cosine);
-  return {Vec3{cosine + b * a.x * a.x, b * a.x * a.y + a.z, b * a.x * a.z - a.y},
-          Vec3{b * a.x * a.y - a.z, cosine + b * a.y * a.y, b * a.y * a.z + a.x},
-          Vec3{b * a.x * a.z + a.y, b * a.y * a.z - a.x, cosine + b * a.z * a.z}};
 }
 
 /// What is worn over limbs lies on more than the limbs that it is kept out of: it hardly sinks in.
@@ -94,6 +44,13 @@ Vec3 not_inward(Vec3 lag, Vec3 outward, float most) noexcept {
 Vec3 at_most(Vec3 v, float length) noexcept {
   const float square = glm::dot(v, v);
   return square > length * length ? v * (length / std::sqrt(square)) : v;
+}
+
+/// As long as another, or that one where it has no direction.
+Vec3 as_long_as(Vec3 length, Vec3 v) noexcept {
+  const float square = glm::dot(v, v);
+  if (!(square > least_bone * least_bone && square < 1e12F)) return length;
+  return v * std::sqrt(glm::dot(length, length) / square);
 }
 
 class HangingCloth {
@@ -113,6 +70,7 @@ class HangingCloth {
       motion_.carried[n] = Vec3(matrix * Vec4(node.place, 1));
       const Vec3 outward = glm::mat3(matrix) * node.outward;
       motion_.outward[n] = outward / std::sqrt(std::max(glm::dot(outward, outward), 1e-12F));
+      motion_.root[n] = Vec3(matrix * Vec4(node.root, 1));
     }
     for (std::size_t c = 0; c < cloth_.collider.size(); ++c) {
       const ClothCollider& limb = cloth_.collider[c];
@@ -129,11 +87,15 @@ class HangingCloth {
   }
 
   void rest() noexcept {
-    for (std::size_t n = 0; n < size(); ++n)
-      motion_.lag[n] = motion_.lag_before[n] = motion_.velocity[n] = Vec3{};
+    keep();
+    place_limbs(1);
+    for (std::size_t n = 0; n < size(); ++n) {
+      motion_.lag[n] = motion_.velocity[n] = Vec3{};
+      if (is_bone(n)) hang_bone(n);
+      motion_.lag_before[n] = motion_.lag[n];
+    }
     motion_.ahead = 0;
     motion_.is_placed = motion_.is_at_rest = true;
-    keep();
   }
 
   void swing(double seconds) noexcept {
@@ -154,19 +116,26 @@ class HangingCloth {
     place_limbs(1);
     for (std::size_t n = 0; n < size(); ++n) {
       const Vec3 lag = glm::mix(motion_.lag_before[n], motion_.lag[n], share);
-      motion_.place[n] = pushed_out(n, motion_.carried[n] + lag);
+      const Vec3 place = motion_.carried[n] + lag;
+      motion_.place[n] = is_bone(n) ? out_of_limbs(n, bone_of(n, 1), place) : pushed_out(n, place);
     }
     for (std::size_t n = 0; n < size(); ++n) push_between(n);
     for (std::size_t n = 0; n < size(); ++n)
       if (has_moved_[n]) motion_.place[n] = pushed_out(n, motion_.place[n]);
-    for (std::size_t n = 0; n < size(); ++n) turn(n);
+    for (std::size_t n = 0; n < size(); ++n)
+      if (is_bone(n))
+        turn_bone(n);
+      else
+        turn(n);
   }
 
  private:
   std::size_t size() const noexcept { return cloth_.node.size(); }
+  bool is_bone(std::size_t n) const noexcept { return cloth_.node[n].kind == ClothKind::Bone; }
 
   void keep() noexcept {
     std::copy_n(motion_.carried.begin(), size(), motion_.carried_before.begin());
+    std::copy_n(motion_.root.begin(), size(), motion_.root_before.begin());
     std::copy_n(motion_.end.begin(), 2 * cloth_.collider.size(), motion_.end_before.begin());
   }
 
@@ -220,7 +189,7 @@ class HangingCloth {
 
   void push_between(std::size_t n) noexcept {
     const ClothNode& node = cloth_.node[n];
-    if (node.keeps_out == 0) return;
+    if (node.keeps_out == 0 || is_bone(n)) return;
     if (node.left != ClothNode::none) push_apart(n, node.left);
     if (node.above != ClothNode::none) push_apart(n, node.above);
   }
@@ -243,6 +212,10 @@ class HangingCloth {
     place_limbs(now);
     std::copy_n(motion_.lag.begin(), size(), motion_.lag_before.begin());
     for (std::size_t n = 0; n < size(); ++n) {
+      if (is_bone(n)) {
+        step_bone(n, before, now);
+        continue;
+      }
       const ClothNode& node = cloth_.node[n];
       const Vec3 here = carried(n, now);
       const Vec3 speed = (here - carried(n, before)) / step_seconds;
@@ -267,6 +240,77 @@ class HangingCloth {
     motion_.is_at_rest = false;
   }
 
+  /// A bone at a moment: where it begins, and how it would point if it did not swing itself, but
+  /// only as the bone above it does, from which it hangs.
+  struct Bone {
+    Vec3 root, carried;
+  };
+  Vec3 carried_root(std::size_t n, float share) const noexcept {
+    return glm::mix(motion_.root_before[n], motion_.root[n], share);
+  }
+  /// Of a bone of which the one above hangs already.
+  Bone bone_of(std::size_t n, float share) noexcept {
+    const Vec3 root = carried_root(n, share), length = carried(n, share) - root;
+    const std::size_t above = cloth_.node[n].above;
+    Bone bone{root, length};
+    if (above != ClothNode::none) {
+      const Vec3 end = carried(above, share);
+      const ShortestTurn turned(end - carried_root(above, share),
+                                motion_.place[above] - motion_.begin[above]);
+      bone = {motion_.place[above] + turned * (root - end), turned * length};
+    }
+    motion_.begin[n] = bone.root;
+    return bone;
+  }
+
+  Vec3 out_of_limbs(std::size_t n, const Bone& bone, Vec3 place) const noexcept {
+    const ClothNode& node = cloth_.node[n];
+    place = bone.root + as_long_as(bone.carried, place - bone.root);
+    for (unsigned c = 0, bits = node.keeps_out; bits != 0; ++c, bits >>= 1U) {
+      if ((bits & 1U) == 0) continue;
+      const Vec3 out = out_of(limb_[c], place, node.radius);
+      if (out != place) place = bone.root + as_long_as(bone.carried, out - bone.root);
+    }
+    return place;
+  }
+
+  /// Where a bone hangs that has come to rest: its spring and its weight hold each other.
+  void hang_bone(std::size_t n) noexcept {
+    const Bone bone = bone_of(n, 1);
+    const Vec3 pull = cloth_.node[n].stiffness * bone.carried + cloth_.node[n].gravity;
+    motion_.place[n] = out_of_limbs(n, bone, bone.root + as_long_as(bone.carried, pull));
+    motion_.lag[n] = motion_.place[n] - motion_.carried[n];
+  }
+
+  void step_bone(std::size_t n, float before, float now) noexcept {
+    const ClothNode& node = cloth_.node[n];
+    const Bone bone = bone_of(n, now);
+    const Vec3 here = carried(n, now);
+    const Vec3 last = carried(n, before) + motion_.lag_before[n];
+    const Vec3 speed = (here - carried(n, before)) / step_seconds;
+    Vec3& velocity = motion_.velocity[n];
+    if (motion_.is_at_rest) velocity = speed;
+    const Vec3 along = last + step_seconds * speed;  // had it not swung
+    const Vec3 pull = node.stiffness * (bone.root + bone.carried - along) -
+                      node.damping * (velocity - speed) - node.drag * velocity + node.gravity;
+    Vec3 next = last + step_seconds * (velocity + step_seconds * pull);
+    next = bone.root + as_long_as(bone.carried, next - bone.root);
+    motion_.place[n] = out_of_limbs(n, bone, next);
+    motion_.lag[n] = motion_.place[n] - here;
+    const Vec3 taken = glm::mix(next, motion_.place[n], taken_along) - along;
+    const Vec3 swings = at_most(taken / step_seconds, most_swing_speed);
+    velocity = speed + (glm::dot(swings, swings) < 1e6F ? swings : Vec3{});
+  }
+
+  void turn_bone(std::size_t n) noexcept {
+    Mat4& matrix = palette_[first_ + n];
+    const glm::mat3 turned =
+        ShortestTurn(motion_.carried[n] - motion_.root[n], motion_.place[n] - motion_.begin[n]) *
+        glm::mat3(matrix);
+    matrix = Mat4(turned);
+    matrix[3] = Vec4(motion_.begin[n] - turned * cloth_.node[n].root, 1);
+  }
+
   /// A node turns as the cloth between those above and below it does. Above the highest it is
   /// firm.
   void turn(std::size_t n) noexcept {
@@ -278,7 +322,7 @@ class HangingCloth {
     const Vec3 carried = hangs ? motion_.carried[node.above] : firm;
     const Vec3 place = hangs ? motion_.place[node.above] : firm;
     const glm::mat3 turned =
-        shortest_turn(carried - motion_.carried[below], place - motion_.place[below]) *
+        ShortestTurn(carried - motion_.carried[below], place - motion_.place[below]) *
         glm::mat3(matrix);
     matrix = Mat4(turned);
     matrix[3] = Vec4(motion_.place[n] - turned * node.place, 1);
@@ -298,7 +342,7 @@ ClothMotion make_cloth_motion(std::size_t nodes) {
   ClothMotion motion;
   for (std::vector<Vec3>* each :
        {&motion.lag, &motion.lag_before, &motion.velocity, &motion.carried, &motion.carried_before,
-        &motion.outward, &motion.place})
+        &motion.root, &motion.root_before, &motion.begin, &motion.outward, &motion.place})
     each->resize(nodes);
   motion.end.resize(2 * most_cloth_colliders);
   motion.end_before.resize(2 * most_cloth_colliders);

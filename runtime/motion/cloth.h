@@ -16,16 +16,18 @@ struct ClothView {
 /// How the cloth of one body moves: for each node how far it is from where the joints carry it.
 /// World frame, metres.
 struct ClothMotion {
-  std::vector<Vec3> lag, lag_before;  ///< Now, and one step of the clock earlier.
-  std::vector<Vec3> velocity;         ///< Metres a second.
-  std::vector<Vec3> carried;          ///< Where the joints carry it...
-  std::vector<Vec3> carried_before;   ///< ... and where they did at the last call.
-  std::vector<Vec3> outward;          ///< Unit.
-  std::vector<Vec3> place;            ///< Where it hangs.
-  std::vector<Vec3> end, end_before;  ///< Of colliders: from and to, at this call and the last.
-  double ahead = 0;                   ///< Seconds of the last call that no step has covered.
-  bool is_placed = false;             ///< It has hung somewhere before...
-  bool is_at_rest = false;            ///< ... and moves with the joints.
+  std::vector<Vec3> lag, lag_before;    ///< Now, and one step of the clock earlier.
+  std::vector<Vec3> velocity;           ///< Metres a second.
+  std::vector<Vec3> carried;            ///< Where the joints carry it...
+  std::vector<Vec3> carried_before;     ///< ... and where they did at the last call.
+  std::vector<Vec3> root, root_before;  ///< Likewise, where bones begin...
+  std::vector<Vec3> begin;              ///< ... and where they begin as those above them hang.
+  std::vector<Vec3> outward;            ///< Unit.
+  std::vector<Vec3> place;              ///< Where it hangs.
+  std::vector<Vec3> end, end_before;    ///< Of colliders: from and to, at this call and the last.
+  double ahead = 0;                     ///< Seconds of the last call that no step has covered.
+  bool is_placed = false;               ///< It has hung somewhere before...
+  bool is_at_rest = false;              ///< ... and moves with the joints.
 };
 
 /// Room for the cloth of any body with so many nodes.

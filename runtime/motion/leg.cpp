@@ -75,16 +75,29 @@ std::optional<Legs> find_legs(const Skeleton& skeleton) {
   return legs;
 }
 
-LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+namespace {
+
+/// As far down as the leg's joint `last`.
+LegPose pose_as_far_as(std::size_t last, const Skeleton& skeleton, const Leg& leg,
+                       const PoseView& pose) noexcept {
   LegPose out;
   out.position[0] = pose.root;
   out.rotation[0] = pose.rotation[leg.joint[0]];
-  for (std::size_t i = 1; i <= leg.toe; ++i) {
+  for (std::size_t i = 1; i <= last; ++i) {
     const std::uint32_t j = leg.joint[i];
     out.position[i] = out.position[i - 1] + out.rotation[i - 1] * skeleton.joint[j].offset;
     out.rotation[i] = out.rotation[i - 1] * pose.rotation[j];
   }
   return out;
+}
+
+}  // namespace
+
+LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+  return pose_as_far_as(leg.toe, skeleton, leg, pose);
+}
+LegPose shank_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
+  return pose_as_far_as(leg.ankle, skeleton, leg, pose);
 }
 
 Vec3 hip_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept {
@@ -108,7 +121,7 @@ Vec3 ankle_of(const Leg& leg, const Foot& foot) noexcept {
 
 void place_foot(const Skeleton& skeleton, const Leg& leg, const Foot& foot,
                 PoseView& pose) noexcept {
-  const LegPose at = leg_pose(skeleton, leg, pose);
+  const LegPose at = shank_pose(skeleton, leg, pose);
   const Vec3 hip = at.position[leg.hip], knee = at.position[leg.knee],
              ankle = at.position[leg.ankle], target = ankle_of(leg, foot);
   const float thigh = glm::length(knee - hip), shin = glm::length(ankle - knee);

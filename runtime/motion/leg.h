@@ -43,6 +43,8 @@ struct LegPose {
 };
 
 LegPose leg_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
+/// The same without the toe.
+LegPose shank_pose(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;
 
 /// Where the leg's hip joint is in a pose, world frame.
 Vec3 hip_of(const Skeleton& skeleton, const Leg& leg, const PoseView& pose) noexcept;

@@ -61,6 +61,14 @@ struct Haste {
   std::vector<bool> joint;     ///< Whether it is, anywhere.
 };
 
+/// Is any joint's step too long? Without a branch, as it is asked of every frame.
+bool is_any_too_long(const Quat* now, const Quat* next, const std::vector<float>& limit) noexcept {
+  unsigned is_any = 0;
+  for (std::size_t j = 0; j < limit.size(); ++j)
+    is_any |= squared_half_angle(now[j], next[j]) > limit[j] ? 1U : 0U;
+  return is_any != 0;
+}
+
 /// Looks at the root and at all joints that `counts` names; the others are only told of.
 Haste find_haste(const StepLimits& limits, const std::vector<bool>& counts, const Walk& walk) {
   const std::size_t joints = walk.joint_count;
@@ -73,6 +81,7 @@ Haste find_haste(const StepLimits& limits, const std::vector<bool>& counts, cons
     if (const float square = glm::dot(step, step); square > limits.root)
       exceed(f, square, limits.root);
     const Quat* now = walk.rotation.data() + f * joints;
+    if (!is_any_too_long(now, now + joints, limits.joint)) continue;
     for (std::size_t j = 0; j < joints; ++j) {
       const float square = squared_half_angle(now[j], now[joints + j]);
       if (square <= limits.joint[j]) continue;

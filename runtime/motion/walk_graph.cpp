@@ -30,6 +30,16 @@ std::vector<double> facings(const Skeleton& skeleton, const Legs& legs, const Mo
   return out;
 }
 
+std::vector<LegEnds> leg_ends(const Skeleton& skeleton, const Leg& leg, const MotionClip& clip) {
+  std::vector<LegEnds> ends;
+  std::vector<Quat> buffer;
+  for (std::size_t f = 0; f < frame_count(clip); ++f) {
+    const LegPose at = leg_pose(skeleton, leg, frame_of(clip, f, buffer));
+    ends.push_back({at.position[leg.toe], at.position[leg.ankle]});
+  }
+  return ends;
+}
+
 double speed_at(const MotionClip& clip, std::size_t frame) {
   const std::size_t span = std::max<std::size_t>(1, static_cast<std::size_t>(clip.frame_rate / 24));
   const std::size_t from = frame > span ? frame - span : 0;
@@ -266,8 +276,10 @@ void describe_clip(WalkGraph& graph, std::uint32_t index) {
   ClipPath& path = graph.clip[index];
   std::vector<Vec2> roots(clip.root.size());
   std::transform(clip.root.begin(), clip.root.end(), roots.begin(), to_floor);
-  path.body = body_track(roots, facings(graph.motion->skeleton, graph.legs, clip),
-                         graph.stride_seconds * clip.frame_rate);
+  path.facing = facings(graph.motion->skeleton, graph.legs, clip);
+  for (const Side side : both_sides)
+    path.ends[index_of(side)] = leg_ends(graph.motion->skeleton, graph.legs[side], clip);
+  path.body = body_track(roots, path.facing, graph.stride_seconds * clip.frame_rate);
   path.effort = effort_along(path.body);
   trim_stillness(clip, path);
   if (clip.role == ClipRole::Start) graph.starts.push_back(index);

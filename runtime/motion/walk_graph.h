@@ -13,8 +13,15 @@
 
 namespace docent::motion {
 
+/// The lower ends of a leg, in the frame of whatever they belong to.
+struct LegEnds {
+  Vec3 toe{}, ankle{};
+};
+
 /// What a search and a synthesis need to know of a clip.
 struct ClipPath {
+  std::vector<double> facing;                ///< Per frame: of the hips, unwrapped radians.
+  std::array<std::vector<LegEnds>, 2> ends;  ///< Per side and frame.
   std::vector<Placement> body;  ///< Per frame: the root with the gait's sway taken out.
   std::vector<double> effort;   ///< Per frame: metres walked forwards since the first frame.
   std::uint32_t rank = 0;       ///< Of its class: the smallest scope that holds it.

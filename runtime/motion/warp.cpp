@@ -35,9 +35,11 @@ void add_pose(const WalkGraph& graph, const ClipSequence& sequence, SequenceMome
   const Placement& b = sequence.body[next];
   const Placement own{glm::mix(a.position, b.position, at.share),
                       glm::mix(a.heading, b.heading, at.share)};
-  const Placement move = compose(body, inverse(own));
+  const double turn = body.heading - own.heading;
   Walk& walk = draft.walk;
-  walk.root.push_back(moved(move, glm::mix(sequence.root[at.frame], sequence.root[next], share)));
+  const Vec3 root = glm::mix(sequence.root[at.frame], sequence.root[next], share);
+  walk.root.push_back(
+      to_world(body.position + turned(to_floor(root) - own.position, turn), root.y));
   const Quat* first = sequence.rotation.data() + at.frame * joints;
   const Quat* second = sequence.rotation.data() + next * joints;
   const std::size_t start = walk.rotation.size();
@@ -45,7 +47,7 @@ void add_pose(const WalkGraph& graph, const ClipSequence& sequence, SequenceMome
     const Quat to = glm::dot(first[j], second[j]) < 0 ? -second[j] : second[j];
     walk.rotation.push_back(glm::normalize(first[j] * (1 - share) + to * share));
   }
-  walk.rotation[start] = world_rotation(move.heading) * walk.rotation[start];
+  walk.rotation[start] = world_rotation(turn) * walk.rotation[start];
   const std::size_t nearest = at.share < 0.5 ? at.frame : next;
   walk.plants.push_back({sequence.contact[0][nearest], sequence.contact[1][nearest]});
   walk.source.push_back(sequence.source[nearest]);

@@ -58,8 +58,8 @@ void fields(auto& io, MaybeConst<SkinnedVertex> auto& v) {
 }
 
 void fields(auto& io, MaybeConst<ClothNode> auto& n) {
-  io(n.figure, n.joint, n.weight, n.place, n.outward, n.above, n.left, n.right, n.radius);
-  io(n.keeps_out, n.stiffness, n.damping, n.drag, n.tension);
+  io(n.kind, n.figure, n.joint, n.weight, n.place, n.outward, n.above, n.left, n.right, n.radius);
+  io(n.keeps_out, n.stiffness, n.damping, n.drag, n.tension, n.root, n.gravity);
 }
 void fields(auto& io, MaybeConst<ClothCollider> auto& c) {
   io(c.figure, c.joint, c.from, c.to, c.from_radius, c.to_radius);

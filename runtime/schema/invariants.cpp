@@ -244,6 +244,16 @@ bool keeps(const Exhibit& exhibit, const Museum& museum) {
          sound_time(exhibit.looking_seconds) && stands(exhibit, museum);
 }
 
+/// Those of an exhibit lie together, and are not too many to leaf through.
+bool keep(const std::vector<FurtherPicture>& pictures, const Museum& museum) {
+  const auto is_there = [&](const FurtherPicture& picture) {
+    return picture.exhibit < museum.exhibits.size() && picture.image < museum.images.size() &&
+           further_pictures(museum, picture.exhibit).size() < FurtherPicture::most;
+  };
+  return std::ranges::is_sorted(pictures, {}, &FurtherPicture::exhibit) &&
+         std::ranges::all_of(pictures, is_there);
+}
+
 bool keeps(const Tour& tour, std::size_t exhibits) {
   std::vector<std::uint32_t> all = tour.exhibits;
   std::ranges::sort(all);
@@ -403,7 +413,11 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const ClothNode& node = nodes[n];
     const bool sound =
-        finite(node.place) && finite(node.outward) && is_node(node.above, n) &&
+        exists(node.kind, ClothKind::Count) && finite(node.place) && finite(node.outward) &&
+        finite(node.root) && finite(node.gravity) &&
+        glm::dot(node.gravity, node.gravity) <= most_cloth_gravity * most_cloth_gravity &&
+        is_node(node.above, n) &&
+        (node.above == ClothNode::none || nodes[node.above].kind == node.kind) &&
         is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
         std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
         std::reduce(node.weight.begin(), node.weight.end(), 0) == 255 &&
@@ -419,7 +433,8 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
   }
   return std::ranges::all_of(colliders, [=](const ClothCollider& limb) {
     return finite(limb.from) && finite(limb.to) && limb.joint < joints && limb.from_radius >= 0 &&
-           limb.to_radius >= 0 && limb.from_radius < 1 && limb.to_radius < 1;
+           limb.to_radius >= 0 && limb.from_radius <= most_cloth_radius &&
+           limb.to_radius <= most_cloth_radius;
   });
 }
 
@@ -498,6 +513,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(object)) return "object '" + object.name + "'";
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
+  if (!keep(museum.pictures, museum)) return "the exhibits' further pictures";
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
   for (const Connection& connection : museum.connections)

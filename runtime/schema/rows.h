@@ -167,6 +167,11 @@ void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
   row("object_scale", exhibit.stand.scale);
 }
 
+void columns(auto& row, MaybeConst<FurtherPicture> auto& picture) {
+  row("exhibit", picture.exhibit);
+  row("image", picture.image);
+}
+
 void columns(auto& row, MaybeConst<Place> auto& place) {
   row("name", place.id);
   row("kind", place.kind);
@@ -293,9 +298,15 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.texts("exhibit.title", i, museum.exhibits[i].title);
     store.texts("exhibit.text", i, museum.exhibits[i].text);
     store.texts("exhibit.description", i, museum.exhibits[i].description);
+    store.texts("exhibit.more", i, museum.exhibits[i].more);
     store.texts("exhibit.artist", i, museum.exhibits[i].artist);
     store.texts("exhibit.subject", i, museum.exhibits[i].subject);
     store.texts("exhibit.period", i, museum.exhibits[i].period);
+  }
+  store.rows("picture", museum.pictures);
+  for (std::size_t i = 0; i < museum.pictures.size(); ++i) {
+    store.texts("picture.caption", i, museum.pictures[i].caption);
+    store.texts("picture.description", i, museum.pictures[i].description);
   }
   store.rows("place", museum.places);
   for (std::size_t i = 0; i < museum.places.size(); ++i)

@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 14 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 16 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -42,7 +42,7 @@ CREATE TABLE language (      -- the first is the default
 );
 
 CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
-  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.artist exhibit.subject exhibit.period place.title tour.title language.word museum.reading
+  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.more exhibit.artist exhibit.subject exhibit.period picture.caption picture.description place.title tour.title language.word museum.reading
   owner INTEGER NOT NULL,    -- id in the subject's table
   key TEXT NOT NULL,         -- language tag; for language.word the word's key, for museum.reading what is read so
   text TEXT NOT NULL,
@@ -191,6 +191,12 @@ CREATE TABLE exhibit (
   object_y REAL NOT NULL,
   object_base REAL NOT NULL,    -- metres above the floor
   object_scale REAL NOT NULL    -- of its own size
+);
+
+CREATE TABLE picture (          -- of exhibits, besides their own: in the order in which one leafs
+  id INTEGER PRIMARY KEY,
+  exhibit INTEGER NOT NULL,
+  image INTEGER NOT NULL
 );
 
 CREATE TABLE place (            -- what visitors ask for besides exhibits

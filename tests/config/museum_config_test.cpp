@@ -39,6 +39,38 @@ TEST(MuseumConfig, HoldsWhatStaffWrote) {
   EXPECT_EQ(loaded.value->exhibits[1].position.place.range.line, 13U);
 }
 
+TEST(MuseumConfig, TakesALongerTextFromAFileAsItIsWritten) {
+  const MuseumFolder museum;
+  museum.write("texts/disc.en.txt", "\xef\xbb\xbfIt was buried.\r\n\r\nIt was found.\r\n");
+  museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"",
+                 "text.ar = \"قرص.\"\nmore_file.en = \"texts/disc.en.txt\"\nmore.ar = \"المزيد\"");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  EXPECT_THAT(codes(loaded), ElementsAre());
+  EXPECT_EQ(loaded.value->exhibits[0].more.value.at("en").value, "It was buried.\n\nIt was found.");
+}
+
+TEST(MuseumConfig, TakesFurtherPicturesAsAListOrAsTables) {
+  const MuseumFolder museum;
+  museum.replace("exhibits/hall.toml", "title.en = \"Jade disc\"",
+                 "pictures = [{image = \"images/disc.svg\", caption = {en = \"Back\", ar = "
+                 "\"الظهر\"}}]\ntitle.en = \"Jade disc\"");
+
+  const auto as_list = load_museum_config(museum.path());
+
+  EXPECT_THAT(codes(as_list), ElementsAre());
+  ASSERT_EQ(as_list.value->exhibits[0].pictures.value.size(), 1U);
+  EXPECT_EQ(as_list.value->exhibits[0].pictures.value[0].caption.value.at("en").value, "Back");
+
+  const MuseumFolder other;
+  other.replace("exhibits/hall.toml", "text.ar = \"قرص.\"",
+                "text.ar = \"قرص.\"\n[[exhibit.pictures]]\nimage = \"images/disc.svg\"\n"
+                "[[exhibit.pictures]]\nimage = \"images/disc.svg\"");
+
+  EXPECT_EQ(load_museum_config(other.path()).value->exhibits[0].pictures.value.size(), 2U);
+}
+
 TEST(MuseumConfig, FindsTheFieldThatATypoMeant) {
   const MuseumFolder museum;
   museum.replace("museum.toml", "facing", "facign");

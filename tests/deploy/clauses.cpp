@@ -66,8 +66,11 @@ const std::array table{
            "Speech for what is no text",
            State::InPart,
            "What staff write as an exhibit's `description` is spoken after its title, and compile "
-           "says how many pictures have none. Open: of those the exhibit's text alone is read.",
+           "says how many pictures have none; where there are several, each is described as one "
+           "leafs to "
+           "it. Open: of those without, the exhibit's text alone is read.",
            {"Speech.DescribesThePictureAfterTheTitle",
+            "ACloserLook.LeafsRoundAndRoundThroughThePicturesAndSaysWhichOneIsSeen",
             "AnExhibitWithoutAPicture.IsDescribedWhereThePictureWouldBe",
             "Found.SaysHowManyPicturesHaveNoDescription"}},
     Clause{"5.1.3.7", "Speech for video", State::NotConcerned, "There is no video.", {}},
@@ -127,10 +130,11 @@ const std::array table{
     Clause{"5.1.5",
            "What is heard can be seen",
            State::InPart,
-           "While something is said to one visitor, the glass shows it as a caption, page by page. "
-           "Open: recordings of staff that say something else are captioned with what they stand "
-           "for, and the pages turn by an estimate of time.",
+           "While something is said to one visitor, the glass shows it as a caption, page by page, "
+           "each for as long as it sounds. Open: recordings of staff that say something else are "
+           "captioned with what they stand for.",
            {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+            "Caption.TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes",
             "Caption.CoversNothingThatCanBeTouched",
             "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
     Clause{"5.1.6.1",

@@ -105,7 +105,12 @@ inline Museum small_museum() {
                              .place = ExhibitPlace::OnWall,
                              .title = {{"en", "Jade disc"}},
                              .text = {{"en", "A disc of jade."}, {"zh", "玉璧。"}},
+                             .more = {{"en", "It was found in a well."}},
                              .image = 0});
+  museum.pictures.push_back({.exhibit = 0,
+                             .image = 0,
+                             .caption = {{"en", "The back"}},
+                             .description = {{"en", "A worn disc."}}});
   museum.scenery.push_back(museum.scenery.front());
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});

@@ -82,10 +82,13 @@ class Picture:
             dots += f'<ellipse cx="{x:.0f}" cy="{y:.0f}" rx="{r:.1f}" ry="{r * .6:.1f}" fill="{self.random.choice((light, deep))}"/>'
         self.add(f'<g {clip} opacity=".16">{dots}</g>')
 
-    def save(self):
-        svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {SIZE} {SIZE}" width="{SIZE}" height="{SIZE}">'
+    def save(self, detail='', view=(0, 0, SIZE, SIZE)):
+        """The whole picture, or a detail of it: what lies in view, which is x, y, width and height."""
+        x, y, width, height = view
+        scale = SIZE / max(width, height)
+        svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x} {y} {width} {height}" width="{width * scale:.0f}" height="{height * scale:.0f}">'
                f'<defs>{"".join(self.defs)}</defs>\n' + '\n'.join(self.body) + '\n</svg>\n')
-        (HERE / f'{self.name}.svg').write_text(svg)
+        (HERE / f'{self.name}{detail}.svg').write_text(svg)
 
 
 def darker(colour, by):
@@ -382,6 +385,9 @@ def owl_vessel():
     p.path(polygon([(438, 290), (476, 290), (458, 352)]), p.fill('bronze'), deep, 3)
     p.path('M340,376Q456,420 590,372', 'none', deep, 6, .6)
     p.save()
+    p.save('-head', (286, 90, 360, 300))
+    p.save('-wing', (400, 380, 300, 300))
+    p.save('-feet', (330, 600, 420, 236))
 
 
 def oracle_bone():

@@ -64,6 +64,29 @@ struct Material {
   bool double_sided = false;
 };
 
+/// A joint that swings, as VRM 1.0 has it (VRMC_springBone): in metres of the world, and such that
+/// forces act 60 times a second.
+struct SpringJoint {
+  std::int32_t node = none;
+  float stiffness = 1;   ///< 0 or more.
+  Vec3 gravity{0};       ///< Direction times power.
+  float drag = 0.5F;     ///< 0 to 1.
+  float hit_radius = 0;  ///< 0 or more.
+};
+/// A chain of them, from the top down. The last is only the end of the one before.
+struct Spring {
+  std::string part;  ///< Of the file: "extensions.VRMC_springBone.springs[0]".
+  std::vector<SpringJoint> joints;
+  bool takes_all_below = false;  ///< As VRM 0.x has it: one joint, and all that hangs on it.
+  std::vector<std::uint32_t> colliders;  ///< Of `Vrm::colliders`.
+};
+/// A ball, or a capsule, that springs keep out of; in the frame of its node.
+struct SpringCollider {
+  std::int32_t node = none;
+  Vec3 from{0}, to{0};
+  float radius = 0;  ///< 0 or more.
+};
+
 /// What VRM 0.x and 1.0 say of a character beyond its shape.
 struct Vrm {
   struct Bone {
@@ -73,7 +96,9 @@ struct Vrm {
   std::string version;  ///< "0.x" or "1.0"; empty where the file is no VRM.
   std::vector<Bone> bones;
   std::vector<std::string> expressions;  ///< As the file names them.
-  std::size_t springs = 0;               ///< Chains of joints that swing.
+  std::size_t spring_count = 0;          ///< Chains of joints that the file says swing.
+  std::vector<Spring> springs{};         ///< Those of them that can be used.
+  std::vector<SpringCollider> colliders{};
 };
 
 struct Model {

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "content/import/gltf/scene.h"
+#include "content/import/gltf/springs.h"
 
 namespace docent::import::gltf {
 namespace {
@@ -19,7 +20,7 @@ std::string bone_of_1_0(std::string bone) {
   return bone;
 }
 
-Vrm vrm_1_0(const Part& part, const Part& extensions, std::size_t nodes) {
+Vrm vrm_1_0(const Part& part, std::size_t nodes) {
   Vrm vrm{.version = "1.0", .bones = {}, .expressions = {}};
   const Part bones = part["humanoid"]["humanBones"];
   for (const std::string& bone : bones.keys())
@@ -28,8 +29,6 @@ Vrm vrm_1_0(const Part& part, const Part& extensions, std::size_t nodes) {
     for (const char* kind : {"preset", "custom"})
       for (const std::string& name : expressions[kind].keys())
         vrm.expressions.push_back(plain_name(name));
-  if (const Part springs = extensions["VRMC_springBone"]; springs.is_there())
-    vrm.springs = springs["springs"].size();
   return vrm;
 }
 
@@ -51,10 +50,6 @@ Vrm vrm_0(const Part& part, std::size_t nodes) {
           preset == "unknown" || preset.empty() ? groups.at(i)["name"].text_or("") : preset));
     }
   }
-  if (const Part springs = part["secondaryAnimation"]; springs.is_there()) {
-    const Part groups = springs["boneGroups"];
-    for (std::size_t i = 0; i < groups.size(); ++i) vrm.springs += groups.at(i)["bones"].size();
-  }
   return vrm;
 }
 
@@ -63,10 +58,15 @@ Vrm vrm_0(const Part& part, std::size_t nodes) {
 Vrm read_vrm(Source& source, std::size_t nodes) {
   const Part extensions = source.root()["extensions"];
   if (!extensions.is_there()) return {};
-  if (const Part part = extensions["VRMC_vrm"]; part.is_there())
-    return vrm_1_0(part, extensions, nodes);
-  if (const Part part = extensions["VRM"]; part.is_there()) return vrm_0(part, nodes);
-  return {};
+  Vrm vrm;
+  if (const Part part = extensions["VRMC_vrm"]; part.is_there()) {
+    vrm = vrm_1_0(part, nodes);
+    read_springs_1_0(source, extensions["VRMC_springBone"], nodes, vrm);
+  } else if (const Part old = extensions["VRM"]; old.is_there()) {
+    vrm = vrm_0(old, nodes);
+    read_springs_0(source, old["secondaryAnimation"], nodes, vrm);
+  }
+  return vrm;
 }
 
 }  // namespace docent::import::gltf

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct Exhibit {
   LocalText title;
   LocalText text;
   LocalText description{};  ///< What its picture shows, for who does not see it; may be empty.
+  LocalText more{};         ///< For who wants to know more; lines are paragraphs; may be empty.
   /// By which it is found, besides its title: staff's tags. Any may be empty.
   LocalText artist{}, subject{}, period{};
   std::uint32_t image = 0;  ///< Index into Museum::images.
@@ -36,6 +38,17 @@ struct Exhibit {
   ObjectStand stand{};       ///< Of the object, where it has one.
 
   static constexpr double ordinary_look = 60;
+};
+
+/// A further picture of an exhibit, besides its own: one leafs to it.
+struct FurtherPicture {
+  /// Of an exhibit, its own one included.
+  static constexpr std::size_t most = 20;
+
+  std::uint32_t exhibit = 0;  ///< Index into Museum::exhibits.
+  std::uint32_t image = 0;    ///< Index into Museum::images.
+  LocalText caption{};        ///< Read below it; may be empty.
+  LocalText description{};    ///< What it shows, for who does not see it; may be empty.
 };
 
 /// A gallery: a name for a part of a floor.

@@ -79,6 +79,16 @@ std::vector<MadeJoint> joints_of(const MadeCharacter& made) {
                       {x * 0.09F, 0, 0.2F},
                       {0.045F, 0.01F, 0.01F}});
   }
+  const float plait = made.hair <= 4 ? 0.11F : 1.2F / static_cast<float>(made.hair);
+  for (int k = 0; k < made.hair; ++k) {
+    const Vec3 root{0, hip + 0.78F - plait * static_cast<float>(k), -0.12F};
+    joints.push_back({"Plait",
+                      nullptr,
+                      k == 0 ? MadeCharacter::head : MadeCharacter::first_hair + k - 1,
+                      root,
+                      root - Vec3{0, plait, 0},
+                      {0.02F, 0, 0.02F}});
+  }
   return joints;
 }
 
@@ -161,6 +171,7 @@ std::string make_glb(const MadeCharacter& made) {
                     off.x, off.y, off.z,
                     children.empty() ? std::string() : fmt::format(",\"children\":[{}]", children));
     list += fmt::format("{}{}", j == 0 ? "" : ",", j);
+    if (joints[j].vrm == nullptr) continue;
     bones1 += fmt::format("{}\"{}\":{{\"node\":{}}}", j == 0 ? "" : ",", joints[j].vrm, j);
     bones0 += fmt::format("{}{{\"bone\":\"{}\",\"node\":{}}}", j == 0 ? "" : ",", joints[j].vrm, j);
   }
@@ -172,13 +183,14 @@ std::string make_glb(const MadeCharacter& made) {
     extensions = fmt::format(
         R"("extensions":{{"VRMC_vrm":{{"specVersion":"1.0","humanoid":{{"humanBones":{{{}}}}},)"
         R"("expressions":{{"preset":{{"blink":{{}},"happy":{{}}}}}}}},)"
-        R"("VRMC_springBone":{{"springs":[{{"joints":[]}}]}}}},)",
-        bones1);
+        R"("VRMC_springBone":{}}},)",
+        bones1, made.springs);
   if (made.is_vrm0)
     extensions =
         fmt::format(R"("extensions":{{"VRM":{{"humanoid":{{"humanBones":[{}]}},"blendShapeMaster":)"
-                    R"({{"blendShapeGroups":[{{"name":"Blink","presetName":"blink"}}]}}}}}},)",
-                    bones0);
+                    R"({{"blendShapeGroups":[{{"name":"Blink","presetName":"blink"}}]}},)"
+                    R"("secondaryAnimation":{}}}}},)",
+                    bones0, made.springs);
   std::string json = fmt::format(
       R"({{"asset":{{"version":"2.0"}},{}"scene":0,"scenes":[{{"nodes":[{}]}}],"nodes":[{}],)"
       R"("skins":[{{"joints":[{}],"inverseBindMatrices":4}}],"materials":[{{"pbrMetallicRoughness":)"

@@ -46,6 +46,28 @@ TEST(Compile, TurnsAFolderIntoAMuseum) {
   EXPECT_NEAR(museum.kiosk.heading, std::numbers::pi / 2, 1e-12);
 }
 
+TEST(Compile, KeepsFurtherPicturesInTheirOrderBehindThoseOfTheModel) {
+  const MuseumFolder folder;
+  for (const char* name : {"images/back.svg", "images/rim.svg"})
+    folder.write(name, text_of(folder.path() / "images/disc.svg"));
+  folder.replace(
+      "exhibits/hall.toml", "title.en = \"Jade disc\"",
+      "pictures = [{image = \"images/rim.svg\"}, {image = \"images/back.svg\", caption = "
+      "{en = \"Back\", ar = \"الظهر\"}}]\ntitle.en = \"Jade disc\"");
+  const Museum museum = compiled(folder);
+
+  ASSERT_EQ(museum.pictures.size(), 2U);
+  const auto name_of = [&](const FurtherPicture& picture) {
+    return museum.images.at(picture.image).name;
+  };
+  EXPECT_EQ(name_of(museum.pictures[0]), "images/rim.svg");
+  EXPECT_EQ(name_of(museum.pictures[1]), "images/back.svg");
+  EXPECT_EQ(museum.pictures[1].caption.at("ar"), "الظهر");
+  EXPECT_EQ(museum.pictures[1].exhibit, 0U);
+  for (const Exhibit& exhibit : museum.exhibits)
+    EXPECT_LT(exhibit.image, museum.pictures[0].image) << "the model's have the first indices";
+}
+
 TEST(Compile, TakesWordsThatAMuseumsOwnFileLacksFromThoseThatShip) {
   const MuseumFolder folder;
   folder.write(

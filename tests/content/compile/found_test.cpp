@@ -18,6 +18,9 @@ TEST(Found, SaysHowManyPicturesHaveNoDescription) {
 
   EXPECT_EQ(undescribed_pictures(museum), 1U);
   EXPECT_THAT(found_text(museum, nullptr), EndsWith("; 1 picture has no description"));
+  museum.pictures = {{.exhibit = 0, .image = 0}};
+  EXPECT_THAT(found_text(museum, nullptr), EndsWith("; 2 pictures have no description"));
+  museum.pictures.clear();
   museum.exhibits[1].description.clear();
   EXPECT_THAT(found_text(museum, nullptr), EndsWith("; 2 pictures have no description"));
   for (Exhibit& exhibit : museum.exhibits) exhibit.description = {{"en", "A jar."}};

@@ -40,6 +40,38 @@ TEST(OwnFigure, WalksWithTheClipsAtItsOwnMeasure) {
   EXPECT_EQ(mesh.inverse_bind.size(), mesh.figure_end.size() * joints_of(mesh));
 }
 
+/// A plait of 60 joints: as much of it swings as a frame has time for and a body has matrices.
+TEST(OwnFigure, WearsWhatSwingsAsFarAsThereIsRoom) {
+  const test::TemporaryFolder folder;
+  std::vector<Diagnostic> problems;
+  OwnFigure figure(write(folder, test::make_glb({.is_vrm0 = true,
+                                                 .hair = 60,
+                                                 .springs = R"({"boneGroups":[{"bones":[21]}]})"})),
+                   problems);
+  motion::offline::MotionOptions options;
+  options.give_to_other = [&](Skeleton& skeleton, auto& clips) {
+    return figure.take(skeleton, clips, 1);
+  };
+
+  const MotionGraph graph = motion::offline::compile_motion(shipped_clips(), options, problems);
+  const SkinnedMesh mesh = figure.among_others(graph.skeleton, 1);
+
+  const std::size_t own = mesh.figure_end.size() - 1;
+  const std::span<const ClothNode> nodes = of_figure(mesh.cloth.node, own);
+  EXPECT_EQ(nodes.size(),
+            std::min(character::most_bones_of_a_guide, most_joints - joints_of(mesh)));
+  EXPECT_LE(matrices_of(mesh), most_joints);
+  EXPECT_TRUE(
+      std::ranges::all_of(nodes, [](const ClothNode& n) { return n.kind == ClothKind::Bone; }));
+  std::size_t swinging = 0;
+  for (const SkinnedVertex& v : mesh.vertices)
+    if (v.material == Material::Own) swinging += v.joint[0] >= joints_of(mesh) ? 1 : 0;
+  EXPECT_GT(swinging, 100U);
+  EXPECT_TRUE(std::ranges::any_of(problems, [](const Diagnostic& d) {
+    return d.message.find("bones that swing") != std::string::npos;
+  }));
+}
+
 TEST(OwnFigure, ThatIsNobodyIsRefusedByName) {
   const test::TemporaryFolder folder;
   std::vector<Diagnostic> problems;

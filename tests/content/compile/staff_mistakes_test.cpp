@@ -443,6 +443,66 @@ const std::vector<Mistake>& mistakes() {
        changes(exhibits, "images/disc.svg", "images"),
        1,
        {"hall.toml:5:9: error[bad-path]: 'images' is a folder", "hint: name a file in it"}},
+      {"AFurtherPictureThatIsMissing",
+       changes(exhibits, "title.en = \"Jade disc\"",
+               "pictures = [{image = \"images/dics.svg\"}]\ntitle.en = \"Jade disc\""),
+       1,
+       {"hall.toml:6:22: error[missing-file]", "hint: did you mean 'images/disc.svg'?"}},
+      {"FurtherPicturesWithoutAFirst",
+       changes(exhibits, "image = \"images/disc.svg\"\ntitle.en = \"Jade disc\"",
+               "pictures = [{image = \"images/disc.svg\"}]\ntitle.en = \"Jade disc\""),
+       1,
+       {"hall.toml:5:12: error[missing-field]: exhibit 'jade-disc' has further pictures and no "
+        "first one",
+        "hint: write image = \"images/disc.svg\", and take it out of 'pictures'"}},
+      {"MorePicturesThanOneLeafsThrough",
+       [](const MuseumFolder& m) {
+         std::string list;
+         for (int i = 0; i < 20; ++i) list += "{image = \"images/disc.svg\"}, ";
+         m.replace(exhibits, "title.en = \"Jade disc\"",
+                   "pictures = [" + list + "]\ntitle.en = \"Jade disc\"");
+       },
+       1,
+       {"hall.toml:6:12: error[out-of-range]: exhibit 'jade-disc' has 21 pictures, its own one "
+        "included",
+        "hint: visitors leaf through at most 20"}},
+      {"PicturesAsAListOfFiles",
+       changes(exhibits, "title.en = \"Jade disc\"",
+               "pictures = [\"images/disc.svg\"]\ntitle.en = \"Jade disc\""),
+       1,
+       {"hall.toml:6:12: error[wrong-type]: 'pictures' should be a list of pictures: "
+        "[{image = \"images/...\""}},
+      {"ACaptionInOneLanguage",
+       changes(exhibits, "title.en = \"Jade disc\"",
+               "pictures = [{image = \"images/disc.svg\", caption.en = \"Back\"}]\ntitle.en = "
+               "\"Jade disc\""),
+       1,
+       {"error[missing-translation]: the caption of picture 2 of exhibit 'jade-disc' is not "
+        "translated into 'ar'"}},
+      {"ALongerTextThatIsMissing",
+       changes(exhibits, "text.ar = \"قرص.\"",
+               "text.ar = \"قرص.\"\nmore.ar = \"المزيد\"\nmore_file.en = \"texts/disc.txt\""),
+       1,
+       {"hall.toml:11:16: error[missing-file]: there is no file 'texts/disc.txt'"}},
+      {"ALongerTextTwice",
+       [](const MuseumFolder& m) {
+         m.write("texts/disc.txt", "It was found in a well.\n");
+         m.replace(exhibits, "text.ar = \"قرص.\"",
+                   "text.ar = \"قرص.\"\nmore.en = \"It was found.\"\nmore.ar = \"المزيد\"\n"
+                   "more_file.en = \"texts/disc.txt\"");
+       },
+       1,
+       {"error[bad-value]: exhibit 'jade-disc' has both more.en and more_file.en",
+        "hint: keep one of them"}},
+      {"ALongerTextThatIsNotUtf8",
+       [](const MuseumFolder& m) {
+         m.write("texts/disc.txt", "Found in a well.\nNear the caf\xe9.\n");
+         m.replace(exhibits, "text.ar = \"قرص.\"",
+                   "text.ar = \"قرص.\"\nmore.ar = \"المزيد\"\nmore_file.en = "
+                   "\"texts/disc.txt\"");
+       },
+       1,
+       {"hall.toml:11:16: error[not-utf8]: texts/disc.txt:2 ", "hint: "}},
       {"APictureThatIsMissing",
        changes(exhibits, "disc.svg", "dics.svg"),
        1,

@@ -192,6 +192,14 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"room", [](Museum& m) { m.rooms[0].floor = 2; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].image = 1; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].room = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures[0].image = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures[0].exhibit = 1; }},
+      {"further pictures", [](Museum& m) { m.pictures.resize(FurtherPicture::most); }},
+      {"further pictures",
+       [](Museum& m) {
+         m.exhibits.push_back(m.exhibits.front());
+         m.pictures.insert(m.pictures.begin(), {.exhibit = 1});
+       }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 2; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 0; }},
@@ -250,6 +258,11 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].left = 2; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].keeps_out = 2; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].stiffness = NAN; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[1].kind = ClothKind::Bone; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[0].kind = ClothKind::Count; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[0].root.x = NAN; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.node[0].gravity.y = 2 * most_cloth_gravity; }},
+      {"avatar", [](Museum& m) { m.avatar.cloth.collider[0].from_radius = 2 * most_cloth_radius; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.node[1].damping = 2 * most_cloth_damping; }},
       {"avatar", [](Museum& m) { --m.avatar.cloth.node[1].weight[0]; }},
       {"avatar", [](Museum& m) { m.avatar.cloth.collider[0].joint = 2; }},

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <string>
 
+#include "runtime/scene/side.h"
+
 namespace docent::guide {
 namespace {
 
@@ -65,6 +67,7 @@ TEST(PlacedLabels, CoverNeitherEachOtherNorThePanel) {
     interface::View view =
         view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300, 5000),
                 *rc::gen::inRange<std::size_t>(0, 20), *rc::gen::inRange(1U, 380U));
+    view.readers.bits = static_cast<std::uint8_t>(*rc::gen::inRange(0, 16));
     place_labels(view, overview(), 0);
     std::vector<scene::Rect> grounds;
     for (const interface::FloorLabel& label : view.labels)
@@ -224,6 +227,49 @@ TEST(PlacedLabels, AreAllShownWhereThereIsRoom) {
   place_labels(view, overview(), 0);
 
   for (const interface::FloorLabel& label : view.labels) EXPECT_GT(label.rect.width, 0);
+}
+
+TEST(PlacedLabels, AreReadFromTheNearestEdgeAtWhichPeopleStand) {
+  using scene::Side;
+  for (const unsigned sides : {0b0000U, 0b0001U, 0b0101U, 0b1111U, 0b1010U}) {
+    interface::View view = view_of(40, 5, 380);
+    view.panel = {};
+    view.free = {0, 0, 1, 1};
+    view.readers.bits = static_cast<std::uint8_t>(sides);
+    place_labels(view, overview(), 0);
+
+    for (const interface::FloorLabel& label : view.labels) {
+      if (label.anchor_x < 0) continue;
+      const auto from_edge = [&](Side side) {
+        return 1 - scene::as_seen_from(side, {label.anchor_x, label.anchor_y}).y;
+      };
+      EXPECT_TRUE(sides == 0 ? label.side == Side::Bottom : view.readers.has(label.side));
+      for (const Side side : scene::all_sides)
+        EXPECT_TRUE(!view.readers.has(side) || from_edge(label.side) <= from_edge(side));
+      if (label.rect.width <= 0) continue;
+      EXPECT_NEAR(label.rect.width * 1920,
+                  scene::is_at_end(label.side) ? label.height_px : label.width_px, 0.1);
+    }
+  }
+}
+
+TEST(PlacedLabels, AreNotTurnedToTheEndsWhereTheyWouldReachIntoTheNextGallery) {
+  interface::View view = view_of(0, 0, 380);
+  view.panel = {};
+  view.free = {0, 0, 1, 1};
+  const auto has_turned = [&] {
+    place_labels(view, overview(), 0);
+    return std::ranges::any_of(view.labels, [](const interface::FloorLabel& label) {
+      return scene::is_at_end(label.side);
+    });
+  };
+
+  view.readers.bits = 0b1111;
+  EXPECT_TRUE(has_turned());
+  for (interface::FloorLabel& label : view.labels) label.width_px = 700;
+  EXPECT_FALSE(has_turned());
+  view.readers.bits = 0b1010;
+  EXPECT_TRUE(has_turned()) << "where nobody else is there";
 }
 
 TEST(PlacedLabels, StayWhereTheyAreWhenNothingIsInTheWay) {

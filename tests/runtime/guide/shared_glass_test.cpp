@@ -467,5 +467,33 @@ TEST(Seats, AreAtLeastAHandWideAndLeaveTheModelMostOfTheGlass) {
   }));
 }
 
+TEST(ATable, HasItsNamesAndNumbersTurnedToThoseWhoAreThere) {
+  GuideSettings lying = settings();
+  lying.shape.sides.add(scene::Side::Bottom);
+  lying.shape.sides.add(scene::Side::Top);
+  plan::Planner planner(test::sample_museum(), {test::boxes, {}},
+                        planner_size(test::sample_museum(), lying).avatars,
+                        planner_size(test::sample_museum(), lying).parts);
+  Guide guide(test::sample_museum(), planner, lying);
+  const auto sides = [&] {
+    test::run(planner, guide, 1);
+    static_cast<void>(guide.draw_list());
+    std::set<scene::Side> all;
+    for (const interface::FloorLabel& label : guide.view(0)->labels)
+      if (label.anchor_x >= 0) all.insert(label.side);
+    return all;
+  };
+
+  EXPECT_EQ(sides(), (std::set{scene::Side::Bottom, scene::Side::Top})) << "whoever may come";
+  const interface::View& card = *guide.view(guide.part_of(1));
+  ASSERT_EQ(card.side, scene::Side::Bottom);
+  const scene::Rect join = card.controls.front().rect;
+  for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
+    guide.touch({.kind = kind, .contact = {1, join.x + join.width / 2, join.y + join.height / 2}});
+    test::run(planner, guide, 0.1);
+  }
+  EXPECT_EQ(sides(), std::set{scene::Side::Bottom}) << "somebody is there";
+}
+
 }  // namespace
 }  // namespace docent::guide

@@ -5,6 +5,31 @@
 
 namespace docent::interface {
 
+void add_pictures_and_more(Museum& museum) {
+  museum.pictures.clear();
+  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t further = i % 3 == 0 ? 0 : i % 3 == 1 ? 2 : FurtherPicture::most - 1;
+    for (std::uint32_t n = 0; n < further; ++n)
+      museum.pictures.push_back(
+          {.exhibit = i,
+           .image = museum.exhibits[(i + n) % count].image,
+           .caption = n % 2 == 0 ? museum.exhibits[n % count].title : LocalText{},
+           .description = n % 2 == 1 ? museum.exhibits[n % count].description : LocalText{}});
+    Exhibit& exhibit = museum.exhibits[i];
+    exhibit.more.clear();
+    if (i % 2 == 0) continue;
+    for (const auto& [tag, text] : exhibit.text)
+      for (int paragraph = 0; paragraph < 8; ++paragraph) exhibit.more[tag] += text + "\n";
+  }
+}
+
+void look_closer(InterfaceState& state) {
+  if (*rc::gen::arbitrary<bool>())
+    state.picture = static_cast<std::uint8_t>(*rc::gen::inRange<std::size_t>(0, 20));
+  state.tells_more = *rc::gen::arbitrary<bool>();
+}
+
 directions::Directions any_directions(const Museum& museum) {
   using namespace directions;
   const auto rooms = static_cast<std::uint32_t>(museum.rooms.size());
@@ -61,6 +86,7 @@ ViewRequest any_request(const Museum& museum) {
     state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum.places.size()));
   else
     state.seeks = museum.places[*rc::gen::inRange<std::size_t>(0, museum.places.size())].kind;
+  look_closer(state);
   if (state.exhibit && *rc::gen::arbitrary<bool>())
     state.tour = TourWalk{0, *rc::gen::inRange(0U, 7U)};
   if (*rc::gen::arbitrary<bool>()) {

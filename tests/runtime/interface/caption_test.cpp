@@ -50,6 +50,27 @@ TEST(Caption, ShowsAllThatIsSaidPageByPage) {
   }
 }
 
+TEST(Caption, TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes) {
+  Museum spoken = museum();
+  const Exhibit& exhibit = spoken.exhibits[0];
+  for (std::string& piece : spoken_pieces(spoken, 0)) {
+    const bool is_title = exhibit.title.at("en").starts_with(piece);
+    spoken.speech.push_back({.language = 0,
+                             .text = std::move(piece),
+                             .made_of = {},
+                             .samples = (is_title ? 30 : 2) * SpeechSound::rate,
+                             .packets = {}});
+  }
+  PieceCache cache({boxes, {}}, 1, 1 << 20);
+  const ViewRequest request = said(SpeechPart::Kind::Opening, Screen::Arrived);
+  const auto view = make_caption(spoken, request, cache);
+
+  ASSERT_GE(view->remaining.size(), 2U);
+  const CountedText& second = view->remaining[view->remaining.size() - 2];
+  EXPECT_LT(second.metres, 4.0F / 30) << "the title takes nearly all of the time";
+  EXPECT_GT(second.metres, 0);
+}
+
 TEST(Caption, CoversNothingThatCanBeTouched) {
   for (const Screen screen : {Screen::Welcome, Screen::Choosing, Screen::Walking, Screen::Arrived})
     for (const bool larger : {false, true})

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runtime/interface/face.h"
+#include "tests/runtime/interface/any_request.h"
 #include "tests/support/sample_museum.h"
 
 namespace docent::interface {
@@ -359,6 +360,17 @@ TEST(ControlGraph, KnowsWhichNamesExist) {
   EXPECT_TRUE(is_control_name(museum, "exhibit:" + museum.exhibits.back().id));
   EXPECT_FALSE(is_control_name(museum, "exhibit:mona-lisa"));
   EXPECT_FALSE(is_control_name(museum, ""));
+}
+
+TEST(ControlGraph, KnowsWhatLeafsAndTellsMoreWhereThereIsAnythingToSee) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.pictures.clear();
+  for (Exhibit& exhibit : museum.exhibits) exhibit.more.clear();
+  for (const char* name : {"picture:next", "picture:previous", "more", "less"})
+    EXPECT_FALSE(is_control_name(museum, name)) << name;
+  add_pictures_and_more(museum);
+  for (const char* name : {"picture:next", "picture:previous", "more", "less"})
+    EXPECT_TRUE(is_control_name(museum, name)) << name;
 }
 
 TEST(ControlGraph, EveryEnabledControlLeadsToAStateWithControls) {

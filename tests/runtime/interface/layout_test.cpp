@@ -10,6 +10,7 @@
 
 #include "runtime/interface/seats.h"
 #include "runtime/scene/side.h"
+#include "tests/runtime/interface/any_request.h"
 #include "tests/runtime/interface/boxes.h"
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
@@ -32,6 +33,7 @@ const Museum& museum() {
     Museum museum = test::sample_museum_without_walls();
     museum.connections = {{.id = "stairs", .stops = {}},
                           {.id = "escalator", .kind = ConnectionKind::Escalator, .stops = {}}};
+    add_pictures_and_more(museum);
     return museum;
   }();
   return it;
@@ -63,6 +65,7 @@ ViewRequest any_request() {
     request.state.place = *rc::gen::inRange(0U, static_cast<std::uint32_t>(museum().places.size()));
     request.state.seeks = PlaceKind::Toilets;
   }
+  look_closer(request.state);
   request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::OwnTour);
   for (auto collected = *rc::gen::inRange(request.state.lists == Listed::OwnTour ? 1 : 0, 20);
        collected > 0; --collected)
@@ -394,6 +397,47 @@ TEST(AClosedExhibit, SaysUntilWhenInTheListAndOnACard) {
                        exhibits_per_page(request.shape, request.state);
 
   EXPECT_THAT(texts_of(request, first_closed()), Contains(HasSubstr("Closed until 5 p.m.")));
+}
+
+TEST(LeafingThroughPictures, DecodesTheOneThatIsSeenAloneAndLeavesTheButtonsInPlace) {
+  Museum shown = museum();
+  shown.pictures.clear();
+  std::vector<std::uint32_t> images{shown.exhibits[0].image};
+  for (std::uint32_t i = 1; i < 4; ++i) {  // of different shapes, with captions of any length
+    images.push_back(static_cast<std::uint32_t>(shown.images.size()));
+    shown.images.push_back(
+        {.name = "further", .width = 400 + 300 * i, .height = 1600 - 300 * i, .bytes = {}});
+    shown.pictures.push_back(
+        {.exhibit = 0, .image = images.back(), .caption = shown.exhibits[i].text});
+  }
+  ViewRequest request;
+  request.state.screen = Screen::Arrived;
+  request.state.arrived = true;
+  request.state.exhibit = 0;
+  for (const bool is_upright : {false, true}) {
+    request.shape.width = is_upright ? 1080 : 1920;
+    request.shape.height = is_upright ? 1920 : 1080;
+    std::set<std::pair<float, float>> places;
+    for (std::uint8_t picture = 0; picture < 4; ++picture) {
+      request.state.picture = picture;
+      std::set<std::uint32_t> decoded;
+      const auto note = [&](std::uint32_t image, std::uint32_t width, std::uint32_t height) {
+        decoded.insert(image);
+        return plain(image, width, height);
+      };
+      PieceCache cache({boxes, note}, 1, 1 << 20);
+      const auto view = make_view(shown, request, cache);
+      const auto next = std::ranges::find(view->controls, "picture:next", &Control::name);
+      ASSERT_NE(next, view->controls.end());
+      places.emplace(next->rect.x, next->rect.y);
+
+      for (std::uint8_t other = 0; other < 4; ++other)
+        if (other != picture)
+          EXPECT_THAT(decoded, Not(Contains(images[other]))) << "beside picture " << int{picture};
+      EXPECT_THAT(decoded, Contains(images[picture]));
+    }
+    EXPECT_EQ(places.size(), 1U) << "a finger can stay where it is";
+  }
 }
 
 TEST(AnExhibitWithoutAPicture, IsDescribedWhereThePictureWouldBe) {

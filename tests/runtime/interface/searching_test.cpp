@@ -288,7 +288,7 @@ TEST(TheSearchScreen, SaysTheLetterAndHowMuchIsFoundAndWhatEveryKeyIs) {
   const auto view = laid_out(request);
 
   EXPECT_EQ(text_of(view->speech.opening), "p. Found 1.");
-  EXPECT_TRUE(view->speech.is_typed) << "the focus stays on the key";
+  EXPECT_TRUE(view->speech.keeps_focus) << "the focus stays on the key";
   std::vector<std::string> said;
   for (const Utterance& control : view->speech.controls) said.push_back(text_of(control));
   EXPECT_THAT(said, Contains(HasSubstr("Bronze Tripod")));

@@ -28,6 +28,7 @@ const Museum& museum() {
     above.plan.name = "upper";
     above.title = {{"en", "Upper floor"}};
     all.floors.push_back(above);
+    add_pictures_and_more(all);
     return all;
   }();
   return it;
@@ -121,6 +122,86 @@ TEST(Speech, DescribesThePictureAfterTheTitle) {
   EXPECT_EQ(text_of(speech_of(described, request, {}, {}, nullptr).opening),
             "Jar. A red jar with two handles. It held millet.");
   EXPECT_THAT(spoken_pieces(described, 0), Contains("A red jar with two handles"));
+}
+
+/// At an exhibit with three pictures and a longer text.
+struct CloserLook {
+  CloserLook() {
+    Exhibit& jar = shown.exhibits[0];
+    jar.title = {{"en", "Jar"}};
+    jar.description = {{"en", "A red jar with two handles."}};
+    jar.text = {{"en", "It held millet."}};
+    jar.more = {{"en", "It was buried.\n\nIt was found."}};
+    shown.pictures = {{.exhibit = 0,
+                       .image = shown.exhibits[1].image,
+                       .caption = {{"en", "The mouth"}},
+                       .description = {{"en", "A ring of soot."}}},
+                      {.exhibit = 0, .image = shown.exhibits[2].image}};
+    state.screen = Screen::Arrived;
+    state.arrived = true;
+    state.exhibit = 0;
+  }
+  /// What is said once the control of that name has been pressed.
+  std::string press(std::string_view name) {
+    for (const Control& control : controls_of(shown, state, 6))
+      if (control.name == name) {
+        state = after(state, control.action);
+        return said();
+      }
+    return "there is no such control";
+  }
+  [[nodiscard]] std::string said() const {
+    ViewRequest request;
+    request.state = state;
+    return text_of(speech_of(shown, request, {}, {}, nullptr).opening);
+  }
+
+  Museum shown = museum();
+  InterfaceState state;
+};
+
+TEST(ACloserLook, LeafsRoundAndRoundThroughThePicturesAndSaysWhichOneIsSeen) {
+  CloserLook look;
+
+  EXPECT_EQ(look.said(), "Jar. Picture 1 of 3. A red jar with two handles. It held millet.");
+  EXPECT_EQ(look.press("picture:next"), "Picture 2 of 3. The mouth. A ring of soot.");
+  EXPECT_EQ(look.press("picture:next"), "Picture 3 of 3.");
+  EXPECT_EQ(look.press("picture:next"), "Picture 1 of 3. A red jar with two handles.");
+  EXPECT_EQ(look.press("picture:previous"), "Picture 3 of 3.");
+}
+
+TEST(ACloserLook, KeepsTheFocusWhereOneLeafs) {
+  CloserLook look;
+  const auto keeps_focus = [&] {
+    ViewRequest request;
+    request.state = look.state;
+    return speech_of(look.shown, request, {}, {}, nullptr).keeps_focus;
+  };
+
+  EXPECT_FALSE(keeps_focus()) << "the exhibit is read from its beginning";
+  look.press("picture:next");
+  EXPECT_TRUE(keeps_focus());
+}
+
+TEST(ACloserLook, ReadsTheLongerTextLineByLineAndComesBack) {
+  CloserLook look;
+
+  look.press("picture:next");
+  EXPECT_EQ(look.press("more"), "Jar. It was buried. It was found.");
+  EXPECT_THAT(spoken_pieces(look.shown, 0), Contains("It was found"));
+  EXPECT_EQ(look.press("picture:next"), "there is no such control");
+  EXPECT_EQ(look.press("less"), "Jar. Picture 1 of 3. A red jar with two handles. It held millet.");
+}
+
+TEST(ACloserLook, BeginsAtTheFirstPictureOfTheNextExhibit) {
+  CloserLook look;
+  look.press("picture:next");
+  look.press("more");
+
+  look.state = after(look.state, {Action::Kind::Choose, 1});
+
+  EXPECT_FALSE(look.state.picture);
+  EXPECT_FALSE(look.state.tells_more);
 }
 
 TEST(Speech, TellsOnTheWayTheThreeSentencesAndThenTheText) {

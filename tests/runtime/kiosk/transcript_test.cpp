@@ -38,6 +38,28 @@ TEST(Transcript, IsWrittenOfAVisitWithHeadphonesAndAFrameAllocatesNothing) {
   EXPECT_EQ(test::number_in(test::text_of(run.file("stats.json")), "allocations_in_frames"), 0);
 }
 
+TEST(Transcript, IsOfAVisitorWhoLeafsThroughPicturesAndReadsMoreByKeysAlone) {
+  const test::VisitRun run(
+      "0.5 tap @exhibit:owl-vessel\n60 headphones in\n61 key DOWN\n62 key ENTER\n66 key ENTER\n"
+      "70 tap @more\n75 key HELP\n80 tap @less\n82 quit\n");
+
+  const test::ProgramRun played = run.play("--speech '" + run.file("said.csv").string() +
+                                           "' --stats '" + run.file("stats.json").string() + "'");
+
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+  const std::string said = test::text_of(run.file("said.csv"));
+  std::size_t at = 0;
+  for (const char* next :
+       {"picture:next,en,Next picture. button.", "Picture 2 of 4. The head lifts off",
+        "Picture 3 of 4. Each wing is a coiled snake.", "Owl Wine Vessel. The owl was cast",
+        "The guide has arrived.", "Owl Wine Vessel. Picture 1 of 4."}) {
+    const std::size_t found = said.find(next, at);
+    ASSERT_NE(found, std::string::npos) << next << " in\n" << said;
+    at = found;
+  }
+  EXPECT_EQ(test::number_in(test::text_of(run.file("stats.json")), "allocations_in_frames"), 0);
+}
+
 TEST(Transcript, IsEmptyWhereNobodyWantsToHear) {
   const test::VisitRun run("1 key ENTER\n2 key DOWN\n3 quit\n");
 

@@ -1,0 +1,105 @@
+#include "config/exhibit_media.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "platform/file/read_file.h"
+#include "platform/file/text_encoding.h"
+
+namespace docent::config {
+namespace {
+
+class MediaReader {
+ public:
+  MediaReader(MuseumConfig& config, MuseumPaths& paths, std::vector<Diagnostic>& diagnostics)
+      : config_(config), paths_(paths), diagnostics_(diagnostics) {}
+
+  /// One leafs on from the exhibit's own picture.
+  void check_pictures(const ExhibitSection& exhibit) {
+    const std::vector<PictureSection>& pictures = exhibit.pictures.value;
+    if (pictures.empty()) return;
+    if (config_.sources.empty() && !exhibit.image.given && exhibit.image.value.empty() &&
+        exhibit.image.place.range == exhibit.place.range)
+      error(exhibit.pictures.place, "missing-field",
+            fmt::format("exhibit '{}' has further pictures and no first one", exhibit.id.value), {},
+            fmt::format("write image = \"{}\", and take it out of 'pictures'",
+                        pictures.front().image.value));
+    if (pictures.size() < FurtherPicture::most) return;
+    error(exhibit.pictures.place, "out-of-range",
+          fmt::format("exhibit '{}' has {} pictures, its own one included", exhibit.id.value,
+                      pictures.size() + 1),
+          {}, fmt::format("visitors leaf through at most {}", FurtherPicture::most));
+  }
+
+  /// Puts what the files of `more_file` hold among the texts of `more`.
+  void read_more(ExhibitSection& exhibit) {
+    for (auto& [tag, name] : exhibit.more_file.value) {
+      if (!name.given) continue;
+      if (exhibit.more.value.contains(tag)) {
+        error(name.place, "bad-value",
+              fmt::format("exhibit '{}' has both more.{} and more_file.{}", exhibit.id.value, tag,
+                          tag),
+              {}, "keep one of them");
+        continue;
+      }
+      Located<std::string> text = name;
+      if (!read_text(name, text.value)) continue;
+      exhibit.more.value.emplace(tag, std::move(text));
+      if (!exhibit.more.given) exhibit.more.place = exhibit.more_file.place;
+      exhibit.more.given = true;
+    }
+  }
+
+ private:
+  void error(const Place& place, std::string code, std::string message, std::string label,
+             std::string hint) {
+    diagnostics_.push_back(diagnostic_at(config_, place, std::move(code), std::move(message),
+                                         std::move(label), std::move(hint)));
+  }
+
+  /// The text of a file that staff name; false where it cannot be read, which is told.
+  bool read_text(const Located<std::string>& name, std::string& text) {
+    constexpr std::size_t largest = 60'000;  // bytes
+    if (auto fault = paths_.fault(name.value)) {
+      error(name.place, std::move(fault->code), std::move(fault->message), std::move(fault->label),
+            std::move(fault->hint));
+      return false;
+    }
+    Result<std::string> bytes = file::read_file(config_.folder / name.value, largest);
+    if (!bytes) {
+      error(name.place, "unreadable-file", bytes.error().what, {},
+            fmt::format("a text for visitors has at most {} bytes", largest));
+      return false;
+    }
+    if (auto fault = file::encoding_fault(*bytes)) {
+      const std::string where = fault->line > 0 ? fmt::format(":{}", fault->line) : "";
+      error(name.place, "not-utf8", fmt::format("{}{} {}", name.value, where, fault->message), {},
+            std::move(fault->hint));
+      return false;
+    }
+    text = file::without_byte_order_mark(*bytes);
+    std::erase(text, '\r');
+    while (text.ends_with('\n')) text.pop_back();
+    return true;
+  }
+
+  MuseumConfig& config_;
+  MuseumPaths& paths_;
+  std::vector<Diagnostic>& diagnostics_;
+};
+
+}  // namespace
+
+void read_exhibit_media(MuseumConfig& config, MuseumPaths& paths,
+                        std::vector<Diagnostic>& diagnostics) {
+  MediaReader reader(config, paths, diagnostics);
+  for (ExhibitSection& exhibit : config.exhibits) {
+    reader.check_pictures(exhibit);
+    reader.read_more(exhibit);
+  }
+}
+
+}  // namespace docent::config

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "config/museum_config.h"
+#include "config/museum_path.h"
+
+namespace docent::config {
+
+/// Puts what the files of `more_file` hold among the texts of `more`, and looks whether exhibits
+/// with further pictures have a first one, and no more than one leafs through. Appends what cannot
+/// be: a file that is not there, or is no text in UTF-8; a text that is given twice.
+void read_exhibit_media(MuseumConfig& config, MuseumPaths& paths,
+                        std::vector<Diagnostic>& diagnostics);
+
+}  // namespace docent::config

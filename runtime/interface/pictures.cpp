@@ -1,0 +1,33 @@
+#include "runtime/interface/pictures.h"
+
+#include <algorithm>
+#include <span>
+
+namespace docent::interface {
+
+std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept {
+  return 1 + further_pictures(museum, exhibit).size();
+}
+
+ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
+                           std::uint32_t exhibit) noexcept {
+  const Exhibit& of_it = museum.exhibits[exhibit];
+  const std::span<const FurtherPicture> further = further_pictures(museum, exhibit);
+  ShownPicture shown{
+      .image = of_it.image, .count = 1 + further.size(), .description = &of_it.description};
+  const std::size_t leafed = state.exhibit == exhibit ? state.picture.value_or(0) : 0;
+  if (leafed == 0 || leafed > further.size()) return shown;
+  const FurtherPicture& picture = further[leafed - 1];
+  shown.image = picture.image;
+  shown.number = leafed + 1;
+  if (!picture.caption.empty()) shown.caption = &picture.caption;
+  shown.description = &picture.description;
+  return shown;
+}
+
+bool reads_more(const Museum& museum, const InterfaceState& state) noexcept {
+  return state.tells_more && state.exhibit && *state.exhibit < museum.exhibits.size() &&
+         !museum.exhibits[*state.exhibit].more.empty();
+}
+
+}  // namespace docent::interface

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/interface/control.h"
+
+namespace docent::interface {
+
+/// One of an exhibit's pictures, and what is said of it. Borrows from the museum.
+struct ShownPicture {
+  std::uint32_t image = 0;                 ///< Index into Museum::images.
+  std::size_t number = 1, count = 1;       ///< Which it is of how many, from 1.
+  const LocalText* caption = nullptr;      ///< Null: none.
+  const LocalText* description = nullptr;  ///< Never null.
+};
+
+/// That which a visitor in this state sees of an exhibit: the first, until they leaf on.
+ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
+                           std::uint32_t exhibit) noexcept;
+
+/// How many there are to leaf through; at least 1.
+std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept;
+
+/// Does the visitor read the longer text of the exhibit that they are at?
+bool reads_more(const Museum& museum, const InterfaceState& state) noexcept;
+
+}  // namespace docent::interface
