@@ -207,7 +207,8 @@ void place_afar(const interface::View& view, interface::FloorLabel& label,
   label.rect = around(label.anchor_x, label.anchor_y, label.lying_width() / view.pixel_width,
                       label.lying_height() / view.pixel_height);
   const scene::Rect at = label.rect, room = room_of(view, label);
-  const float ring_px = std::max(0.4F * view.spot_px, 0.8F * room.height * view.pixel_height);
+  const float least = std::min(room.width * view.pixel_width, room.height * view.pixel_height);
+  const float ring_px = std::max(0.4F * view.spot_px, 0.8F * least);
   for (int ring = 1; ring <= most_rings; ++ring)
     for (int i = 0; i < directions; ++i) {
       const auto turn =

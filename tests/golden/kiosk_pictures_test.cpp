@@ -162,5 +162,25 @@ TEST(ASharedGlass, LooksAsItWasSeenAndApproved) {
   for (const char* name : {"quiet.png", "visitors.png"}) expect_approved(run.file(name), name);
 }
 
+/// Four visitors search, each with the keyboard of their language on their own card.
+TEST(ASharedGlass, IsSearchedOnEachCard) {
+  const VisitRun run(
+      "1 tap 0.12 0.9\n1 tap 0.38 0.9\n1 tap 0.62 0.9\n1 tap 0.88 0.9\n"
+      "2 tap @look:rose seat 1\n2 tap @language:zh seat 2\n2 tap @look:sky seat 2\n"
+      "2 tap @look:teal seat 3\n2 tap @language:ar seat 4\n2 tap @look:plum seat 4\n"
+      "3 tap @search seat 1\n3 tap @search seat 2\n3 tap @search seat 3\n3 tap @search seat 4\n"
+      "3.5 tap @key:j seat 1\n3.7 tap @key:a seat 1\n3.9 tap @key:d seat 1\n"
+      "3.5 tap @key:q seat 2\n3.7 tap @key:i seat 2\n"
+      "6 shot search-cards.png\n7 quit\n");
+  std::ofstream(run.file("kiosk.toml")) << "screen_inches = 55\nvisitors = 4\n";
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(run.file("a.visit").parent_path());
+  const ProgramRun played = run.play("--config kiosk.toml", "1280x720");
+  std::filesystem::current_path(here);
+  ASSERT_EQ(played.exit_code, 0) << played.err;
+
+  expect_approved(run.file("search-cards.png"), "search-cards.png");
+}
+
 }  // namespace
 }  // namespace docent::test

@@ -109,11 +109,13 @@ TEST(PlacedLabels, ThatLieFurtherAwayHaveALineThatCrossesNothing) {
         view_of(*rc::gen::element<std::size_t>(1, 25, 100, 300),
                 *rc::gen::inRange<std::size_t>(0, 60), *rc::gen::inRange(1U, 380U));
     view.unit_px = *rc::gen::element(8.0F, 11.0F);
+    view.readers.bits = static_cast<std::uint8_t>(*rc::gen::inRange(0, 16));
     place_labels(view, overview(), 0);
     for (std::size_t i = 0; i < view.labels.size(); ++i) {
       const interface::FloorLabel& led = view.labels[i];
       if (!led.is_led) continue;
       RC_ASSERT(led.rect.width > 0 && !led.on_disc);
+      RC_ASSERT(std::abs(led.rect.width * view.pixel_width - led.lying_width()) < 0.01F);
       Leader line = leader_of(view, led);
       // Its beginning may lie below what has taken its place.
       const Leader whole = line;
