@@ -13,6 +13,8 @@ namespace {
 constexpr double hands_apart = 0.72;   ///< Metres between two who shake hands, as large as life...
 constexpr double bodies_apart = 0.12;  ///< ... and between their circles.
 constexpr double elbow_room = 0.12;    ///< Metres more than their circle, from walls and others.
+constexpr double off_by = 0.05;        ///< Metres by which they may stand nearer, or further...
+constexpr double facing = 0.98;        ///< ... and cosine of what they may look past each other.
 constexpr double patience = 45;        ///< Seconds for which they try to come together.
 constexpr double shaken_for = 1.5;     ///< Seconds.
 constexpr double parting_for = 0.5;    ///< Seconds.
@@ -48,6 +50,15 @@ float shoulder_height(const Avatar& avatar) noexcept {
 
 bool is_there(const Agent& one) noexcept {
   return one.has_arrived && !one.awaits_answer && stands(one.avatar);
+}
+
+/// Do their hands meet? Who is held up for long is content nearby, and has arrived there.
+bool are_face_to_face(const Placement& one, const Placement& other, double apart) noexcept {
+  const Vec2 line = other.position - one.position;
+  const double length = glm::length(line);
+  return std::abs(length - apart) < off_by &&
+         glm::dot(direction(one.heading), line) > facing * length &&
+         glm::dot(direction(other.heading), -line) > facing * length;
 }
 
 bool has_no_way(const Agent& one) noexcept {
@@ -110,7 +121,7 @@ void Handshakes::wish(std::size_t session, std::uint32_t guide, std::span<Sessio
   const std::uint32_t own = *sessions[session].guide();
   if (other == session) return;
   crowd.wave(own, eyes_of(museum_, crowd[guide].avatar));
-  wishes_[session] = {other, wished_for};
+  wishes_[session] = {other, own, guide, wished_for};
   const bool both_wish = wishes_[other].of == session && wishes_[other].left > 0;
   if (sessions[other].is_under_way() && !both_wish) return;
   if (begin(session, other, sessions, size, planner, crowd))
@@ -138,13 +149,24 @@ bool Handshakes::begin(std::size_t one, std::size_t other, std::span<Session> se
   if (!places) return false;
   sessions[one].meet((*places)[0]);
   sessions[other].meet((*places)[1]);
-  shakes_.push_back({.session = {one, other}, .guide = guide});
+  shakes_.push_back({.session = {one, other}, .guide = guide, .apart = apart});
   return true;
+}
+
+/// In time, and as soon as either visitor has gone: whoever sits there now has wished nothing.
+void Handshakes::forget_wishes(double seconds, std::span<const Session> sessions) noexcept {
+  for (std::size_t k = 0; k < sessions.size() && k < wishes_.size(); ++k) {
+    Wish& wish = wishes_[k];
+    wish.left = std::max(0.0, wish.left - seconds);
+    if (wish.left > 0 &&
+        (sessions[k].guide() != wish.own || sessions[wish.of].guide() != wish.guide))
+      wish.left = 0;
+  }
 }
 
 void Handshakes::step(double seconds, std::span<Session> sessions, const DrawnSize& size,
                       Crowd& crowd) noexcept {
-  for (Wish& wish : wishes_) wish.left = std::max(0.0, wish.left - seconds);
+  forget_wishes(seconds, sessions);
   for (Handshake& it : shakes_) {
     it.since += seconds;
     const auto both = [&](auto is) { return is(0) && is(1); };
@@ -158,7 +180,10 @@ void Handshakes::step(double seconds, std::span<Session> sessions, const DrawnSi
             !both([&](std::size_t k) { return !has_no_way(crowd[it.guide[k]]); }))
           next(Handshake::Phase::Parting);
         else if (both([&](std::size_t k) { return is_there(crowd[it.guide[k]]); }))
-          next(Handshake::Phase::Together);
+          next(are_face_to_face(crowd[it.guide[0]].avatar.body, crowd[it.guide[1]].avatar.body,
+                                it.apart)
+                   ? Handshake::Phase::Together
+                   : Handshake::Phase::Parting);
         break;
       case Handshake::Phase::Together:
         // Who is asked to make room for somebody lets go.

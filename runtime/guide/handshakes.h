@@ -20,6 +20,7 @@ struct Handshake {
   enum class Phase : std::uint8_t { Coming, Together, Parting };
   std::array<std::size_t, 2> session{};  ///< Whose guides they are.
   std::array<std::uint32_t, 2> guide{};
+  double apart = 0;  ///< Metres between the places where they stand to shake hands.
   Phase phase = Phase::Coming;
   double since = 0;  ///< Seconds in this phase.
 };
@@ -64,11 +65,13 @@ class Handshakes {
 
  private:
   struct Wish {
-    std::size_t of = 0;  ///< Session whose guide is meant.
-    double left = 0;     ///< Seconds.
+    std::size_t of = 0;                ///< Session whose guide is meant.
+    std::uint32_t own = 0, guide = 0;  ///< Whom both had then: a seat outlasts its visitor.
+    double left = 0;                   ///< Seconds.
   };
   bool begin(std::size_t one, std::size_t other, std::span<Session> sessions, const DrawnSize& size,
              const plan::Planner& planner, Crowd& crowd) noexcept;
+  void forget_wishes(double seconds, std::span<const Session> sessions) noexcept;
   void shake(const Handshake& it, const DrawnSize& size, Crowd& crowd) const noexcept;
 
   const Museum& museum_;

@@ -50,6 +50,7 @@ bool Session::is_out() const noexcept {
 
 double Session::remaining() const noexcept {
   if (!guide_) return 0;
+  if (left_to_walk_) return *left_to_walk_;
   const Avatar& avatar = agent().avatar;
   const plan::Plan& plan = *avatar.plan;
   if (const plan::Ride* ride = ride_of(avatar))
@@ -306,6 +307,7 @@ void Session::lead(const Errand& errand) noexcept {
 
 void Session::order(const Errand& errand) noexcept {
   if (!guide_) return;
+  if (errand != waiting_errand_) left_to_walk_.reset();
   errand_ = errand;
   ends_aside_ = false;
   route_summary_.reset();
@@ -332,6 +334,7 @@ bool Session::can_meet() const noexcept {
 
 void Session::meet(const Placement& place) noexcept {
   waiting_errand_ = errand_;
+  left_to_walk_ = remaining();
   stood_ = agent().avatar.body;
   errand_ = {.kind = Errand::Kind::Meet};
   context_.crowd.send(*guide_, agent().avatar.floor, place, RouteKind::Shortest, state_.ways);
@@ -352,6 +355,7 @@ void Session::go_home() noexcept {
   if (guide_ && is_out() && errand_.kind != Errand::Kind::Home) order({.kind = Errand::Kind::Home});
   if (!state_.seat) return;
   guide_.reset();
+  left_to_walk_.reset();
   errand_ = {};
   route_summary_.reset();
   vacant_seconds_ = 0;
@@ -417,6 +421,7 @@ void Session::take_way() noexcept {
 void Session::step(float seconds, float absent_after) noexcept {
   turn_object(seconds);
   take_way();
+  go_on_after_meeting();
   step_aside();
   notice_arrival();
   notice_absence(seconds, absent_after);
@@ -425,6 +430,12 @@ void Session::step(float seconds, float absent_after) noexcept {
   gestures_.advance(seconds);
   overlay_.advance(seconds);
   speak(seconds);
+}
+
+/// Until the plan of the way to its goal is walked, what is left of a plan is the meeting's.
+void Session::go_on_after_meeting() noexcept {
+  if (!guide_ || is_meeting() || !agent().is_on_its_way || agent().avatar.next) return;
+  left_to_walk_.reset();
 }
 
 /// Near the end of its way the guide turns to a place beside it, so that it hides nothing.

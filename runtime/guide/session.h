@@ -101,7 +101,7 @@ class Session {
   /// Does the glass show the state that the visitor asked for?
   bool shows_its_state() const noexcept;
   bool is_vacant() const noexcept { return state_.screen == interface::Screen::Welcome; }
-  /// Metres that the guide still has to walk.
+  /// Metres that the guide still has to walk to where it leads its visitor.
   double remaining() const noexcept;
   /// How many ways were begun so far.
   std::uint64_t routes() const noexcept { return routes_; }
@@ -115,6 +115,7 @@ class Session {
   void go_home() noexcept;
   void begin_visit() noexcept;
   void take_way() noexcept;
+  void go_on_after_meeting() noexcept;
   void step_aside() noexcept;
   void turn_object(float seconds) noexcept;
   bool has_turned(const input::Finger& finger) const noexcept;
@@ -137,6 +138,8 @@ class Session {
   Errand errand_;
   Errand waiting_errand_{};  ///< What is gone on with after a meeting, ...
   Placement stood_{};        ///< ... and where it stood before.
+  /// What was left to walk when it went to meet another, until it goes on.
+  std::optional<double> left_to_walk_{};
   bool ends_aside_ = false;
   std::optional<interface::RouteSummary> route_summary_;  ///< Of the errand, once it is planned.
   input::GestureRecogniser gestures_;

@@ -61,6 +61,12 @@ class TwoVisitors {
   void run(double seconds) {
     run(seconds, [] {});
   }
+  /// Runs until something is so, for so many seconds at most. False where it never was.
+  template <typename Is>
+  bool run_until(double most, Is is) {
+    for (double seconds = 0; seconds < most && !is(); seconds += frame_) run(frame_);
+    return is();
+  }
   void tap(float x, float y) {
     guide_.touch({.kind = input::InputEvent::Kind::Down, .contact = {1, x, y}});
     run(0.05);
@@ -104,6 +110,13 @@ class TwoVisitors {
     return ground + scale * Vec3{1, build, 1} * (palm(it) - ground);
   }
   float largest() const { return largest_; }
+  bool both_hold() { return holds(avatar(0).manner) && holds(avatar(4).manner); }
+  /// Does any card say that the goal is nearly reached?
+  bool says_nearly_there() const {
+    const std::string_view words = interface::word(guide_.museum(), 0, "nearly_there");
+    return std::ranges::any_of(guide_.on_glass(),
+                               [&](const auto& item) { return item.label == words; });
+  }
   const Avatar& avatar(std::uint32_t who) { return guide_.crowd()[who].avatar; }
   Guide& guide() { return guide_; }
   double frame() const { return frame_; }
@@ -188,6 +201,124 @@ TEST(Handshakes, AreGivenUpByWhoIsToldSomethingElse) {
   EXPECT_FALSE(has_shaken);
   EXPECT_TRUE(two.guide().state(two.guide().part_of(2)).arrived);
   EXPECT_FALSE(holds(two.avatar(4).manner));
+}
+
+TEST(Handshakes, LeaveTheCardAtWhatIsLeftOfTheWay) {
+  TwoVisitors two;
+  two.choose(2);
+  two.run(1.5);
+  two.touch_guide(1, 4);
+  two.touch_guide(2, 0);
+  bool is_near = two.says_nearly_there();
+  ASSERT_TRUE(
+      two.run_until(40, [&] { return is_near |= two.says_nearly_there(), two.both_hold(); }));
+  two.run(4, [&] { is_near |= two.says_nearly_there(); });  // and sets out again
+
+  EXPECT_FALSE(is_near);
+  EXPECT_TRUE(two.run_until(60, [&] { return two.says_nearly_there(); }));
+}
+
+TEST(Handshakes, AreNotWishedByWhoTakesTheSeatOfSomebodyWhoWishedOne) {
+  TwoVisitors two;
+  two.choose(2);
+  two.run(1.5);
+  two.touch_guide(1, 4);
+  two.tap(1, "home");
+  two.run(1);
+  two.sit_down(1, 2);
+  two.choose(1);
+  two.run(1.5);
+  two.touch_guide(2, 2);
+  bool has_shaken = false;
+  two.run(60, [&] { has_shaken |= holds(two.avatar(2).manner) || holds(two.avatar(4).manner); });
+
+  EXPECT_FALSE(has_shaken);
+  EXPECT_TRUE(two.guide().state(two.guide().part_of(1)).arrived);
+}
+
+TEST(Handshakes, EndWhenAVisitorLeavesAndTheOtherGuideWalksOn) {
+  TwoVisitors two;
+  two.choose(2);
+  two.run(1.5);
+  two.touch_guide(1, 4);
+  two.touch_guide(2, 0);
+  ASSERT_TRUE(two.run_until(40, [&] { return two.both_hold(); }));
+  two.tap(1, "home");
+  two.run(1);
+
+  EXPECT_FALSE(holds(two.avatar(0).manner));
+  EXPECT_FALSE(holds(two.avatar(4).manner));
+  EXPECT_TRUE(two.run_until(60, [&] { return two.guide().state(two.guide().part_of(2)).arrived; }));
+  EXPECT_FALSE(holds(two.avatar(4).manner));
+}
+
+/// Two visitors' guides, three metres apart and face to face, and a body that makes room for nobody
+/// and is not there yet.
+class TwoGuides {
+ public:
+  static constexpr std::uint32_t obstinate = 2;
+
+  TwoGuides() {
+    for (const Placement& home : homes_) crowd_.add(museum_.kiosk_floor, home, 100, 1);
+    crowd_.add(museum_.kiosk_floor, museum_.kiosk, 1e9, 1);
+    crowd_.leave(obstinate);
+    sessions_.reserve(3);
+    sessions_.emplace_back(context_, 0, interface::InterfaceState{}, std::nullopt);
+    for (const std::uint32_t k : {0U, 1U})
+      sessions_.emplace_back(context_, k + 1, interface::InterfaceState{.seat = k + 1}, k);
+    for (int frame = 0; frame < 30; ++frame) step();
+  }
+  ~TwoGuides() { planner_.wait(); }  // till then the worker reads the plans in progress
+  TwoGuides(const TwoGuides&) = delete;
+  TwoGuides& operator=(const TwoGuides&) = delete;
+  void step() {
+    planner_.wait();
+    handshakes_.step(1.0 / 60, sessions_, {{}, shape_}, crowd_);
+    crowd_.step(1.0 / 60);
+  }
+  /// Where they will meet, as far as anybody knows.
+  std::array<Placement, 2> meeting_place() const {
+    return guide::meeting_place(*planner_.maps()[museum_.kiosk_floor], museum_.body_radius, 0.72,
+                                {crowd_[0].avatar.body, crowd_[1].avatar.body}, {})
+        .value();
+  }
+  void wish() { handshakes_.wish(1, 1, sessions_, {{}, shape_}, planner_, crowd_); }
+  bool are_shaking_hands() const { return !handshakes_.all().empty(); }
+  void appear(const Placement& place) { crowd_.appear(obstinate, museum_.kiosk_floor, place); }
+  const Agent& operator[](std::uint32_t who) const { return crowd_[who]; }
+
+ private:
+  const Museum& museum_ = test::sample_museum();
+  interface::ScreenShape shape_ = settings().shape;
+  plan::Planner planner_{museum_, {test::boxes, {}}, 3, 3};
+  Crowd crowd_{museum_, planner_};
+  Vec2 ahead_{std::cos(museum_.kiosk.heading), std::sin(museum_.kiosk.heading)};
+  std::vector<Placement> homes_{
+      museum_.kiosk,
+      {museum_.kiosk.position + 3.0 * ahead_, museum_.kiosk.heading + std::numbers::pi}};
+  std::vector<ExhibitShape> shapes_ = exhibit_shapes(museum_);
+  SessionContext context_{museum_, planner_, crowd_, shape_, homes_, shapes_};
+  std::vector<Session> sessions_;
+  Handshakes handshakes_{museum_};
+};
+
+TEST(Handshakes, AreNotHeldOutToAGuideWhoseMeetingPlaceSomebodyElseHas) {
+  TwoGuides two;
+  const Placement taken = two.meeting_place()[1];
+  two.appear(taken);  // in the moment in which they agree on it
+  two.wish();
+  ASSERT_TRUE(two.are_shaking_hands());
+  ASSERT_EQ(two[1].goal->position, taken.position);
+  bool have_arrived = false, has_held = false;
+  for (int frame = 0; frame < 40 * 60 && two.are_shaking_hands(); ++frame) {
+    two.step();
+    have_arrived |= two[0].has_arrived && two[1].has_arrived;
+    has_held |= holds(two[0].avatar.manner) || holds(two[1].avatar.manner);
+  }
+
+  EXPECT_TRUE(have_arrived) << "one of them elsewhere, because it was held up";
+  EXPECT_FALSE(two.are_shaking_hands());
+  EXPECT_FALSE(has_held);
 }
 
 TEST(MeetingPlace, IsFaceToFaceClearOfWallsAndOthersInTheSampleMuseum) {
