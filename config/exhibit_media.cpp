@@ -4,13 +4,25 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "platform/file/read_file.h"
 #include "platform/file/text_encoding.h"
+#include "runtime/model/exhibit/longer_text.h"
 
 namespace docent::config {
 namespace {
+
+/// The line ends of Windows (\r\n) and of old Macs (\r) are \n.
+std::string with_plain_line_ends(std::string_view text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_pair = text.substr(at).starts_with("\r\n");
+    if (!is_pair) plain += text[at] == '\r' ? '\n' : text[at];
+  }
+  return plain;
+}
 
 class MediaReader {
  public:
@@ -21,12 +33,9 @@ class MediaReader {
   void check_pictures(const ExhibitSection& exhibit) {
     const std::vector<PictureSection>& pictures = exhibit.pictures.value;
     if (pictures.empty()) return;
-    if (config_.sources.empty() && !exhibit.image.given && exhibit.image.value.empty() &&
-        exhibit.image.place.range == exhibit.place.range)
-      error(exhibit.pictures.place, "missing-field",
-            fmt::format("exhibit '{}' has further pictures and no first one", exhibit.id.value), {},
-            fmt::format("write image = \"{}\", and take it out of 'pictures'",
-                        pictures.front().image.value));
+    if (config_.sources.empty())
+      if (auto missing = missing_first_picture(config_, exhibit))
+        diagnostics_.push_back(std::move(*missing));
     if (pictures.size() < FurtherPicture::most) return;
     error(exhibit.pictures.place, "out-of-range",
           fmt::format("exhibit '{}' has {} pictures, its own one included", exhibit.id.value,
@@ -62,7 +71,7 @@ class MediaReader {
 
   /// The text of a file that staff name; false where it cannot be read, which is told.
   bool read_text(const Located<std::string>& name, std::string& text) {
-    constexpr std::size_t largest = 60'000;  // bytes
+    constexpr std::size_t largest = 4 * longest_more;  // bytes
     if (auto fault = paths_.fault(name.value)) {
       error(name.place, std::move(fault->code), std::move(fault->message), std::move(fault->label),
             std::move(fault->hint));
@@ -71,7 +80,7 @@ class MediaReader {
     Result<std::string> bytes = file::read_file(config_.folder / name.value, largest);
     if (!bytes) {
       error(name.place, "unreadable-file", bytes.error().what, {},
-            fmt::format("a text for visitors has at most {} bytes", largest));
+            fmt::format("a text for visitors has at most {} letters", longest_more));
       return false;
     }
     if (auto fault = file::encoding_fault(*bytes)) {
@@ -80,8 +89,7 @@ class MediaReader {
             std::move(fault->hint));
       return false;
     }
-    text = file::without_byte_order_mark(*bytes);
-    std::erase(text, '\r');
+    text = with_plain_line_ends(file::without_byte_order_mark(*bytes));
     while (text.ends_with('\n')) text.pop_back();
     return true;
   }
@@ -92,6 +100,20 @@ class MediaReader {
 };
 
 }  // namespace
+
+std::optional<Diagnostic> missing_first_picture(const MuseumConfig& config,
+                                                const ExhibitSection& exhibit) {
+  const std::vector<PictureSection>& pictures = exhibit.pictures.value;
+  // Where it was written, it has a place of its own, and what is wrong with it is told.
+  if (pictures.empty() || exhibit.image.given || !exhibit.image.value.empty() ||
+      exhibit.image.place.range != exhibit.place.range)
+    return {};
+  return diagnostic_at(
+      config, exhibit.pictures.place, "missing-field",
+      fmt::format("exhibit '{}' has further pictures and no first one", exhibit.id.value), {},
+      fmt::format("write image = \"{}\", and take it out of 'pictures'",
+                  pictures.front().image.value));
+}
 
 void read_exhibit_media(MuseumConfig& config, MuseumPaths& paths,
                         std::vector<Diagnostic>& diagnostics) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -22,15 +23,13 @@
 #include "config/toml_folder.h"
 #include "platform/file/read_file.h"
 #include "platform/terminal/suggest.h"
+#include "runtime/model/exhibit/longer_text.h"
 
 namespace docent::config {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Letters of a longer text: nobody reads more of it standing.
-constexpr std::size_t room_for_more = 20'000;
 
 /// Reads the sections of one file's root table, and says which tables it should not hold.
 class SectionVisitor {
@@ -575,7 +574,8 @@ class MuseumLoader {
       check_texts(fmt::format("the description of exhibit '{}'", exhibit.id.value),
                   exhibit.description, room_for_text, is_completed);
       check_texts(fmt::format("the longer text of exhibit '{}'", exhibit.id.value), exhibit.more,
-                  room_for_more);
+                  std::numeric_limits<std::size_t>::max());
+      check_length_of_more(exhibit);
       for (std::size_t i = 0; i < exhibit.pictures.value.size(); ++i) {
         const PictureSection& picture = exhibit.pictures.value[i];
         const std::string which =
@@ -592,6 +592,18 @@ class MuseumLoader {
     }
     for (const TourSection& tour : config_.tours)
       check_texts(fmt::format("the title of tour '{}'", tour.id.value), tour.title);
+  }
+
+  void check_length_of_more(const ExhibitSection& exhibit) {
+    for (const auto& [tag, text] : exhibit.more.value)
+      if (const std::size_t letters = count_letters(text.value); letters > longest_more)
+        error(text.place, "text-too-long",
+              fmt::format("the longer text of exhibit '{}' has {} letters in '{}', and a kiosk "
+                          "shows at most {}",
+                          exhibit.id.value, letters, tag, longest_more),
+              {},
+              fmt::format("shorten it by {} letters: nobody reads so much standing",
+                          letters - longest_more));
   }
 
   /// A text that is given at all is given in every language, and in no other.

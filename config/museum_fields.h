@@ -369,8 +369,9 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"description", &ExhibitSection::description, Presence::Optional,
                           "What its picture shows, by language, for those who do not see it: it is "
                           "spoken after the title, and read where there is no picture"},
-    Field<ExhibitSection>{"more", &ExhibitSection::more, Presence::Optional,
-                          "A longer text, by language, for those who ask for more about it"},
+    Field<ExhibitSection>{
+        "more", &ExhibitSection::more, Presence::Optional,
+        "A longer text, by language, for those who ask for more about it: at most 20,000 letters"},
     Field<ExhibitSection>{"more_file", &ExhibitSection::more_file, Presence::Optional,
                           "The same from a text file in UTF-8, by language"},
     Field<ExhibitSection>{"artist", &ExhibitSection::artist, Presence::Optional,

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "config/exhibit_media.h"
 #include "config/museum_path.h"
 #include "config/text_faults.h"
 #include "content/content_error.h"
@@ -90,9 +91,10 @@ std::optional<double> number_of(std::string text) {
   return value;
 }
 
-/// The first of several things in a cell.
+/// The first of several things in a cell that is not blank.
 std::string first_of(const std::string& cell) {
-  return cell.substr(0, cell.find_first_of(";|"));
+  const std::size_t begin = std::min(cell.find_first_not_of(";| \t\r\n"), cell.size());
+  return cell.substr(begin, cell.find_first_of(";|", begin) - begin);
 }
 
 /// The first of several pictures in a cell, with slashes.
@@ -104,7 +106,7 @@ std::string first_picture(std::string cell) {
 /// A tag in one line, with single blanks.
 std::string tag_in(const std::string& cell) {
   std::string tag;
-  for (const char c : import::plain_text(first_of(cell))) {
+  for (const char c : first_of(import::plain_text(cell))) {
     const bool is_blank = c == ' ' || c == '\n' || c == '\t' || c == '\r';
     if (!is_blank)
       tag += c;
@@ -142,6 +144,8 @@ class CollectionAdder {
   /// What is written by hand and was completed, or not.
   void finish(ExhibitSection& exhibit) {
     report_.add(config::missing_fields(config_, exhibit));
+    if (auto missing = config::missing_first_picture(config_, exhibit))
+      report_.add(std::move(*missing));
     fill_up("title", exhibit.id.value, exhibit.place, exhibit.title);
     fill_up("text", exhibit.id.value, exhibit.place, exhibit.text);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "runtime/interface/control.h"
@@ -10,17 +11,43 @@
 namespace docent::interface {
 namespace {
 
+bool is_first_byte(char c) noexcept {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
+
 /// The pieces of a UTF-8 text, one a character.
 std::string_view character(std::string_view text, std::size_t index) noexcept {
-  const auto is_first_byte = [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  };
   std::size_t begin = 0, seen = 0;
   for (; begin < text.size(); ++begin)
     if (is_first_byte(text[begin]) && seen++ == index) break;
   std::size_t end = std::min(begin + 1, text.size());
   while (end < text.size() && !is_first_byte(text[end])) ++end;
   return text.substr(begin, end - begin);
+}
+
+/// Quotation marks and brackets that close belong to the sentence before them.
+constexpr std::array<std::string_view, 9> closing{"\"", "'", ")", "”", "’", "»", "」", "』", "）"};
+
+std::string_view without_closing(std::string_view text) noexcept {
+  for (auto mark = closing.begin(); mark != closing.end();) {
+    const bool closes = text.ends_with(*mark);
+    if (closes) text.remove_suffix(mark->size());
+    mark = closes ? closing.begin() : mark + 1;
+  }
+  return text;
+}
+
+/// Does a sentence end before this byte of a line? Where languages have blanks, one follows.
+bool ends_sentence(std::string_view line, std::size_t end) noexcept {
+  constexpr std::array<std::string_view, 8> before_blank{".", "!", "?", "…", "؟", "۔", "।", "॥"};
+  constexpr std::array<std::string_view, 4> anywhere{"。", "！", "？", "．"};
+  const std::string_view rest = line.substr(end);
+  const auto begins_rest = [&](std::string_view mark) { return rest.starts_with(mark); };
+  if (std::ranges::any_of(closing, begins_rest)) return false;
+  const std::string_view said = without_closing(line.substr(0, end));
+  const auto ends_it = [&](std::string_view mark) { return said.ends_with(mark); };
+  return std::ranges::any_of(anywhere, ends_it) ||
+         (rest.starts_with(' ') && std::ranges::any_of(before_blank, ends_it));
 }
 
 namespace chr = std::chrono;
@@ -53,6 +80,17 @@ std::string date_in(const Museum& museum, std::uint32_t language, chr::local_day
 }
 
 }  // namespace
+
+std::size_t end_of_part(std::string_view line) noexcept {
+  if (line.size() <= longest_line) return line.size();
+  for (std::size_t end = longest_line; end > longest_line / 2; --end)
+    if (ends_sentence(line, end)) return end;
+  const std::size_t blank = line.rfind(' ', longest_line);
+  if (blank != std::string_view::npos && blank > 0) return blank;
+  for (std::size_t end = longest_line; end > longest_line - 4; --end)
+    if (is_first_byte(line[end])) return end;
+  return longest_line;  // no letters at all
+}
 
 std::string filled_in(std::string_view text, std::string_view name, std::string_view value) {
   const std::string hole = fmt::format("{{{}}}", name);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,12 +13,25 @@
 
 namespace docent::interface {
 
-/// Calls `take` with each line of a text that holds anything.
+/// The most bytes of a line that for_each_line() gives: who sets or says one works on all of it.
+inline constexpr std::size_t longest_line = 1000;
+
+/// How many bytes of a line (UTF-8) make its first part: all of a short one, else up to the end of
+/// a sentence; up to a blank where none ends in time, and to the end of any letter where there is
+/// no blank either. 0 for an empty line alone.
+std::size_t end_of_part(std::string_view line) noexcept;
+
+/// Calls `take` with each line of a text that holds anything; with a long one part by part, without
+/// the blanks between them.
 template <typename Take>
 void for_each_line(std::string_view text, const Take& take) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    if (end > 0) take(text.substr(0, end));
+    for (std::string_view line = text.substr(0, end); !line.empty();) {
+      const std::size_t part = end_of_part(line);
+      take(line.substr(0, part));
+      line.remove_prefix(std::min(line.find_first_not_of(' ', part), line.size()));
+    }
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }

@@ -44,26 +44,28 @@ void Speaker::heed(guide::Guide& guide, const Museum& museum,
 
 void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
   if (saying.utterance == nullptr) return player_->say({});
-  const interface::Utterance& utterance = *saying.utterance;
+  player_->say(std::span(parts_).first(parts_of(*saying.utterance, museum, parts_)));
+}
+
+std::size_t parts_of(const interface::Utterance& utterance, const Museum& museum,
+                     std::span<sound::SpeechPart> out) noexcept {
   const auto language = std::ranges::find(museum.languages, utterance.language, &Language::tag) -
                         museum.languages.begin();
   std::size_t count = 0;
   bool is_silent = true;
   for (const interface::SpokenPiece& piece : utterance.pieces) {
-    if (count == parts_.size()) break;
-    sound::SpeechPart& part = parts_[count++];
+    if (count == out.size()) break;
+    sound::SpeechPart& part = out[count++];
     part.sound = find_sound(museum.speech, static_cast<std::uint32_t>(language), piece.text);
-    part.pause = piece.pause;
+    part.pauses = piece.pause ? 1 : 0;
     is_silent = is_silent && part.sound == nullptr;
   }
-  if (is_silent) {  // a language without a voice: its captions are read in the time that they take
-    constexpr float pauses_a_second =
-        SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
-    const float pauses = interface::seconds_of(utterance) * pauses_a_second;
-    count = std::min(parts_.size(), static_cast<std::size_t>(pauses));
-    std::fill_n(parts_.begin(), count, sound::SpeechPart{.sound = nullptr, .pause = true});
-  }
-  player_->say(std::span(parts_).first(count));
+  if (!is_silent || out.empty()) return count;
+  constexpr float pauses_a_second =
+      SpeechSound::rate / static_cast<float>(sound::SpeechQueue::pause);
+  const float pauses = interface::seconds_of(utterance) * pauses_a_second;
+  out.front() = {.sound = nullptr, .pauses = static_cast<std::uint32_t>(pauses)};
+  return 1;
 }
 
 }  // namespace docent::kiosk

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "config/kiosk_config.h"
 #include "platform/alsa/jack_watch.h"
 #include "platform/alsa/player.h"
 #include "runtime/guide/guide.h"
+#include "runtime/interface/utterance.h"
 #include "runtime/model/museum.h"
+#include "runtime/sound/speech_queue.h"
 
 namespace docent::kiosk {
 
@@ -39,5 +43,11 @@ class Speaker {
   float loudest_;
   std::array<sound::SpeechPart, 512> parts_{};
 };
+
+/// What is played of an utterance, as far as `out` has room: its pieces' sounds. In a language
+/// without a voice one silence, in which its captions are read in the time that they take. Returns
+/// how many parts.
+std::size_t parts_of(const interface::Utterance& utterance, const Museum& museum,
+                     std::span<sound::SpeechPart> out) noexcept;
 
 }  // namespace docent::kiosk

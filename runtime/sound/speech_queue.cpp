@@ -13,10 +13,11 @@ void SpeechQueue::say(std::span<const SpeechPart> parts) noexcept {
 }
 
 void SpeechQueue::push(std::span<const SpeechPart> parts) noexcept {
-  const Header silence{.sentence = sentence_.load(std::memory_order_relaxed), .samples = pause};
+  Header silence{.sentence = sentence_.load(std::memory_order_relaxed)};
   for (const SpeechPart& part : parts) {
     if (part.sound != nullptr && !push(*part.sound)) return;
-    if (part.pause && !push(silence, {})) return;
+    silence.samples = part.pauses * pause;
+    if (silence.samples > 0 && !push(silence, {})) return;
   }
 }
 

@@ -12,10 +12,10 @@
 
 namespace docent::sound {
 
-/// A part of a sentence: a sound, if there is one for it, and whether a silence follows.
+/// A part of a sentence: a sound, if there is one for it, and the silence that follows.
 struct SpeechPart {
   const SpeechSound* sound = nullptr;
-  bool pause = false;
+  std::uint32_t pauses = 0;  ///< So many of SpeechQueue::pause.
 };
 
 /// Sentences on their way from the frame thread to the player's: one thread pushes, one pops;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/diagnostic_text.h"
+#include "runtime/model/exhibit/longer_text.h"
 #include "tests/support/museum_folder.h"
 
 namespace docent::config {
@@ -49,6 +50,42 @@ TEST(MuseumConfig, TakesALongerTextFromAFileAsItIsWritten) {
 
   EXPECT_THAT(codes(loaded), ElementsAre());
   EXPECT_EQ(loaded.value->exhibits[0].more.value.at("en").value, "It was buried.\n\nIt was found.");
+}
+
+TEST(MuseumConfig, KeepsTheLinesOfATextFromAnOldMac) {
+  const MuseumFolder museum;
+  museum.write("texts/disc.en.txt", "It was buried.\r\rIt was found.\r");
+  museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"",
+                 "text.ar = \"قرص.\"\nmore_file.en = \"texts/disc.en.txt\"\nmore.ar = \"المزيد\"");
+
+  const auto loaded = load_museum_config(museum.path());
+
+  EXPECT_THAT(codes(loaded), ElementsAre());
+  EXPECT_EQ(loaded.value->exhibits[0].more.value.at("en").value, "It was buried.\n\nIt was found.");
+}
+
+TEST(MuseumConfig, TakesALongerTextOfSoManyLettersAndNoMore) {
+  for (const std::size_t beyond : {0U, 7U}) {
+    const MuseumFolder museum;
+    std::string text;
+    while (text.size() < 3 * (longest_more + beyond)) text += "玉";
+    museum.replace("exhibits/hall.toml", "text.ar = \"قرص.\"",
+                   "text.ar = \"قرص.\"\nmore.en = \"" + text + "\"\nmore.ar = \"المزيد\"");
+
+    const auto loaded = load_museum_config(museum.path());
+
+    if (beyond == 0) {
+      EXPECT_THAT(codes(loaded), ElementsAre());
+      continue;
+    }
+    ASSERT_THAT(codes(loaded), ElementsAre("text-too-long"));
+    const Diagnostic& told = loaded.diagnostics[0];
+    EXPECT_EQ(told.severity, Severity::Error);
+    EXPECT_EQ(told.message,
+              "the longer text of exhibit 'jade-disc' has 20007 letters in 'en', and a kiosk shows "
+              "at most 20000");
+    EXPECT_THAT(told.hint, HasSubstr("shorten it by 7 letters"));
+  }
 }
 
 TEST(MuseumConfig, TakesFurtherPicturesAsAListOrAsTables) {

@@ -119,6 +119,50 @@ TEST(Collections, GiveExhibitsTheTagsByWhichTheyAreFound) {
   EXPECT_TRUE(exhibit("3").subject.empty());
 }
 
+TEST(Collections, ATagIsTheFirstThatIsNotBlankAndItsEntitiesAreLetters) {
+  const MuseumFolder museum;
+  museum.write("objects.csv",
+               "Nr,Title,Maker,Theme,x,y\n"
+               "1,Helmet,; Ren|Li,Arms &amp; armour;War,3.5,5\n");
+  museum.replace("museum.toml", "[[room]]",
+                 "[source]\nfile = \"objects.csv\"\nid = \"Nr\"\ntitle.en = \"Title\"\n"
+                 "artist.en = \"Maker\"\nsubject.en = \"Theme\"\nposition = [\"x\", \"y\"]\n"
+                 "[[room]]");
+
+  const ProgramRun run = museum.compile();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+
+  const auto read = sqlite::load_museum(museum.database());
+  ASSERT_TRUE(read.has_value()) << read.error().what;
+  const Exhibit& helmet = *std::ranges::find(read->exhibits, "1", &Exhibit::id);
+  EXPECT_EQ(helmet.subject, (LocalText{{"en", "Arms & armour"}}));
+  EXPECT_EQ(helmet.artist, (LocalText{{"en", "Ren"}}));
+}
+
+/// Visitors would begin at a blank card, "Picture 1 of 2".
+TEST(Collections, FurtherPicturesNeedAFirstOneByHandOrFromTheCatalogue) {
+  const std::string by_hand =
+      "[[exhibit]]\nid = \"G-1912-5\"\npictures = [{image = \"images/disc.svg\"}]\n";
+  const MuseumFolder without;
+  add_catalogue(without);
+  without.write("exhibits/mine.toml", by_hand);
+
+  const ProgramRun refused = check(without);
+
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err,
+              AllOf(HasSubstr("mine.toml:3:12: error[missing-field]: exhibit 'G-1912-5' has "
+                              "further pictures and no first one"),
+                    HasSubstr("hint: write image = \"images/disc.svg\"")));
+
+  const MuseumFolder with;
+  add_catalogue(with);
+  with.replace("objects.csv", "Jug;;;;", "Jug;;;images/disc.svg;");
+  with.write("exhibits/mine.toml", by_hand);
+
+  EXPECT_EQ(check(with).exit_code, 0) << check(with).err;
+}
+
 TEST(Collections, ATagThatStaffWroteByHandWins) {
   const MuseumFolder museum;
   museum.write("objects.csv", "Nr,Title,Theme,x,y\n1,Vase,Sea,3.5,5\n");

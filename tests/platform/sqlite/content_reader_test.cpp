@@ -15,6 +15,7 @@
 #include "content/content_error.h"
 #include "content/write/content_writer.h"
 #include "content/write/replace_file.h"
+#include "runtime/model/exhibit/longer_text.h"
 #include "runtime/schema/schema.h"
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
@@ -201,6 +202,9 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
          m.pictures.insert(m.pictures.begin(), {.exhibit = 1});
        }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].more["en"] = std::string(longest_more + 1, 'a'); }},
+      {"exhibit",
+       [](Museum& m) { m.exhibits[0].more["en"] = std::string(4 * longest_more + 1, '\x80'); }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 2; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 0; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops.pop_back(); }},

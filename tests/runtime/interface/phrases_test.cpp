@@ -1,10 +1,15 @@
 #include "runtime/interface/phrases.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "config/museum_config.h"
 #include "tests/support/sample_museum.h"
@@ -86,6 +91,73 @@ TEST(Phrases, FillInEveryHole) {
   EXPECT_EQ(filled_in("{n} of {n}", "n", "2"), "2 of 2");
   EXPECT_EQ(filled_in("no hole", "n", "2"), "no hole");
   EXPECT_EQ(filled_in("{n}", "n", "{n}"), "{n}");
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  for_each_line(text, [&](std::string_view line) { lines.emplace_back(line); });
+  return lines;
+}
+
+std::string times(std::size_t count, std::string_view text) {
+  std::string all;
+  for (; count > 0; --count) all += text;
+  return all;
+}
+
+TEST(Lines, OfOrdinaryLengthAreWhole) {
+  EXPECT_THAT(lines_of("It was buried.\n\nIt was found. Why?"),
+              testing::ElementsAre("It was buried.", "It was found. Why?"));
+}
+
+TEST(Lines, ThatAreLongAreTakenApartWhereASentenceEnds) {
+  const std::string english = "It is 2.5 m high (\"a wonder!\") and old.";
+  const std::string whole_sentences = times(25, english + " ");
+  EXPECT_THAT(lines_of(times(30, english + " ")),
+              testing::ElementsAre(whole_sentences.substr(0, whole_sentences.size() - 1),
+                                   times(5, english + " ")));
+
+  const std::string chinese = "他说：「这是玉璧。」";  // 30 bytes
+  EXPECT_THAT(lines_of(times(40, chinese)),
+              testing::ElementsAre(times(33, chinese), times(7, chinese)));
+}
+
+TEST(Lines, WithoutSentencesAreTakenApartAtABlank) {
+  const std::string thai = "พระพุทธรูปสำริด ";
+  for (const std::string& line : lines_of(times(60, thai))) {
+    EXPECT_TRUE(line.starts_with("พระ")) << line;
+    EXPECT_GT(line.size(), longest_line / 2 - thai.size());
+  }
+}
+
+RC_GTEST_PROP(LinesProperty, AreShortAndLoseBlanksAlone, ()) {
+  const std::vector<std::string> letters{"a", "b", " ", ". ", "。", "玉", "ส", "\n", "𓀀", "\x80"};
+  std::string text;
+  for (const std::size_t run : *rc::gen::container<std::vector<std::size_t>>(
+           rc::gen::inRange<std::size_t>(0, letters.size() * 600)))
+    text += times(run / letters.size(), letters[run % letters.size()]);
+
+  std::string taken;
+  for (const std::string& line : lines_of(text)) {
+    RC_ASSERT(!line.empty());
+    RC_ASSERT(line.size() <= longest_line);
+    taken += line;
+  }
+
+  const auto blank = [](char c) { return c == ' ' || c == '\n'; };
+  std::erase_if(taken, blank);
+  std::erase_if(text, blank);
+  RC_ASSERT(taken == text);
+}
+
+RC_GTEST_PROP(LinesProperty, NeverEndInsideALetter, ()) {
+  std::string text;
+  for (const char* letter : *rc::gen::container<std::vector<const char*>>(
+           1500, rc::gen::element("a", "é", "玉", "ส", "𓀀")))
+    text += letter;
+
+  const auto is_inside = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  for (const std::string& line : lines_of(text)) RC_ASSERT(!is_inside(line.front()));
 }
 
 /// The words that docent ships in a language.

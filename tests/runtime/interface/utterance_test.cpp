@@ -43,6 +43,24 @@ TEST(Utterance, SaysDistancesInThePluralsOfEachLanguage) {
   EXPECT_EQ(plural_form("fr-CA", 0), "one");
 }
 
+/// What is said of a longer text has its sound, however long its paragraphs are.
+TEST(SpokenPieces, HoldTheShortPartsOfALongParagraph) {
+  Museum museum = test::sample_museum_without_walls();
+  std::string more;
+  for (int i = 0; i < 400; ++i) more += "It was found in well " + std::to_string(i) + ". ";
+  museum.exhibits[0].more = {{"en", more}};
+
+  Utterance said;
+  append_paragraphs(said, more);
+
+  const std::vector<std::string> pieces = spoken_pieces(museum, 0);
+  EXPECT_GT(said.pieces.size(), 8U);
+  for (const SpokenPiece& piece : said.pieces) {
+    EXPECT_LE(piece.text.size(), 1000U);
+    EXPECT_THAT(pieces, Contains(piece.text));
+  }
+}
+
 TEST(SpokenPieces, HoldWhateverIsFilledIn) {
   const Museum museum = test::sample_museum_without_walls();
 

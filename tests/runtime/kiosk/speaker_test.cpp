@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 
 #include "platform/opus/decoder.h"
 #include "platform/sqlite/content_reader.h"
@@ -75,6 +77,29 @@ TEST(Speaker, LetsTheFirstSentenceOfAVisitBeHeard) {
   }
   EXPECT_GT(best, 0.98);
   EXPECT_EQ(test::number_in(test::text_of(run.file("stats.json")), "allocations_in_frames"), 0);
+}
+
+/// Till the silence has ended, the captions go on: all of 5,000 Thai signs is read.
+TEST(Speaker, IsSilentForAsLongAsALongTextWithoutAVoiceIsRead) {
+  Museum museum;
+  museum.languages.emplace_back().tag = "th";
+  interface::Utterance utterance{.language = "th", .pieces = {}};
+  for (int line = 0; line < 50; ++line) {
+    std::string text;
+    for (int sign = 0; sign < 100; ++sign) text += "ก";
+    utterance.pieces.push_back({.text = text, .pause = true});
+  }
+  std::array<sound::SpeechPart, 512> parts;
+
+  const std::size_t count = parts_of(utterance, museum, parts);
+
+  float seconds = 0;
+  for (const sound::SpeechPart& part : std::span(parts).first(count)) {
+    EXPECT_EQ(part.sound, nullptr);
+    seconds += static_cast<float>(part.pauses * sound::SpeechQueue::pause) / SpeechSound::rate;
+  }
+  EXPECT_NEAR(seconds, interface::seconds_of(utterance), 0.25);
+  EXPECT_GT(seconds, 700);
 }
 
 /// Every language of the sample museum has a sound for each of its pieces, in less than 30 MB.

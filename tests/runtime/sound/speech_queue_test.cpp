@@ -48,6 +48,19 @@ TEST(SpeechQueue, GivesSoundsAndPausesInTheirOrder) {
   EXPECT_FALSE(queue.pop(item));
 }
 
+TEST(SpeechQueue, GivesALongSilenceAtOnce) {
+  SpeechQueue queue;
+  const SpeechPart part{nullptr, 4000};
+
+  queue.say({&part, 1});
+
+  SpeechQueue::Item item;
+  ASSERT_TRUE(queue.pop(item));
+  EXPECT_TRUE(item.packet.empty());
+  EXPECT_EQ(item.samples, 4000 * SpeechQueue::pause);
+  EXPECT_FALSE(queue.pop(item));
+}
+
 TEST(SpeechQueue, GivesTheNumberOfASoundInAnArchive) {
   SpeechQueue queue;
   SpeechSound sound = sound_of(1, 40, 7);
