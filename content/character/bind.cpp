@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <glm/geometric.hpp>
@@ -240,12 +241,18 @@ JointWeights weights_of(const BoneShares& shares, const std::vector<std::uint8_t
   return out;
 }
 
+/// Rounding may have left it a hair too strong.
+Vec3 limited(Vec3 gravity) {
+  const float strength = glm::length(gravity);
+  return strength < most_cloth_gravity ? gravity : 0.999F * most_cloth_gravity / strength * gravity;
+}
+
 /// A spring that a step of the clock could not follow is made weaker, and its weight with it, so
-/// that it hangs as it would.
+/// that it hangs as it would. One that is stronger than numbers go is as stiff as can be.
 ClothNode node_of(const SpringBone& bone, const Measures& m, std::uint8_t joint) {
   const float length = glm::distance(bone.root, bone.end);
   // As strong as VRM's constant pull for what swings on a string so long.
-  const float stiffness = bone.pull / length;
+  const float stiffness = std::min(bone.pull / length, std::numeric_limits<float>::max());
   const float gravity = m.scale * glm::length(bone.gravity);
   const float weaker = std::min({1.0F, most_cloth_pull / std::max(stiffness, 1.0F),
                                  most_cloth_gravity / std::max(gravity, 1.0F)});
@@ -256,11 +263,11 @@ ClothNode node_of(const SpringBone& bone, const Measures& m, std::uint8_t joint)
           .outward = Vec3{0, 0, 1},
           .above = bone.above < 0 ? ClothNode::none : static_cast<std::uint8_t>(bone.above),
           .radius = std::min(m.scale * bone.radius, thickest_end),
-          .stiffness = weaker * stiffness,
+          .stiffness = std::min(weaker * stiffness, most_cloth_pull),
           .damping = std::min((1 - share_of_air) * bone.drag, most_cloth_damping),
           .drag = std::min(share_of_air * bone.drag, most_cloth_damping),
           .root = m.place(bone.root),
-          .gravity = weaker * m.scale * bone.gravity};
+          .gravity = limited(weaker * m.scale * bone.gravity)};
 }
 
 /// Binds what swings: the springs that have room, and the limbs that they are kept out of.

@@ -92,14 +92,14 @@ void weld(Surface& surface, bool by_place) {
 }
 
 /// The head counts for more: what is about the face is kept finer.
-std::vector<Vec3> seen_places(const std::vector<SurfaceVertex>& vertices) {
+std::vector<Vec3> seen_places(const std::vector<SurfaceVertex>& vertices, const Springs& springs) {
   constexpr float magnified = 1.8F;
   Vec3 middle{0};
   float count = 0;
-  const auto head_share = [](const SurfaceVertex& v) {
+  const auto head_share = [&](const SurfaceVertex& v) {
     float share = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      const auto bone = static_cast<HumanBone>(v.shares.bone[k]);
+      const HumanBone bone = body_bone(springs, v.shares.bone[k]);
       if (bone == HumanBone::Head || bone == HumanBone::Jaw || bone == HumanBone::LeftEye ||
           bone == HumanBone::RightEye)
         share += v.shares.share[k];
@@ -117,8 +117,8 @@ std::vector<Vec3> seen_places(const std::vector<SurfaceVertex>& vertices) {
   return places;
 }
 
-bool simplify(Surface& surface, std::size_t triangles, bool is_sloppy) {
-  const std::vector<Vec3> places = seen_places(surface.vertices);
+bool simplify(Surface& surface, const Springs& springs, std::size_t triangles, bool is_sloppy) {
+  const std::vector<Vec3> places = seen_places(surface.vertices, springs);
   std::vector<std::uint32_t> out(surface.indices.size());
   const float* first = &places.front().x;
   float error = 0;
@@ -303,7 +303,8 @@ class Refinement {
 
 }  // namespace
 
-ColouredSurface to_budget(Surface surface, const Colours& colours, std::size_t triangles) {
+ColouredSurface to_budget(Surface surface, const Springs& springs, const Colours& colours,
+                          std::size_t triangles) {
   leave_out_clear(colours, surface);
   drop_unused(surface);
   const bool has_pictures = std::ranges::any_of(
@@ -314,10 +315,10 @@ ColouredSurface to_budget(Surface surface, const Colours& colours, std::size_t t
                      : triangles;
     weld(surface, false);
     // Seams of a picture hold their edges; where those alone are too many, they are let go.
-    if (!simplify(surface, shape, false) && surface.indices.size() > 3 * triangles) {
+    if (!simplify(surface, springs, shape, false) && surface.indices.size() > 3 * triangles) {
       weld(surface, true);
-      if (!simplify(surface, shape, false) && surface.indices.size() > 3 * triangles)
-        simplify(surface, shape, true);
+      if (!simplify(surface, springs, shape, false) && surface.indices.size() > 3 * triangles)
+        simplify(surface, springs, shape, true);
     }
   }
   if (surface.indices.size() > 3 * triangles) surface.indices.resize(3 * triangles);

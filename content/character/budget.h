@@ -17,8 +17,8 @@ struct ColouredSurface {
 /// Brings a character to the budget: what is clear is left out; what is too much is simplified
 /// (meshoptimizer); and since the kiosk keeps colours by vertex, triangles that are left over are
 /// spent where a picture shows more than their corners do: there, edges are halved, the worst
-/// first. The same surface gives the same result.
-ColouredSurface to_budget(Surface surface, const Colours& colours,
+/// first. The same surface gives the same result. `springs` are those that it is bound to.
+ColouredSurface to_budget(Surface surface, const Springs& springs, const Colours& colours,
                           std::size_t triangles = most_triangles);
 
 }  // namespace docent::character

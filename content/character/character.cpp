@@ -58,8 +58,9 @@ Character make_character(const import::gltf::Model& model, const std::string& fi
   character.extent = extent_of(model, character.standing);
   const Colours colours(model);
   character.swinging = springs_of(model, character.standing, character.notes);
-  character.body = to_budget(
-      surface_of(model, character.standing, character.swinging, file, character.notes), colours);
+  character.body =
+      to_budget(surface_of(model, character.standing, character.swinging, file, character.notes),
+                character.swinging, colours);
   if (character.body.surface.indices.empty())
     throw content::ContentError(file, 0, 0, "not-humanoid",
                                 "it has bones and nothing to see: no triangles in its scene",

@@ -16,7 +16,7 @@ class Textures {
  public:
   Textures();
 
-  static constexpr std::size_t most = 4096;  ///< The largest id.
+  static constexpr std::size_t most = 16'384;  ///< The largest id.
   /// Keep a text or a picture under an id, which is the caller's to choose: 1 to `most`. What has
   /// no pixels, or another id, is not kept and draws nothing.
   void add_text(scene::TextureId id, std::uint32_t width, std::uint32_t height,

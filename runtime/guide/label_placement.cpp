@@ -201,8 +201,9 @@ void place_spot(const interface::View& view, interface::FloorLabel& label,
 
 /// A label that has found no room at its place goes to the nearest from which a line leads to what
 /// it marks without crossing anything. Another fingertip's breadth away at each try, all round.
-void place_afar(const interface::View& view, interface::FloorLabel& label,
-                Covered& covered) noexcept {
+/// `tries` are those that are left for all labels, so that no frame takes long.
+void place_afar(const interface::View& view, interface::FloorLabel& label, Covered& covered,
+                int& tries) noexcept {
   constexpr int most_rings = 24, directions = 24;
   label.rect = around(label.anchor_x, label.anchor_y, label.lying_width() / view.pixel_width,
                       label.lying_height() / view.pixel_height);
@@ -210,13 +211,14 @@ void place_afar(const interface::View& view, interface::FloorLabel& label,
   const float least = std::min(room.width * view.pixel_width, room.height * view.pixel_height);
   const float ring_px = std::max(0.4F * view.spot_px, 0.8F * least);
   for (int ring = 1; ring <= most_rings; ++ring)
-    for (int i = 0; i < directions; ++i) {
+    for (int i = 0; i < directions && tries > 0; ++i) {
       const auto turn =
           static_cast<float>((i + 0.5 * (ring % 2)) * 2 * std::numbers::pi / directions);
       const float x = static_cast<float>(ring) * ring_px * std::sin(turn) / view.pixel_width,
                   y = -static_cast<float>(ring) * ring_px * std::cos(turn) / view.pixel_height;
       const scene::Rect here{room.x + x, room.y + y, room.width, room.height};
       if (!covered.has_room(here)) continue;
+      --tries;
       label.rect = {at.x + x, at.y + y, at.width, at.height};
       const Leader line = leader_of(view, label);
       const std::optional<float> begin = covered.has_room(line);
@@ -459,10 +461,11 @@ void place_labels(interface::View& view, const scene::CameraView& camera,
   place([&](const interface::FloorLabel& one) { return one.is_sign && !is_selected(view, one); });
   std::size_t afar = 0;
   constexpr std::size_t most_afar = 64;  // more lines than that nobody follows
+  int tries = 2000;                      // lines that are followed
   const auto place_others = [&](auto&& is_meant) {
     for (interface::FloorLabel& label : view.labels) {
       if (label.rect.width > 0 || label.anchor_x < 0 || !is_meant(label)) continue;
-      if (++afar <= most_afar) place_afar(view, label, hard);
+      if (++afar <= most_afar) place_afar(view, label, hard, tries);
     }
   };
   place_others([&](const interface::FloorLabel& one) { return is_selected(view, one); });

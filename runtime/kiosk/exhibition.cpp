@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <string_view>
 #include <system_error>
@@ -18,6 +19,7 @@
 #include "platform/sqlite/signature_block.h"
 #include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
+#include "runtime/model/scenery_images.h"
 #include "runtime/plan/order_tours.h"
 #include "runtime/schema/schema.h"
 
@@ -25,7 +27,12 @@ namespace docent::kiosk {
 namespace {
 
 /// A picture on a wall of the model is seldom larger on the screen, and never what one looks at.
-constexpr std::uint32_t scenery_picture_side = 144;
+/// Where there are very many, each is smaller, so that together they take no more than 40 MB.
+std::uint32_t scenery_picture_side(std::size_t pictures) noexcept {
+  constexpr double largest = 144, at_its_largest = 360;
+  const double share = std::min(1.0, at_its_largest / static_cast<double>(pictures));
+  return static_cast<std::uint32_t>(std::ceil(largest * std::sqrt(share)));
+}
 
 /// A picture that cannot be decoded is left out: its exhibit is shown without one. `archive`: where
 /// it lies; null: in memory.
@@ -36,27 +43,18 @@ Pixels decode(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
   return image::decode_image(bytes).value_or(Pixels{});
 }
 
-/// Past the last that the model shows: one only leafs to those that follow, as a rule.
-std::size_t scenery_images(const Museum& museum) noexcept {
-  std::size_t end = 0;
-  for (const Exhibit& exhibit : museum.exhibits)
-    end = std::max<std::size_t>(end, exhibit.image + std::size_t{1});
-  return std::min(end, museum.images.size());
-}
-
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
 /// `pictures` has one for each of those images, and stays where it is until all are made.
 std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
                                                      std::span<std::vector<Pixels>> pictures) {
+  const std::uint32_t side = scenery_picture_side(pictures.size());
   const std::size_t at_a_time = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
   std::vector<std::future<void>> made;
   for (std::size_t first = 0; first < at_a_time; ++first)
-    made.push_back(std::async(std::launch::async, [&museum, pictures, first, at_a_time] {
+    made.push_back(std::async(std::launch::async, [&museum, pictures, side, first, at_a_time] {
       for (std::size_t image = first; image < pictures.size(); image += at_a_time)
-        pictures[image] = image::mip_levels(
-            image::shrink(image::decode_at_least(museum.images[image].bytes, scenery_picture_side)
-                              .value_or(Pixels{}),
-                          scenery_picture_side));
+        pictures[image] = image::mip_levels(image::shrink(
+            image::decode_at_least(museum.images[image].bytes, side).value_or(Pixels{}), side));
     }));
   return made;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "platform/file/read_file.h"
+#include "platform/gles/textures.h"
 #include "platform/pango/text_setter.h"
 #include "platform/pin/pin.h"
 #include "runtime/kiosk/options.h"
@@ -24,7 +25,7 @@ constexpr double pad_seconds = 30;  // without a touch, until the visitors have 
 constexpr double pages_seconds = 120;
 constexpr double confirm_seconds = 15;
 /// The last that the renderer keeps: far above the building's pictures and the planner's pieces.
-constexpr std::uint32_t first_texture = 4096 - 2 * most_staff_texts;
+constexpr std::uint32_t first_texture = gles::Textures::most - 2 * most_staff_texts;
 constexpr std::string_view calibration_file = "glass.calibration";
 
 const scene::Theme house;

@@ -4,6 +4,7 @@
 
 #include "runtime/interface/caption.h"
 #include "runtime/model/last_catch.h"
+#include "runtime/model/scenery_images.h"
 #include "runtime/plan/find_shown_way.h"
 #include "runtime/plan/order_own_tour.h"
 
@@ -23,7 +24,7 @@ void send(SingleProducerQueue<T, n>& queue, std::unique_ptr<T> answer,
 
 /// Ids of textures: 0 is none, then come the pictures of the building.
 std::uint32_t first_piece_of(const Museum& museum) noexcept {
-  return static_cast<std::uint32_t>(1 + museum.images.size());
+  return static_cast<std::uint32_t>(1 + scenery_images(museum));
 }
 
 std::optional<motion::WalkGraph> walk_graph_of(const Museum& museum) {

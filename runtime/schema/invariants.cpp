@@ -11,8 +11,10 @@
 #include <span>
 #include <tuple>
 
+#include "runtime/model/exhibit/longer_text.h"
 #include "runtime/model/hours/opening_hours.h"
 #include "runtime/model/hours/time_zone.h"
+#include "runtime/model/scenery_images.h"
 #include "runtime/schema/object_blob.h"
 
 namespace docent::schema {
@@ -237,11 +239,17 @@ bool stands(const Exhibit& exhibit, const Museum& museum) {
          stand.scale > 0;
 }
 
+bool keeps_length(const LocalText& more) {
+  return std::ranges::all_of(
+      more, [](const auto& entry) { return count_letters(entry.second) <= longest_more; });
+}
+
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
   return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
          exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
          finite(exhibit.placement) && finite(exhibit.viewing_point) && sound_time(exhibit.weight) &&
-         sound_time(exhibit.looking_seconds) && stands(exhibit, museum);
+         sound_time(exhibit.looking_seconds) && keeps_length(exhibit.more) &&
+         stands(exhibit, museum);
 }
 
 /// Those of an exhibit lie together, and are not too many to leaf through.
@@ -513,6 +521,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(object)) return "object '" + object.name + "'";
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
+  if (scenery_images(museum) > most_scenery_images) return "the number of exhibits' pictures";
   if (!keep(museum.pictures, museum)) return "the exhibits' further pictures";
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";

@@ -1,6 +1,7 @@
 #include "content/character/retarget.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
@@ -164,6 +165,35 @@ TEST(Retarget, KeepsFeetAndLimbsOfTheReferenceCharacters) {
     const bool is_odd = which == "kaykit_knight.glb" || which == "quaternius_knight.glb";
     expect_good(judge(read_character(test::reference_data() / "models/characters" / name)),
                 is_odd ? 5 : 2);
+  }
+}
+
+RC_GTEST_PROP(ASpringOfAnyStrength, IsBoundWithinWhatTheKioskTakes, ()) {
+  static const Character with_plait = make_character(
+      import::gltf::parse_model(
+          test::make_glb({.is_vrm1 = true,
+                          .hair = 4,
+                          .springs = R"({"springs":[{"joints":[{"node":21},{"node":22},{"node":23},
+                                        {"node":24}]}]})"}),
+          "made.vrm", {}),
+      "made.vrm");
+  Character character = with_plait;
+  const auto strength = [] {
+    return std::pow(10.0F, static_cast<float>(*rc::gen::inRange(-2000, 38000)) / 1000);
+  };
+  for (SpringBone& bone : character.swinging.bone) {
+    bone.pull = strength();
+    bone.gravity = strength() * Vec3{0.48F, -0.8F, 0.36F};
+  }
+  const Measures measures = measure(character);
+
+  const SkinnedMesh body = bind_body(
+      character, measures, fit_skeleton(recording().skeleton, measures, recording().toe_rest));
+
+  RC_ASSERT(body.cloth.node.size() == 3U);
+  for (const ClothNode& node : body.cloth.node) {
+    RC_ASSERT(node.stiffness >= 0 && node.stiffness <= most_cloth_pull);
+    RC_ASSERT(glm::dot(node.gravity, node.gravity) <= most_cloth_gravity * most_cloth_gravity);
   }
 }
 
