@@ -218,8 +218,11 @@ class CollectionAdder {
                        collection.members.size()),
            "save them in a folder, and write file = \"FOLDER\"");
     std::vector<Placed> objects;
-    for (CollectionObject& object : collection.objects)
-      objects.push_back({std::move(object), {}, {}, {}});
+    for (CollectionObject& object : collection.objects) {
+      Placed placed;
+      placed.object = std::move(object);
+      objects.push_back(std::move(placed));
+    }
     return objects;
   }
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "runtime/model/exhibit/longer_text.h"
 #include "runtime/model/hours/opening_hours.h"
@@ -429,7 +430,7 @@ bool keeps(std::span<const ClothNode> nodes, std::span<const ClothCollider> coll
         is_node(node.left, nodes.size()) && is_node(node.right, nodes.size()) &&
         std::ranges::all_of(node.joint, [=](std::uint8_t j) { return j < joints; }) &&
         std::reduce(node.weight.begin(), node.weight.end(), 0) == 255 &&
-        std::bit_width(node.keeps_out) <= static_cast<int>(colliders.size()) && node.radius >= 0 &&
+        std::cmp_less_equal(std::bit_width(node.keeps_out), colliders.size()) && node.radius >= 0 &&
         node.radius < 1 &&
         std::ranges::all_of(
             std::array{node.stiffness, node.tension},
