@@ -22,7 +22,7 @@ TO_REACH_THE_DISK = ["virtio_pci", "virtio_blk", "ext4", "crc32c_generic"]
 TO_BE_FIRST = ["virtio_gpu"]  # of several graphics cards
 FOR_UDEV = ["virtio_console", "virtio_gpu", "bochs", "uhid", "hid_generic", "hid_multitouch", "evdev"]
 FOR_A_STICK = ["xhci_pci", "usb_storage", "sd_mod", "vfat", "nls_cp437", "nls_ascii", "nls_iso8859-1"]
-FREE_MIB = 400
+FREE_MIB = 600
 
 SHELL_UNIT = """\
 [Unit]
