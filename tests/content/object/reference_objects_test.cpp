@@ -96,7 +96,7 @@ std::uint32_t copies() {
 /// pixels, of the helmet with triangles twice 2.5.
 constexpr std::size_t very_many_triangles = 90000;
 
-/// Within its budget, and its outline kept to a pixel. Was the outline measured?
+/// Within its budget, its outline kept as well as is asked of so many triangles. Was it measured?
 bool check_copy(const VariedObject& copy, const std::string& told) {
   const auto nothing_beside = [](const std::string&) { return std::optional<std::string>(); };
   const import::object::ObjectFile source =
