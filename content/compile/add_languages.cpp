@@ -21,10 +21,10 @@ using config::WordsFile;
 
 /// Languages that are written from right to left, whatever their script is said to be.
 bool is_written_from_right_to_left(std::string_view tag) {
-  constexpr std::array<std::string_view, 10> tags{"ar", "fa", "he", "ur", "ps",
-                                                  "sd", "ug", "yi", "dv", "ckb"};
+  constexpr std::array<std::string_view, 10> right_to_left{"ar", "fa", "he", "ur", "ps",
+                                                           "sd", "ug", "yi", "dv", "ckb"};
   const std::string_view language = tag.substr(0, tag.find('-'));
-  return std::ranges::find(tags, language) != tags.end() &&
+  return std::ranges::find(right_to_left, language) != right_to_left.end() &&
          tag.find("-Latn") == std::string_view::npos;
 }
 

@@ -9,7 +9,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::boathouse_test {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(ImportedMuseum, OfARealDrawingIsCompiledWithExhibitsInItsHalls) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::boathouse_test

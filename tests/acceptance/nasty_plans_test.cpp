@@ -13,7 +13,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::nasty_plans_test {
 namespace {
 
 using testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST(RealPlans, CompileAndAreDrawn) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::nasty_plans_test

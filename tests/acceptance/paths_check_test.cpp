@@ -3,7 +3,7 @@
 #include "tests/acceptance/run.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::paths_check_test {
 namespace {
 
 /// Reference answers made by other means: see floorplans/SOURCES.md of the reference data.
@@ -21,4 +21,4 @@ TEST(PathsCheck, FindsNothingWrongOnTwoMapsThatItsAnswersKnow) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::paths_check_test

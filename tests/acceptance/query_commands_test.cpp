@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wide_text.h"
 
-namespace docent::test {
+namespace docent::test::query_commands_test {
 namespace {
 
 using testing::HasSubstr;
@@ -212,4 +212,4 @@ TEST(SampleMuseumRoute, PassesExhibitsInOrder) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::query_commands_test

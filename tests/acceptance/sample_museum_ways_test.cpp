@@ -4,7 +4,7 @@
 #include "tests/runtime/path/oracles.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::test {
+namespace docent::test::sample_museum_ways_test {
 namespace {
 
 class SampleMuseum : public testing::TestWithParam<RouteKind> {};
@@ -39,4 +39,4 @@ INSTANTIATE_TEST_SUITE_P(EachKind, SampleMuseum,
                          [](const auto& each) { return std::string(info_of(each.param).name); });
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::sample_museum_ways_test

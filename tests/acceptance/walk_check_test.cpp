@@ -12,7 +12,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::walk_check_test {
 namespace {
 
 struct Shape {
@@ -107,4 +107,4 @@ TEST(WalkCheck, FindsRecordedClipsWalkingAsTheyShould) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::walk_check_test

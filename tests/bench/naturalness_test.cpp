@@ -13,7 +13,7 @@
 #include "tests/bench/zero_moment_point.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::bench {
+namespace docent::bench::naturalness_test {
 namespace {
 
 /// A motion graph and what walks on it.
@@ -143,4 +143,4 @@ TEST(RecordedWalks, LookAsNaturalAsIsPromised) {
 }
 
 }  // namespace
-}  // namespace docent::bench
+}  // namespace docent::bench::naturalness_test

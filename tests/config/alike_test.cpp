@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::config {
+namespace docent::config::alike_test {
 namespace {
 
 std::vector<Diagnostic> many(int count) {
@@ -33,4 +33,4 @@ TEST(Alike, OtherMistakesAreNotLostAmongThem) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::alike_test

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace docent::config {
+namespace docent::config::diagnostic_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -66,4 +66,4 @@ TEST(DiagnosticText, ShowsALineThatIsNotUtf8WithoutItsBytes) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::diagnostic_text_test

@@ -10,7 +10,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::config {
+namespace docent::config::kiosk_config_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -204,4 +204,4 @@ TEST(KioskConfig, TakesNoPinThatAnybodyCouldRead) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::kiosk_config_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::config {
+namespace docent::config::language_tag_test {
 namespace {
 
 TEST(LanguageTag, KnowsLanguagesScriptsAndRegions) {
@@ -31,4 +31,4 @@ RC_GTEST_PROP(LanguageTag, WhatIsOfferedIsATag, (const std::string& word)) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::language_tag_test

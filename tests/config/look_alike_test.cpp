@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::config {
+namespace docent::config::look_alike_test {
 namespace {
 
 TEST(LookAlike, IsMeantAsTheLetterOfAKeyboard) {
@@ -38,4 +38,4 @@ RC_GTEST_PROP(LookAlike, AnyBytesAreSafe, (const std::string& text)) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::look_alike_test

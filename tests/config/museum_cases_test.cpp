@@ -5,7 +5,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent::config {
+namespace docent::config::museum_cases_test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST(ASize, IsOneNumberOrTwo) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::museum_cases_test

@@ -10,7 +10,7 @@
 #include "runtime/model/exhibit/longer_text.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent::config {
+namespace docent::config::museum_config_test {
 namespace {
 
 using test::MuseumFolder;
@@ -368,4 +368,4 @@ TEST(MuseumConfig, MayHaveSeveralKiosksWhichThenHaveIds) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::museum_config_test

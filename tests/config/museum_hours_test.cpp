@@ -5,7 +5,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent::config {
+namespace docent::config::museum_hours_test {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(MuseumDoors, HaveAnIdOrAName) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::museum_hours_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::config {
+namespace docent::config::museum_path_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(MuseumPath, OfALostFolderIsToldQuickly) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::museum_path_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::config {
+namespace docent::config::text_faults_test {
 namespace {
 
 TEST(TextFaults, NameTheLetterThatNoFontHolds) {
@@ -74,4 +74,4 @@ RC_GTEST_PROP(TextFaults, AnyBytesAreSafe, (const std::string& text)) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::text_faults_test

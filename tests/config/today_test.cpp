@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::config {
+namespace docent::config::today_test {
 namespace {
 
 namespace chr = std::chrono;
@@ -85,4 +85,4 @@ TEST(Today, IsRefusedWithASentenceWhereAnythingIsWrong) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::today_test

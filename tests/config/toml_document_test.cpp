@@ -9,7 +9,7 @@
 
 #include "tests/support/wide_text.h"
 
-namespace docent::config {
+namespace docent::config::toml_document_test {
 namespace {
 
 using testing::HasSubstr;
@@ -121,4 +121,4 @@ TEST(TomlDocument, TakesAByteOrderMarkOfUtf8) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::toml_document_test

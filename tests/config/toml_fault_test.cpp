@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::config {
+namespace docent::config::toml_fault_test {
 namespace {
 
 // What people are told of each mistake is in tests/content/compile/staff_mistakes_test.cpp.
@@ -51,4 +51,4 @@ RC_GTEST_PROP(TomlFault, ASpoiltFileIsNeverExplainedOutsideOfItsLines, ()) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::toml_fault_test

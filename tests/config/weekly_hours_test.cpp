@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace docent::config {
+namespace docent::config::weekly_hours_test {
 namespace {
 
 constexpr int monday = 0, wednesday = 2, friday = 4, saturday = 5, sunday = 6;
@@ -71,4 +71,4 @@ RC_GTEST_PROP(WeeklyHours, TakeAnyTextWithoutHarm, (const std::string& text)) {
 }
 
 }  // namespace
-}  // namespace docent::config
+}  // namespace docent::config::weekly_hours_test

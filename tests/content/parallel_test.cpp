@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace docent::content {
+namespace docent::content::parallel_test {
 namespace {
 
 TEST(ForEachIndex, ThrowsWhereItWasCalledWhatTheFirstIndexThrew) {
@@ -23,4 +23,4 @@ TEST(ForEachIndex, ThrowsWhereItWasCalledWhatTheFirstIndexThrew) {
 }
 
 }  // namespace
-}  // namespace docent::content
+}  // namespace docent::content::parallel_test

@@ -10,7 +10,7 @@
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
-namespace docent::test {
+namespace docent::test::catalog_test {
 namespace {
 
 std::filesystem::path catalog_file() {
@@ -42,4 +42,4 @@ TEST(MessageCatalog, IsUnderstoodByTheJournal) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::catalog_test

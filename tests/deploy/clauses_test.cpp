@@ -12,7 +12,7 @@
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
-namespace docent::test {
+namespace docent::test::clauses_test {
 namespace {
 
 using testing::HasSubstr;
@@ -74,4 +74,4 @@ TEST(AccessibilityPage, IsLinkedFromTheReadme) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::clauses_test

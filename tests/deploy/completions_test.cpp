@@ -15,7 +15,7 @@
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
-namespace docent::test {
+namespace docent::test::completions_test {
 namespace {
 
 using testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST(Completions, OfZshAreUnderstoodByIt) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::completions_test

@@ -16,7 +16,7 @@
 #include "tests/deploy/made_file.h"
 #include "tests/support/run_program.h"
 
-namespace docent::test {
+namespace docent::test::manual_test {
 namespace {
 
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(Mdoc, MakesWhatWouldBeAMacroHarmless) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::manual_test

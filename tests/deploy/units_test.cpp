@@ -6,7 +6,7 @@
 #include "runtime/kiosk/kiosk.h"
 #include "tests/support/run_program.h"
 
-namespace docent::test {
+namespace docent::test::units_test {
 namespace {
 
 using testing::HasSubstr;
@@ -57,4 +57,4 @@ TEST(UdevRule, InhibitsNoKeyboardWithoutTheLock) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::units_test

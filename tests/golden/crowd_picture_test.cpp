@@ -12,7 +12,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::crowd_picture_test {
 namespace {
 
 /// A guide on its way: where it set out, where it leads, how far it has come.
@@ -90,4 +90,4 @@ TEST(SixGuides, LookAsTheyWereSeenAndApproved) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::crowd_picture_test

@@ -11,7 +11,7 @@
 #include "tests/golden/pictures.h"
 #include "tests/support/kiosk_run.h"
 
-namespace docent::test {
+namespace docent::test::kiosk_pictures_test {
 namespace {
 
 TEST(TheKiosk, LooksAsItWasSeenAndApproved) {
@@ -183,4 +183,4 @@ TEST(ASharedGlass, IsSearchedOnEachCard) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::kiosk_pictures_test

@@ -18,7 +18,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::staff_pictures_test {
 namespace {
 
 using kiosk::StaffScreen;
@@ -132,4 +132,4 @@ TEST_F(StaffPictures, OfAKioskWithoutAMuseumSayWhatToDo) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::staff_pictures_test

@@ -14,7 +14,7 @@
 #include "tests/content/avatar/posed_body.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::avatar {
+namespace docent::avatar::avatar_test {
 namespace {
 
 const SkinnedMesh& avatar() {
@@ -209,4 +209,4 @@ TEST(Avatar, FitsTheRecordedSkeletonToo) {
 }
 
 }  // namespace
-}  // namespace docent::avatar
+}  // namespace docent::avatar::avatar_test

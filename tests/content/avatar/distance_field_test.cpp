@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::avatar {
+namespace docent::avatar::distance_field_test {
 namespace {
 
 Vec3 some_point(int reach) {
@@ -50,4 +50,4 @@ TEST(Ellipsoid, IsZeroOnItsSurface) {
 }
 
 }  // namespace
-}  // namespace docent::avatar
+}  // namespace docent::avatar::distance_field_test

@@ -11,7 +11,7 @@
 #include "content/gait/gait_skeleton.h"
 #include "tests/content/avatar/posed_body.h"
 
-namespace docent::avatar {
+namespace docent::avatar::drape_test {
 namespace {
 
 /// A guide with its whole legs, those parts too that are never seen.
@@ -171,4 +171,4 @@ TEST(EachGarment, CoversItsLegsInEveryShippedClip) {
 }
 
 }  // namespace
-}  // namespace docent::avatar
+}  // namespace docent::avatar::drape_test

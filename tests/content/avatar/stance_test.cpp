@@ -5,7 +5,7 @@
 #include "content/content_error.h"
 #include "content/gait/gait_skeleton.h"
 
-namespace docent::avatar {
+namespace docent::avatar::stance_test {
 namespace {
 
 TEST(Stance, StandsOnTheGroundWithHangingArmsAndFeetForward) {
@@ -46,4 +46,4 @@ TEST(Stance, NeedsAWholeSkeleton) {
 }
 
 }  // namespace
-}  // namespace docent::avatar
+}  // namespace docent::avatar::stance_test

@@ -9,7 +9,7 @@
 #include "content/avatar/simplify.h"
 #include "content/avatar/surface_nets.h"
 
-namespace docent::avatar {
+namespace docent::avatar::surface_nets_test {
 namespace {
 
 /// Every edge is used once each way: the surface has no hole and no seam.
@@ -122,4 +122,4 @@ TEST(Simplify, KeepsTheCornersOfABox) {
 }
 
 }  // namespace
-}  // namespace docent::avatar
+}  // namespace docent::avatar::surface_nets_test

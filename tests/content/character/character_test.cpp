@@ -14,7 +14,7 @@
 #include "tests/content/character/made_character.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::character {
+namespace docent::character::character_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -201,4 +201,4 @@ TEST(Character, ThatIsBrokenIsRefusedWithASentence) {
 }
 
 }  // namespace
-}  // namespace docent::character
+}  // namespace docent::character::character_test

@@ -14,7 +14,7 @@
 #include "tests/content/character/made_character.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::character {
+namespace docent::character::retarget_test {
 namespace {
 
 namespace off = motion::offline;
@@ -198,4 +198,4 @@ RC_GTEST_PROP(ASpringOfAnyStrength, IsBoundWithinWhatTheKioskTakes, ()) {
 }
 
 }  // namespace
-}  // namespace docent::character
+}  // namespace docent::character::retarget_test

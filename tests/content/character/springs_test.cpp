@@ -13,7 +13,7 @@
 #include "tests/content/character/made_character.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::character {
+namespace docent::character::springs_test {
 namespace {
 
 using ::testing::Contains;
@@ -214,4 +214,4 @@ TEST(Springs, OfTheReferenceDataSwing) {
 }
 
 }  // namespace
-}  // namespace docent::character
+}  // namespace docent::character::springs_test

@@ -11,7 +11,7 @@
 #include "tests/support/museum_folder.h"
 #include "tests/support/terminal_run.h"
 
-namespace docent::command {
+namespace docent::command::compile_command_test {
 namespace {
 
 using test::MuseumFolder;
@@ -120,4 +120,4 @@ TEST(CheckCommand, LooksAtRecordingsThatDoNotShipWithDocent) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::compile_command_test

@@ -7,7 +7,7 @@
 #include "tests/content/character/made_character.h"
 #include "tests/support/run_program.h"
 
-namespace docent::command {
+namespace docent::command::figure_command_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(TheFigureCommand, NamesWhatIsWrongWithAFile) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::figure_command_test

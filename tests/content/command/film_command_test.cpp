@@ -15,7 +15,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::command {
+namespace docent::command::film_command_test {
 namespace {
 
 using test::ProgramRun;
@@ -122,4 +122,4 @@ TEST_F(FilmCommand, SaysWithExitCodeThreeThatNothingHereCanDraw) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::film_command_test

@@ -3,7 +3,7 @@
 #include "tests/support/museum_folder.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::command {
+namespace docent::command::graph_command_test {
 namespace {
 
 using test::run_program;
@@ -37,4 +37,4 @@ TEST(TheGraphCommand, SaysThatADatabaseWithoutMotionHasNone) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::graph_command_test

@@ -9,7 +9,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::import_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -149,4 +149,4 @@ TEST(Import, OfWhatIsNoPlanSaysWhatItIsAndWritesNothing) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::import_command_test

@@ -7,7 +7,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/terminal_run.h"
 
-namespace docent::command {
+namespace docent::command::program_test {
 namespace {
 
 using test::ProgramRun;
@@ -82,4 +82,4 @@ TEST(Program, IsColouredOnATerminalUnlessThatIsNotWanted) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::program_test

@@ -9,7 +9,7 @@
 #include "tests/support/house_folder.h"
 #include "tests/support/run_program.h"
 
-namespace docent::command {
+namespace docent::command::route_command_test {
 namespace {
 
 using nlohmann::json;
@@ -191,4 +191,4 @@ TEST_F(RouteThroughAHouse, JoinsToursOfSeveralFloors) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::route_command_test

@@ -3,7 +3,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/run_program.h"
 
-namespace docent::command {
+namespace docent::command::schema_command_test {
 namespace {
 
 // The schema in the tree is what staff's editors read: it is the loader's own table of fields.
@@ -15,4 +15,4 @@ TEST(TheSchemaCommand, PrintsTheSchemaThatLiesInTheTree) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::schema_command_test

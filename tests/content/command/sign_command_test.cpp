@@ -11,7 +11,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/small_museum.h"
 
-namespace docent::test {
+namespace docent::test::sign_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -106,4 +106,4 @@ TEST_F(Signing, WithTheWrongFileSaysWhichIsMeant) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::sign_command_test

@@ -9,7 +9,7 @@
 #include "tests/support/house_folder.h"
 #include "tests/support/run_program.h"
 
-namespace docent::command {
+namespace docent::command::tour_command_test {
 namespace {
 
 using nlohmann::json;
@@ -85,4 +85,4 @@ TEST_F(TourOfAHouse, SaysWhyAnExhibitCannotBeReached) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::tour_command_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent::command {
+namespace docent::command::translate_command_test {
 namespace {
 
 using test::MuseumFolder;
@@ -82,4 +82,4 @@ TEST(TranslateCommand, SaysWhatItWants) {
 }
 
 }  // namespace
-}  // namespace docent::command
+}  // namespace docent::command::translate_command_test

@@ -7,7 +7,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::walk_command_test {
 namespace {
 
 using testing::HasSubstr;
@@ -106,4 +106,4 @@ TEST_F(WalkCommand, RefusesOptionsOfTheOtherSearch) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::walk_command_test

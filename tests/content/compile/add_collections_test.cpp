@@ -9,7 +9,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::add_collections_test {
 namespace {
 
 using test::MuseumFolder;
@@ -235,4 +235,4 @@ TEST(Collections, TheSameCatalogueGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::add_collections_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::add_languages_test {
 namespace {
 
 using test::MuseumFolder;
@@ -119,4 +119,4 @@ TEST(AddLanguages, ReadsWordsWhoseHeadingWasForgotten) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::add_languages_test

@@ -10,7 +10,7 @@
 
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::bad_input_test {
 namespace {
 
 using test::MuseumFolder;
@@ -389,4 +389,4 @@ TEST(BadInput, ADatabaseThatIsMissingOrDamaged) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::bad_input_test

@@ -9,7 +9,7 @@
 #include "content/compile/compile_floor.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::check_footprints_test {
 namespace {
 
 using testing::IsEmpty;
@@ -127,4 +127,4 @@ TEST(InTheWay, IsTheNearestThingThatLeavesABodyNoRoom) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::check_footprints_test

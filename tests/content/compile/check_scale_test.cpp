@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::compile {
+namespace docent::compile::check_scale_test {
 namespace {
 
 using testing::HasSubstr;
@@ -58,4 +58,4 @@ TEST(CheckScale, DoubtsNothingWhereTooLittleIsSaid) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::check_scale_test

@@ -6,7 +6,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/house_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_connections_test {
 namespace {
 
 using testing::AllOf;
@@ -121,4 +121,4 @@ TEST(AnExhibit, BehindAClosedLiftIsNone) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_connections_test

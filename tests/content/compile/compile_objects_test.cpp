@@ -9,7 +9,7 @@
 #include "runtime/schema/invariants.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_objects_test {
 namespace {
 
 using ::testing::Contains;
@@ -98,4 +98,4 @@ TEST(CompileObjects, ShowsThePictureOfWhatHangsOnAWall) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_objects_test

@@ -6,7 +6,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/house_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_places_test {
 namespace {
 
 using testing::AllOf;
@@ -100,4 +100,4 @@ TEST(Places, HaveAnIdOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_places_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::compile {
+namespace docent::compile::compile_readings_test {
 namespace {
 
 TEST(Readings, AreThoseOfChineseTitlesAndTagsAndWhatStaffSayInstead) {
@@ -25,4 +25,4 @@ TEST(Readings, AreThoseOfChineseTitlesAndTagsAndWhatStaffSayInstead) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_readings_test

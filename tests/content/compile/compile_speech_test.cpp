@@ -10,7 +10,7 @@
 #include "tests/support/small_museum.h"
 #include "tests/support/tone_voice.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_speech_test {
 namespace {
 
 using test::InPath;
@@ -139,4 +139,4 @@ TEST(CompileSpeech, SectionsWithoutASoundAreTold) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_speech_test

@@ -12,7 +12,7 @@
 #include "runtime/schema/schema.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_test {
 namespace {
 
 using test::MuseumFolder;
@@ -205,4 +205,4 @@ TEST(Info, CountsWhatADatabaseHolds) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_test

@@ -6,7 +6,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/house_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::compile_tours_test {
 namespace {
 
 using testing::AllOf;
@@ -115,4 +115,4 @@ TEST(Tours, NeedTitlesInEveryLanguage) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::compile_tours_test

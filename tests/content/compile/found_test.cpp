@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace docent::compile {
+namespace docent::compile::found_test {
 namespace {
 
 using testing::EndsWith;
@@ -28,4 +28,4 @@ TEST(Found, SaysHowManyPicturesHaveNoDescription) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::found_test

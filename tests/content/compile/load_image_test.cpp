@@ -8,7 +8,7 @@
 #include "platform/image/image.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::load_image_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -94,4 +94,4 @@ TEST(LoadImage, RefusesTextThatIsNoDrawing) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::load_image_test

@@ -12,7 +12,7 @@
 #include "content/compile/compile_floor.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::narrow_doors_test {
 namespace {
 
 using testing::DoubleNear;
@@ -175,4 +175,4 @@ TEST(NarrowDoors, DoNotIncludeWallsWithoutADoor) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::narrow_doors_test

@@ -10,7 +10,7 @@
 #include "tests/content/character/made_character.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::own_figure_test {
 namespace {
 
 std::filesystem::path write(const test::TemporaryFolder& folder, const std::string& bytes) {
@@ -101,4 +101,4 @@ TEST(OwnFigure, IsDrawnFromAllSidesAndWalking) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::own_figure_test

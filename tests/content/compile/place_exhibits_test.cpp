@@ -12,7 +12,7 @@
 #include "runtime/path/floor_map.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::place_exhibits_test {
 namespace {
 
 /// A room of 10 by 8 metres with a case of 1 by 1 in it, and a case let into its south wall.
@@ -115,4 +115,4 @@ TEST(NearestFreePoint, IsTheNearestOfAllPointsOfAFineGrid) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::place_exhibits_test

@@ -13,7 +13,7 @@
 #include "tests/support/museum_folder.h"
 #include "tests/support/wide_text.h"
 
-namespace docent::compile {
+namespace docent::compile::staff_mistakes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -910,4 +910,4 @@ TEST(StaffMistakes, AFloorWithoutATitleNeverShowsItsName) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::staff_mistakes_test

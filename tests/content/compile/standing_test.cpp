@@ -11,7 +11,7 @@
 #include "runtime/path/route.h"
 #include "tests/support/museum_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::standing_test {
 namespace {
 
 using test::MuseumFolder;
@@ -145,4 +145,4 @@ TEST(ACase, IsDrawnOnceAndWhatStandsInItMovesWithIt) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::standing_test

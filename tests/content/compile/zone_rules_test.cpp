@@ -6,7 +6,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "tests/support/house_folder.h"
 
-namespace docent::compile {
+namespace docent::compile::zone_rules_test {
 namespace {
 
 using testing::AllOf;
@@ -50,4 +50,4 @@ TEST(ZoneRules, AreThoseOfAZoneOfTheWorld) {
 }
 
 }  // namespace
-}  // namespace docent::compile
+}  // namespace docent::compile::zone_rules_test

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace docent::film {
+namespace docent::film::contact_sheet_test {
 namespace {
 
 Pixels filled(std::byte shade) {
@@ -42,4 +42,4 @@ TEST(ContactSheet, IsAboutTwiceAsWideAsHigh) {
 }
 
 }  // namespace
-}  // namespace docent::film
+}  // namespace docent::film::contact_sheet_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace docent::film {
+namespace docent::film::film_camera_test {
 namespace {
 
 /// A square room about the origin.
@@ -42,4 +42,4 @@ TEST(FilmCamera, NeverLooksStraightDownForAWallHoweverNear) {
 }
 
 }  // namespace
-}  // namespace docent::film
+}  // namespace docent::film::film_camera_test

@@ -14,7 +14,7 @@
 #include "tests/content/floor/random_plan.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::boost_voronoi_test {
 
 struct IntegerPoint {
   int x = 0, y = 0;
@@ -23,37 +23,37 @@ struct IntegerWall {
   IntegerPoint a, b;
 };
 
-}  // namespace docent::test
+}  // namespace docent::test::boost_voronoi_test
 
 namespace boost::polygon {
 
 template <>
-struct geometry_concept<docent::test::IntegerPoint> {
+struct geometry_concept<docent::test::boost_voronoi_test::IntegerPoint> {
   using type = point_concept;
 };
 template <>
-struct point_traits<docent::test::IntegerPoint> {
+struct point_traits<docent::test::boost_voronoi_test::IntegerPoint> {
   using coordinate_type = int;
-  static int get(const docent::test::IntegerPoint& point, orientation_2d direction) {
+  static int get(const docent::test::boost_voronoi_test::IntegerPoint& point, orientation_2d direction) {
     return direction == HORIZONTAL ? point.x : point.y;
   }
 };
 template <>
-struct geometry_concept<docent::test::IntegerWall> {
+struct geometry_concept<docent::test::boost_voronoi_test::IntegerWall> {
   using type = segment_concept;
 };
 template <>
-struct segment_traits<docent::test::IntegerWall> {
+struct segment_traits<docent::test::boost_voronoi_test::IntegerWall> {
   using coordinate_type = int;
-  using point_type = docent::test::IntegerPoint;
-  static point_type get(const docent::test::IntegerWall& wall, direction_1d end) {
+  using point_type = docent::test::boost_voronoi_test::IntegerPoint;
+  static point_type get(const docent::test::boost_voronoi_test::IntegerWall& wall, direction_1d end) {
     return end.to_int() != 0 ? wall.b : wall.a;
   }
 };
 
 }  // namespace boost::polygon
 
-namespace docent::test {
+namespace docent::test::boost_voronoi_test {
 namespace {
 
 constexpr double per_metre = 1e4;  // Boost wants integers: the plans are on a grid of 0.1 mm.
@@ -143,4 +143,4 @@ RC_GTEST_PROP(BoostVoronoi, AgreesOnSquareCasesThatLineUp, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::boost_voronoi_test

@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/content/floor/random_plan.h"
 
-namespace docent::floor {
+namespace docent::floor::close_doors_test {
 namespace {
 
 using test::drawn;
@@ -108,4 +108,4 @@ RC_GTEST_PROP(AClosedDoor, PartsAHallWhereverItIs, ()) {
 }
 
 }  // namespace
-}  // namespace docent::floor
+}  // namespace docent::floor::close_doors_test

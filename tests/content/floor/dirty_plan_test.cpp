@@ -16,7 +16,7 @@
 #include "tests/content/floor/plans.h"
 #include "tests/content/floor/raw_interior.h"
 
-namespace docent::test {
+namespace docent::test::dirty_plan_test {
 namespace {
 
 /// Metres. Mending moves a wall by at most a corner's size, 1 mm, and once more where a crossing
@@ -88,4 +88,4 @@ RC_GTEST_PROP(DirtyPlan, BecomesTheRightFloorOrIsRefusedWithAReason, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::dirty_plan_test

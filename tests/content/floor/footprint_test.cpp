@@ -15,7 +15,7 @@
 #include "tests/content/floor/diagram_check.h"
 #include "tests/content/floor/random_plan.h"
 
-namespace docent::floor {
+namespace docent::floor::footprint_test {
 namespace {
 
 using test::drawn;
@@ -121,4 +121,4 @@ TEST(Footprints, ThatCoverTheWholeFloorAreRefused) {
 }
 
 }  // namespace
-}  // namespace docent::floor
+}  // namespace docent::floor::footprint_test

@@ -15,7 +15,7 @@
 #include "tests/content/floor/random_plan.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::medial_axis_test {
 namespace {
 
 Roadmap roadmap_of(const FloorPlan& plan) {
@@ -202,4 +202,4 @@ TEST(MedialAxis, HasTheShapeOfEveryReferencePlan) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::medial_axis_test

@@ -13,7 +13,7 @@
 #include "tests/content/floor/plans.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::mend_test {
 namespace {
 
 using testing::Contains;
@@ -378,4 +378,4 @@ TEST(Mend, TellsWhatItLeftOutOfAPlanThatItRefuses) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::mend_test

@@ -4,7 +4,7 @@
 
 #include "tests/content/floor/random_plan.h"
 
-namespace docent::floor {
+namespace docent::floor::open_doors_test {
 namespace {
 
 using test::drawn;
@@ -39,4 +39,4 @@ TEST(OpenDoors, ChangeNothingOnTheFloorInAnOuterWallOrWhereRoomsLieFarApart) {
 }
 
 }  // namespace
-}  // namespace docent::floor
+}  // namespace docent::floor::open_doors_test

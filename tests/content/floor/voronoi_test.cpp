@@ -12,7 +12,7 @@
 #include "tests/content/floor/random_plan.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::voronoi_test {
 namespace {
 
 Complaint check_diagram_of(const FloorPlan& plan) {
@@ -162,4 +162,4 @@ TEST(Voronoi, HasAFewEdgesAWallAlsoForTenThousandWalls) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::voronoi_test

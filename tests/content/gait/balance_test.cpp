@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace docent::gait {
+namespace docent::gait::balance_test {
 namespace {
 
 RC_GTEST_PROP(BalancedMass, FallsAwayFromThePressureAsAPendulumDoes, ()) {
@@ -74,4 +74,4 @@ TEST(Smooth, KeepsStraightLinesStraightAwayFromTheEnds) {
 }
 
 }  // namespace
-}  // namespace docent::gait
+}  // namespace docent::gait::balance_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent::gait {
+namespace docent::gait::footsteps_test {
 namespace {
 
 GaitPlan some_walk() {
@@ -76,4 +76,4 @@ TEST(Footsteps, EndSideBySide) {
 }
 
 }  // namespace
-}  // namespace docent::gait
+}  // namespace docent::gait::footsteps_test

@@ -5,7 +5,7 @@
 
 #include "content/gait/gait_figures.h"
 
-namespace docent::gait {
+namespace docent::gait::gait_figures_test {
 namespace {
 
 using gait_figures::Knot;
@@ -61,4 +61,4 @@ TEST(Ease, RisesFromNothingToOneWithoutAJolt) {
 }
 
 }  // namespace
-}  // namespace docent::gait
+}  // namespace docent::gait::gait_figures_test

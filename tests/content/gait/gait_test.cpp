@@ -10,7 +10,7 @@
 
 #include "gait_track.h"
 
-namespace docent::gait {
+namespace docent::gait::gait_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -339,4 +339,4 @@ TEST(Gait, FollowsFromItsRecipe) {
 }
 
 }  // namespace
-}  // namespace docent::gait
+}  // namespace docent::gait::gait_test

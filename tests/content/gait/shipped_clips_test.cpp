@@ -8,7 +8,7 @@
 #include "content/motion/compile_motion.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::gait {
+namespace docent::gait::shipped_clips_test {
 namespace {
 
 std::filesystem::path folder() {
@@ -55,4 +55,4 @@ TEST(ShippedClips, MakeAWellConnectedMotionGraph) {
 }
 
 }  // namespace
-}  // namespace docent::gait
+}  // namespace docent::gait::shipped_clips_test

@@ -13,7 +13,7 @@
 #include "content/motion/nearest_poses.h"
 #include "tests/content/motion/shipped_clips.h"
 
-namespace docent::test {
+namespace docent::test::alike_tiles_test {
 namespace {
 
 /// Clips as find_transitions takes them.
@@ -195,4 +195,4 @@ TEST(Transitions, AreTheClosestThatLeaveInAWindow) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::alike_tiles_test

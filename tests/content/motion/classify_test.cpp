@@ -9,7 +9,7 @@
 #include "content/motion/foot_plants.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::classify_test {
 namespace {
 
 motion::offline::ClipMeasures measures_of(const std::string& recording) {
@@ -37,4 +37,4 @@ TEST(Runs, AreInTheAirForAThirdOfTheTimeAndMore) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::classify_test

@@ -13,7 +13,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::cut_takes_test {
 namespace {
 
 using testing::ElementsAre;
@@ -130,4 +130,4 @@ TEST(ATake, IsAllThatAMotionGraphNeeds) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::cut_takes_test

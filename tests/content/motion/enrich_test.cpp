@@ -17,7 +17,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::enrich_test {
 namespace {
 
 using testing::AllOf;
@@ -273,4 +273,4 @@ TEST(AnEnrichedGraph, IsNotMirroredWhereTheBodyIsNot) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::enrich_test

@@ -11,7 +11,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::fewer_joints_test {
 namespace {
 
 /// A skeleton and its clips.
@@ -80,4 +80,4 @@ TEST(FewerJoints, AreWhatIsCompiledOfAHandWithAHundredFingers) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::fewer_joints_test

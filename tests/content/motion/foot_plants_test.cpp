@@ -7,7 +7,7 @@
 
 #include "tests/content/motion/shipped_clips.h"
 
-namespace docent::test {
+namespace docent::test::foot_plants_test {
 namespace {
 
 MotionClip planted(MotionClip clip) {
@@ -90,4 +90,4 @@ TEST(Ground, IsPutUnderFeetThatWereRecordedFarFromIt) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::foot_plants_test

@@ -11,7 +11,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::gait_cycle_test {
 namespace {
 
 std::string class_of(const Skeleton& skeleton, MotionClip clip) {
@@ -151,4 +151,4 @@ TEST(Unlikeness, IsLessWithinAClassThanBetweenClasses) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::gait_cycle_test

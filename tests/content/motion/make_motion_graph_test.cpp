@@ -17,7 +17,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::make_motion_graph_test {
 namespace {
 
 using testing::Contains;
@@ -339,4 +339,4 @@ TEST(RecordedClips, HaveTheHandMendedThatLeaps) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::make_motion_graph_test

@@ -12,7 +12,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::motion_classes_test {
 namespace {
 
 /// The shipped walk, played `times` as fast, as a clip of some class.
@@ -123,4 +123,4 @@ TEST(MotionGraphOfClasses, HoldsWhatWalksAndRunsAndStillWalksByDefault) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::motion_classes_test

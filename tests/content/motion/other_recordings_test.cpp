@@ -19,7 +19,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::other_recordings_test {
 namespace {
 
 bool stands_or_stops(const motion::offline::SourceClip& source) {
@@ -183,4 +183,4 @@ TEST(RestPose, IsFoundForARigThatDoesNotStandInItsOwnAndMovesNoJoint) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::other_recordings_test

@@ -11,7 +11,7 @@
 #include "tests/content/motion/random_graph.h"
 #include "tests/content/motion/shipped_clips.h"
 
-namespace docent::test {
+namespace docent::test::paper_search_test {
 namespace {
 
 std::vector<Vec2> arc(double length, double bend) {
@@ -234,4 +234,4 @@ TEST(PaperSearch, LookingFartherAheadKeepsCloserToThePath) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::paper_search_test

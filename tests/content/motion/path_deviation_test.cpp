@@ -7,7 +7,7 @@
 
 #include "runtime/model/geometry/polyline.h"
 
-namespace docent::test {
+namespace docent::test::path_deviation_test {
 namespace {
 
 constexpr double rate = 120, speed = 1.2;
@@ -60,4 +60,4 @@ TEST(PathDeviation, OfABodyThatStopsHalfwayReachesHalf) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::path_deviation_test

@@ -9,7 +9,7 @@
 
 #include "tests/content/motion/shipped_clips.h"
 
-namespace docent::test {
+namespace docent::test::pose_distance_test {
 namespace {
 
 /// A cloud of a few points that wander at random.
@@ -178,4 +178,4 @@ TEST(PoseDistance, SeesTheNextStrideAsTheSamePose) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::pose_distance_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace docent::test {
+namespace docent::test::prune_test {
 namespace {
 
 MotionClip clip_of(std::uint32_t frames, ClipRole role) {
@@ -102,4 +102,4 @@ TEST(Pruning, OfAnEmptyGraphIsNothing) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::prune_test

@@ -10,7 +10,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::quantise_test {
 namespace {
 
 /// What a database may take for a second of motion.
@@ -170,4 +170,4 @@ TEST(QuantisedMotion, IsCoarserForASmallerBody) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::quantise_test

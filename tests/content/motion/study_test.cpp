@@ -11,7 +11,7 @@
 #include "content/motion/resample.h"
 #include "tests/content/motion/shipped_clips.h"
 
-namespace docent::test {
+namespace docent::test::study_test {
 namespace {
 
 ClipRole role_of(MotionClip clip) {
@@ -280,4 +280,4 @@ TEST(Resampling, KeepsTheMotionAndItsLength) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::study_test

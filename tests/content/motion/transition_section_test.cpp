@@ -11,7 +11,7 @@
 #include "tests/content/motion/shipped_clips.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::transition_section_test {
 namespace {
 
 bool stops(const MotionGraph& graph, std::uint32_t clip) {
@@ -123,4 +123,4 @@ TEST(TransitionSection, OfTheRecordedClipsKeepsItsRadius) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::transition_section_test

@@ -7,7 +7,7 @@
 
 #include "content/import/object/read_object.h"
 
-namespace docent::object {
+namespace docent::object::agree_test {
 namespace {
 
 /// Two by one by four metres, each face outwards.
@@ -83,4 +83,4 @@ TEST(TrianglesOfASurface, MayShareASideWithAnyNumber) {
 }
 
 }  // namespace
-}  // namespace docent::object
+}  // namespace docent::object::agree_test

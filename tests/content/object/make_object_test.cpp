@@ -14,7 +14,7 @@
 #include "runtime/schema/object_blob.h"
 #include "tests/content/object/silhouette.h"
 
-namespace docent::object {
+namespace docent::object::make_object_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -201,4 +201,4 @@ TEST(Octahedral, KeepsDirectionsToADegreeAndAHalf) {
 }
 
 }  // namespace
-}  // namespace docent::object
+}  // namespace docent::object::make_object_test

@@ -18,7 +18,7 @@
 #include "tests/support/sanitized.h"
 
 /// The objects of ../shared/models: measured one by one.
-namespace docent::object {
+namespace docent::object::reference_objects_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,7 +145,9 @@ TEST(ReferenceObjects, AreMadeWithinTheirBudgetAsAStrangerWouldBringThem) {
       ADD_FAILURE() << error.what();
     }
   }
-  if (!test::is_sanitized) EXPECT_GT(measured, 0U);
+  if (!test::is_sanitized) {
+    EXPECT_GT(measured, 0U);
+  }
 }
 
 TEST(ReferenceObjects, ThatAreBrokenAreASentence) {
@@ -171,4 +173,4 @@ TEST(ReferenceObjects, ThatAreBrokenAreASentence) {
 }
 
 }  // namespace
-}  // namespace docent::object
+}  // namespace docent::object::reference_objects_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::reading {
+namespace docent::reading::pinyin_test {
 namespace {
 
 TEST(Pinyin, IsASyllableForEachSignWithoutTones) {
@@ -19,4 +19,4 @@ TEST(Pinyin, LeavesOtherLettersWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace docent::reading
+}  // namespace docent::reading::pinyin_test

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace docent::scenery {
+namespace docent::scenery::baked_light_test {
 namespace {
 
 constexpr double wall_height = 1.5;
@@ -99,4 +99,4 @@ TEST(BakedLight, OfAnOpenFieldIsWholeEverywhere) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::baked_light_test

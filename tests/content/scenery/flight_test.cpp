@@ -12,7 +12,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/support/halls.h"
 
-namespace docent::scenery {
+namespace docent::scenery::flight_test {
 namespace {
 
 using test::HallMaker;
@@ -151,4 +151,4 @@ TEST(Flight, HasEveryFaceCounterClockwiseSeenFromItsNormal) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::flight_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/halls.h"
 
-namespace docent::scenery {
+namespace docent::scenery::furniture_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -119,4 +119,4 @@ TEST(Insetting, MovesEverySideInwardsByTheDistance) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::furniture_test

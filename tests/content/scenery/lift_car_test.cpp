@@ -8,7 +8,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/support/halls.h"
 
-namespace docent::scenery {
+namespace docent::scenery::lift_car_test {
 namespace {
 
 using test::HallMaker;
@@ -63,4 +63,4 @@ TEST(LiftCar, NeedsAWallAsWideAsItsDoor) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::lift_car_test

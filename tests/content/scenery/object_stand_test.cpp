@@ -6,7 +6,7 @@
 
 #include "runtime/model/geometry/polygon.h"
 
-namespace docent::scenery {
+namespace docent::scenery::object_stand_test {
 namespace {
 
 const Outline square{{0, 0}, {1.2, 0}, {1.2, 1.2}, {0, 1.2}};
@@ -73,4 +73,4 @@ TEST(PlaceObject, StaysBelowWhatCamerasLookOver) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::object_stand_test

@@ -10,7 +10,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/support/halls.h"
 
-namespace docent::scenery {
+namespace docent::scenery::scenery_test {
 namespace {
 
 using test::HallMaker;
@@ -198,4 +198,4 @@ TEST(Scenery, StandsAtTheHeightOfItsFloor) {
 }
 
 }  // namespace
-}  // namespace docent::scenery
+}  // namespace docent::scenery::scenery_test

@@ -6,7 +6,7 @@
 #include "tests/content/speech/made_recordings.h"
 #include "tests/support/tone_voice.h"
 
-namespace docent::speech {
+namespace docent::speech::make_speech_test {
 namespace {
 
 using test::tone;
@@ -130,4 +130,4 @@ TEST(MakeSpeech, SpeaksNoLanguageInPart) {
 }
 
 }  // namespace
-}  // namespace docent::speech
+}  // namespace docent::speech::make_speech_test

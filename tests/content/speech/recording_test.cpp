@@ -7,7 +7,7 @@
 #include "content/content_error.h"
 #include "tests/content/speech/made_recordings.h"
 
-namespace docent::speech {
+namespace docent::speech::recording_test {
 namespace {
 
 using test::ogg_of;
@@ -129,4 +129,4 @@ RC_GTEST_PROP(RecordingProperty, AnyChangeIsASoundOrASentence, ()) {
 }
 
 }  // namespace
-}  // namespace docent::speech
+}  // namespace docent::speech::recording_test

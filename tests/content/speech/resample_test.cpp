@@ -8,7 +8,7 @@
 #include "content/speech/level.h"
 #include "tests/content/speech/made_recordings.h"
 
-namespace docent::speech {
+namespace docent::speech::resample_test {
 namespace {
 
 using test::power;
@@ -68,4 +68,4 @@ TEST(Level, LeavesSilenceSilent) {
 }
 
 }  // namespace
-}  // namespace docent::speech
+}  // namespace docent::speech::resample_test

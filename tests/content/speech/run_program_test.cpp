@@ -4,7 +4,7 @@
 
 #include <sys/personality.h>
 
-namespace docent::speech {
+namespace docent::speech::run_program_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -51,4 +51,4 @@ TEST(RunProgram, EndsWhatTakesTooLongOrSaysTooMuch) {
 }
 
 }  // namespace
-}  // namespace docent::speech
+}  // namespace docent::speech::run_program_test

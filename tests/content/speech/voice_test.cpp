@@ -11,7 +11,7 @@
 #include "tests/content/speech/made_recordings.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::speech {
+namespace docent::speech::voice_test {
 namespace {
 
 using testing::HasSubstr;
@@ -134,4 +134,4 @@ TEST(Espeak, OfThisMachineSpeaks) {
 }
 
 }  // namespace
-}  // namespace docent::speech
+}  // namespace docent::speech::voice_test

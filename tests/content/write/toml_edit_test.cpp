@@ -5,7 +5,7 @@
 
 #include "config/toml_document.h"
 
-namespace docent::write {
+namespace docent::write::toml_edit_test {
 namespace {
 
 TEST(TomlEdit, ReplacesAValueAndLeavesTheRest) {
@@ -48,4 +48,4 @@ RC_GTEST_PROP(TomlEdit, AnyTextComesBackThroughTheReader, (std::string text)) {
 }
 
 }  // namespace
-}  // namespace docent::write
+}  // namespace docent::write::toml_edit_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::alsa {
+namespace docent::alsa::jack_watch_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -47,4 +47,4 @@ TEST(JackWatch, OfAMachineWithoutACardEnds) {
 }
 
 }  // namespace
-}  // namespace docent::alsa
+}  // namespace docent::alsa::jack_watch_test

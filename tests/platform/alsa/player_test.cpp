@@ -15,7 +15,7 @@
 #include "platform/opus/encoder.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::alsa {
+namespace docent::alsa::player_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -259,4 +259,4 @@ TEST(AlsaDevice, TakesSoundAsFastAsItsPluginDoes) {
 }
 
 }  // namespace
-}  // namespace docent::alsa
+}  // namespace docent::alsa::player_test

@@ -4,7 +4,7 @@
 
 #include "platform/clock/monotonic_clock.h"
 
-namespace docent::clock {
+namespace docent::clock::monotonic_clock_test {
 namespace {
 
 TEST(FrameClock, MeasuresTheTimeSinceTheLastFrame) {
@@ -20,4 +20,4 @@ TEST(FrameClock, MeasuresTheTimeSinceTheLastFrame) {
 }
 
 }  // namespace
-}  // namespace docent::clock
+}  // namespace docent::clock::monotonic_clock_test

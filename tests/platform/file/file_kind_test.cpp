@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace docent::file {
+namespace docent::file::file_kind_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -52,4 +52,4 @@ RC_GTEST_PROP(FileKind, AnyBytesAreAnswered, (const std::string& bytes)) {
 }
 
 }  // namespace
-}  // namespace docent::file
+}  // namespace docent::file::file_kind_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::file {
+namespace docent::file::file_stamp_test {
 namespace {
 
 TEST(AFileStamp, IsAnotherOnceTheFileIsAnother) {
@@ -30,4 +30,4 @@ TEST(AFileStamp, IsAnotherOnceTheFileIsAnother) {
 }
 
 }  // namespace
-}  // namespace docent::file
+}  // namespace docent::file::file_stamp_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::file {
+namespace docent::file::read_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -70,4 +70,4 @@ TEST(ReadFile, TakesAPipe) {
 }
 
 }  // namespace
-}  // namespace docent::file
+}  // namespace docent::file::read_file_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/wide_text.h"
 
-namespace docent::file {
+namespace docent::file::text_encoding_test {
 namespace {
 
 using test::ByteOrder;
@@ -92,4 +92,4 @@ TEST(TextEncoding, KnowsWhatIsNoCharacterOfUtf8) {
 }
 
 }  // namespace
-}  // namespace docent::file
+}  // namespace docent::file::text_encoding_test

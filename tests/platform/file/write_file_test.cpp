@@ -9,7 +9,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace docent::file {
+namespace docent::file::write_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(CreatingAFile, NeverTouchesOneThatIsThere) {
 }
 
 }  // namespace
-}  // namespace docent::file
+}  // namespace docent::file::write_file_test

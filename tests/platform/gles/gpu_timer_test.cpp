@@ -5,7 +5,7 @@
 
 #include "platform/headless/headless_display.h"
 
-namespace docent::gles {
+namespace docent::gles::gpu_timer_test {
 namespace {
 
 // A driver that keeps no time answers nothing, which is right too; a time that is told is one.
@@ -32,4 +32,4 @@ TEST(GpuTimer, TellsNoMoreTimesThanFramesAndNoneBelowZero) {
 }
 
 }  // namespace
-}  // namespace docent::gles
+}  // namespace docent::gles::gpu_timer_test

@@ -5,7 +5,7 @@
 
 #include "platform/headless/headless_display.h"
 
-namespace docent::gles {
+namespace docent::gles::read_back_test {
 namespace {
 
 constexpr PixelSize size{8, 4};
@@ -58,4 +58,4 @@ TEST(ReadBack, GivesTheFrameOfItsMomentAndNoneThatWasDrawnLater) {
 }
 
 }  // namespace
-}  // namespace docent::gles
+}  // namespace docent::gles::read_back_test

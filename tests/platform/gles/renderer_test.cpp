@@ -21,7 +21,7 @@
 #include "tests/support/halls.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::gles {
+namespace docent::gles::renderer_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -744,4 +744,4 @@ TEST(HeadlessDisplay, WithoutPixelsIsRefused) {
 }
 
 }  // namespace
-}  // namespace docent::gles
+}  // namespace docent::gles::renderer_test

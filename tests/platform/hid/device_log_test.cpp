@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace docent::hid {
+namespace docent::hid::device_log_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -52,4 +52,4 @@ TEST(DeviceLog, ForgetsWhatWasUnplugged) {
 }
 
 }  // namespace
-}  // namespace docent::hid
+}  // namespace docent::hid::device_log_test

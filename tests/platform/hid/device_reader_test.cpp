@@ -11,7 +11,7 @@
 
 #include "tests/runtime/input/hid_bytes.h"
 
-namespace docent::hid {
+namespace docent::hid::device_reader_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -173,4 +173,4 @@ TEST(DeviceReader, LiftsAllFingersOfADeviceThatIsPulledOut) {
 }
 
 }  // namespace
-}  // namespace docent::hid
+}  // namespace docent::hid::device_reader_test

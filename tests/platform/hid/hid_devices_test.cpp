@@ -7,7 +7,7 @@
 #include "platform/hid/hid_report.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::hid {
+namespace docent::hid::hid_devices_test {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(ListedDevices, SayWhyOneCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace docent::hid
+}  // namespace docent::hid::hid_devices_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace docent::hid {
+namespace docent::hid::input_devices_test {
 namespace {
 
 using testing::HasSubstr;
@@ -30,4 +30,4 @@ TEST(InputDevices, AreWaitedForWhereThereAreNone) {
 }
 
 }  // namespace
-}  // namespace docent::hid
+}  // namespace docent::hid::input_devices_test

@@ -13,7 +13,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::image {
+namespace docent::image::image_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -305,4 +305,4 @@ TEST(WritingAPng, WhereThereIsNoFolderTellsSoAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace docent::image
+}  // namespace docent::image::image_test

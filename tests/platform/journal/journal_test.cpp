@@ -8,7 +8,7 @@
 
 #include "tests/support/datagrams.h"
 
-namespace docent::journal {
+namespace docent::journal::journal_test {
 namespace {
 
 using testing::AllOf;
@@ -78,4 +78,4 @@ TEST(Telling, RemembersAsMuchOfAProblemAsItHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace docent::journal
+}  // namespace docent::journal::journal_test

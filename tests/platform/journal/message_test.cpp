@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-namespace docent::journal {
+namespace docent::journal::message_test {
 namespace {
 
 TEST(Messages, HaveAnIdentifierOfTheirOwn) {
@@ -37,4 +37,4 @@ TEST(Messages, AreExplained) {
 }
 
 }  // namespace
-}  // namespace docent::journal
+}  // namespace docent::journal::message_test

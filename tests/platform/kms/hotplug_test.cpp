@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-namespace docent::kms {
+namespace docent::kms::hotplug_test {
 namespace {
 
 using namespace std::string_literals;
@@ -47,4 +47,4 @@ TEST(Hotplug, NeverWaits) {
 }
 
 }  // namespace
-}  // namespace docent::kms
+}  // namespace docent::kms::hotplug_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace docent::kms {
+namespace docent::kms::outputs_test {
 namespace {
 
 using testing::DoubleNear;
@@ -224,4 +224,4 @@ TEST(Diagonal, IsBelievedOnlyWhereItCanBe) {
 }
 
 }  // namespace
-}  // namespace docent::kms
+}  // namespace docent::kms::outputs_test

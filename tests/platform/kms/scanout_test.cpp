@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <functional>
 
-namespace docent::kms {
+namespace docent::kms::scanout_test {
 namespace {
 
 using std::chrono::nanoseconds;
@@ -204,4 +204,4 @@ RC_GTEST_PROP(Scanout, DrawsAgainWithinThreeSecondsOfAnyTrouble, ()) {
 }
 
 }  // namespace
-}  // namespace docent::kms
+}  // namespace docent::kms::scanout_test

@@ -10,7 +10,7 @@
 #include "platform/opus/decoder.h"
 #include "runtime/model/speech.h"
 
-namespace docent::opus {
+namespace docent::opus::encoder_test {
 namespace {
 
 /// A voice of 150 Hz with its overtones.
@@ -101,4 +101,4 @@ TEST(Decoder, ForgetsTheSoundBefore) {
 }
 
 }  // namespace
-}  // namespace docent::opus
+}  // namespace docent::opus::encoder_test

@@ -10,7 +10,7 @@
 
 #include "platform/pango/text_setter.h"
 
-namespace docent::pango {
+namespace docent::pango::text_setter_test {
 namespace {
 
 interface::TextStyle style(std::string_view language, bool right_to_left = false) {
@@ -153,4 +153,4 @@ TEST(TextSetter, SurvivesWhatIsNoText) {
 }
 
 }  // namespace
-}  // namespace docent::pango
+}  // namespace docent::pango::text_setter_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace docent::pin {
+namespace docent::pin::pin_test {
 namespace {
 
 using testing::StartsWith;
@@ -33,4 +33,4 @@ TEST(Pin, OfABrokenHashIsNone) {
 }
 
 }  // namespace
-}  // namespace docent::pin
+}  // namespace docent::pin::pin_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/datagrams.h"
 
-namespace docent::service {
+namespace docent::service::notify_socket_test {
 namespace {
 
 using testing::Optional;
@@ -50,4 +50,4 @@ TEST(Watchdog, IsForTheProcessThatTheManagerNames) {
 }
 
 }  // namespace
-}  // namespace docent::service
+}  // namespace docent::service::notify_socket_test

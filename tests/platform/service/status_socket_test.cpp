@@ -12,7 +12,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::service {
+namespace docent::service::status_socket_test {
 namespace {
 
 using testing::HasSubstr;
@@ -127,4 +127,4 @@ TEST_F(AStatusSocket, ThatCannotBeMadeIsASentence) {
 }
 
 }  // namespace
-}  // namespace docent::service
+}  // namespace docent::service::status_socket_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::signature {
+namespace docent::signature::digest_test {
 namespace {
 
 std::string digest_of_parts(std::string_view first, std::string_view second) {
@@ -32,4 +32,4 @@ TEST(Digest, OfAFileIsThatOfItsBytes) {
 }
 
 }  // namespace
-}  // namespace docent::signature
+}  // namespace docent::signature::digest_test

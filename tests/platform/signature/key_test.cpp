@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace docent::signature {
+namespace docent::signature::key_test {
 namespace {
 
 using testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST(Keys, ThatAreNotThereAreNamed) {
 }
 
 }  // namespace
-}  // namespace docent::signature
+}  // namespace docent::signature::key_test

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace docent::signature {
+namespace docent::signature::signature_test {
 namespace {
 
 using testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST(Signatures, ThatDoNotSufficeAreExplained) {
 }
 
 }  // namespace
-}  // namespace docent::signature
+}  // namespace docent::signature::signature_test

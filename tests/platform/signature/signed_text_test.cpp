@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::signature {
+namespace docent::signature::signed_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(ASignedText, TakesNothingThatWasAddedToIt) {
 }
 
 }  // namespace
-}  // namespace docent::signature
+}  // namespace docent::signature::signed_text_test

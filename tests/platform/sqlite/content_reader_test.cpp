@@ -20,7 +20,7 @@
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::sqlite {
+namespace docent::sqlite::content_reader_test {
 namespace {
 
 using test::small_museum;
@@ -387,4 +387,4 @@ TEST(ContentWriter, SaysThatTheFolderIsMissing) {
 }
 
 }  // namespace
-}  // namespace docent::sqlite
+}  // namespace docent::sqlite::content_reader_test

@@ -12,7 +12,7 @@
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::sqlite {
+namespace docent::sqlite::file_archive_test {
 namespace {
 
 class AFileArchive : public testing::Test {
@@ -86,4 +86,4 @@ TEST_F(AFileArchive, GivesNothingOfAFileThatWasCutShortSince) {
 }
 
 }  // namespace
-}  // namespace docent::sqlite
+}  // namespace docent::sqlite::file_archive_test

@@ -13,7 +13,7 @@
 #include "tests/support/small_museum.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::sqlite {
+namespace docent::sqlite::signature_block_test {
 namespace {
 
 using signature::make_key;
@@ -107,4 +107,4 @@ TEST_F(ASignedDatabase, ThatIsCutShortIsDamagedOrUnsigned) {
 }
 
 }  // namespace
-}  // namespace docent::sqlite
+}  // namespace docent::sqlite::signature_block_test

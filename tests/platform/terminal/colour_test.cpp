@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
-namespace docent::terminal {
+namespace docent::terminal::colour_test {
 namespace {
 
 struct Close {
@@ -53,4 +53,4 @@ TEST(Painted, LeavesTextAsItIsWithoutColour) {
 }
 
 }  // namespace
-}  // namespace docent::terminal
+}  // namespace docent::terminal::colour_test

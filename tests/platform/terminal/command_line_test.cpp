@@ -6,7 +6,7 @@
 
 #include "tests/platform/terminal/kitchen.h"
 
-namespace docent::terminal {
+namespace docent::terminal::command_line_test {
 namespace {
 
 using testing::ElementsAre;
@@ -123,4 +123,4 @@ TEST(CommandLine, OfAnyWordsIsTakenOrRefused) {
 }
 
 }  // namespace
-}  // namespace docent::terminal
+}  // namespace docent::terminal::command_line_test

@@ -5,7 +5,7 @@
 
 #include "tests/platform/terminal/kitchen.h"
 
-namespace docent::terminal {
+namespace docent::terminal::help_test {
 namespace {
 
 using testing::AllOf;
@@ -47,4 +47,4 @@ TEST(Help, HasBoldHeadingsWhereThereIsColour) {
 }
 
 }  // namespace
-}  // namespace docent::terminal
+}  // namespace docent::terminal::help_test

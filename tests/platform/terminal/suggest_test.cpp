@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace docent::terminal {
+namespace docent::terminal::suggest_test {
 namespace {
 
 TEST(EditDistance, CountsSlipsOfTheFinger) {
@@ -31,4 +31,4 @@ TEST(Suggestion, IsTheNearestKnownWordAndNothingWhereNoneIsNear) {
 }
 
 }  // namespace
-}  // namespace docent::terminal
+}  // namespace docent::terminal::suggest_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace docent::terminal {
+namespace docent::terminal::value_test {
 namespace {
 
 using testing::ElementsAre;
@@ -81,4 +81,4 @@ TEST(Value, OfANegativeZeroIsZero) {
 }
 
 }  // namespace
-}  // namespace docent::terminal
+}  // namespace docent::terminal::value_test

@@ -19,7 +19,7 @@
 #include "tests/runtime/path/floors.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::meetings_test {
 namespace {
 
 using testing::AllOf;
@@ -418,4 +418,4 @@ TEST(Meetings, AllocateNothingOnceMade) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::meetings_test

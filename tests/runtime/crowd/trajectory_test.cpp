@@ -12,7 +12,7 @@
 #include "tests/runtime/guide/situations.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::trajectory_test {
 namespace {
 
 constexpr double radius = 0.25;
@@ -208,4 +208,4 @@ TEST(FindDetour, DoesNotExistWhereThereIsOneDoorOnly) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::trajectory_test

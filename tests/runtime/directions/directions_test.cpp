@@ -9,7 +9,7 @@
 #include "tests/runtime/directions/raster.h"
 #include "tests/runtime/directions/some_ways.h"
 
-namespace docent::directions {
+namespace docent::directions::directions_test {
 namespace {
 
 constexpr double in_degrees = 180 / std::numbers::pi;
@@ -150,4 +150,4 @@ TEST(Directions, AreNoneWhereThereIsNoWay) {
 }
 
 }  // namespace
-}  // namespace docent::directions
+}  // namespace docent::directions::directions_test

@@ -7,7 +7,7 @@
 #include "tests/runtime/directions/raster.h"
 #include "tests/runtime/directions/some_ways.h"
 
-namespace docent::directions {
+namespace docent::directions::doorways_test {
 namespace {
 
 TEST(Doorways, AreWhereWaterRunsOutOfARoom) {
@@ -52,4 +52,4 @@ TEST(Doorways, AreNoneOfARoomWithoutAnOutline) {
 }
 
 }  // namespace
-}  // namespace docent::directions
+}  // namespace docent::directions::doorways_test

@@ -18,7 +18,7 @@
 #include "tests/runtime/directions/some_ways.h"
 #include "tests/runtime/interface/boxes.h"
 
-namespace docent::interface {
+namespace docent::interface::sentences_test {
 namespace {
 
 using directions::Directions;
@@ -283,4 +283,4 @@ TEST(Capitalised, KnowsTheLettersThatHaveCapitals) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::sentences_test

@@ -8,7 +8,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::attention_test {
 namespace {
 
 struct Kiosk {
@@ -96,4 +96,4 @@ TEST(Attention, IsGivenNowAndThenToStrollersWhoPassAndSomeWaveBack) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::attention_test

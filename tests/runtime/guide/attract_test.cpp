@@ -10,7 +10,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::attract_test {
 namespace {
 
 struct Kiosk {
@@ -225,4 +225,4 @@ TEST(TheMuseum, LivesOnASharedGlassToo) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::attract_test

@@ -9,7 +9,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::captions_test {
 namespace {
 
 GuideSettings settings() {
@@ -74,4 +74,4 @@ TEST(Captions, TurnTheirPagesAsALongTextGoesOn) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::captions_test

@@ -10,7 +10,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::chapters_test {
 namespace {
 
 using interface::Chapter;
@@ -141,4 +141,4 @@ TEST(Chapters, AreNotOfferedToWhoSeesTheWholeWay) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::chapters_test

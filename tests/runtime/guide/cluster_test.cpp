@@ -9,7 +9,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::guide {
+namespace docent::guide::cluster_test {
 namespace {
 
 /// The sample museum with 300 exhibits, a dozen where one was.
@@ -103,4 +103,4 @@ TEST(ACluster, LeavesNoExhibitWithoutADiscOfItsOwnOrOne) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::cluster_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::doors_test {
 namespace {
 
 /// One of the sample museum's doors, hung and opened in some way, and places on either side of it.
@@ -252,4 +252,4 @@ TEST(ADoor, SlowsWhoComesToIt) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::doors_test

@@ -16,7 +16,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/sanitized.h"
 
-namespace docent::guide {
+namespace docent::guide::floors_test {
 namespace {
 
 constexpr double frame = 1.0 / 60;
@@ -442,4 +442,4 @@ TEST(Strollers, ChangeFloorsAndMeetNobodyOnTheStairsInTheLiftOrOnAnyFloor) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::floors_test

@@ -10,7 +10,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::guide_test {
 namespace {
 
 /// A guide in simulated time: the worker's answers are there in the next step.
@@ -842,4 +842,4 @@ TEST(Guide, StopsOnItsWayToAnExhibitThatIsClosedAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::guide_test

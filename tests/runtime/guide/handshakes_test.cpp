@@ -14,7 +14,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::handshakes_test {
 namespace {
 
 constexpr std::uint32_t seats = 2;
@@ -351,4 +351,4 @@ TEST(MeetingPlace, IsFaceToFaceClearOfWallsAndOthersInTheSampleMuseum) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::handshakes_test

@@ -11,7 +11,7 @@
 
 #include "runtime/scene/side.h"
 
-namespace docent::guide {
+namespace docent::guide::label_placement_test {
 namespace {
 
 /// A floor of 40 by 30 metres, seen whole.
@@ -284,4 +284,4 @@ TEST(PlacedLabels, StayWhereTheyAreWhenNothingIsInTheWay) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::label_placement_test

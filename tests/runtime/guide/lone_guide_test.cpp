@@ -11,7 +11,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/sanitized.h"
 
-namespace docent::guide {
+namespace docent::guide::lone_guide_test {
 namespace {
 
 /// Places before and behind a door, `metres` from it, looking through it.
@@ -56,4 +56,4 @@ TEST(AGuideAlone, CalledBackAtAnyMomentInADoorwayComesNoNearerToItsJambs) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::lone_guide_test

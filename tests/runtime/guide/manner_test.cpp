@@ -12,7 +12,7 @@
 #include "runtime/motion/leg.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::manner_test {
 namespace {
 
 constexpr double frame = 1.0 / 60;
@@ -299,4 +299,4 @@ TEST(Manner, IsAsSmoothAfterAMonth) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::manner_test

@@ -10,7 +10,7 @@
 #include "tests/runtime/path/floors.h"
 #include "tests/support/halls.h"
 
-namespace docent::guide {
+namespace docent::guide::proximity_test {
 namespace {
 
 using testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST(Proximity, TakesWhoHasJustAppearedToStand) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::proximity_test

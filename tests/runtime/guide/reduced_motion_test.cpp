@@ -7,7 +7,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::reduced_motion_test {
 namespace {
 
 enum class Motion : std::uint8_t { Full, Reduced };
@@ -100,4 +100,4 @@ TEST(ReducedMotion, FollowsAWalkInStepsAndNeverLosesIt) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::reduced_motion_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::guide {
+namespace docent::guide::scroller_test {
 namespace {
 
 constexpr float frame = 1.0F / 60, slack = 0.01F;
@@ -89,4 +89,4 @@ TEST(TheScroller, ReturnsToTheBeginningForAnotherText) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::scroller_test

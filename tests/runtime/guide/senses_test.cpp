@@ -8,7 +8,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::senses_test {
 namespace {
 
 /// A tall screen of 43 inches, whose lower edge is 700 mm above the floor.
@@ -110,4 +110,4 @@ TEST(Senses, BringAllThatIsTouchedWithinReachOfAWheelchairSpotsIncluded) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::senses_test

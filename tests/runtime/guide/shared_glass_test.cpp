@@ -13,7 +13,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::shared_glass_test {
 namespace {
 
 constexpr std::uint32_t seats = 8;
@@ -496,4 +496,4 @@ TEST(ATable, HasItsNamesAndNumbersTurnedToThoseWhoAreThere) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::shared_glass_test

@@ -8,7 +8,7 @@
 #include "runtime/plan/plan.h"
 #include "tests/runtime/guide/situations.h"
 
-namespace docent::test {
+namespace docent::test::situations_test {
 namespace {
 
 struct Named {
@@ -103,4 +103,4 @@ TEST(OneGoal, OfTwoIsHeldByOneAndTheOtherStandsCloseBy) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::situations_test

@@ -9,7 +9,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::step_aside_test {
 namespace {
 
 interface::Goal goal_at(std::uint32_t exhibit) {
@@ -101,4 +101,4 @@ TEST(StepAside, EndsBesideTheExhibitPointsAtItAndTellsSo) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::step_aside_test

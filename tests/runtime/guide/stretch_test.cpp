@@ -11,7 +11,7 @@
 #include "tests/runtime/motion/walk_measures.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::stretch_test {
 namespace {
 
 const motion::WalkGraph& walking() {
@@ -171,4 +171,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, Journeys,
                          });
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::stretch_test

@@ -12,7 +12,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/sanitized.h"
 
-namespace docent::guide {
+namespace docent::guide::strollers_test {
 namespace {
 
 constexpr double watched_seconds = test::is_sanitized ? 120 : 600;
@@ -130,4 +130,4 @@ TEST(Strollers, AreInAQuietMuseumOnlyFromWhenTheyAreToldToComeUntilTheyAreToldTo
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::strollers_test

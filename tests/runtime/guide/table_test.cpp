@@ -12,7 +12,7 @@
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::guide {
+namespace docent::guide::table_test {
 namespace {
 
 constexpr std::uint32_t seats = 8;
@@ -223,4 +223,4 @@ TEST(AGlassOfOne, HasNoSidesWhateverIsSaid) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::table_test

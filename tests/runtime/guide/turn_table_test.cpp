@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-namespace docent::guide {
+namespace docent::guide::turn_table_test {
 namespace {
 
 constexpr scene::Rect free{0, 0, 0.5F, 1};
@@ -127,4 +127,4 @@ TEST(DrawObjects, ShowsThoseOfTheFloorAndSaysWhichIsLookedAt) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::turn_table_test

@@ -14,7 +14,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/shipped_languages.h"
 
-namespace docent::guide {
+namespace docent::guide::voice_test {
 namespace {
 
 using testing::HasSubstr;
@@ -248,4 +248,4 @@ TEST(Voice, WaitsForWhoeverPlaysIt) {
 }
 
 }  // namespace
-}  // namespace docent::guide
+}  // namespace docent::guide::voice_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::calibration_test {
 namespace {
 
 using input::Calibration;
@@ -85,4 +85,4 @@ TEST(Calibration, InOtherTextIsASentence) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::calibration_test

@@ -6,7 +6,7 @@
 #include "runtime/input/hid_device_kind.h"
 #include "tests/runtime/input/hid_bytes.h"
 
-namespace docent::test {
+namespace docent::test::contact_decoder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -401,4 +401,4 @@ TEST(ContactEvents, TellDownMoveAndUpApart) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::contact_decoder_test

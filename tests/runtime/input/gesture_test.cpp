@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::input {
+namespace docent::input::gesture_test {
 namespace {
 
 InputEvent event(InputEvent::Kind kind, std::uint32_t id, float x, float y) {
@@ -68,4 +68,4 @@ TEST(Gestures, OfFingersThatNeverCameDownAreNone) {
 }
 
 }  // namespace
-}  // namespace docent::input
+}  // namespace docent::input::gesture_test

@@ -7,7 +7,7 @@
 #include "runtime/input/decode_recording.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::hid_recording_test {
 namespace {
 
 using testing::HasSubstr;
@@ -49,4 +49,4 @@ TEST(Recording, OfEveryReferenceDeviceIsReadWithoutComplaint) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::hid_recording_test

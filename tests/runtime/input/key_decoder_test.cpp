@@ -5,7 +5,7 @@
 
 #include "tests/runtime/input/hid_bytes.h"
 
-namespace docent::test {
+namespace docent::test::key_decoder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -105,4 +105,4 @@ TEST(Keys, NamesComeBackFromTheirText) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::key_decoder_test

@@ -5,7 +5,7 @@
 
 #include "tests/runtime/input/hid_bytes.h"
 
-namespace docent::test {
+namespace docent::test::keypad_policy_test {
 namespace {
 
 using input::KeypadCandidate;
@@ -72,4 +72,4 @@ TEST(KeypadPolicy, TellsDescriptorsApart) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::keypad_policy_test

@@ -7,7 +7,7 @@
 #include "runtime/input/hid_device_kind.h"
 #include "tests/runtime/input/hid_bytes.h"
 
-namespace docent::test {
+namespace docent::test::report_descriptor_test {
 namespace {
 
 using testing::HasSubstr;
@@ -100,4 +100,4 @@ RC_GTEST_PROP(ReportDescriptor, ReadsBackWhatWasWrittenIntoAnyBits, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::report_descriptor_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::input {
+namespace docent::input::same_key_test {
 namespace {
 
 InputEvent press(Key key, char character = 0) {
@@ -42,4 +42,4 @@ TEST(SameKey, HasToDoWithPressesAlone) {
 }
 
 }  // namespace
-}  // namespace docent::input
+}  // namespace docent::input::same_key_test

@@ -12,7 +12,7 @@
 #include "tests/runtime/input/hid_bytes.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::silence_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -195,4 +195,4 @@ TEST(EventMaker, LiftsNoRestingFingerOfTheReferenceDevicesMoreThanOnce) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::silence_test

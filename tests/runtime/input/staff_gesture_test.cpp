@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::staff_gesture_test {
 namespace {
 
 using Kind = input::InputEvent::Kind;
@@ -68,4 +68,4 @@ TEST(StaffGesture, EndsWithAFinger) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::staff_gesture_test

@@ -7,7 +7,7 @@
 #include "tests/runtime/interface/boxes.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::caption_test {
 namespace {
 
 using test::boxes;
@@ -102,4 +102,4 @@ TEST(Caption, IsEmptyWhereNothingIsSaid) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::caption_test

@@ -14,7 +14,7 @@
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::column_test {
 namespace {
 
 constexpr std::array further_languages{"de", "es", "fr", "he", "hi", "ja", "ko", "ru", "th"};
@@ -189,4 +189,4 @@ TEST(AShortText, DoesNotScroll) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::column_test

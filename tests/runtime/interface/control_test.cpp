@@ -9,7 +9,7 @@
 #include "tests/runtime/interface/any_request.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::control_test {
 namespace {
 
 using testing::ElementsAre;
@@ -420,4 +420,4 @@ TEST(ControlGraph, NamesAreUniqueButForSpots) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::control_test

@@ -6,7 +6,7 @@
 #include "tests/support/sample_museum.h"
 #include "tests/support/shipped_languages.h"
 
-namespace docent::interface {
+namespace docent::interface::finder_test {
 namespace {
 
 using testing::Contains;
@@ -162,4 +162,4 @@ TEST(Searching, TakesNoMoreLettersThanItHasRoomFor) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::finder_test

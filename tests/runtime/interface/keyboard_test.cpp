@@ -7,7 +7,7 @@
 #include "runtime/search/fold.h"
 #include "tests/support/shipped_languages.h"
 
-namespace docent::interface {
+namespace docent::interface::keyboard_test {
 namespace {
 
 /// What can be typed there, folded: a letter's parts, and those of each of its forms.
@@ -54,4 +54,4 @@ TEST(AKeyboard, OfALanguageWithoutOneIsThatOfEnglish) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::keyboard_test

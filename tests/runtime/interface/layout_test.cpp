@@ -15,7 +15,7 @@
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::layout_test {
 namespace {
 
 using testing::Contains;
@@ -431,9 +431,10 @@ TEST(LeafingThroughPictures, DecodesTheOneThatIsSeenAloneAndLeavesTheButtonsInPl
       ASSERT_NE(next, view->controls.end());
       places.emplace(next->rect.x, next->rect.y);
 
-      for (std::uint8_t other = 0; other < 4; ++other)
-        if (other != picture)
-          EXPECT_THAT(decoded, Not(Contains(images[other]))) << "beside picture " << int{picture};
+      for (std::uint8_t other = 0; other < 4; ++other) {
+        if (other == picture) continue;
+        EXPECT_THAT(decoded, Not(Contains(images[other]))) << "beside picture " << int{picture};
+      }
       EXPECT_THAT(decoded, Contains(images[picture]));
     }
     EXPECT_EQ(places.size(), 1U) << "a finger can stay where it is";
@@ -655,4 +656,4 @@ TEST(View, DrawsItsPicturesTexelForPixel) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::layout_test

@@ -11,7 +11,7 @@
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::on_glass_test {
 namespace {
 
 using test::boxes;
@@ -172,4 +172,4 @@ TEST(OnGlass, FindsWhatCoversAndWhatLeavesTheScreen) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::on_glass_test

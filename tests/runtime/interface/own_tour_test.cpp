@@ -5,7 +5,7 @@
 #include "runtime/interface/control.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::own_tour_test {
 namespace {
 
 using testing::ElementsAre;
@@ -119,4 +119,4 @@ TEST_F(AVisitorWithATour, CanAddNothingToAFullOne) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::own_tour_test

@@ -14,7 +14,7 @@
 #include "config/museum_config.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::phrases_test {
 namespace {
 
 TEST(Phrases, SayDistancesInTheDigitsOfTheLanguage) {
@@ -203,4 +203,4 @@ TEST(Words, NameEveryKindOfPlaceInEveryLanguage) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::phrases_test

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <set>
 
-namespace docent::interface {
+namespace docent::interface::pictogram_test {
 namespace {
 
 /// The share of the square that is covered.
@@ -48,4 +48,4 @@ TEST(Pictograms, OfNoSizeAreOnePixel) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::pictogram_test

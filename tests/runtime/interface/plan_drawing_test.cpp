@@ -5,7 +5,7 @@
 #include <array>
 #include <glm/gtc/constants.hpp>
 
-namespace docent::interface {
+namespace docent::interface::plan_drawing_test {
 namespace {
 
 /// A hall of 20 m from west to east and 10 m from south to north.
@@ -74,4 +74,4 @@ TEST(PlanDrawing, IsDefinedForAFloorThatIsNone) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::plan_drawing_test

@@ -15,7 +15,7 @@
 #include "tests/runtime/interface/pseudo_language.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::pseudo_language_test {
 namespace {
 
 using test::boxes;
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(Both, PseudoLanguage,
                          });
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::pseudo_language_test

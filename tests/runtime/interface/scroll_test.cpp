@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::interface {
+namespace docent::interface::scroll_test {
 namespace {
 
 /// Half of the screen, with twice as much in it, and a control at its end.
@@ -62,4 +62,4 @@ TEST(AScrolledControl, ComesIntoSightWhenKeysComeToIt) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::scroll_test

@@ -14,7 +14,7 @@
 #include "tests/support/sample_museum.h"
 #include "tests/support/shipped_languages.h"
 
-namespace docent::interface {
+namespace docent::interface::searching_test {
 namespace {
 
 using testing::Contains;
@@ -323,4 +323,4 @@ TEST(TheSearchScreen, SaysNothingThatIsNotPrepared) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::searching_test

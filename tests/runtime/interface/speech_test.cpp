@@ -14,7 +14,7 @@
 #include "tests/support/sample_museum.h"
 #include "tests/support/shipped_languages.h"
 
-namespace docent::interface {
+namespace docent::interface::speech_test {
 namespace {
 
 using testing::Contains;
@@ -244,4 +244,4 @@ TEST(Speech, SaysWhyThereIsNoWay) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::speech_test

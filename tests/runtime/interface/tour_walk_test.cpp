@@ -5,7 +5,7 @@
 #include "runtime/interface/control.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::tour_walk_test {
 namespace {
 
 constexpr std::uint32_t last = 6;
@@ -108,4 +108,4 @@ TEST_F(ATourOnTheGlass, IsThreeTouchesAwayAtMost) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::tour_walk_test

@@ -9,7 +9,7 @@
 #include "runtime/interface/control.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::utterance_test {
 namespace {
 
 using testing::Contains;
@@ -85,4 +85,4 @@ TEST(SpokenPieces, HoldWhateverIsFilledIn) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::utterance_test

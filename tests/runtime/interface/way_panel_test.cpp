@@ -8,7 +8,7 @@
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
 
-namespace docent::interface {
+namespace docent::interface::way_panel_test {
 namespace {
 
 const Museum& museum() {
@@ -128,4 +128,4 @@ TEST(TheWay, IsShownOnTheGlassOfOneVisitorOnceSomethingIsChosen) {
 }
 
 }  // namespace
-}  // namespace docent::interface
+}  // namespace docent::interface::way_panel_test

@@ -10,7 +10,7 @@
 #include "tests/support/kiosk_run.h"
 #include "tests/support/started_program.h"
 
-namespace docent::test {
+namespace docent::test::bad_input_test {
 namespace {
 
 using testing::HasSubstr;
@@ -189,4 +189,4 @@ TEST(HidCommands, AgreeWithTheKernelOnRecordedScreens) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::bad_input_test

@@ -9,7 +9,7 @@
 #include "platform/headless/headless_display.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::change_over_test {
 namespace {
 
 constexpr PixelSize size{320, 180};
@@ -111,4 +111,4 @@ TEST_F(AChange, TakesTheOldOneApartBeforeItReadsTheNext) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::change_over_test

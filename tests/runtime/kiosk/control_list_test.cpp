@@ -1,11 +1,13 @@
 #include "runtime/kiosk/control_list.h"
 
+#include <span>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/kiosk_run.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::control_list_test {
 namespace {
 
 using testing::HasSubstr;
@@ -24,7 +26,7 @@ TEST(ControlList, IsJsonWhateverALabelSays) {
             "[\n {\"name\": \"home\", \"role\": \"button\", \"label\": \"a \\\"b\\\"\\u000a\", "
             "\"state\": \"normal\", \"rect\": [0.25000, 0.50000, 0.12500, 0.06250], "
             "\"text_mm\": 7.00, \"spoken\": \"a\", \"focus\": true}\n]\n");
-  EXPECT_EQ(to_json({}), "[\n]\n");
+  EXPECT_EQ(to_json(std::span<const interface::OnGlass>{}), "[\n]\n");
 }
 
 TEST(ControlList, IsWrittenInAVisit) {
@@ -44,4 +46,4 @@ TEST(ControlList, IsWrittenInAVisit) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::control_list_test

@@ -11,7 +11,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::counts_folder_test {
 namespace {
 
 using Kind = CountedCell::Kind;
@@ -134,4 +134,4 @@ TEST(CountsFolder, IsToldAsCsvByTheProgram) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::counts_folder_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace docent::kiosk {
+namespace docent::kiosk::daily_counts_test {
 namespace {
 
 using Kind = CountedCell::Kind;
@@ -190,4 +190,4 @@ TEST(DailyCounts, AreSums) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::daily_counts_test

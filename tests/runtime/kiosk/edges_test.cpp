@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::kiosk {
+namespace docent::kiosk::edges_test {
 namespace {
 
 /// A panel that was built in turned, as it says itself.
@@ -59,4 +59,4 @@ TEST(Edges, ShiftThePictureAndTheTouchWithIt) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::edges_test

@@ -9,7 +9,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::health_test {
 namespace {
 
 using Kind = CountedCell::Kind;
@@ -101,4 +101,4 @@ TEST(Health, IsReadByPrometheusWithoutComplaint) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::health_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::heat_watch_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -78,4 +78,4 @@ TEST(HeatWatch, HalvesTheFramesFromWhenTheMachineIsTooHotUntilThatIsOver) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::heat_watch_test

@@ -7,7 +7,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::kiosk_status_test {
 namespace {
 
 using testing::HasSubstr;
@@ -132,4 +132,4 @@ TEST(Restarts, AreCountedInTheServicesFolder) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::kiosk_status_test

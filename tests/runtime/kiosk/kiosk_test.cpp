@@ -11,7 +11,7 @@
 #include "tests/support/kiosk_run.h"
 #include "tests/support/started_program.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::kiosk_test {
 namespace {
 
 using testing::HasSubstr;
@@ -328,4 +328,4 @@ TEST(Docent, SaysWhatItHasTakenUp) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::kiosk_test

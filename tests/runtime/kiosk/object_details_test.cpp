@@ -7,7 +7,7 @@
 #include "platform/headless/headless_display.h"
 #include "runtime/schema/object_blob.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::object_details_test {
 namespace {
 
 std::vector<std::byte> detail_with(std::size_t pictures) {
@@ -89,4 +89,4 @@ TEST_F(TheObjectDetails, ThatCannotBeReadLeaveTheObjectAsItIsFromAfar) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::object_details_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::options_test {
 namespace {
 
 using test::ProgramRun;
@@ -79,4 +79,4 @@ TEST(CommandLine, ThatIsWrongIsToldWithWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::options_test

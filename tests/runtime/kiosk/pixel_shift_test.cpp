@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace docent::kiosk {
+namespace docent::kiosk::pixel_shift_test {
 namespace {
 
 TEST(PixelShift, StaysForAMinuteAndThenWaitsForAChange) {
@@ -44,4 +44,4 @@ TEST(PixelShift, GoesRoundByOnePixelAtATime) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::pixel_shift_test

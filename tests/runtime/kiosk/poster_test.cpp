@@ -12,7 +12,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::poster_test {
 namespace {
 
 constexpr PixelSize size{8, 6};
@@ -138,4 +138,4 @@ TEST(APosterFile, HasAnotherKeyOnceContentOrSettingsAreOthers) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::poster_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/kiosk_run.h"
 
-namespace docent::test {
+namespace docent::test::program_test {
 namespace {
 
 using testing::HasSubstr;
@@ -43,4 +43,4 @@ TEST(TheProgram, ChecksItsStackAndItsBuffers) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::program_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/kiosk_run.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::reporter_test {
 namespace {
 
 using Kind = CountedCell::Kind;
@@ -96,4 +96,4 @@ TEST(Reporter, SaysOnceWhatCannotBeWrittenAndTheKioskGoesOn) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::reporter_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::kiosk {
+namespace docent::kiosk::screen_hours_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -49,4 +49,4 @@ TEST(LocalMinute, IsInTheWeek) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::screen_hours_test

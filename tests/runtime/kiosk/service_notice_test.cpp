@@ -10,7 +10,7 @@
 #include "tests/support/sample_database.h"
 #include "tests/support/started_program.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::service_notice_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -158,4 +158,4 @@ TEST_F(AServiceNotice, OfAStartThatFailsComesWithAPause) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::service_notice_test

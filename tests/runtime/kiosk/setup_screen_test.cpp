@@ -11,7 +11,7 @@
 #include "platform/pango/text_setter.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::setup_screen_test {
 namespace {
 
 /// The screen as a picture; kept where DOCENT_KEEP_PICTURES names a folder.
@@ -72,4 +72,4 @@ TEST(AFileWatch, NoticesWhatIsPutInPlaceReplacedAndTakenAway) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::setup_screen_test

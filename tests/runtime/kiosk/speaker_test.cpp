@@ -15,7 +15,7 @@
 #include "tests/support/kiosk_run.h"
 #include "tests/support/sample_database.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::speaker_test {
 namespace {
 
 std::vector<float> decoded(const SpeechSound& sound) {
@@ -118,4 +118,4 @@ TEST(Speaker, HasTheSampleMuseumsVoices) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::speaker_test

@@ -4,7 +4,7 @@
 
 #include "platform/pin/pin.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::staff_lock_test {
 namespace {
 
 std::optional<bool> tried(StaffLock& lock, const char* pin, double time) {
@@ -43,4 +43,4 @@ TEST(StaffLock, WithoutAPinNeverOpens) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::staff_lock_test

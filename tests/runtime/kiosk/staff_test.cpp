@@ -14,7 +14,7 @@
 #include "runtime/kiosk/kiosk.h"
 #include "tests/support/kiosk_run.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::staff_test {
 namespace {
 
 using testing::HasSubstr;
@@ -235,4 +235,4 @@ TEST(PinCommand, PrintsALineForTheSettings) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::staff_test

@@ -8,7 +8,7 @@
 #include "runtime/kiosk/staff_page.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::staff_words_test {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(StaffPage, IsMirroredForThoseWhoReadFromTheRight) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::staff_words_test

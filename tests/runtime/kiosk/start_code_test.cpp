@@ -9,7 +9,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "tests/support/kiosk_run.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::start_code_test {
 namespace {
 
 /// Resident kilobytes of a library's pages that nobody has written to, and of all its others.
@@ -94,4 +94,4 @@ TEST(TheWholeProgram, KeepsAtMost60MegabytesForItself) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::start_code_test

@@ -5,7 +5,7 @@
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/edges.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::statistics_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -62,4 +62,4 @@ TEST(Contact, IsWhereTheVisitorSeesItWhicheverWayTheScreenHangs) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::statistics_test

@@ -5,7 +5,7 @@
 #include "tests/support/kiosk_run.h"
 #include "tests/support/started_program.h"
 
-namespace docent::test {
+namespace docent::test::status_command_test {
 namespace {
 
 using testing::AllOf;
@@ -83,4 +83,4 @@ TEST_F(ARunningKiosk, ThatIsNotThereIsASentence) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::status_command_test

@@ -13,7 +13,7 @@
 #include "runtime/path/building/building_map.h"
 #include "tests/support/two_door_hall.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::today_watch_test {
 namespace {
 
 using testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST_F(AHallWithTwoDoors, StopsAGuideForWhomThereIsNoWayLeft) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::today_watch_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/kiosk_run.h"
 
-namespace docent::kiosk {
+namespace docent::kiosk::transcript_test {
 namespace {
 
 using testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST(Transcript, IsOfAVisitorWhoTouchesSpeak) {
 }
 
 }  // namespace
-}  // namespace docent::kiosk
+}  // namespace docent::kiosk::transcript_test

@@ -7,7 +7,7 @@
 #include "tests/support/kiosk_run.h"
 #include "tests/support/started_program.h"
 
-namespace docent::test {
+namespace docent::test::window_test {
 namespace {
 
 bool is_installed(const char* program) {
@@ -80,7 +80,7 @@ class KioskInAWindow {
       return desktop_.xdotool("search --onlyvisible --name '^docent$'");
     }) && shows_pictures(3);
   }
-  bool shows_pictures(int count) const { return test::shows_pictures(*kiosk_, desktop_, count); }
+  bool shows_pictures(int count) const { return window_test::shows_pictures(*kiosk_, desktop_, count); }
   VirtualDesktop& desktop() { return desktop_; }
   StartedProgram& kiosk() { return *kiosk_; }
   std::string stats() const { return text_of(folder_.path() / "stats.json"); }
@@ -173,4 +173,4 @@ TEST_F(AWindow, WhoseServerAnswersNobodyDoesNotKeepTheProgramFromEnding) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::window_test

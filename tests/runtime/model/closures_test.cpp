@@ -5,7 +5,7 @@
 
 #include "runtime/model/none.h"
 
-namespace docent {
+namespace docent::closures_test {
 namespace {
 
 namespace chr = std::chrono;
@@ -126,4 +126,4 @@ TEST(RoomsBeside, AreThoseThatADoorLeadsTo) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::closures_test

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace docent {
+namespace docent::last_catch_test {
 namespace {
 
 using testing::HasSubstr;
@@ -41,4 +41,4 @@ TEST(GuardedWork, TellsWhetherItEndedByItself) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::last_catch_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent {
+namespace docent::museum_test {
 namespace {
 
 Museum of_three_kiosks() {
@@ -42,4 +42,4 @@ TEST(AKioskOfSeveral, ThatTheMuseumDoesNotHaveChangesNothing) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::museum_test

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-namespace docent {
+namespace docent::place_kind_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(PlaceKind, IsReadFromAllTagsOfOpenStreetMapThatMeanOne) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::place_kind_test

@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-namespace docent {
+namespace docent::route_kind_test {
 namespace {
 
 TEST(RouteKinds, AreInTheOrderOfTheirNumbers) {
@@ -35,4 +35,4 @@ TEST(RouteKinds, AreToldApartByNameByColourAndWithoutColour) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::route_kind_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent {
+namespace docent::speech_test {
 namespace {
 
 std::vector<std::byte> packet(unsigned kind, unsigned low_bits, std::size_t size) {
@@ -76,4 +76,4 @@ TEST(Speech, FindsAPieceByLanguageAndText) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::speech_test

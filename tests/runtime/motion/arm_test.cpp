@@ -10,7 +10,7 @@
 #include "tests/runtime/motion/armed_figure.h"
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::arm_test {
 namespace {
 
 float distance_to_ray(Vec3 point, Vec3 from, Vec3 through) {
@@ -178,4 +178,4 @@ TEST(Arms, AreNoneWhereTheSkeletonHasNone) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::arm_test

@@ -13,7 +13,7 @@
 #include "runtime/motion/walk_graph.h"
 #include "tests/support/sample_as_read.h"
 
-namespace docent::motion {
+namespace docent::motion::climb_test {
 namespace {
 
 const WalkGraph& graph() {
@@ -206,4 +206,4 @@ TEST(Climb, TakesAStepInHalfASecondToOneAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::climb_test

@@ -8,7 +8,7 @@
 
 #include "tests/runtime/motion/allocation_count.h"
 
-namespace docent::motion {
+namespace docent::motion::cloth_test {
 namespace {
 
 /// A strip of cloth of three nodes before a thigh, which is one joint; the hips are another.
@@ -139,4 +139,4 @@ TEST(Cloth, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::cloth_test

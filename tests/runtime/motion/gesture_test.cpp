@@ -8,7 +8,7 @@
 #include "tests/runtime/motion/armed_figure.h"
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::gesture_test {
 namespace {
 
 constexpr double frame = 1.0 / 60;
@@ -96,4 +96,4 @@ TEST(Gesture, EndsTheSameHoweverLongTheFramesTake) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::gesture_test

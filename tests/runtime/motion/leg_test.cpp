@@ -7,7 +7,7 @@
 
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::leg_test {
 namespace {
 
 struct Figure {
@@ -93,4 +93,4 @@ TEST(Facing, IsCounterClockwiseFromEast) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::leg_test

@@ -10,7 +10,7 @@
 #include "runtime/motion/search.h"
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::make_foresight_test {
 namespace {
 
 constexpr std::size_t straight = bend_axis.count / 2;
@@ -161,4 +161,4 @@ TEST(Foresight, MakesTheSearchFindNoWorseWays) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::make_foresight_test

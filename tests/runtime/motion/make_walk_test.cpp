@@ -12,7 +12,7 @@
 #include "tests/runtime/motion/hand_made_graph.h"
 #include "tests/runtime/motion/walk_measures.h"
 
-namespace docent::motion {
+namespace docent::motion::make_walk_test {
 namespace {
 
 const MotionGraph& motion() {
@@ -215,4 +215,4 @@ TEST(MakeWalkGraph, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::make_walk_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace docent::motion {
+namespace docent::motion::path_track_test {
 namespace {
 
 std::vector<Vec2> circle(double radius) {
@@ -97,4 +97,4 @@ TEST(FirstPart, EndsWhereItShould) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::path_track_test

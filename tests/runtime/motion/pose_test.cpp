@@ -14,7 +14,7 @@
 #include "tests/runtime/motion/allocation_count.h"
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::pose_test {
 namespace {
 
 Walk two_frames() {
@@ -260,4 +260,4 @@ TEST(FrameFunctions, DoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::pose_test

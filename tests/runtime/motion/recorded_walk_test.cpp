@@ -8,7 +8,7 @@
 #include "tests/runtime/motion/walk_measures.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::motion {
+namespace docent::motion::recorded_walk_test {
 namespace {
 
 const MotionGraph& recorded_graph() {
@@ -69,4 +69,4 @@ TEST(RecordedWalk, TurnsSharpCornersWithinReach) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::recorded_walk_test

@@ -9,7 +9,7 @@
 #include "tests/runtime/motion/hand_made_graph.h"
 #include "tests/runtime/motion/walk_measures.h"
 
-namespace docent::motion {
+namespace docent::motion::search_test {
 namespace {
 
 /// The hand-made clips, of which the one that turns left counts as a brisk walk and the one that
@@ -187,4 +187,4 @@ TEST(SearchWithClasses, FindsAWayWhereItsClassCannotStop) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::search_test

@@ -9,7 +9,7 @@
 #include "runtime/motion/cloth.h"
 #include "tests/runtime/motion/allocation_count.h"
 
-namespace docent::motion {
+namespace docent::motion::spring_bone_test {
 namespace {
 
 constexpr float bone_length = 0.12F;
@@ -233,4 +233,4 @@ TEST(SpringBones, DoNotAllocate) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::spring_bone_test

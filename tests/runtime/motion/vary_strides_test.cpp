@@ -6,7 +6,7 @@
 
 #include "tests/runtime/motion/hand_made_graph.h"
 
-namespace docent::motion {
+namespace docent::motion::vary_strides_test {
 namespace {
 
 const MotionGraph& motion_graph() {
@@ -100,4 +100,4 @@ TEST(VariedStrides, AreOthersOnAnotherPath) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::vary_strides_test

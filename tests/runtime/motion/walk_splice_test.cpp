@@ -10,7 +10,7 @@
 #include "tests/runtime/motion/hand_made_graph.h"
 #include "tests/runtime/motion/walk_measures.h"
 
-namespace docent::motion {
+namespace docent::motion::walk_splice_test {
 namespace {
 
 const MotionGraph& motion() {
@@ -198,4 +198,4 @@ TEST(TurningWalker, CanBeCalledElsewhere) {
 }
 
 }  // namespace
-}  // namespace docent::motion
+}  // namespace docent::motion::walk_splice_test

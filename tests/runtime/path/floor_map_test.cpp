@@ -6,7 +6,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::floor_map_test {
 namespace {
 
 TEST(Locate, KnowsInsideFromOutsideAndTheBox) {
@@ -51,4 +51,4 @@ RC_GTEST_PROP(Locate, AgreesWithBruteForceEverywhere, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::floor_map_test

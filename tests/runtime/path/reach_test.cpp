@@ -9,7 +9,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::reach_test {
 namespace {
 
 TEST(Reach, ListsWhatIsNearOnFootFirst) {
@@ -67,4 +67,4 @@ RC_GTEST_PROP(Reach, IsWhatAVisibilityGraphSays, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::reach_test

@@ -9,7 +9,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::round_corners_test {
 namespace {
 
 double sharpest_turn(const std::vector<Vec2>& points) {
@@ -68,4 +68,4 @@ RC_GTEST_PROP(RoundCorners, KeepsTheEndsTheRadiusAndTheWalls, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::round_corners_test

@@ -13,7 +13,7 @@
 #include "tests/runtime/path/floors.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::route_test {
 namespace {
 
 constexpr double exact = 1e-6;  // metres: what the ways' points may be off
@@ -356,4 +356,4 @@ INSTANTIATE_TEST_SUITE_P(, OnReferenceMaps,
                                          "school-rockislandgroundfloor", "sfo-intl-mainhall"));
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::route_test

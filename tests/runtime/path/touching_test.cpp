@@ -14,7 +14,7 @@
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::touching_test {
 namespace {
 
 using path::RouteQuery;
@@ -246,4 +246,4 @@ RC_GTEST_PROP(Touching, IsOneForAllKindsInEveryNarrowPlace, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::touching_test

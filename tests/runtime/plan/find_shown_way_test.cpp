@@ -6,7 +6,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::plan {
+namespace docent::plan::find_shown_way_test {
 namespace {
 
 /// A hall of 12 by 8 m, which is a room; the kiosk in its west looks east, an exhibit is in its
@@ -52,4 +52,4 @@ TEST_F(AWayFromTheKiosk, IsNoneWhereNothingIsChosenOrCanBeReached) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::find_shown_way_test

@@ -6,7 +6,7 @@
 
 #include "runtime/plan/plan.h"
 
-namespace docent::plan {
+namespace docent::plan::glide_test {
 namespace {
 
 constexpr std::array<Vec2, 3> corner{Vec2{0, 0}, Vec2{4, 0}, Vec2{4, 3}};
@@ -54,4 +54,4 @@ TEST(AGlide, OfNoWayAtAllStandsWhereItIs) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::glide_test

@@ -7,7 +7,7 @@
 #include "runtime/path/building/museum_tour.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::plan {
+namespace docent::plan::order_own_tour_test {
 namespace {
 
 using interface::InterfaceState;
@@ -75,4 +75,4 @@ TEST_F(AHall, StaysInOrderWhereThereIsNoWay) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::order_own_tour_test

@@ -6,7 +6,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::plan {
+namespace docent::plan::order_tours_test {
 namespace {
 
 /// A hall of 12 by 8 m with three exhibits in a row, from west to east, all on one tour.
@@ -58,4 +58,4 @@ TEST(TheTours, ToWhichThereIsNoWayStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::order_tours_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/sample_museum.h"
 
-namespace docent::plan {
+namespace docent::plan::planner_test {
 namespace {
 
 interface::ViewRequest welcome(std::uint64_t id) {
@@ -57,4 +57,4 @@ TEST(APlanner, LetsTheMakersOfPiecesRestOnceTheGlassIsNobodys) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::planner_test

@@ -6,7 +6,7 @@
 #include "runtime/model/geometry/polyline.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::plan {
+namespace docent::plan::stretch_test {
 namespace {
 
 constexpr double body = 0.25, roomy = body + Museum::walking_room;
@@ -54,4 +54,4 @@ RC_GTEST_PROP(AWay, OfABodyBesideAWallLeavesRoomToWalkAtTheCornersThatFollow, ()
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::stretch_test

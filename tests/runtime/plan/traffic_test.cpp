@@ -9,7 +9,7 @@
 #include "tests/runtime/path/floors.h"
 #include "tests/support/halls.h"
 
-namespace docent::plan {
+namespace docent::plan::traffic_test {
 namespace {
 
 constexpr double radius = 0.25;
@@ -91,4 +91,4 @@ TEST(Nearby, KeepsTheSoonestWhereThereAreMoreThanItHolds) {
 }
 
 }  // namespace
-}  // namespace docent::plan
+}  // namespace docent::plan::traffic_test

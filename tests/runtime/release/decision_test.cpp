@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::release {
+namespace docent::release::decision_test {
 namespace {
 
 using testing::HasSubstr;
@@ -138,4 +138,4 @@ TEST(Health, IsReadFromItsTwoLines) {
 }
 
 }  // namespace
-}  // namespace docent::release
+}  // namespace docent::release::decision_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::release {
+namespace docent::release::device_state_test {
 namespace {
 
 constexpr Time noon = 1'700'000'000;
@@ -66,4 +66,4 @@ TEST(TheReleaseBefore, IsTheNewestThatTheProgramShowsAndNobodyWentBackFrom) {
 }
 
 }  // namespace
-}  // namespace docent::release
+}  // namespace docent::release::device_state_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace docent::release {
+namespace docent::release::manifest_test {
 namespace {
 
 using testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST(Time, IsReadAndWrittenAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace docent::release
+}  // namespace docent::release::manifest_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace docent::scene {
+namespace docent::scene::body_detail_test {
 namespace {
 
 /// A sphere of 20 cm, of as many triangles as a head.
@@ -94,4 +94,4 @@ TEST(ACoarserBody, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::body_detail_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-namespace docent::scene {
+namespace docent::scene::camera_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(Camera, TurnsByTheShorterWayAndNoFasterThanAllowed) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::camera_test

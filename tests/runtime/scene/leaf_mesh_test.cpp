@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::scene {
+namespace docent::scene::leaf_mesh_test {
 namespace {
 
 const LeafDraw leaf{.hinge = {1, 2}, .along = {0.6, 0.8}, .width = 0.9F, .floor_height = 3};
@@ -41,4 +41,4 @@ TEST(LeafMesh, LeavesOutWhatItHasNoRoomFor) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::leaf_mesh_test

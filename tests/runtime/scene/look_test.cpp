@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace docent::scene {
+namespace docent::scene::look_test {
 namespace {
 
 using Rgb = glm::dvec3;  // linear light
@@ -133,4 +133,4 @@ TEST(ALook, HasANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::look_test

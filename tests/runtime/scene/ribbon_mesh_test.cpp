@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace docent::scene {
+namespace docent::scene::ribbon_mesh_test {
 namespace {
 
 struct Strip {
@@ -120,4 +120,4 @@ TEST(Ribbon, NeverReachesFurtherFromTheWayThanItsMitreAllows) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::ribbon_mesh_test

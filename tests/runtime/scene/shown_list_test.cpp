@@ -6,7 +6,7 @@
 
 #include "runtime/scene/camera.h"
 
-namespace docent::scene {
+namespace docent::scene::shown_list_test {
 namespace {
 
 constexpr float high = 1080;
@@ -99,4 +99,4 @@ TEST(ShownList, AddsUpWhatMovesTooLittleToBeSeen) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::shown_list_test

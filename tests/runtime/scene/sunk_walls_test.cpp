@@ -8,7 +8,7 @@
 #include "runtime/scene/walking_camera.h"
 #include "tests/runtime/scene/walk_in_halls.h"
 
-namespace docent::scene {
+namespace docent::scene::sunk_walls_test {
 namespace {
 
 /// The walls as they are drawn: the content compiler's triangles, sunk as the shader sinks them.
@@ -148,4 +148,4 @@ TEST(SunkWalls, StandWhereTheWindowComesToWhateverHasSunkOnItsOtherSide) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::sunk_walls_test

@@ -6,7 +6,7 @@
 
 #include "runtime/scene/look.h"
 
-namespace docent::scene {
+namespace docent::scene::theme_test {
 namespace {
 
 constexpr float of_text = 7, of_what_is_touched = 3;
@@ -85,4 +85,4 @@ TEST(ALight, IsBetweenTwoOthersWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::theme_test

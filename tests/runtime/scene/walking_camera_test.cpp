@@ -6,7 +6,7 @@
 
 #include "tests/runtime/scene/walk_in_halls.h"
 
-namespace docent::scene {
+namespace docent::scene::walking_camera_test {
 namespace {
 
 struct Scene {
@@ -65,4 +65,4 @@ TEST(AWalkingCamera, KeepsGuideWayAndNearGoalInThePictureAllAlongAWalk) {
 }
 
 }  // namespace
-}  // namespace docent::scene
+}  // namespace docent::scene::walking_camera_test

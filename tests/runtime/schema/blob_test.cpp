@@ -11,7 +11,7 @@
 #include "runtime/schema/elements.h"
 #include "tests/runtime/schema/bytes.h"
 
-namespace docent::schema {
+namespace docent::schema::blob_test {
 namespace {
 
 using schema::decode;
@@ -96,4 +96,4 @@ TEST(Blob, WantsExactlyAsManyElementsAsAnArrayHas) {
 }
 
 }  // namespace
-}  // namespace docent::schema
+}  // namespace docent::schema::blob_test

@@ -9,7 +9,7 @@
 
 #include "tests/runtime/schema/bytes.h"
 
-namespace docent::schema {
+namespace docent::schema::label_blob_test {
 namespace {
 
 using testing::ElementsAre;
@@ -112,4 +112,4 @@ TEST(LabelBlob, RefusesWhatIsNoTable) {
 }
 
 }  // namespace
-}  // namespace docent::schema
+}  // namespace docent::schema::label_blob_test

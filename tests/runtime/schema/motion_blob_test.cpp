@@ -12,7 +12,7 @@
 #include "runtime/model/motion/motion_grid.h"
 #include "tests/runtime/schema/bytes.h"
 
-namespace docent::schema {
+namespace docent::schema::motion_blob_test {
 namespace {
 
 using testing::ElementsAreArray;
@@ -252,4 +252,4 @@ TEST(MotionBlob, SurvivesAnyDamage) {
 }
 
 }  // namespace
-}  // namespace docent::schema
+}  // namespace docent::schema::motion_blob_test

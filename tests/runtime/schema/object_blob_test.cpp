@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::schema {
+namespace docent::schema::object_blob_test {
 namespace {
 
 ObjectDetail two_triangles() {
@@ -72,4 +72,4 @@ TEST(ObjectBlob, ThatBreaksItsPromisesIsRefused) {
 }
 
 }  // namespace
-}  // namespace docent::schema
+}  // namespace docent::schema::object_blob_test

@@ -4,7 +4,7 @@
 
 #include "runtime/search/fold.h"
 
-namespace docent::search {
+namespace docent::search::compose_test {
 namespace {
 
 TEST(WhatIsTyped, IsReadAsSyllablesOfHangulKeyByKey) {
@@ -40,4 +40,4 @@ TEST(WhatIsTyped, IsComparedByTheSameLettersAsWhatIsRead) {
 }
 
 }  // namespace
-}  // namespace docent::search
+}  // namespace docent::search::compose_test

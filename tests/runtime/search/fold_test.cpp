@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace docent::search {
+namespace docent::search::fold_test {
 namespace {
 
 TEST(Fold, LeavesOutAccentsCaseAndWidth) {
@@ -75,4 +75,4 @@ TEST(Fold, ReadsBytesThatAreNoTextWithoutHarm) {
 }
 
 }  // namespace
-}  // namespace docent::search
+}  // namespace docent::search::fold_test

@@ -9,7 +9,7 @@
 #include "runtime/search/fold.h"
 #include "tests/runtime/search/made_title.h"
 
-namespace docent::search {
+namespace docent::search::index_test {
 namespace {
 
 using testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(ASearch, FindsEveryNameByEachOfItsBeginningsAndWithALetterWrong) {
 }
 
 }  // namespace
-}  // namespace docent::search
+}  // namespace docent::search::index_test

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace docent::sound {
+namespace docent::sound::speech_queue_test {
 namespace {
 
 /// A sound of packets whose bytes after the first are `mark`.
@@ -140,4 +140,4 @@ TEST(SpeechQueue, HoldsBetweenTwoThreads) {
 }
 
 }  // namespace
-}  // namespace docent::sound
+}  // namespace docent::sound::speech_queue_test

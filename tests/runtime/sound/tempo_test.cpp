@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace docent::sound {
+namespace docent::sound::tempo_test {
 namespace {
 
 constexpr std::size_t rate = 48'000;
@@ -93,4 +93,4 @@ RC_GTEST_PROP(TempoProperty, AnySpeedsAndSamplesAreWithinBounds, ()) {
 }
 
 }  // namespace
-}  // namespace docent::sound
+}  // namespace docent::sound::tempo_test

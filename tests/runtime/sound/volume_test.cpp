@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace docent::sound {
+namespace docent::sound::volume_test {
 namespace {
 
 TEST(Volume, GrowsEvenlyToTheEar) {
@@ -41,4 +41,4 @@ TEST(Volume, ClipsWhatIsTooLoud) {
 }
 
 }  // namespace
-}  // namespace docent::sound
+}  // namespace docent::sound::volume_test

@@ -16,7 +16,7 @@
 #include "tests/support/release_maker.h"
 #include "tests/support/static_server.h"
 
-namespace docent::test {
+namespace docent::test::crash_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -352,4 +352,4 @@ TEST(Releasing, KilledBeforeAnyOfItsOperationsLeavesTheOldReleaseOrTheNew) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::crash_test

@@ -14,7 +14,7 @@
 #include "tests/support/release_maker.h"
 #include "tests/support/static_server.h"
 
-namespace docent::update {
+namespace docent::update::fleet_test {
 namespace {
 
 using release::Answer;
@@ -194,4 +194,4 @@ TEST_F(AFleet, LeavesAWithdrawnReleaseAtOnceAndTakesNoOldOneFromAThief) {
 }
 
 }  // namespace
-}  // namespace docent::update
+}  // namespace docent::update::fleet_test

@@ -13,7 +13,7 @@
 #include "tests/support/release_maker.h"
 #include "tests/support/static_server.h"
 
-namespace docent::update {
+namespace docent::update::https_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +168,4 @@ TEST_F(AServer, ThatHasNoReleaseSaysSo) {
 }
 
 }  // namespace
-}  // namespace docent::update
+}  // namespace docent::update::https_test

@@ -21,7 +21,7 @@
 #include "tests/support/started_program.h"
 #include "tests/support/static_server.h"
 
-namespace docent::test {
+namespace docent::test::kill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,4 +186,4 @@ TEST_F(Killed, WhileAReleaseIsTakenUp) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::kill_test

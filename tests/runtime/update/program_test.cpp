@@ -12,7 +12,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/small_museum.h"
 
-namespace docent::test {
+namespace docent::test::program_test {
 namespace {
 
 using testing::AllOf;
@@ -137,4 +137,4 @@ TEST_F(DocentUpdate, WillNotMakeAReleaseOlderThanTheOneThere) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::program_test

@@ -11,7 +11,7 @@
 #include "tests/support/static_server.h"
 #include "tests/support/tls_server.h"
 
-namespace docent::update {
+namespace docent::update::tls_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ TEST(TlsServer, WhoseNameNobodyHasSignedIsNotListenedTo) {
 }
 
 }  // namespace
-}  // namespace docent::update
+}  // namespace docent::update::tls_test

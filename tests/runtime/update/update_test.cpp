@@ -9,7 +9,7 @@
 #include "tests/support/release_maker.h"
 #include "tests/support/run_program.h"
 
-namespace docent::update {
+namespace docent::update::update_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -270,4 +270,4 @@ TEST_F(ADevice, WhoseStateIsDamagedSaysSoAndShowsWhatItHas) {
 }
 
 }  // namespace
-}  // namespace docent::update
+}  // namespace docent::update::update_test

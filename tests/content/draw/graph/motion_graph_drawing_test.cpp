@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::motion_graph_drawing_test {
 namespace {
 
 using testing::HasSubstr;
@@ -78,4 +78,4 @@ TEST(MotionGraphDrawing, OfOneClipWithoutTransitionsIsStillAPicture) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::motion_graph_drawing_test

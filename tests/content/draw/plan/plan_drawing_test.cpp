@@ -21,7 +21,7 @@
 #include "tests/content/floor/plans.h"
 #include "tests/support/temporary_folder.h"
 
-namespace docent::test {
+namespace docent::test::plan_drawing_test {
 namespace {
 
 using testing::AllOf;
@@ -297,4 +297,4 @@ TEST(PlanDrawing, DrawsABuildingsFloorsSideBySideToOneScale) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::plan_drawing_test

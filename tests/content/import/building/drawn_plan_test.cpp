@@ -7,7 +7,7 @@
 #include "content/import/building/read_building.h"
 #include "tests/content/import/building/drawn_manners.h"
 
-namespace docent::test {
+namespace docent::test::drawn_plan_test {
 namespace {
 
 class Drawings : public testing::TestWithParam<DrawnManner> {};
@@ -85,4 +85,4 @@ TEST(DrawingsOf, InFilesThatNameTheirFloorsAreThoseFloors) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::drawn_plan_test

@@ -8,7 +8,7 @@
 
 #include "content/content_error.h"
 
-namespace docent::test {
+namespace docent::test::geo_frame_test {
 namespace {
 
 using import::MapNumbers;
@@ -99,4 +99,4 @@ TEST(GeoFrame, RefusesAPlanFarFromTheMuseumsOrigin) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::geo_frame_test

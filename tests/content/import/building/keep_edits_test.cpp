@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace docent::test {
+namespace docent::test::keep_edits_test {
 namespace {
 
 using import::Edit;
@@ -120,4 +120,4 @@ RC_GTEST_PROP(KeepEdits, NeverLosesALineOfStaffsThatThePlanDoesNotKnow, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::keep_edits_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::test {
+namespace docent::test::level_list_test {
 namespace {
 
 using import::parse_levels;
@@ -44,4 +44,4 @@ RC_GTEST_PROP(LevelList, ReadsBackAnyRangeThatIsWritten, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::level_list_test

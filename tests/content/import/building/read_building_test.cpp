@@ -10,7 +10,7 @@
 #include "content/read_source.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::read_building_test {
 namespace {
 
 using import::ImportedBuilding;
@@ -185,4 +185,4 @@ TEST(ReadBuilding, ReadsTheSpacesOfABuildingXml) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::read_building_test

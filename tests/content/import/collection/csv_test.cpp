@@ -11,7 +11,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/run_program.h"
 
-namespace docent::import {
+namespace docent::import::csv_test {
 namespace {
 
 using testing::ElementsAre;
@@ -117,4 +117,4 @@ TEST(Csv, RealCollectionsAreReadAsAnIndependentReaderReadsThem) {
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::csv_test

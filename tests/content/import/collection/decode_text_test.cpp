@@ -5,7 +5,7 @@
 
 #include "platform/file/text_encoding.h"
 
-namespace docent::import {
+namespace docent::import::decode_text_test {
 namespace {
 
 TEST(DecodeText, TakesWhatIsAskedFor) {
@@ -26,4 +26,4 @@ RC_GTEST_PROP(DecodeText, IsAlwaysUtf8, (const std::string& bytes)) {
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::decode_text_test

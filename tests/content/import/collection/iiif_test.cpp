@@ -10,7 +10,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/run_program.h"
 
-namespace docent::import {
+namespace docent::import::iiif_test {
 namespace {
 
 using testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(Iiif, RealManifestsAreReadAsAnIndependentReaderReadsThem) {
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::iiif_test

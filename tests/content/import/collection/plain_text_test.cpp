@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace docent::import {
+namespace docent::import::plain_text_test {
 namespace {
 
 TEST(PlainText, KeepsWordsAndLosesTags) {
@@ -31,4 +31,4 @@ RC_GTEST_PROP(PlainText, IsNeverLongerThanWhatItWasMadeOf, (const std::string& t
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::plain_text_test

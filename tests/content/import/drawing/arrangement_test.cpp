@@ -8,7 +8,7 @@
 
 #include "content/import/drawing/inscribed.h"
 
-namespace docent::test {
+namespace docent::test::arrangement_test {
 namespace {
 
 using import::WallLine;
@@ -120,4 +120,4 @@ TEST(InscribedCircle, IsHalfAsWideAsACorridor) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::arrangement_test

@@ -4,7 +4,7 @@
 
 #include "content/import/drawing/dxf_text.h"
 
-namespace docent::test {
+namespace docent::test::code_page_test {
 namespace {
 
 TEST(CodePage, ReadsWhatTheDrawingStates) {
@@ -35,4 +35,4 @@ TEST(DxfText, LosesItsCodesAndKeepsItsWords) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::code_page_test

@@ -10,7 +10,7 @@
 #include "content/content_error.h"
 #include "runtime/model/geometry/polygon.h"
 
-namespace docent::test {
+namespace docent::test::dxf_test {
 namespace {
 
 using testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST(Dxf, EndsWithASentenceWhereBlocksHoldThemselves) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::dxf_test

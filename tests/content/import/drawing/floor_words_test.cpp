@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::floor_words_test {
 namespace {
 
 using import::floor_said;
@@ -34,4 +34,4 @@ TEST(FloorWords, DoNotTakeOtherTextsForFloors) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::floor_words_test

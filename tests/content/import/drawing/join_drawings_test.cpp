@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::join_drawings_test {
 namespace {
 
 TEST(JoinDrawings, BringsTheSecondToTheUnitOfTheFirstAndKeepsLayersApart) {
@@ -25,4 +25,4 @@ TEST(JoinDrawings, BringsTheSecondToTheUnitOfTheFirstAndKeepsLayersApart) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::join_drawings_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::label_test {
 namespace {
 
 import::RoomLabel label_of(std::initializer_list<std::string> lines) {
@@ -41,4 +41,4 @@ TEST(RoomLabel, TellsCorridorsStairsAndToilets) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::label_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::layer_kind_test {
 namespace {
 
 using import::kind_of_layer;
@@ -37,4 +37,4 @@ TEST(LayerKind, IsWhatStaffSay) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::layer_kind_test

@@ -10,7 +10,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::read_drawing_test {
 namespace {
 
 using testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST(ReadDxf, SaysThatADrawingHoldsNoRooms) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::read_drawing_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace docent::test {
+namespace docent::test::rooms_test {
 namespace {
 
 /// Draws plans as an architect does: rooms in rows, walls as two lines, doors as gaps with or
@@ -297,4 +297,4 @@ TEST(Rooms, AreRefusedWithASentenceWhereThereAreTooManyStrokes) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::rooms_test

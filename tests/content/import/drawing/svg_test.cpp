@@ -10,7 +10,7 @@
 #include "content/import/drawing/svg_path.h"
 #include "runtime/model/geometry/polygon.h"
 
-namespace docent::test {
+namespace docent::test::svg_test {
 namespace {
 
 using testing::HasSubstr;
@@ -110,4 +110,4 @@ TEST(Svg, RefusesAnIsometricView) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::svg_test

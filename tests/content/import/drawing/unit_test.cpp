@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace docent::test {
+namespace docent::test::unit_test {
 namespace {
 
 using testing::HasSubstr;
@@ -52,4 +52,4 @@ TEST(Unit, IsWhatStaffSay) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::unit_test

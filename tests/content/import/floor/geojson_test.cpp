@@ -15,7 +15,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wide_text.h"
 
-namespace docent::test {
+namespace docent::test::geojson_test {
 namespace {
 
 using testing::HasSubstr;
@@ -224,4 +224,4 @@ TEST(FloorPlanGeoJson, LaysARealMuseumFlatInMetres) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::geojson_test

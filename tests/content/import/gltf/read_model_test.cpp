@@ -6,7 +6,7 @@
 #include "content/content_error.h"
 #include "tests/content/character/made_character.h"
 
-namespace docent::import::gltf {
+namespace docent::import::gltf::read_model_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -107,4 +107,4 @@ TEST(ReadModel, SurvivesEveryByteBeingAnother) {
 }
 
 }  // namespace
-}  // namespace docent::import::gltf
+}  // namespace docent::import::gltf::read_model_test

@@ -11,7 +11,7 @@
 #include "runtime/model/geometry/polygon.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::ifc_test {
 namespace {
 
 /// Two storeys of a room of 4 m by 3 m, a door in the lower one, a stair between; millimetres.
@@ -140,4 +140,4 @@ TEST(ReadIfc, FindsAllRoomsDoorsAndStairsOfFourModels) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::ifc_test

@@ -7,7 +7,7 @@
 
 #include "content/content_error.h"
 
-namespace docent::test {
+namespace docent::test::step_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST(StepFile, CutAnywhereIsAnErrorOrWholeRecords) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::step_file_test

@@ -6,7 +6,7 @@
 #include "content/content_error.h"
 #include "content/import/motion/amc.h"
 
-namespace docent::test {
+namespace docent::test::amc_test {
 namespace {
 
 using testing::ElementsAre;
@@ -208,4 +208,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::amc_test

@@ -12,7 +12,7 @@
 #include "content/import/motion/bvh.h"
 #include "tests/content/import/motion/sample_body.h"
 
-namespace docent::test {
+namespace docent::test::body_test {
 namespace {
 
 using Names = std::map<std::string, std::string>;
@@ -177,4 +177,4 @@ TEST(LegLength, IsFromHipToAnkle) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::body_test

@@ -13,7 +13,7 @@
 #include "content/import/motion/bvh_write.h"
 #include "tests/content/import/motion/sample_body.h"
 
-namespace docent::test {
+namespace docent::test::bvh_test {
 namespace {
 
 using testing::HasSubstr;
@@ -304,4 +304,4 @@ TEST(BvhWriter, SaysWhereItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::bvh_test

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wide_text.h"
 
-namespace docent::test {
+namespace docent::test::motion_folder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::motion_folder_test

@@ -9,7 +9,7 @@
 #include "content/import/motion/bvh_write.h"
 #include "tests/support/reference_data.h"
 
-namespace docent::test {
+namespace docent::test::recordings_test {
 namespace {
 
 std::vector<std::filesystem::path> recordings(const std::string& extension) {
@@ -102,4 +102,4 @@ TEST(Recordings, AreTheSameFromBvhAndFromAcclaimFiles) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::recordings_test

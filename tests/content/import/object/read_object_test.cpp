@@ -9,7 +9,7 @@
 #include "content/content_error.h"
 #include "platform/image/image.h"
 
-namespace docent::import::object {
+namespace docent::import::object::read_object_test {
 namespace {
 
 using ::testing::Contains;
@@ -215,4 +215,4 @@ TEST(ReadObject, ThatIsNoneIsRefusedWithASentence) {
 }
 
 }  // namespace
-}  // namespace docent::import::object
+}  // namespace docent::import::object::read_object_test

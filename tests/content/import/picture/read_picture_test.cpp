@@ -20,7 +20,7 @@ extern "C" const char* __lsan_default_suppressions() {
   return "leak:libx265";
 }
 
-namespace docent::import {
+namespace docent::import::read_picture_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -168,4 +168,4 @@ RC_GTEST_PROP(ReadPicture, AnyBytesAreSafe, (const std::string& tail)) {
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::read_picture_test

@@ -10,7 +10,7 @@
 #include "tests/support/reference_data.h"
 #include "tests/support/run_program.h"
 
-namespace docent::import {
+namespace docent::import::xliff_test {
 namespace {
 
 constexpr std::string_view head =
@@ -118,4 +118,4 @@ TEST(Xliff, FaultyFilesNeverEndOtherwiseThanWithASentence) {
 }
 
 }  // namespace
-}  // namespace docent::import
+}  // namespace docent::import::xliff_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace docent::test {
+namespace docent::test::orientation_test {
 namespace {
 
 TEST(Orientation, SeesATurnFarBelowRounding) {
@@ -32,4 +32,4 @@ RC_GTEST_PROP(Orientation, AgreesWithWholeNumbers, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::orientation_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace docent {
+namespace docent::treads_test {
 namespace {
 
 constexpr std::array<Vec2, 4> outline{{{1, 0}, {5, 0}, {5, 2}, {1, 2}}};
@@ -38,4 +38,4 @@ TEST(Treads, HaveNoPlaceInAHoleThatIsNotConvex) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::treads_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace docent {
+namespace docent::opening_hours_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -265,4 +265,4 @@ RC_GTEST_PROP(OpeningHours, AreOpenInThoseMinutesThatAreLeftWhenAllRulesArePaint
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::opening_hours_test

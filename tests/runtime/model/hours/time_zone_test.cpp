@@ -7,7 +7,7 @@
 #include <ctime>
 #include <string>
 
-namespace docent {
+namespace docent::time_zone_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -92,4 +92,4 @@ RC_GTEST_PROP(TimeZone, ShowsWhatTheLibraryShowsInTheHoursAboutAChange, ()) {
 }
 
 }  // namespace
-}  // namespace docent
+}  // namespace docent::time_zone_test

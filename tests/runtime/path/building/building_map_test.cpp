@@ -12,7 +12,7 @@
 #include "runtime/model/none.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::building_map_test {
 namespace {
 
 using path::BuildingQuery;
@@ -383,4 +383,4 @@ TEST(ALiftOfFourFloors, IsWaitedForOnceAndCountsItsFloors) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::building_map_test

@@ -8,7 +8,7 @@
 #include "runtime/model/none.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::museum_tour_test {
 namespace {
 
 using path::BuildingPlace;
@@ -200,4 +200,4 @@ TEST(TheBestTour, ChoosesAmongAThousandExhibits) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::museum_tour_test

@@ -14,7 +14,7 @@
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::closed_doors_test {
 namespace {
 
 using path::ClosedDoors;
@@ -210,4 +210,4 @@ TEST(ClosedDoors, CloseAWideDoorwayInWhichSomethingStands) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::closed_doors_test

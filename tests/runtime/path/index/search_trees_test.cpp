@@ -7,7 +7,7 @@
 #include "runtime/path/index/box_tree.h"
 #include "runtime/path/index/interval_tree.h"
 
-namespace docent::test {
+namespace docent::test::search_trees_test {
 namespace {
 
 double any_number() {
@@ -49,4 +49,4 @@ RC_GTEST_PROP(IntervalTree, MeetsEachIntervalThatContainsANumberOnce, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::search_trees_test

@@ -6,7 +6,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::medial_axis_way_test {
 namespace {
 
 path::Way skeleton(const path::FloorMap& map, Vec2 from, Vec2 to, double radius,
@@ -101,4 +101,4 @@ RC_GTEST_PROP(MedialAxisWay, FindsTheWidestDiscThatStillFits, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::medial_axis_way_test

@@ -15,7 +15,7 @@
 #include "runtime/path/index/wall_grid.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::offset_curve_test {
 namespace {
 
 using std::numbers::pi;
@@ -278,4 +278,4 @@ RC_GTEST_PROP(OffsetCurve, HasTheRingsThatEulersFormulaCountsWhereWallsVanishAnd
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::offset_curve_test

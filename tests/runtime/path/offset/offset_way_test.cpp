@@ -7,7 +7,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::offset_way_test {
 namespace {
 
 path::Way along_wall(const path::FloorMap& map, Vec2 from, Vec2 to, double offset, path::Hand hand,
@@ -110,4 +110,4 @@ RC_GTEST_PROP(OffsetWay, ExistsWhereverTheShortestDoesAndNeverCrossesAWall, ()) 
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::offset_way_test

@@ -10,7 +10,7 @@
 
 #include "runtime/model/geometry/vec2.h"
 
-namespace docent::test {
+namespace docent::test::contraction_test {
 namespace {
 
 using Row = std::vector<double>;
@@ -172,4 +172,4 @@ TEST(CoreLabels, AreGivenUpEarlyAndNeverWhereThereIsRoomForThem) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::contraction_test

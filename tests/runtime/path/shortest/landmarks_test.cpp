@@ -9,7 +9,7 @@
 
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::landmarks_test {
 namespace {
 
 RC_GTEST_PROP(Landmarks, NeverSayMoreThanTheShortestWay, ()) {
@@ -56,4 +56,4 @@ TEST(Landmarks, KnowThatWhatIsNearThroughAWallIsFarOnFoot) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::landmarks_test

@@ -10,7 +10,7 @@
 #include "runtime/path/floor_map.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::radius_maps_test {
 namespace {
 
 /// Waits until the background has made a radius, as long as it takes.
@@ -76,4 +76,4 @@ RC_GTEST_PROP(ShortestWay, IsTheSameByLabelsAndBySearch, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::radius_maps_test

@@ -10,7 +10,7 @@
 #include "tests/runtime/path/brute_force_ways.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::sharp_tips_test {
 namespace {
 
 constexpr double exact = 1e-9;  // Metres.
@@ -184,4 +184,4 @@ RC_GTEST_PROP(ShortestWayBesideACorner, IsAsShortAsBruteForceFinds, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::sharp_tips_test

@@ -8,7 +8,7 @@
 #include "runtime/path/shortest/make_hub_labels.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::shortest_way_test {
 namespace {
 
 constexpr double exact = 1e-9;  // Metres.
@@ -196,4 +196,4 @@ RC_GTEST_PROP(ShortestWay, KeepsItsDistanceAndIsAMetric, ()) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::shortest_way_test

@@ -16,7 +16,7 @@
 #include "runtime/path/shortest/make_tangent_graph.h"
 #include "tests/runtime/path/floors.h"
 
-namespace docent::test {
+namespace docent::test::sight_map_test {
 namespace {
 
 bool holds(std::span<const std::uint32_t> list, std::uint32_t value) {
@@ -185,4 +185,4 @@ TEST(SightMap, SeesTheFourCornersOfABoxFromRoundItsSides) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::sight_map_test

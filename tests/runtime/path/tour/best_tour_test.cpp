@@ -11,7 +11,7 @@
 #include "runtime/path/tour/tour_order.h"
 #include "tests/runtime/path/tour/made_tours.h"
 
-namespace docent::test {
+namespace docent::test::best_tour_test {
 namespace {
 
 using path::BestTour;
@@ -98,4 +98,4 @@ TEST(BestTour, TakesTheWeightyExhibitThatIsFarRatherThanTwoThatAreNear) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::best_tour_test

@@ -10,7 +10,7 @@
 #include "runtime/path/tour/improve_order.h"
 #include "tests/runtime/path/tour/made_tours.h"
 
-namespace docent::test {
+namespace docent::test::tour_order_test {
 namespace {
 
 using path::TourCosts;
@@ -125,4 +125,4 @@ TEST(ShortestOrder, IsTheSameEveryTime) {
 }
 
 }  // namespace
-}  // namespace docent::test
+}  // namespace docent::test::tour_order_test
