@@ -34,7 +34,8 @@ struct geometry_concept<docent::test::boost_voronoi_test::IntegerPoint> {
 template <>
 struct point_traits<docent::test::boost_voronoi_test::IntegerPoint> {
   using coordinate_type = int;
-  static int get(const docent::test::boost_voronoi_test::IntegerPoint& point, orientation_2d direction) {
+  static int get(const docent::test::boost_voronoi_test::IntegerPoint& point,
+                 orientation_2d direction) {
     return direction == HORIZONTAL ? point.x : point.y;
   }
 };
@@ -46,7 +47,8 @@ template <>
 struct segment_traits<docent::test::boost_voronoi_test::IntegerWall> {
   using coordinate_type = int;
   using point_type = docent::test::boost_voronoi_test::IntegerPoint;
-  static point_type get(const docent::test::boost_voronoi_test::IntegerWall& wall, direction_1d end) {
+  static point_type get(const docent::test::boost_voronoi_test::IntegerWall& wall,
+                        direction_1d end) {
     return end.to_int() != 0 ? wall.b : wall.a;
   }
 };

@@ -80,7 +80,9 @@ class KioskInAWindow {
       return desktop_.xdotool("search --onlyvisible --name '^docent$'");
     }) && shows_pictures(3);
   }
-  bool shows_pictures(int count) const { return window_test::shows_pictures(*kiosk_, desktop_, count); }
+  bool shows_pictures(int count) const {
+    return window_test::shows_pictures(*kiosk_, desktop_, count);
+  }
   VirtualDesktop& desktop() { return desktop_; }
   StartedProgram& kiosk() { return *kiosk_; }
   std::string stats() const { return text_of(folder_.path() / "stats.json"); }
