@@ -4,7 +4,7 @@
 packages_build=(
   cmake g++ ninja-build pkg-config
   libasound2-dev libcli11-dev libcurl4-openssl-dev libdrm-dev libegl-dev libfmt-dev libgbm-dev libgles-dev libglm-dev libhidapi-dev
-  libjpeg62-turbo-dev libopus-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev
+  libjpeg62-turbo-dev libopus-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvpx-dev
   nlohmann-json3-dev
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
