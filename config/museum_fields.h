@@ -353,13 +353,12 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"view", &ExhibitSection::view, Presence::Optional,
                           "Where a visitor stands to look at it: [east, north] in metres; found "
                           "in front of it where it is not said"},
-    Field<ExhibitSection>{
-        "image",
-        &ExhibitSection::image,
-        Presence::Optional,
-        "A picture of it: an SVG, PNG, JPEG, WebP, GIF or HEIC file, or a WebM video",
-        {},
-        Form::File},
+    Field<ExhibitSection>{"image",
+                          &ExhibitSection::image,
+                          Presence::Optional,
+                          "A picture of it: an SVG, PNG, JPEG, WebP, GIF or HEIC file",
+                          {},
+                          Form::File},
     Field<ExhibitSection>{
         "pictures", &ExhibitSection::pictures, Presence::Optional,
         "Further pictures, which visitors leaf through in this order; at most 19"},

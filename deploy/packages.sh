@@ -13,7 +13,7 @@ packages_content=(espeak-ng libboost-dev libcgal-dev libdraco-dev libexpat1-dev 
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
   ca-certificates libasound2 libcairo2 libcurl4 libdrm2 libegl-mesa0 libegl1 libfmt9 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
-  libjpeg62-turbo libopus0 libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libssl3 libstdc++6
+  libjpeg62-turbo libopus0 libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libssl3 libstdc++6 libvpx7
   libxcb-icccm4 libxcb-keysyms1 libxcb1 zchunk
 )
 packages_test=(

@@ -36,9 +36,9 @@ room(runtime/plan USES ${model} runtime/path runtime/directions runtime/motion r
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
-  USES ${model} runtime/schema runtime/input runtime/scene runtime/sound runtime/interface runtime/plan runtime/guide config platform platform/alsa platform/clock platform/file
+  USES ${model} runtime/schema runtime/input runtime/scene runtime/sound runtime/video runtime/interface runtime/plan runtime/guide config platform platform/alsa platform/clock platform/file
        platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/pin platform/service
-       platform/signature platform/sqlite platform/terminal platform/x11
+       platform/signature platform/sqlite platform/terminal platform/vpx platform/x11
   LIBRARIES fmt/ link.h malloc.h termios.h ${posix})
 
 room(runtime/update

@@ -15,6 +15,7 @@
 #include "content/parallel.h"
 #include "content/read_source.h"
 #include "platform/file/read_file.h"
+#include "runtime/model/scenery_images.h"
 
 namespace docent::compile {
 
@@ -65,11 +66,11 @@ void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
   const std::filesystem::path file = config.folder / wanted.name;
   if (!wanted.name.empty() && !file::is_there(file)) return;  // already reported
   try {
-    if (!wanted.name.empty() && is_video(file)) {
+    if (!wanted.name.empty() && (is_video(file) || wanted.name.ends_with(".webm"))) {
       LoadedVideo video = load_video(file, wanted.name);
       wanted.is_video = true;
-      wanted.has_sound = video.video.has_sound;
-      image = std::move(video.poster);
+      wanted.has_sound = video.has_sound;
+      image = std::move(video.image);
       if (use == Images::Check) image = {.name = wanted.name, .width = 0, .height = 0, .bytes = {}};
       return;
     }
@@ -102,13 +103,15 @@ void tell(const config::MuseumConfig& config, const WantedImage& image, Report& 
         {}, "embed it in the drawing: in Inkscape, Extensions, Images, Embed Images")));
 }
 
-/// What of a video is not shown.
-void tell_of_video(const config::MuseumConfig& config, const WantedImage& image, Report& report) {
-  if (image.is_video)
-    report.add(warning(
-        config::diagnostic_at(config, image.place, "video-still",
-                              fmt::format("of the video '{}' its first frame is shown", image.name),
-                              {}, "this docent does not play videos yet")));
+/// What of a video is not shown, and where none is.
+void tell_of_video(const config::MuseumConfig& config, const WantedImage& image, bool is_first,
+                   Report& report) {
+  if (image.is_video && is_first)
+    report.add(config::diagnostic_at(
+        config, image.place, "video-as-first-picture",
+        fmt::format("the video '{}' is an exhibit's first picture, which hangs in the model",
+                    image.name),
+        {}, "name a picture there, and the video in [[exhibit.pictures]]"));
   if (image.has_sound)
     report.add(warning(
         config::diagnostic_at(config, image.place, "video-silent",
@@ -136,9 +139,10 @@ void compile_images(const config::MuseumConfig& config, Images use, unsigned job
   museum.images.resize(wanted.size());
   content::for_each_index(wanted.size(), jobs,
                           [&](std::size_t i) { load(config, use, wanted[i], museum.images[i]); });
-  for (const WantedImage& image : wanted) {
-    tell(config, image, report);
-    tell_of_video(config, image, report);
+  const std::size_t first = scenery_images(museum);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    tell(config, wanted[i], report);
+    tell_of_video(config, wanted[i], i < first, report);
   }
   report_blank_cards(config, report);
 }

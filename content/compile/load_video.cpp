@@ -10,7 +10,6 @@
 
 #include "content/content_error.h"
 #include "content/read_source.h"
-#include "platform/image/image.h"
 #include "platform/vpx/decoder.h"
 
 namespace docent::compile {
@@ -28,30 +27,18 @@ content::ContentError unreadable(const std::filesystem::path& file, const std::s
                       limits.shortest_side, limits.duration.count(), file.stem().string())};
 }
 
-Pixels pixels_of(const video::Planes& planes) {
-  Pixels picture{.width = planes.width,
-                 .height = planes.height,
-                 .rgba = std::vector<std::byte>(std::size_t{4} * planes.width * planes.height)};
-  video::fill_pixels(planes, picture);
-  return picture;
-}
-
-/// Decodes every frame; the first one that is seen.
-Result<Pixels> first_picture(const video::Video& video, std::span<const std::byte> bytes) {
+/// Decodes every frame: what is wrong with the first that cannot be shown; empty where all can.
+std::string fault_of(const video::Video& video, std::span<const std::byte> bytes) {
   Result<vpx::Decoder> decoder = vpx::Decoder::open(video);
-  if (!decoder) return std::unexpected(decoder.error());
-  Pixels first;
+  if (!decoder) return decoder.error().what;
+  bool is_seen = false;
   for (std::size_t i = 0; i < video.frames.size(); ++i) {
     const video::Frame& frame = video.frames[i];
     const Result<video::Planes> planes = decoder->decode(bytes.subspan(frame.at, frame.size));
-    if (!planes)
-      return std::unexpected(Error{planes.error().code, fmt::format("frame {} of this video {}",
-                                                                    i + 1, planes.error().what)});
-    if (planes->y != nullptr && first.rgba.empty()) first = pixels_of(*planes);
+    if (!planes) return fmt::format("frame {} of this video {}", i + 1, planes.error().what);
+    is_seen = is_seen || planes->y != nullptr;
   }
-  if (first.rgba.empty())
-    return std::unexpected(Error{Errc::InvalidInput, "no frame of this video is seen"});
-  return first;
+  return is_seen ? std::string() : "no frame of this video is seen";
 }
 
 }  // namespace
@@ -64,20 +51,22 @@ bool is_video(const std::filesystem::path& file) {
 
 LoadedVideo load_video(const std::filesystem::path& file, const std::string& name,
                        const video::Limits& limits) {
-  LoadedVideo loaded{
-      .video = {}, .bytes = content::read_source(file, "unreadable-video"), .poster = {}};
-  const auto bytes = std::as_bytes(std::span(loaded.bytes));
-  Result<video::Video> video = video::read_webm(bytes, limits);
+  if (!name.ends_with(".webm"))
+    throw content::ContentError(file.string(), 0, 0, "unreadable-video",
+                                "this is a video, and its name does not end in .webm",
+                                "call it " + file.stem().string() + ".webm");
+  const std::string text = content::read_source(file, "unreadable-video");
+  const auto bytes = std::as_bytes(std::span(text));
+  const Result<video::Video> video = video::read_webm(bytes, limits);
   if (!video) throw unreadable(file, video.error().what, limits);
   if (const auto fault = video::beyond(*video, limits)) throw unreadable(file, *fault, limits);
-  const Result<Pixels> first = first_picture(*video, bytes);
-  if (!first) throw unreadable(file, first.error().what, limits);
-  auto poster = image::encode_jpeg(*first);
-  if (!poster) throw unreadable(file, poster.error().what, limits);
-  loaded.video = std::move(*video);
-  loaded.poster = {
-      .name = name, .width = first->width, .height = first->height, .bytes = std::move(*poster)};
-  return loaded;
+  if (const std::string fault = fault_of(*video, bytes); !fault.empty())
+    throw unreadable(file, fault, limits);
+  return {.image = {.name = name,
+                    .width = video->width,
+                    .height = video->height,
+                    .bytes = {bytes.begin(), bytes.end()}},
+          .has_sound = video->has_sound};
 }
 
 }  // namespace docent::compile

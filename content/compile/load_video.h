@@ -9,11 +9,10 @@
 
 namespace docent::compile {
 
-/// A video that a kiosk can play, and the picture that stands for it.
+/// A video that a kiosk can play.
 struct LoadedVideo {
-  video::Video video;
-  std::string bytes;    ///< Of its file, as it is.
-  EncodedImage poster;  ///< Its first frame, whole; a JPEG.
+  EncodedImage image;      ///< With the bytes of its file, as it is (moving_picture.h).
+  bool has_sound = false;  ///< Which nobody will hear.
 };
 
 /// Does a file begin as WebM and Matroska do? False too where it cannot be read.
@@ -21,7 +20,7 @@ bool is_video(const std::filesystem::path& file);
 
 /// Reads a WebM video and decodes all of it, to see that it is whole, keeps to `limits` and is as
 /// large as it says. `name` is what the museum calls it. Throws ContentError (`unreadable-video`)
-/// with the sentence of what is wrong, and how a film becomes such a video.
+/// with the sentence of what is wrong, and how a film becomes such a video. Its name ends in .webm.
 LoadedVideo load_video(const std::filesystem::path& file, const std::string& name,
                        const video::Limits& limits = {});
 

@@ -90,4 +90,18 @@ Result<video::Planes> Decoder::decode(std::span<const std::byte> frame) {
   return planes_of(*image);
 }
 
+Result<Pixels> first_picture(std::span<const std::byte> file) {
+  const Result<video::Video> video = video::read_webm(file);
+  if (!video) return std::unexpected(video.error());
+  if (const auto fault = video::beyond(*video)) return refusal(*fault);
+  Result<Decoder> decoder = Decoder::open(*video);
+  if (!decoder) return std::unexpected(decoder.error());
+  for (const video::Frame& frame : video->frames) {
+    const Result<video::Planes> planes = decoder->decode(file.subspan(frame.at, frame.size));
+    if (!planes) return std::unexpected(planes.error());
+    if (planes->y != nullptr) return video::whole_picture(*planes);
+  }
+  return refusal("no frame of this video is seen");
+}
+
 }  // namespace docent::vpx

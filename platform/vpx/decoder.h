@@ -38,4 +38,7 @@ class Decoder {
   std::uint32_t width_ = 0, height_ = 0;
 };
 
+/// What is seen first of a WebM file that keeps to video::Limits; a sentence where nothing is.
+Result<Pixels> first_picture(std::span<const std::byte> file);
+
 }  // namespace docent::vpx

@@ -88,4 +88,12 @@ void fill_pixels(const Planes& planes, Pixels& picture) noexcept {
   }
 }
 
+Pixels whole_picture(const Planes& planes) {
+  Pixels picture{.width = planes.width,
+                 .height = planes.height,
+                 .rgba = std::vector<std::byte>(std::size_t{4} * planes.width * planes.height)};
+  fill_pixels(planes, picture);
+  return picture;
+}
+
 }  // namespace docent::video

@@ -23,4 +23,7 @@ struct Planes {
 /// area, in the values as they are coded. A picture without pixels stays so. Does not allocate.
 void fill_pixels(const Planes& planes, Pixels& picture) noexcept;
 
+/// The whole frame, pixel for pixel.
+Pixels whole_picture(const Planes& planes);
+
 }  // namespace docent::video

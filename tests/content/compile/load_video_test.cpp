@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "content/content_error.h"
-#include "platform/image/image.h"
 #include "tests/support/made_video.h"
 #include "tests/support/museum_folder.h"
 
@@ -37,23 +36,34 @@ std::string fault_of(const std::string& video) {
   return run.err;
 }
 
-TEST(LoadVideo, MakesAPictureOfItsFirstFrame) {
+TEST(LoadVideo, KeepsItsFileAsItIs) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder.path() / "a.webm", std::ios::binary)
-      << make_video({.width = 320, .height = 180, .frames = 12});
+  const std::string video = make_video({.width = 320, .height = 180, .frames = 12});
+  std::ofstream(folder.path() / "a.webm", std::ios::binary) << video;
 
   const LoadedVideo loaded = load_video(folder.path() / "a.webm", "a.webm");
 
-  EXPECT_EQ(loaded.video.frames.size(), 12U);
-  EXPECT_EQ(loaded.poster.width, 320U);
-  EXPECT_EQ(loaded.poster.height, 180U);
-  const Result<Pixels> poster = image::decode_image(loaded.poster.bytes);
-  ASSERT_TRUE(poster.has_value());
-  const auto red_at = [&](std::size_t x) {
-    return std::to_integer<int>(poster->rgba[4 * (90 * 320 + x)]);
-  };
-  EXPECT_GT(red_at(3), 200) << "the bar is at the left, where it begins";
-  EXPECT_NEAR(red_at(160), 128, 12);
+  EXPECT_EQ(loaded.image.width, 320U);
+  EXPECT_EQ(loaded.image.height, 180U);
+  EXPECT_TRUE(std::ranges::equal(loaded.image.bytes, test::bytes_of(video)));
+  EXPECT_FALSE(loaded.has_sound);
+}
+
+TEST(LoadVideo, IsNoExhibitsFirstPicture) {
+  const MuseumWithVideo museum(make_video({}));
+  museum.replace("exhibits/hall.toml", "images/disc.svg", "images/turning.webm");
+
+  const test::ProgramRun run = museum.compile();
+
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.err, HasSubstr("hall.toml:5:9: error[video-as-first-picture]"));
+}
+
+TEST(LoadVideo, HasANameThatSaysSo) {
+  const MuseumWithVideo museum(make_video({}));
+  museum.write("images/disc.svg", make_video({}));
+  EXPECT_THAT(museum.compile().err,
+              HasSubstr("this is a video, and its name does not end in .webm"));
 }
 
 TEST(LoadVideo, IsTakenWhereAPictureIsNamedAndTold) {

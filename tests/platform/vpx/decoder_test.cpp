@@ -68,6 +68,19 @@ TEST_P(DecoderOf, RefusesAFrameInTheMiddleThatIsLargerThanTheOthers) {
             "3 is 640 x 480 pixels, and the video says 64 x 48");
 }
 
+TEST_P(DecoderOf, GivesTheFirstPictureOfAFile) {
+  const std::string file =
+      test::make_video({.codec = GetParam(), .width = 160, .height = 90, .frames = 3});
+
+  const Result<Pixels> picture = first_picture(bytes_of(file));
+
+  ASSERT_TRUE(picture.has_value()) << picture.error().what;
+  EXPECT_EQ(picture->width, 160U);
+  EXPECT_EQ(picture->height, 90U);
+  EXPECT_GT(std::to_integer<int>(picture->rgba[4 * 3]), 200) << "the bar is at the left";
+  EXPECT_FALSE(first_picture(bytes_of("nothing")).has_value());
+}
+
 TEST_P(DecoderOf, AnyBytesInAFrameAreSurvived) {
   rc::check([&] {
     const VideoSketch sketch{.codec = GetParam(), .frames = 4};
