@@ -9,7 +9,7 @@
 #include "runtime/video/fill_pixels.h"
 #include "runtime/video/webm.h"
 
-struct vpx_codec_ctx;
+struct vpx_codec_ctx;  // NOLINT(readability-identifier-naming): as libvpx calls it
 
 namespace docent::vpx {
 
