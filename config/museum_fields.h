@@ -313,7 +313,7 @@ inline constexpr std::array picture_fields{
     Field<PictureSection>{"image",
                           &PictureSection::image,
                           Presence::Required,
-                          "An SVG, PNG, JPEG, WebP, GIF or HEIC file",
+                          "An SVG, PNG, JPEG, WebP, GIF or HEIC file, or a WebM video",
                           {},
                           Form::File},
     Field<PictureSection>{"caption", &PictureSection::caption, Presence::Optional,

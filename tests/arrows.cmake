@@ -30,14 +30,15 @@ room(runtime/directions USES ${model} runtime/path LIBRARIES glm/)
 room(runtime/search)
 room(runtime/scene USES ${model} runtime/path LIBRARIES glm/)
 room(runtime/sound USES ${model})
+room(runtime/video USES ${model} LIBRARIES fmt/)
 room(runtime/interface USES ${model} runtime/path runtime/directions runtime/search runtime/scene LIBRARIES fmt/)
 room(runtime/plan USES ${model} runtime/path runtime/directions runtime/motion runtime/crowd runtime/interface)
 room(runtime/guide USES ${model} runtime/path runtime/motion runtime/crowd runtime/input runtime/scene runtime/interface runtime/plan)
 room(runtime/release USES ${model} LIBRARIES fmt/)
 room(runtime/kiosk
-  USES ${model} runtime/schema runtime/input runtime/scene runtime/sound runtime/interface runtime/plan runtime/guide config platform platform/alsa platform/clock platform/file
+  USES ${model} runtime/schema runtime/input runtime/scene runtime/sound runtime/video runtime/interface runtime/plan runtime/guide config platform platform/alsa platform/clock platform/file
        platform/gles platform/headless platform/hid platform/image platform/journal platform/kms platform/pango platform/pin platform/service
-       platform/signature platform/sqlite platform/terminal platform/x11
+       platform/signature platform/sqlite platform/terminal platform/vpx platform/x11
   LIBRARIES fmt/ link.h malloc.h termios.h ${posix})
 
 room(runtime/update
@@ -61,6 +62,7 @@ room(platform/image USES ${model} LIBRARIES fmt/ spng.h jpeglib.h ${posix})
 room(platform/kms USES ${model} platform platform/egl platform/journal LIBRARIES fmt/ EGL/ drm.h drm_fourcc.h gbm.h linux/ xf86drm ${posix})
 room(platform/alsa USES ${model} runtime/sound platform platform/journal platform/opus LIBRARIES alsa/)
 room(platform/opus USES ${model} platform LIBRARIES opus/)
+room(platform/vpx USES ${model} runtime/video LIBRARIES fmt/ vpx/)
 room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
 room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
@@ -84,7 +86,7 @@ room(content/film
   USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image content/scenery LIBRARIES fmt/ webp/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
-  USES ${model} runtime/path runtime/motion runtime/interface config platform platform/file platform/image platform/signature platform/terminal content content/import content/floor
+  USES ${model} runtime/path runtime/motion runtime/video runtime/interface config platform platform/file platform/image platform/signature platform/terminal platform/vpx content content/import content/floor
        content/motion content/avatar content/character content/object content/reading content/scenery content/speech
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command

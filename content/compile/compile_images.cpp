@@ -10,10 +10,12 @@
 
 #include "content/compile/linked_pictures.h"
 #include "content/compile/load_image.h"
+#include "content/compile/load_video.h"
 #include "content/content_error.h"
 #include "content/parallel.h"
 #include "content/read_source.h"
 #include "platform/file/read_file.h"
+#include "runtime/model/scenery_images.h"
 
 namespace docent::compile {
 
@@ -26,6 +28,7 @@ struct WantedImage {
   std::optional<content::ContentError> problem;
   std::vector<std::string>
       lost;  ///< Pictures that an SVG drawing links to, and that are not shown.
+  bool is_video = false, has_sound = false;
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
@@ -34,7 +37,7 @@ class WantedImages {
   std::uint32_t index_of(const config::Located<std::string>& image) {
     const auto [known, is_new] =
         index_.emplace(image.value, static_cast<std::uint32_t>(all.size()));
-    if (is_new) all.push_back({image.value, image.place, std::nullopt, {}});
+    if (is_new) all.push_back({image.value, image.place, std::nullopt, {}, false, false});
     return known->second;
   }
 
@@ -63,6 +66,14 @@ void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
   const std::filesystem::path file = config.folder / wanted.name;
   if (!wanted.name.empty() && !file::is_there(file)) return;  // already reported
   try {
+    if (!wanted.name.empty() && (is_video(file) || wanted.name.ends_with(".webm"))) {
+      LoadedVideo video = load_video(file, wanted.name);
+      wanted.is_video = true;
+      wanted.has_sound = video.has_sound;
+      image = std::move(video.image);
+      if (use == Images::Check) image = {.name = wanted.name, .width = 0, .height = 0, .bytes = {}};
+      return;
+    }
     if (use == Images::Make)
       image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
     else if (!wanted.name.empty())
@@ -92,6 +103,22 @@ void tell(const config::MuseumConfig& config, const WantedImage& image, Report& 
         {}, "embed it in the drawing: in Inkscape, Extensions, Images, Embed Images")));
 }
 
+/// What of a video is not shown, and where none is.
+void tell_of_video(const config::MuseumConfig& config, const WantedImage& image, bool is_first,
+                   Report& report) {
+  if (image.is_video && is_first)
+    report.add(config::diagnostic_at(
+        config, image.place, "video-as-first-picture",
+        fmt::format("the video '{}' is an exhibit's first picture, which hangs in the model",
+                    image.name),
+        {}, "name a picture there, and the video in [[exhibit.pictures]]"));
+  if (image.has_sound)
+    report.add(warning(
+        config::diagnostic_at(config, image.place, "video-silent",
+                              fmt::format("the sound of the video '{}' is left out", image.name),
+                              {}, "say what is heard in the caption, or in the exhibit's text")));
+}
+
 /// Exhibits of which visitors see a blank card.
 void report_blank_cards(const config::MuseumConfig& config, Report& report) {
   for (const config::ExhibitSection& exhibit : config.exhibits)
@@ -112,7 +139,11 @@ void compile_images(const config::MuseumConfig& config, Images use, unsigned job
   museum.images.resize(wanted.size());
   content::for_each_index(wanted.size(), jobs,
                           [&](std::size_t i) { load(config, use, wanted[i], museum.images[i]); });
-  for (const WantedImage& image : wanted) tell(config, image, report);
+  const std::size_t first = scenery_images(museum);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    tell(config, wanted[i], report);
+    tell_of_video(config, wanted[i], i < first, report);
+  }
   report_blank_cards(config, report);
 }
 

@@ -37,7 +37,7 @@ constexpr std::string_view as_model =
 constexpr std::string_view as_ifc =
     "in Revit, export it as IFC (File, Export, IFC), with rooms; save words as plain text";
 
-constexpr std::array<Mark, 41> marks{{
+constexpr std::array<Mark, 42> marks{{
     {0, "\x89PNG\r\n\x1a\n"sv, {"a PNG picture", For::Picture}},
     {0, "\xff\xd8\xff"sv, {"a JPEG picture", For::Picture}},
     {0, "GIF87a"sv, {"a GIF picture", For::Picture}},
@@ -58,7 +58,10 @@ constexpr std::array<Mark, 41> marks{{
       "save the page as SVG or PNG; of a plan ask for the DXF, or make an SVG of it: pdftocairo "
       "-svg"}},
     {0, "%!PS"sv, {"a PostScript file", For::Nothing, as_picture}},
-    {4, "ftyp"sv, {"a film", For::Nothing, "save one picture of it as PNG or JPEG"}},
+    {4,
+     "ftyp"sv,
+     {"a film", For::Nothing, "save it as WebM (VP9), or one picture of it as PNG or JPEG"}},
+    {0, "\x1a\x45\xdf\xa3"sv, {"a video (WebM, MKV)", For::Nothing, is_it_right}},
     {0, "AC10"sv, {"a DWG drawing", For::Nothing, as_dxf}},
     {0, "AutoCAD Binary DXF"sv, {"a DXF drawing", For::Plan}},
     {0, "ISO-10303-21"sv, {"an IFC building model", For::Plan}},

@@ -22,6 +22,15 @@ void Holdings::add_scenery_image(scene::TextureId id, std::span<const Pixels> le
   parts_->textures.add_image(id, levels);
 }
 
+void Holdings::replace_image(scene::TextureId id, const Pixels& picture) noexcept {
+  parts_->textures.replace_image(id, picture);
+}
+
+Holdings::Size Holdings::size_of(scene::TextureId id) const noexcept {
+  const Textures::Entry* entry = parts_->textures.find(id);
+  return entry == nullptr ? Size{} : Size{entry->width, entry->height};
+}
+
 void Holdings::release(scene::TextureId id) noexcept {
   parts_->textures.release(id);
 }

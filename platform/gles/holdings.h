@@ -36,6 +36,15 @@ class Holdings {
   /// Keeps a picture of the building and the smaller ones of it for the distance
   /// (image::mip_levels).
   void add_scenery_image(scene::TextureId id, std::span<const Pixels> levels) noexcept;
+  /// Puts other pixels into a picture of one level that is kept; nothing happens where it is not of
+  /// their size. What was drawn of it looks different now. Does not allocate.
+  void replace_image(scene::TextureId id, const Pixels& picture) noexcept;
+  /// How large a kept text or picture is; no pixels: it is not kept.
+  struct Size {
+    std::uint32_t width = 0, height = 0;
+    bool operator==(const Size&) const = default;
+  };
+  Size size_of(scene::TextureId id) const noexcept;
   /// Gives back the memory of a text or a picture.
   void release(scene::TextureId id) noexcept;
 

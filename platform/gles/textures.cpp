@@ -53,6 +53,18 @@ void Textures::add_image(scene::TextureId id, std::span<const Pixels> levels) no
   keep(id, std::move(texture), levels[0].width, levels[0].height);
 }
 
+void Textures::replace_image(scene::TextureId id, const Pixels& picture) noexcept {
+  const Entry* entry = find(id);
+  if (entry == nullptr || picture.rgba.empty() || entry->width != picture.width ||
+      entry->height != picture.height)
+    return;
+  bind_texture(0, entry->texture.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(picture.width),
+                  static_cast<GLsizei>(picture.height), GL_RGBA, GL_UNSIGNED_BYTE,
+                  picture.rgba.data());
+}
+
 void Textures::release(scene::TextureId id) noexcept {
   keep(id, {}, 0, 0);
 }

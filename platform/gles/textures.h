@@ -23,6 +23,8 @@ class Textures {
                 std::span<const std::uint8_t> coverage) noexcept;
   /// One level is drawn texel for pixel; all of them (image::mip_levels) from any distance.
   void add_image(scene::TextureId id, std::span<const Pixels> levels) noexcept;
+  /// Other pixels for an image of one level and of this size.
+  void replace_image(scene::TextureId id, const Pixels& picture) noexcept;
   void release(scene::TextureId id) noexcept;
 
   struct Entry {

@@ -101,6 +101,13 @@ class Guide {
   /// What is said to the visitor of a glass of their own.
   const Voice& voice() const noexcept { return sessions_[0].voice(); }
 
+  /// What the visitor of a glass of their own watches; nothing while it is no video.
+  std::optional<ShownVideo> video() const noexcept {
+    return is_shared() ? std::nullopt : sessions_[0].video();
+  }
+  /// Whoever plays it has come to its end, or cannot play it.
+  void video_ended() noexcept { sessions_[0].video_ended(); }
+
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
   /// How many visitors can use the glass at the same time.

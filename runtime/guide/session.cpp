@@ -6,6 +6,7 @@
 
 #include "runtime/guide/step_aside.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/pictures.h"
 
 namespace docent::guide {
 namespace {
@@ -225,7 +226,10 @@ void Session::act(interface::Action action) noexcept {
     left_seconds_ = 0;
     overlay_.clear_focus();
   }
-  show(interface::after(state_, action));
+  interface::InterfaceState next = interface::after(state_, action);
+  if (action.kind == interface::Action::Kind::ShowPicture)  // who wants no motion begins it
+    next.plays = !context_.reduced_motion && interface::shown_video(context_.museum, next);
+  show(next);
   if (was_vacant && !is_vacant()) begin_visit();
   switch (action.kind) {
     case interface::Action::Kind::ReadAloud:
@@ -376,6 +380,31 @@ void Session::show(const interface::InterfaceState& state) noexcept {
   request_view();
 }
 
+// What the visitor watches.
+
+std::optional<ShownVideo> Session::video() const noexcept {
+  if (!video_ || view() == nullptr || view()->video == scene::TextureId::None ||
+      interface::shown_video(context_.museum, view()->state) != video_)
+    return std::nullopt;
+  return ShownVideo{.image = *video_, .texture = view()->video, .seconds = video_seconds_};
+}
+
+void Session::video_ended() noexcept {
+  video_seconds_ = 0;
+  interface::InterfaceState state = state_;
+  state.plays = false;
+  show(state);
+}
+
+void Session::play_video(float seconds) noexcept {
+  constexpr float longest = 61;  // no video is longer: video::Limits
+  const auto before = std::exchange(video_, interface::shown_video(context_.museum, state_));
+  if (video_ != before) video_seconds_ = 0;
+  if (!video_ || !state_.plays || !video()) return;
+  video_seconds_ += seconds;
+  if (video_seconds_ > longest) video_ended();
+}
+
 // What the planner answers.
 
 void Session::request_view() noexcept {
@@ -429,6 +458,7 @@ void Session::step(float seconds, float absent_after) noexcept {
   vacant_seconds_ += seconds;
   gestures_.advance(seconds);
   overlay_.advance(seconds);
+  play_video(seconds);
   speak(seconds);
 }
 
@@ -477,7 +507,7 @@ void Session::notice_arrival() noexcept {
 void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
-  if (voice_.is_busy()) return;  // who listens does nothing else
+  if (voice_.is_busy() || (video_ && state_.plays)) return;  // who listens or watches does nothing
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);

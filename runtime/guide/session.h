@@ -31,6 +31,13 @@ struct Errand {
   bool operator==(const Errand&) const = default;
 };
 
+/// A video that a visitor sees, and how far it has come.
+struct ShownVideo {
+  std::uint32_t image = 0;                            ///< Index into Museum::images.
+  scene::TextureId texture = scene::TextureId::None;  ///< In which it is played.
+  float seconds = 0;                                  ///< Of it.
+};
+
 /// What the sessions of a kiosk have in common. Borrowed.
 struct SessionContext {
   const Museum& museum;
@@ -81,6 +88,10 @@ class Session {
     return route_summary_;
   }
   void heard(bool is_speaking) noexcept { voice_.heard(is_speaking); }
+  /// Nothing while no video is on the glass.
+  std::optional<ShownVideo> video() const noexcept;
+  /// The video is over: its first frame is seen again.
+  void video_ended() noexcept;
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }
   const interface::View* view() const noexcept { return overlay_.view(); }
@@ -126,6 +137,7 @@ class Session {
   bool press_key_of_voice(input::Key key) noexcept;
   void move_focus(int step) noexcept;
   void speak(float seconds) noexcept;
+  void play_video(float seconds) noexcept;
   void keep_to_resume(float seconds) noexcept;
 
   const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
@@ -146,6 +158,8 @@ class Session {
   Overlay overlay_;
   Voice voice_;
   TurnTable table_;
+  std::optional<std::uint32_t> video_{};  ///< The image, while it is before the visitor.
+  float video_seconds_ = 0;
   bool has_headphones_ = false;
   std::optional<interface::InterfaceState> left_{};  ///< What starting over can be taken back to.
   float left_seconds_ = 0;                           ///< Since then.

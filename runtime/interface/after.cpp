@@ -15,6 +15,7 @@ void forget_goal(InterfaceState& state) noexcept {
   state.tour.reset();
   state.arrived = false;
   state.picture.reset();
+  state.plays = false;
   state.tells_more = false;
   state.pace = 0;
   state.next = Chapter::Goal;
@@ -179,9 +180,14 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::ShowPicture:
       state.picture = static_cast<std::uint8_t>(
           std::min<std::uint32_t>(action.argument, FurtherPicture::most - 1));
+      state.plays = true;  // where it is a video
+      break;
+    case Action::Kind::PlayVideo:
+      state.plays = action.argument != 0;
       break;
     case Action::Kind::TellMore:
       state.tells_more = action.argument != 0;
+      state.plays = false;
       if (!state.tells_more) state.picture.reset();  // the short text is read from its beginning
       break;
     case Action::Kind::Speak:
@@ -219,6 +225,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       } else
         state.screen = state.arrived ? Screen::Arrived : Screen::Walking;
       state.picture.reset();  // who has been elsewhere is told all of it
+      state.plays = false;
       break;
     case Action::Kind::GoOnward:
       state.skips = true;

@@ -390,6 +390,10 @@ void add_closer_look(const ControlRequest& request, std::vector<Control>& out) {
     out.push_back(button(museum, "picture:previous", "picture_previous",
                          {Action::Kind::ShowPicture, (at + count - 1) % count}));
   }
+  if (shown_video(museum, state))
+    out.push_back(state.plays
+                      ? button(museum, "video:stop", "video_stop", {Action::Kind::PlayVideo, 0})
+                      : button(museum, "video:play", "video_play", {Action::Kind::PlayVideo, 1}));
   if (!museum.exhibits[*state.exhibit].more.empty())
     out.push_back(button(museum, "more", "more", {Action::Kind::TellMore, 1}));
 }

@@ -64,6 +64,7 @@ struct InterfaceState {
   std::optional<std::uint32_t> place{};
   /// Which of the exhibit's pictures is seen, once they have leafed through them.
   std::optional<std::uint8_t> picture{};
+  bool plays = false;       ///< That picture, which is a video.
   bool tells_more = false;  ///< Its longer text is read.
   RouteKind kind = RouteKind::Shortest;
   path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
@@ -108,6 +109,7 @@ struct Action {
     TurnPage,         ///< Show page `argument` of the list.
     ShowFloor,        ///< Show floor `argument` from above.
     ShowPicture,      ///< Picture `argument` of the exhibit, from 0.
+    PlayVideo,        ///< That picture, where `argument` is 1; 0: it stands still.
     TellMore,         ///< The exhibit's longer text, where `argument` is 1; 0: what one saw before.
     Speak,            ///< Language `argument`.
     TakeRoute,        ///< RouteKind `argument`.

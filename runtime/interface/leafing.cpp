@@ -79,8 +79,12 @@ Block line_block(Sheet& sheet, float gap) {
 std::vector<Block> picture_blocks(Sheet& sheet, float least, float worthwhile, float gap) {
   const Block picture = picture_block(sheet, least, worthwhile, gap);
   if (sheet.control("picture:next") < 0) return {picture};
-  return {between_buttons(sheet, picture, worthwhile, std::round(sheet.measures().unit / 2)),
-          line_block(sheet, gap)};
+  std::vector<Block> blocks{
+      between_buttons(sheet, picture, worthwhile, std::round(sheet.measures().unit / 2)),
+      line_block(sheet, gap)};
+  const std::int32_t play = sheet.control("video:play"), stop = sheet.control("video:stop");
+  if (play >= 0 || stop >= 0) blocks.push_back(buttons_block(sheet, {{play}, {stop}}, gap));
+  return blocks;
 }
 
 }  // namespace docent::interface

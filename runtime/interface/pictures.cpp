@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "runtime/model/moving_picture.h"
+
 namespace docent::interface {
 
 std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept {
@@ -23,6 +25,16 @@ ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
   if (!picture.caption.empty()) shown.caption = &picture.caption;
   shown.description = &picture.description;
   return shown;
+}
+
+std::optional<std::uint32_t> shown_video(const Museum& museum,
+                                         const InterfaceState& state) noexcept {
+  if (state.screen != Screen::Arrived || state.glass != Glass::Whole || !state.exhibit ||
+      *state.exhibit >= museum.exhibits.size() || reads_more(museum, state))
+    return std::nullopt;
+  const std::uint32_t image = shown_picture(museum, state, *state.exhibit).image;
+  if (image >= museum.images.size() || !is_video(museum.images[image])) return std::nullopt;
+  return image;
 }
 
 bool reads_more(const Museum& museum, const InterfaceState& state) noexcept {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "runtime/interface/control.h"
 
@@ -21,6 +22,11 @@ ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
 
 /// How many there are to leaf through; at least 1.
 std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept;
+
+/// The image that is a video and is seen by a visitor who has the whole glass and stands before its
+/// exhibit; on a shared glass videos stand still.
+std::optional<std::uint32_t> shown_video(const Museum& museum,
+                                         const InterfaceState& state) noexcept;
 
 /// Does the visitor read the longer text of the exhibit that they are at?
 bool reads_more(const Museum& museum, const InterfaceState& state) noexcept;

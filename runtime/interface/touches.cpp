@@ -5,6 +5,7 @@
 #include "runtime/interface/face.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/places.h"
+#include "runtime/model/moving_picture.h"
 
 namespace docent::interface {
 namespace {
@@ -127,6 +128,8 @@ bool is_control_name(const Museum& museum, std::string_view name) {
   for (const Room& room : museum.rooms)
     if (name == "gallery:" + room.id) return true;
   if (name == "picture:previous" || name == "picture:next") return !museum.pictures.empty();
+  if (name == "video:play" || name == "video:stop")
+    return std::ranges::any_of(museum.images, is_video);
   if (name == "more" || name == "less")
     return std::ranges::any_of(museum.exhibits, [](const Exhibit& e) { return !e.more.empty(); });
   if (name == "languages") return museum.languages.size() > most_languages_beside;

@@ -131,6 +131,8 @@ struct View {
   ScrollArea scroll;
   Speech speech;  ///< For who does not see it.
   InsetPlan inset;
+  /// In which the video that the visitor sees is played; None: there is none.
+  scene::TextureId video = scene::TextureId::None;
   scene::Rect panel;             ///< Screen frame.
   std::int32_t open = -1;        ///< Set by the frame thread: the label whose cluster is open, ...
   scene::Rect cluster;           ///< ... and the board on which it is. Screen frame.

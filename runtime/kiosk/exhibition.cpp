@@ -17,8 +17,10 @@
 #include "platform/sqlite/content_reader.h"
 #include "platform/sqlite/file_archive.h"
 #include "platform/sqlite/signature_block.h"
+#include "platform/vpx/decoder.h"
 #include "runtime/interface/control.h"
 #include "runtime/kiosk/allocations.h"
+#include "runtime/model/moving_picture.h"
 #include "runtime/model/scenery_images.h"
 #include "runtime/plan/order_tours.h"
 #include "runtime/schema/schema.h"
@@ -40,6 +42,7 @@ Pixels decode(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
   if (image >= museum.images.size()) return {};
   const std::span<const std::byte> bytes =
       archive != nullptr ? archive->read(image) : std::span(museum.images[image].bytes);
+  if (is_video(museum.images[image])) return vpx::first_picture(bytes).value_or(Pixels{});
   return image::decode_image(bytes).value_or(Pixels{});
 }
 
@@ -211,6 +214,19 @@ std::unique_ptr<ObjectDetails> details_of(Exhibition& exhibition) {
       [archive](std::uint32_t object) { return archive->read(object); });
 }
 
+/// Videos stay in the file, as pictures do.
+std::unique_ptr<VideoPlayer> videos_of(const Exhibition& exhibition) {
+  const std::vector<EncodedImage>& images = exhibition.museum.images;
+  if (std::ranges::none_of(images, is_video)) return {};
+  const std::shared_ptr<BlobArchive> archive = sqlite::open_archive(
+      exhibition.content.path, sqlite::Archived::Images, exhibition.content.checksum);
+  return std::make_unique<VideoPlayer>([&images, archive](std::uint32_t image) {
+    if (archive) return archive->read(image);
+    return image < images.size() ? std::span<const std::byte>(images[image].bytes)
+                                 : std::span<const std::byte>();
+  });
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
@@ -254,6 +270,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       selection.today, selection.is_simulated);
   exhibition->body_levels = scene::levels_of(kept.avatar);
   exhibition->details = details_of(*exhibition);
+  exhibition->videos = videos_of(*exhibition);
   for (std::future<void>& made : pictures_made) made.get();
   if (pictures)
     for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
@@ -296,6 +313,22 @@ bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
   exhibition.details->want(object);
   if (waits) exhibition.details->wait();
   return exhibition.details->upload_next(exhibition.holdings);
+}
+
+bool play_video(Exhibition& exhibition, bool waits) noexcept {
+  if (!exhibition.videos) return false;
+  const std::optional<guide::ShownVideo> shown = exhibition.guide->video();
+  const auto size = shown ? exhibition.holdings.size_of(shown->texture) : gles::Holdings::Size{};
+  if (size == gles::Holdings::Size{}) {
+    exhibition.videos->want({});
+    return false;
+  }
+  exhibition.videos->want(
+      VideoPlayer::Wish{.image = shown->image, .size = size, .seconds = shown->seconds});
+  if (waits) exhibition.videos->wait();
+  const bool has_changed = exhibition.videos->upload_next(exhibition.holdings, shown->texture);
+  if (exhibition.videos->has_ended()) exhibition.guide->video_ended();
+  return has_changed;
 }
 
 bool apply_pieces(Exhibition& exhibition) noexcept {

@@ -12,6 +12,7 @@
 #include "runtime/kiosk/kiosk_status.h"
 #include "runtime/kiosk/object_details.h"
 #include "runtime/kiosk/today_watch.h"
+#include "runtime/kiosk/video_player.h"
 #include "runtime/model/blob_archive.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/result.h"
@@ -31,6 +32,7 @@ struct Exhibition {
   std::unique_ptr<TodayWatch> today;
   gles::Holdings holdings;
   std::unique_ptr<ObjectDetails> details;  ///< Null where no exhibit is a shape of its own.
+  std::unique_ptr<VideoPlayer> videos;     ///< Null where no exhibit has one.
   /// By image, with their smaller ones, until they are in texture memory.
   std::vector<std::vector<Pixels>> scenery_pictures;
   scene::BodyLevels body_levels;  ///< Likewise.
@@ -75,6 +77,10 @@ void upload(Exhibition& exhibition);
 /// Frame thread; does not allocate. `waits`: until it has been read.
 bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
                     bool waits) noexcept;
+
+/// Shows the frame of the video that is due, where a visitor watches one; false where nothing
+/// changed. Frame thread; does not allocate. `waits`: until it has been decoded.
+bool play_video(Exhibition& exhibition, bool waits) noexcept;
 
 /// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
 /// does not allocate.

@@ -246,6 +246,7 @@ Result<void> Kiosk::run(FrameGuard& guard) {
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
+  if (exhibition_->videos) statistics_.video = exhibition_->videos->counters();
   if (const Result<void> finished = rehearsal_.finish(); !finished) return finished;
   if (!options_.stats.empty()) return write_whole(options_.stats, to_json(statistics_));
   return {};
@@ -352,6 +353,7 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   staff_.step(time_, glass, exhibition_->holdings);
   const scene::DrawList& drawn = guide().draw_list();
   if (look_at_object(*exhibition_, drawn.near_object, simulated_)) presenter_.forget();
+  if (play_video(*exhibition_, simulated_)) presenter_.forget();
   const scene::DrawList& list = staff_.over(drawn);
   watch.listed();
   const FrameFacts facts = facts_of_frame(passed);

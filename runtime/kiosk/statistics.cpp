@@ -80,11 +80,15 @@ std::string to_json(const Statistics& s) {
       "  \"input_to_frame_ms\": {},\n  \"gpu_ms\": {},\n  \"allocations_in_frames\": {},\n"
       "  \"rss_mb\": {:.1f},\n  \"anonymous_mb\": {:.1f},\n  \"start_to_first_frame_ms\": "
       "{:.1f},\n  \"touches\": {},\n"
-      "  \"routes\": {},\n  \"collisions\": {},\n  \"dropped_frames\": {}\n}}\n",
+      "  \"routes\": {},\n  \"collisions\": {},\n  \"dropped_frames\": {},\n"
+      "  \"video_frames\": {},\n  \"video_frames_dropped\": {},\n  \"video_decode_ms\": "
+      "{:.2f}\n}}\n",
       s.frames, percentiles(s.frame_cpu), percentiles(s.gl), percentiles(s.input_to_frame),
       percentiles(s.gpu), s.allocations_in_frames, memory_mb(), anonymous_mb(),
       static_cast<double>(s.start_to_first_frame.count()) / 1e6, s.touches, s.routes, s.collisions,
-      s.dropped_frames);
+      s.dropped_frames, s.video.shown, s.video.dropped,
+      static_cast<double>(s.video.decoding.count()) / 1e6 /
+          static_cast<double>(std::max<std::uint64_t>(1, s.video.decoded)));
 }
 
 Result<void> write_whole(const std::filesystem::path& file, std::string_view text) {

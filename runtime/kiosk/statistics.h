@@ -25,12 +25,21 @@ class Durations {
   std::chrono::nanoseconds longest_{0};
 };
 
+/// What a run tells of the videos that it played.
+struct VideoCounters {
+  std::uint64_t shown = 0;               ///< Frames that were seen.
+  std::uint64_t dropped = 0;             ///< Frames that came too late.
+  std::chrono::nanoseconds decoding{0};  ///< Of all frames: processor time of the thread.
+  std::uint64_t decoded = 0;
+};
+
 /// What --stats writes: the keys of docent(1).
 struct Statistics {
   std::uint64_t frames = 0, touches = 0, routes = 0, collisions = 0, dropped_frames = 0;
   std::uint64_t allocations_in_frames = 0;
   Durations frame_cpu, gl, input_to_frame, gpu;
   std::chrono::nanoseconds start_to_first_frame{0};
+  VideoCounters video;  ///< Of the museum that was shown last.
 };
 
 /// How many frames a screen of this rate missed while one was made.

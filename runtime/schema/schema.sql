@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 16 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 17 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -225,7 +225,7 @@ CREATE TABLE image (
   name TEXT NOT NULL,
   width INTEGER NOT NULL,
   height INTEGER NOT NULL,
-  bytes BLOB NOT NULL           -- a PNG or JPEG file
+  bytes BLOB NOT NULL           -- a PNG or JPEG file; a WebM video where the name ends in .webm
 );
 
 CREATE TABLE object (           -- an exhibit's own shape

@@ -73,7 +73,14 @@ const std::array table{
             "ACloserLook.LeafsRoundAndRoundThroughThePicturesAndSaysWhichOneIsSeen",
             "AnExhibitWithoutAPicture.IsDescribedWhereThePictureWouldBe",
             "Found.SaysHowManyPicturesHaveNoDescription"}},
-    Clause{"5.1.3.7", "Speech for video", State::NotConcerned, "There is no video.", {}},
+    Clause{"5.1.3.7",
+           "Speech for video",
+           State::InPart,
+           "A video is silent and lasts a minute at most: its caption and its `description` are "
+           "spoken as one leafs to it, and it is played and stopped by a control. Open: nothing is "
+           "said while it plays.",
+           {"ControlGraph.AVideoIsPlayedAndStoppedWhereItIsSeen",
+            "ACloserLook.LeafsRoundAndRoundThroughThePicturesAndSaysWhichOneIsSeen"}},
     Clause{"5.1.3.8",
            "Masked entry",
            State::NotConcerned,

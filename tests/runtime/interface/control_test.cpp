@@ -373,6 +373,37 @@ TEST(ControlGraph, KnowsWhatLeafsAndTellsMoreWhereThereIsAnythingToSee) {
     EXPECT_TRUE(is_control_name(museum, name)) << name;
 }
 
+TEST(ControlGraph, AVideoIsPlayedAndStoppedWhereItIsSeen) {
+  Museum museum = test::sample_museum_without_walls();
+  EXPECT_FALSE(is_control_name(museum, "video:play"));
+  museum.images.push_back(
+      {.name = "images/turning.webm", .width = 320, .height = 180, .bytes = {}});
+  museum.pictures = {{.exhibit = 0, .image = static_cast<std::uint32_t>(museum.images.size() - 1)}};
+  EXPECT_TRUE(is_control_name(museum, "video:play"));
+  InterfaceState state;
+  state.screen = Screen::Arrived;
+  state.arrived = true;
+  state.exhibit = 0;
+  const auto press = [&](std::string_view name) {
+    for (const Control& control : controls_of(museum, state, 6))
+      if (control.name == name) {
+        state = after(state, control.action);
+        return true;
+      }
+    return false;
+  };
+
+  EXPECT_FALSE(press("video:play")) << "its own picture stands still";
+  ASSERT_TRUE(press("picture:next"));
+  EXPECT_TRUE(state.plays) << "it begins by itself";
+  EXPECT_FALSE(press("video:play"));
+  ASSERT_TRUE(press("video:stop"));
+  EXPECT_FALSE(state.plays);
+  ASSERT_TRUE(press("video:play"));
+  ASSERT_TRUE(press("picture:next"));
+  EXPECT_FALSE(press("video:stop"));
+}
+
 TEST(ControlGraph, EveryEnabledControlLeadsToAStateWithControls) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<InterfaceState> open{{}};

@@ -28,7 +28,8 @@ TEST(Statistics, HaveEveryKeyOfTheContract) {
   for (const char* key :
        {"frames", "frame_cpu_ms", "gl_ms", "input_to_frame_ms", "gpu_ms", "p50", "p99", "max",
         "allocations_in_frames", "rss_mb", "anonymous_mb", "start_to_first_frame_ms", "touches",
-        "routes", "collisions", "dropped_frames"})
+        "routes", "collisions", "dropped_frames", "video_frames", "video_frames_dropped",
+        "video_decode_ms"})
     EXPECT_THAT(json, testing::HasSubstr('"' + std::string(key) + "\":"));
 }
 

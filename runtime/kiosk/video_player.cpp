@@ -1,0 +1,188 @@
+#include "runtime/kiosk/video_player.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "platform/vpx/decoder.h"
+#include "runtime/kiosk/allocations.h"
+#include "runtime/kiosk/statistics.h"
+
+namespace docent::kiosk {
+
+struct VideoPlayer::Playing {
+  std::span<const std::byte> bytes;
+  video::Video video;
+  vpx::Decoder decoder;
+};
+
+VideoPlayer::VideoPlayer(Read read)
+    : read_{std::move(read)}, thread_{[this](const std::stop_token& stop) { work(stop); }} {}
+
+VideoPlayer::~VideoPlayer() {
+  thread_.request_stop();
+  changed_.notify_all();
+  thread_.join();
+}
+
+// The thread's side. The mutex is held but for reading and decoding.
+
+bool VideoPlayer::fits_wish() const noexcept {
+  return wish_ && is_open_ && playing_run_ == run_;
+}
+
+std::uint32_t VideoPlayer::due() const noexcept {
+  return static_cast<std::uint32_t>(1000 * std::clamp(wish_->seconds, 0.0F, 3600.0F));
+}
+
+VideoPlayer::Slot* VideoPlayer::slot_in(SlotState state) noexcept {
+  const auto slot = std::ranges::find(slots_, state, &Slot::state);
+  return slot == slots_.end() ? nullptr : &*slot;
+}
+
+bool VideoPlayer::has_work() const noexcept {
+  if (!wish_) return is_open_;
+  if (!fits_wish()) return true;
+  return !has_failed_ && next_ < frame_count_ &&
+         std::ranges::find(slots_, SlotState::Free, &Slot::state) != slots_.end();
+}
+
+void VideoPlayer::work(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  while (changed_.wait(lock, stop, [&] { return has_work(); })) {
+    is_busy_ = true;
+    if (!wish_)
+      close(lock);
+    else if (!fits_wish())
+      open(lock);
+    else
+      decode_next(lock);
+    is_busy_ = false;
+    changed_.notify_all();
+  }
+}
+
+void VideoPlayer::close(std::unique_lock<std::mutex>& lock) {
+  is_open_ = false;
+  made_for_.reset();
+  lock.unlock();
+  playing_.reset();
+  read_(std::numeric_limits<std::uint32_t>::max());  // lets go of the bytes
+  lock.lock();
+  for (Slot& slot : slots_)
+    if (slot.state != SlotState::Uploading) slot = {};
+  lock.unlock();
+  give_back_freed_memory();
+  lock.lock();
+}
+
+void VideoPlayer::open(std::unique_lock<std::mutex>& lock) {
+  const Wish wish = *wish_;
+  const std::uint64_t run = run_;
+  // Whoever uploads is quick, and a frame's memory must not go meanwhile.
+  changed_.wait(lock, [&] { return slot_in(SlotState::Uploading) == nullptr; });
+  for (Slot& slot : slots_) slot.state = SlotState::Filling;
+  lock.unlock();
+  playing_.reset();
+  const std::span<const std::byte> bytes = read_(wish.image);
+  Result<video::Video> video = video::read_webm(bytes);
+  if (video && !video::beyond(*video))
+    if (Result<vpx::Decoder> decoder = vpx::Decoder::open(*video))
+      playing_ = std::make_unique<Playing>(
+          Playing{.bytes = bytes, .video = std::move(*video), .decoder = std::move(*decoder)});
+  if (made_for_ != wish.size)
+    for (Slot& slot : slots_)
+      slot.pixels = {wish.size.width, wish.size.height,
+                     std::vector<std::byte>(std::size_t{4} * wish.size.width * wish.size.height)};
+  lock.lock();
+  for (Slot& slot : slots_) slot.state = SlotState::Free;
+  is_open_ = true;
+  playing_run_ = run;
+  made_for_ = wish.size;
+  next_ = 0;
+  has_failed_ = playing_ == nullptr;
+  frame_count_ = has_failed_ ? 0 : playing_->video.frames.size();
+  duration_ = has_failed_ ? 0 : static_cast<std::uint32_t>(playing_->video.duration().count());
+}
+
+/// A frame after which another is due already is decoded, because others are made from it, and not
+/// shown.
+void VideoPlayer::decode_next(std::unique_lock<std::mutex>& lock) {
+  const std::vector<video::Frame>& frames = playing_->video.frames;
+  const video::Frame frame = frames[next_];
+  const bool is_late = next_ + 1 < frames.size() && frames[next_ + 1].milliseconds <= due();
+  ++next_;
+  Slot* slot = slot_in(SlotState::Free);
+  slot->state = SlotState::Filling;
+  lock.unlock();
+  const std::chrono::nanoseconds began = thread_cpu_now();
+  const Result<video::Planes> planes =
+      playing_->decoder.decode(playing_->bytes.subspan(frame.at, frame.size));
+  const bool is_seen = planes && planes->y != nullptr && !is_late;
+  if (is_seen) video::fill_pixels(*planes, slot->pixels);
+  const std::chrono::nanoseconds took = thread_cpu_now() - began;
+  lock.lock();
+  counters_.decoding += took;
+  ++counters_.decoded;
+  if (is_late && frame.is_shown) ++counters_.dropped;
+  if (!planes) has_failed_ = true;
+  slot->milliseconds = frame.milliseconds;
+  slot->state = is_seen && fits_wish() ? SlotState::Ready : SlotState::Free;
+}
+
+// The frame thread's side.
+
+void VideoPlayer::want(const std::optional<Wish>& wish) noexcept {
+  const std::scoped_lock lock(mutex_);
+  if (!wish && !wish_) return;
+  const bool begins = wish && (!wish_ || wish_->image != wish->image || wish_->size != wish->size ||
+                               wish->seconds < wish_->seconds);
+  wish_ = wish;
+  if (begins) ++run_;
+  if (begins || !wish) changed_.notify_all();
+}
+
+bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture) noexcept {
+  Slot* newest = nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!fits_wish()) return false;
+    for (Slot& slot : slots_) {
+      if (slot.state != SlotState::Ready || slot.milliseconds > due()) continue;
+      Slot* older = newest;
+      if (newest != nullptr && newest->milliseconds > slot.milliseconds)
+        older = &slot;
+      else
+        newest = &slot;
+      if (older == nullptr) continue;
+      older->state = SlotState::Free;
+      ++counters_.dropped;
+    }
+    if (newest == nullptr) return false;
+    newest->state = SlotState::Uploading;
+    changed_.notify_all();
+  }
+  holdings.replace_image(texture, newest->pixels);
+  const std::scoped_lock lock(mutex_);
+  newest->state = SlotState::Free;
+  ++counters_.shown;
+  changed_.notify_all();
+  return true;
+}
+
+bool VideoPlayer::has_ended() noexcept {
+  const std::scoped_lock lock(mutex_);
+  return fits_wish() && (has_failed_ || due() >= duration_);
+}
+
+void VideoPlayer::wait() noexcept {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return !is_busy_ && !has_work(); });
+}
+
+VideoCounters VideoPlayer::counters() noexcept {
+  const std::scoped_lock lock(mutex_);
+  return counters_;
+}
+
+}  // namespace docent::kiosk

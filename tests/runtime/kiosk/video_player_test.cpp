@@ -1,0 +1,148 @@
+#include "runtime/kiosk/video_player.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "platform/headless/headless_display.h"
+#include "tests/support/kiosk_run.h"
+#include "tests/support/made_video.h"
+#include "tests/support/museum_folder.h"
+
+namespace docent::kiosk::video_player_test {
+namespace {
+
+constexpr auto texture = scene::TextureId{1};
+
+/// A player of one video of 10 frames, 25 a second, in a texture of 32 by 24 pixels.
+class TheVideoPlayer : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto display = headless::open_headless({64, 64});
+    if (!display) GTEST_SKIP() << display.error().what;
+    display_ = std::move(*display);
+    holdings_.emplace();
+    holdings_->add_image(texture, {32, 24, std::vector<std::byte>(std::size_t{4} * 32 * 24)});
+  }
+
+  /// Is another frame shown at that time of the video?
+  bool shows(float seconds) {
+    player_.want(VideoPlayer::Wish{.image = 0, .size = {32, 24}, .seconds = seconds});
+    player_.wait();
+    return player_.upload_next(*holdings_, texture);
+  }
+
+  std::string video_ = test::make_video({});
+  std::unique_ptr<headless::HeadlessDisplay> display_;
+  std::optional<gles::Holdings> holdings_;
+  VideoPlayer player_{[this](std::uint32_t image) {
+    return image == 0 ? test::bytes_of(video_) : std::span<const std::byte>();
+  }};
+};
+
+TEST_F(TheVideoPlayer, ShowsEachFrameOnceWhenItIsDue) {
+  EXPECT_TRUE(shows(0)) << "its first frame, at once";
+  EXPECT_FALSE(shows(0.02F));
+  EXPECT_TRUE(shows(0.041F));
+  EXPECT_FALSE(shows(0.06F));
+  for (int frame = 2; frame < 10; ++frame)
+    EXPECT_TRUE(shows(0.001F + 0.04F * static_cast<float>(frame))) << frame;
+
+  EXPECT_EQ(player_.counters().shown, 10U);
+  EXPECT_EQ(player_.counters().dropped, 0U);
+}
+
+TEST_F(TheVideoPlayer, LeavesOutWhatComesTooLate) {
+  EXPECT_TRUE(shows(0));
+  while (shows(0.3F)) {
+  }
+
+  const VideoCounters counters = player_.counters();
+  EXPECT_EQ(counters.shown + counters.dropped, 8U) << "frames of 0 to 280 ms";
+  EXPECT_GT(counters.dropped, 0U);
+}
+
+TEST_F(TheVideoPlayer, EndsAndBeginsAgain) {
+  EXPECT_TRUE(shows(0));
+  EXPECT_FALSE(player_.has_ended());
+  shows(0.41F);
+  EXPECT_TRUE(player_.has_ended());
+
+  EXPECT_TRUE(shows(0)) << "the first frame again";
+  EXPECT_FALSE(player_.has_ended());
+}
+
+TEST_F(TheVideoPlayer, IsAtItsEndWhereAFrameIsDamagedOrThereIsNone) {
+  std::vector<std::string> frames = test::coded_frames({});
+  frames[3] = std::string(frames[3].size(), '\x7f');
+  video_ = test::make_video({}, frames);
+  shows(0);
+  shows(0.2F);
+  EXPECT_TRUE(player_.has_ended());
+
+  player_.want({});
+  player_.wait();
+  video_ = "nothing";
+  EXPECT_FALSE(shows(0));
+  EXPECT_TRUE(player_.has_ended());
+}
+
+TEST_F(TheVideoPlayer, ShowsNothingOnceNobodyWatches) {
+  EXPECT_TRUE(shows(0));
+  player_.want({});
+  player_.wait();
+
+  EXPECT_FALSE(player_.upload_next(*holdings_, texture));
+  EXPECT_FALSE(player_.has_ended());
+}
+
+/// The small museum with a video of two seconds as its disc's second picture.
+struct MuseumWithVideo : test::MuseumFolder {
+  MuseumWithVideo() {
+    write("images/turning.webm", test::make_video({.width = 320, .height = 180, .frames = 50}));
+    replace("exhibits/hall.toml", "text.ar = \"قرص.\"\n",
+            "text.ar = \"قرص.\"\n"
+            "[[exhibit.pictures]]\nimage = \"images/turning.webm\"\n"
+            "caption.en = \"It turns\"\ncaption.ar = \"يدور\"\n");
+    const test::ProgramRun compiled = compile("--no-speech");
+    EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
+  }
+  /// What the kiosk counts in a visit, and tells.
+  std::string visit(const std::string& what, const std::string& settings = {}) const {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "a.visit") << what;
+    std::ofstream(folder.path() / "kiosk.toml") << settings;
+    const auto stats = folder.path() / "stats.json";
+    const test::ProgramRun run = test::run_program(
+        "docent", "--content '" + database().string() + "' --config '" +
+                      (folder.path() / "kiosk.toml").string() +
+                      "' --display headless --size 640x360 --visit '" +
+                      (folder.path() / "a.visit").string() + "' --stats '" + stats.string() + "'");
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return test::text_of(stats);
+  }
+};
+
+TEST(AVideo, PlaysByItselfWhereOneLeafsToItAndStandsStillAtItsEnd) {
+  const MuseumWithVideo museum;
+
+  const std::string stats = museum.visit(
+      "1 tap @exhibit:jade-disc\n30 tap @picture:next\n34 tap @video:play\n34.5 tap @video:stop\n"
+      "36 tap @picture:next\n37 quit\n");
+
+  EXPECT_NEAR(test::number_in(stats, "video_frames"), 50 + 1 + 12, 3)
+      << "all of it, the first frame again, half a second, and no more";
+  EXPECT_EQ(test::number_in(stats, "video_frames_dropped"), 0);
+  EXPECT_EQ(test::number_in(stats, "allocations_in_frames"), 0);
+}
+
+TEST(AVideo, StandsStillUntilItIsTouchedWhereMotionIsReduced) {
+  const MuseumWithVideo museum;
+
+  const std::string stats = museum.visit(
+      "1 tap @exhibit:jade-disc\n30 tap @picture:next\n34 quit\n", "reduced_motion = true\n");
+
+  EXPECT_EQ(test::number_in(stats, "video_frames"), 1);
+}
+
+}  // namespace
+}  // namespace docent::kiosk::video_player_test
