@@ -106,63 +106,77 @@ Vec4 shadow_window(Vec3 hips, float scale, Vec3 sun) noexcept {
   return {middle.x, middle.z, half, 0};
 }
 
-/// What of the picture the hull of some points may cover.
-struct Bounds {
-  float low = 1, high = -1;  ///< Clip space.
-  float left = 1, right = -1;
-  unsigned outside = 0b11111;  ///< Planes of the view that all points are beyond.
-  bool reaches_behind_eye = false;
+/// Not beside the picture and not behind a part of the interface that lets nothing through.
+bool is_in_picture(const Extent& extent, std::span<const scene::Quad> interface) noexcept {
+  if (extent.outside != 0) return false;
+  if (extent.reaches_behind_eye) return true;
+  const float x = 0.5F + 0.5F * extent.left, end_x = 0.5F + 0.5F * extent.right;
+  const float y = 0.5F - 0.5F * extent.high, end_y = 0.5F - 0.5F * extent.low;
+  return std::ranges::none_of(interface, [&](const scene::Quad& quad) {
+    const scene::Rect& r = quad.rect;
+    return quad.fill == scene::QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
+           (r.x <= 0 || r.x <= x) && (r.y <= 0 || r.y <= y) &&
+           (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
+           (r.y + r.height >= 1 || r.y + r.height >= end_y);
+  });
+}
 
-  void include(const Mat4& to_clip, Vec3 point) noexcept {
-    const Vec4 clip = to_clip * Vec4(point, 1);
-    low = std::min(low, clip.y / clip.w);
-    high = std::max(high, clip.y / clip.w);
-    left = std::min(left, clip.x / clip.w);
-    right = std::max(right, clip.x / clip.w);
-    reaches_behind_eye = reaches_behind_eye || clip.w <= 0.01F;
-    unsigned beyond = 0;
-    for (const bool plane :
-         {clip.x<-clip.w, clip.x> clip.w, clip.y<-clip.w, clip.y> clip.w, clip.w <= 0.01F})
-      beyond = beyond << 1 | (plane ? 1U : 0U);
-    outside &= beyond;
-  }
-  /// Not beside it and not behind a part of the interface that lets nothing through.
-  bool is_in_picture(std::span<const scene::Quad> interface) const noexcept {
-    if (outside != 0) return false;
-    if (reaches_behind_eye) return true;
-    const float x = 0.5F + 0.5F * left, end_x = 0.5F + 0.5F * right;
-    const float y = 0.5F - 0.5F * high, end_y = 0.5F - 0.5F * low;
-    return std::ranges::none_of(interface, [&](const scene::Quad& quad) {
-      const scene::Rect& r = quad.rect;
-      return quad.fill == scene::QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
-             (r.x <= 0 || r.x <= x) && (r.y <= 0 || r.y <= y) &&
-             (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
-             (r.y + r.height >= 1 || r.y + r.height >= end_y);
-    });
-  }
-  SceneBuffer::Rows rows() const noexcept {
-    return reaches_behind_eye ? SceneBuffer::Rows{-1, 1} : SceneBuffer::Rows{low, high};
-  }
-};
+SceneBuffer::Rows rows_of(const Extent& extent) noexcept {
+  return extent.reaches_behind_eye ? SceneBuffer::Rows{-1, 1}
+                                   : SceneBuffer::Rows{extent.low, extent.high};
+}
 
-Bounds bounds_of_body(const Mat4& to_clip, Vec3 hips, float scale, float floor) noexcept {
-  Bounds bounds;
+Extent extent_of_body(const Mat4& to_clip, Vec3 hips, float scale, float floor) noexcept {
+  Extent extent;
   for (const float x : {-body_reach, body_reach})
     for (const float z : {-body_reach, body_reach})
       for (const float height : {0.0F, most_height})
-        bounds.include(to_clip, {hips.x + scale * x, floor + scale * height, hips.z + scale * z});
-  return bounds;
+        extent.include(to_clip, {hips.x + scale * x, floor + scale * height, hips.z + scale * z});
+  return extent;
 }
 
-Bounds bounds_of_shadow(const Mat4& to_clip, const Vec4& window, float floor) noexcept {
-  Bounds bounds;
+Extent extent_of_shadow(const Mat4& to_clip, const Vec4& window, float floor) noexcept {
+  Extent extent;
   for (const float x : {-window.z, window.z})
     for (const float z : {-window.z, window.z})
-      bounds.include(to_clip, {window.x + x, floor, window.y + z});
-  return bounds;
+      extent.include(to_clip, {window.x + x, floor, window.y + z});
+  return extent;
+}
+
+/// Metres beyond a joint at which something of the body may be: hats, hands, hair.
+constexpr float reach_of_joint = 0.4F;
+
+/// About a body in any pose, and its shadow.
+Region region_of(const scene::DrawList& list, std::size_t avatar, Vec3 sun,
+                 PixelSize picture) noexcept {
+  const scene::AvatarDraw& one = list.avatars[avatar];
+  const Mat4 to_clip = list.camera.projection * list.camera.view;
+  Extent extent =
+      extent_of_shadow(to_clip, shadow_window(one.centre, one.scale, sun), one.feet[0].y);
+  const Mat4 from_eye = glm::transpose(list.camera.view);  // its rows are the picture's axes
+  const Vec3 across = one.scale * reach_of_joint * Vec3(from_eye[0]);
+  const Vec3 up = one.scale * reach_of_joint * Vec3(from_eye[1]);
+  const std::size_t end =
+      avatar + 1 < list.avatars.size() ? list.avatars[avatar + 1].first_matrix : list.joint.size();
+  for (std::size_t j = one.first_matrix; j < std::min(end, list.joint.size()); ++j)
+    for (const Vec3 beside : {-across - up, across - up, up - across, across + up})
+      extent.include(to_clip, list.joint[j] + beside);
+  return region_of(extent, picture);
 }
 
 }  // namespace
+
+Region AvatarPass::moved(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
+                         PixelSize picture) noexcept {
+  Region all;
+  for (std::size_t a = 0; a < std::min(list.avatars.size(), most_avatars); ++a) {
+    if (!change.everything && !change.bodies.test(a)) continue;
+    all.include(regions_[a]);
+    regions_[a] = region_of(list, a, sun, picture);
+    all.include(regions_[a]);
+  }
+  return all;
+}
 
 Result<void> AvatarPass::compile() {
   using namespace shaders;
@@ -228,10 +242,10 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
     const float larger = list.avatars[a].scale;
     const Vec4 window = shadow_window(hips, larger, sun);
     const float floor = list.avatars[a].feet[0].y;
-    const Bounds body = bounds_of_body(to_clip, hips, larger, floor);
-    const Bounds shadow = bounds_of_shadow(to_clip, window, floor);
-    const bool sees_body = body.is_in_picture(list.quads);
-    const bool sees_shadow = shadow.is_in_picture(list.quads);
+    const Extent body = extent_of_body(to_clip, hips, larger, floor);
+    const Extent shadow = extent_of_shadow(to_clip, window, floor);
+    const bool sees_body = is_in_picture(body, list.quads);
+    const bool sees_shadow = is_in_picture(shadow, list.quads);
     if (!sees_body && !sees_shadow) continue;
     constexpr SceneBuffer::Rows nowhere{2, -2};
     seen_[seen_count_++] = {
@@ -239,8 +253,8 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
         .figure = figure_of(list.avatars[a], *worn_),
         .pixels = sees_body ? larger * scale / std::max((to_clip * Vec4(hips, 1)).w, 0.01F) : 0,
         .window = window,
-        .body = sees_body ? body.rows() : nowhere,
-        .shadow = sees_shadow ? shadow.rows() : nowhere};
+        .body = sees_body ? rows_of(body) : nowhere,
+        .shadow = sees_shadow ? rows_of(shadow) : nowhere};
   }
   choose_levels();
   std::sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seen_count_),

@@ -5,7 +5,7 @@
 #include "platform/gles/body.h"
 #include "platform/gles/program.h"
 #include "platform/gles/scene_buffer.h"
-#include "runtime/scene/draw_list.h"
+#include "runtime/scene/shown_list.h"
 
 namespace docent::gles {
 
@@ -14,7 +14,7 @@ namespace docent::gles {
 class AvatarPass {
  public:
   /// More avatars than this are not drawn.
-  static constexpr std::size_t most_avatars = 64;
+  static constexpr std::size_t most_avatars = scene::Change::most_bodies;
 
   Result<void> compile();
 
@@ -22,6 +22,11 @@ class AvatarPass {
   /// shadows into the atlas. Called before the first strip; leaves its own framebuffer bound.
   /// The body stays where it is until the picture is drawn.
   void prepare(const scene::DrawList& list, const Body& body, Vec3 sun, PixelSize picture) noexcept;
+
+  /// About the avatars that have moved and their shadows, where they were drawn and where they will
+  /// be, which it remembers: called once for a picture.
+  Region moved(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
+               PixelSize picture) noexcept;
   /// Draw the avatars or shadows that reach into these rows of the picture.
   void draw_bodies(SceneBuffer::Rows rows) const noexcept;
   void draw_shadows(SceneBuffer::Rows rows) const noexcept;
@@ -52,10 +57,11 @@ class AvatarPass {
   GlVertexArray no_attributes_;
   GlTexture atlas_, soft_atlas_;
   GlFramebuffer atlas_framebuffer_, soft_framebuffer_;
-  const Body* worn_ = nullptr;             ///< In this picture.
-  std::size_t record_size_ = 0;            ///< Vec4s of an avatar.
-  std::size_t capacity_ = 0;               ///< Vec4s that `records_` has room for.
-  std::array<Seen, most_avatars> seen_{};  ///< Finest level first, then from below upwards.
+  std::array<Region, most_avatars> regions_{};  ///< Where they were drawn.
+  const Body* worn_ = nullptr;                  ///< In this picture.
+  std::size_t record_size_ = 0;                 ///< Vec4s of an avatar.
+  std::size_t capacity_ = 0;                    ///< Vec4s that `records_` has room for.
+  std::array<Seen, most_avatars> seen_{};       ///< Finest level first, then from below upwards.
   std::size_t seen_count_ = 0;
   Program body_, shadow_, soften_, decal_;
   struct {

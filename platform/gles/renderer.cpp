@@ -59,6 +59,15 @@ FrameBlock frame_block(const scene::DrawList& list, const Building* building) no
   return frame;
 }
 
+Extent extent_of(const scene::Rect& rect) noexcept {
+  if (rect.width <= 0) return {};
+  return {.left = 2 * rect.x - 1,
+          .right = 2 * (rect.x + rect.width) - 1,
+          .low = 1 - 2 * (rect.y + rect.height),
+          .high = 1 - 2 * rect.y,
+          .outside = 0};
+}
+
 }  // namespace
 
 using Held = Holdings::Parts;
@@ -70,11 +79,16 @@ struct Renderer::Parts {
         array(make_vertex_array()) {}
 
   Result<void> compile();
-  void draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                  PixelSize size) noexcept;
+  void prepare(const scene::DrawList& list, const Held& held, Vec3 sun, PixelSize size) noexcept;
+  /// Where the picture has to be drawn anew.
+  Region region_of_change(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
+                          double floor, PixelSize size) noexcept;
+  /// Returns what of the picture it drew.
+  Region draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
+                    PixelSize size, const scene::Change& change) noexcept;
   void draw_strip(const scene::DrawList& list, const Held& held, SceneBuffer::Rows rows) noexcept;
   void draw_interface(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                      PixelSize size) noexcept;
+                      PixelSize size, const Region& region) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
   SceneBuffer buffer;
@@ -88,6 +102,14 @@ struct Renderer::Parts {
   GLint quarter_turns = -1, shift = -1;
   GlBuffer frame;
   GlVertexArray array;
+  /// What there is a picture of, and where.
+  struct Drawn {
+    const Holdings* holdings = nullptr;
+    GLuint framebuffer = 0;
+    PixelSize size;
+    bool operator==(const Drawn&) const = default;
+  };
+  Drawn drawn;
 };
 
 Result<void> Renderer::Parts::compile() {
@@ -137,34 +159,62 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                                 PixelSize size) noexcept {
+void Renderer::Parts::prepare(const scene::DrawList& list, const Held& held, Vec3 sun,
+                              PixelSize size) noexcept {
+  const Building* building = held.building(list.floor);
+  way.prepare(list);
+  scenery.prepare(list.walls, list.leaves);
+  avatars.prepare(list, held.body, sun, size);
+  bind_texture(static_cast<GLuint>(Unit::LightMap), building ? building->lightmap.get() : 0);
+  buffer.fit(size);
+}
+
+Region Renderer::Parts::region_of_change(const scene::DrawList& list, const scene::Change& change,
+                                         Vec3 sun, double floor, PixelSize size) noexcept {
+  Region region = avatars.moved(list, change, sun, size);
+  if (change.everything)
+    return {0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)};
+  region.include(region_of(extent_of(change.interface), size));
+  if (change.ways) region.include(region_of(WayPass::extent_of_ribbons(list, floor), size));
+  return region;
+}
+
+Region Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held,
+                                   GLuint framebuffer, PixelSize size,
+                                   const scene::Change& change) noexcept {
   const Building* building = held.building(list.floor);
   const FrameBlock block = frame_block(list, building);
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
-  way.prepare(list);
-  scenery.prepare(list.walls, list.leaves);
-  avatars.prepare(list, held.body, Vec3(block.sun), size);
-  bind_texture(static_cast<GLuint>(Unit::LightMap), building ? building->lightmap.get() : 0);
-  buffer.fit(size);
+  prepare(list, held, Vec3(block.sun), size);
+  const Region region =
+      region_of_change(list, change, Vec3(block.sun), building ? building->floor_height : 0, size);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
-    buffer.begin(strip);
-    draw_strip(list, held, buffer.rows(strip));
-    buffer.resolve(strip, framebuffer);
+    const Region part = buffer.part(strip, region);
+    if (part.is_empty()) continue;
+    if (!change.everything) glEnable(GL_SCISSOR_TEST);
+    buffer.begin(strip, part);
+    draw_strip(list, held, buffer.rows(part));
+    buffer.resolve(strip, part, framebuffer);
   }
+  return region;
 }
 
 void Renderer::Parts::draw_interface(const scene::DrawList& list, const Held& held,
-                                     GLuint framebuffer, PixelSize size) noexcept {
+                                     GLuint framebuffer, PixelSize size,
+                                     const Region& region) noexcept {
+  if (region.is_empty()) return;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(region.left, region.low, region.right - region.left, region.high - region.low);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   quads.draw(list.quads, size, held.textures);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
@@ -191,13 +241,16 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
-                    const RenderTarget& target) noexcept {
+                    const RenderTarget& target, const scene::Change& change) noexcept {
   if (target.size.width == 0 || target.size.height == 0) return;
   const bool direct = target.encoding == Encoding::Srgb;
   if (!direct) parts_->picture.fit(target.size);
   const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
-  parts_->draw_model(list, holdings.parts(), framebuffer, target.size);
-  parts_->draw_interface(list, holdings.parts(), framebuffer, target.size);
+  const Parts::Drawn now{&holdings, framebuffer, target.size};
+  const bool is_there = std::exchange(parts_->drawn, now) == now;
+  const Region region = parts_->draw_model(list, holdings.parts(), framebuffer, target.size,
+                                           is_there ? change : scene::Change{});
+  parts_->draw_interface(list, holdings.parts(), framebuffer, target.size, region);
   if (!direct) parts_->copy_to_panel(target);
 }
 
@@ -233,6 +286,7 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
   }
   draw(list, holdings, target);
   glFinish();
+  parts_->drawn = {};
   holdings.release(image);
   holdings.release(text);
 }

@@ -7,7 +7,7 @@
 #include "platform/display.h"
 #include "platform/gles/holdings.h"
 #include "runtime/model/result.h"
-#include "runtime/scene/draw_list.h"
+#include "runtime/scene/shown_list.h"
 
 namespace docent::gles {
 
@@ -34,9 +34,10 @@ class Renderer {
   /// `holdings` have their buildings and their body. Takes about a third of a second on a CPU.
   void warm_up(Holdings& holdings, const RenderTarget& target);
 
-  /// Draws everything into the target.
-  void draw(const scene::DrawList& list, const Holdings& holdings,
-            const RenderTarget& target) noexcept;
+  /// Draws into the target what differs from the list before, which was drawn into it, too; all of
+  /// it where there was none.
+  void draw(const scene::DrawList& list, const Holdings& holdings, const RenderTarget& target,
+            const scene::Change& change = {}) noexcept;
 
  private:
   friend Result<Renderer> make_renderer(const RendererOptions&);

@@ -43,29 +43,37 @@ void SceneBuffer::fit(PixelSize picture) noexcept {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_.get());
 }
 
-void SceneBuffer::begin(std::uint32_t strip) const noexcept {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-  glViewport(0, -static_cast<GLint>(strip * strip_height_), static_cast<GLsizei>(picture_.width),
-             static_cast<GLsizei>(picture_.height));
-}
-
-SceneBuffer::Rows SceneBuffer::rows(std::uint32_t strip) const noexcept {
-  const auto edge = [&](std::uint32_t i) {
-    return 2 * static_cast<float>(i * strip_height_) / static_cast<float>(picture_.height) - 1;
-  };
-  return {edge(strip), edge(strip + 1)};
-}
-
-void SceneBuffer::resolve(std::uint32_t strip, GLuint framebuffer) const noexcept {
-  const auto width = static_cast<GLint>(picture_.width);
+Region SceneBuffer::part(std::uint32_t strip, const Region& of) const noexcept {
   const auto from = static_cast<GLint>(strip * strip_height_);
   const auto to = static_cast<GLint>(std::min(picture_.height, (strip + 1) * strip_height_));
-  const GLint rows = to - from;
-  const auto blit = [&](GLuint source, GLuint destination, GLint y) {
+  return {of.left, std::max(of.low, from), of.right, std::min(of.high, to)};
+}
+
+void SceneBuffer::begin(std::uint32_t strip, const Region& part) const noexcept {
+  const auto from = static_cast<GLint>(strip * strip_height_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+  glViewport(0, -from, static_cast<GLsizei>(picture_.width), static_cast<GLsizei>(picture_.height));
+  glScissor(part.left, part.low - from, part.right - part.left, part.high - part.low);
+}
+
+SceneBuffer::Rows SceneBuffer::rows(const Region& part) const noexcept {
+  const auto edge = [&](GLint y) {
+    return 2 * static_cast<float>(y) / static_cast<float>(picture_.height) - 1;
+  };
+  return {edge(part.low), edge(part.high)};
+}
+
+void SceneBuffer::resolve(std::uint32_t strip, const Region& part,
+                          GLuint framebuffer) const noexcept {
+  const auto from = static_cast<GLint>(strip * strip_height_);
+  const auto blit = [&](GLuint source, GLuint destination, GLint moved) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination);
-    glBlitFramebuffer(0, 0, width, rows, 0, y, width, y + rows, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(part.left, part.low - from, part.right, part.high - from, part.left,
+                      part.low - from + moved, part.right, part.high - from + moved,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
   };
+  glDisable(GL_SCISSOR_TEST);  // which would cut where the part is copied to
   // OpenGL ES resolves samples only between equal rectangles (3.0, section 4.3.3), so the strip
   // takes its place in the picture by a second copy.
   const bool moves = from != 0 && samples_ > 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "platform/display.h"
+#include "platform/gles/extent.h"
 #include "platform/gles/gl_names.h"
 
 namespace docent::gles {
@@ -19,15 +20,17 @@ class SceneBuffer {
   void fit(PixelSize picture) noexcept;
 
   std::uint32_t strips() const noexcept { return strips_; }
-  /// Directs drawing to a strip: the viewport is that of the whole picture, moved.
-  void begin(std::uint32_t strip) const noexcept;
-  /// The strip's lower and upper edge in clip space.
+  /// What a strip has of a part of the picture; empty where it has none of it.
+  Region part(std::uint32_t strip, const Region& of) const noexcept;
+  /// Directs drawing to that part of a strip: the viewport is that of the whole picture, moved.
+  void begin(std::uint32_t strip, const Region& part) const noexcept;
+  /// A part's lower and upper edge in clip space.
   struct Rows {
     float low = -1, high = 1;
   };
-  Rows rows(std::uint32_t strip) const noexcept;
-  /// Resolves the strip into `framebuffer`, which encodes sRGB as this one does.
-  void resolve(std::uint32_t strip, GLuint framebuffer) const noexcept;
+  Rows rows(const Region& part) const noexcept;
+  /// Resolves that part of the strip into `framebuffer`, which encodes sRGB as this one does.
+  void resolve(std::uint32_t strip, const Region& part, GLuint framebuffer) const noexcept;
 
  private:
   GLsizei samples_ = 1;

@@ -107,6 +107,20 @@ void WayPass::draw_marker(const scene::MarkerDraw& marker, float least) const no
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+Extent WayPass::extent_of_ribbons(const scene::DrawList& list, double floor) noexcept {
+  constexpr double beside = scene::ribbon_half_width + scene::ribbon_rim;
+  const Mat4 to_clip = list.camera.projection * list.camera.view;
+  Extent extent;
+  for (const scene::RibbonDraw& ribbon : list.ribbons) {
+    const std::size_t first = std::min<std::size_t>(ribbon.first, list.ribbon_point.size());
+    const std::size_t count = std::min<std::size_t>(ribbon.count, list.ribbon_point.size() - first);
+    for (const Vec2 point : std::span(list.ribbon_point).subspan(first, count))
+      for (const Vec2 corner : {Vec2(-1, -1), Vec2(-1, 1), Vec2(1, -1), Vec2(1, 1)})
+        extent.include(to_clip, to_world(point + 2 * beside * corner, floor));
+  }
+  return extent;
+}
+
 void WayPass::draw(const scene::DrawList& list) const noexcept {
   ribbon_.use();
   glUniform1f(at_.lift, ribbon_lift);

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "platform/gles/extent.h"
 #include "platform/gles/program.h"
 #include "runtime/scene/ribbon_mesh.h"
 #include "runtime/scene/theme.h"
@@ -20,6 +21,8 @@ class WayPass {
   /// strip of the picture.
   void prepare(const scene::DrawList& list) noexcept;
   void draw(const scene::DrawList& list) const noexcept;
+  /// Where the ribbons are in the picture; `floor`: world y.
+  static Extent extent_of_ribbons(const scene::DrawList& list, double floor) noexcept;
 
  private:
   struct Strip {

@@ -175,6 +175,9 @@ void dress(const Museum& museum, Avatar& avatar, double seconds) noexcept {
   else
     motion::hang(cloth, palette, avatar.cloth);
   avatar.dressed_as = body;
+  // What hangs on other bodies only is nowhere beside this one.
+  const auto worn = static_cast<std::ptrdiff_t>(cloth.node.size());
+  std::fill(avatar.cloth.place.begin() + worn, avatar.cloth.place.end(), Vec3(avatar.world[0][3]));
 }
 
 void pose(const Museum& museum, Avatar& avatar, double seconds) noexcept {

@@ -269,7 +269,8 @@ void Stage::advance(const interface::InterfaceState& state, const Avatar& leader
     sink_walls(state, leader, -1);
     return;
   }
-  flow_ = std::fmod(flow_ + seconds * flow_speed, flow_wraps);
+  // A way that has been walked rests, and with it all of the picture but the guide.
+  if (!state.arrived) flow_ = std::fmod(flow_ + seconds * flow_speed, flow_wraps);
   way_opacity_ = std::min(1.0F, way_opacity_ + seconds / way_fade_seconds);
   turn_to_way(state, leader);
   walking_.advance(in_view(museum_, state, leader).walker(leader), free_, aspect_, seconds);

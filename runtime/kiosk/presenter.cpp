@@ -31,25 +31,26 @@ bool Presenter::is_seen(const FrameFacts& frame) const noexcept {
   return edges_.display->can_show() && heat_->lets_show(frame.number);
 }
 
-/// Would a screen that was drawn to before look different?
-bool Presenter::would_change(const scene::DrawList& list,
-                             const RenderTarget& target) const noexcept {
-  return edges_.headless != nullptr || edges_.display->wants_frame() || target != shown_on_ ||
-         shown_.differs(list, static_cast<float>(target.size.height));
+/// What would look different on a screen that was drawn to before?
+scene::Change Presenter::change(const scene::DrawList& list,
+                                const RenderTarget& target) const noexcept {
+  if (edges_.headless != nullptr || edges_.display->wants_frame() || target != shown_on_) return {};
+  return shown_.change(list, static_cast<float>(target.size.height));
 }
 
 bool Presenter::show(const scene::DrawList& list, const gles::Holdings& holdings,
                      const FrameFacts& frame, Statistics& statistics) noexcept {
   const RenderTarget target = target_of(edges_);
-  has_drawn_ = is_seen(frame) && would_change(list, target);
+  const scene::Change different = change(list, target);
+  has_drawn_ = is_seen(frame) && !different.nothing();
   if (!has_drawn_) return false;
   has_poster_ = false;
   gpu_timer_.begin();
-  renderer_.draw(list, holdings, target);
+  renderer_.draw(list, holdings, target, different);
   gpu_timer_.end();
   poster_.drawn(frame.is_first_picture, target);
   edges_.display->present();
-  if (edges_.headless == nullptr) shown_.keep(list);
+  if (edges_.headless == nullptr) shown_.keep(list, different);
   shown_on_ = target;
   while (const auto gpu = gpu_timer_.take()) statistics.gpu.add(*gpu);
   return true;

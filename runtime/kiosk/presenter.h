@@ -53,7 +53,7 @@ class Presenter {
  private:
   bool is_seen(const FrameFacts& frame) const noexcept;
   void give_back_code(const FrameFacts& frame) noexcept;
-  bool would_change(const scene::DrawList& list, const RenderTarget& target) const noexcept;
+  scene::Change change(const scene::DrawList& list, const RenderTarget& target) const noexcept;
 
   Edges& edges_;
   gles::Renderer renderer_;

@@ -32,47 +32,128 @@ float movement(Vec3 joint, Vec3 joint_before, const Mat4& matrix, const Mat4& be
   return glm::length(joint - joint_before) + reach * turned;
 }
 
-}  // namespace
-
-bool ShownList::differs(const DrawList& list, float pixels_high) const noexcept {
-  return !is_kept_ || list.floor != kept_.floor || list.camera != kept_.camera ||
-         list.light != kept_.light || list.focus != kept_.focus ||
-         list.focus_radius != kept_.focus_radius || list.goal != kept_.goal ||
-         list.goal_radius != kept_.goal_radius ||
-         list.highlighted_exhibit != kept_.highlighted_exhibit || list.quads != kept_.quads ||
-         list.walls != kept_.walls || list.objects != kept_.objects ||
-         list.leaves != kept_.leaves || list.near_object != kept_.near_object ||
-         list.markers != kept_.markers || list.ribbons != kept_.ribbons ||
-         list.ribbon_point != kept_.ribbon_point || bodies_differ(list, pixels_high);
+/// Where the matrices of an avatar end.
+std::size_t end_of(const DrawList& list, std::size_t avatar) noexcept {
+  return avatar + 1 < list.avatars.size() ? list.avatars[avatar + 1].first_matrix
+                                          : list.palette.size();
 }
 
-bool ShownList::bodies_differ(const DrawList& list, float pixels_high) const noexcept {
-  if (list.avatars.size() != kept_.avatars.size() || list.palette.size() != kept_.palette.size() ||
-      list.joint.size() != list.palette.size() || kept_.joint.size() != list.joint.size())
-    return true;
-  for (std::size_t i = 0; i < list.avatars.size(); ++i) {
-    const AvatarDraw &now = list.avatars[i], &before = kept_.avatars[i];
-    const float seen = seen_movement(list.camera, now.centre, pixels_high);
-    if (now.first_matrix != before.first_matrix || now.look != before.look) return true;
-    for (std::size_t side = 0; side < 2; ++side)
-      if (glm::length(now.feet[side] - before.feet[side]) > seen ||
-          std::abs(now.foot_height[side] - before.foot_height[side]) > least_height)
-        return true;
-    const std::size_t end =
-        i + 1 < list.avatars.size() ? list.avatars[i + 1].first_matrix : list.palette.size();
-    for (std::size_t j = now.first_matrix; j < end; ++j)
-      if (movement(list.joint[j], kept_.joint[j], list.palette[j], kept_.palette[j]) > seen)
-        return true;
+/// How far a shadow reaches beyond its rectangle. `softness` is a share of the shorter side, which
+/// is at most a whole of either.
+float reach_beyond(const Quad& quad) noexcept {
+  return quad.fill == QuadFill::Shadow ? quad.softness : 0;
+}
+
+void include(Rect& all, const Quad& quad) noexcept {
+  constexpr float least = 1e-4F;  // even what has no size differs
+  const float beyond = std::max(reach_beyond(quad), least);
+  const float left = quad.rect.x - beyond, right = quad.rect.x + quad.rect.width + beyond;
+  const float top = quad.rect.y - beyond, bottom = quad.rect.y + quad.rect.height + beyond;
+  const bool is_first = all.width <= 0;
+  const float end_x = is_first ? right : std::max(all.x + all.width, right);
+  const float end_y = is_first ? bottom : std::max(all.y + all.height, bottom);
+  all.x = is_first ? left : std::min(all.x, left);
+  all.y = is_first ? top : std::min(all.y, top);
+  all.width = end_x - all.x;
+  all.height = end_y - all.y;
+}
+
+/// Do two ways lie in the same place, however far they have been walked?
+bool lie_alike(const RibbonDraw& a, const RibbonDraw& b) noexcept {
+  return a.kind == b.kind && a.look == b.look && a.first == b.first && a.count == b.count &&
+         a.revision == b.revision && a.length == b.length;
+}
+
+Rect about_what_differs(const std::vector<Quad>& now, const std::vector<Quad>& before) noexcept {
+  Rect all{};
+  const std::size_t both = std::min(now.size(), before.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    if (now[i] == before[i]) continue;
+    include(all, now[i]);
+    include(all, before[i]);
   }
+  for (const auto* more : {&now, &before})
+    for (std::size_t i = both; i < more->size(); ++i) include(all, (*more)[i]);
+  return all;
+}
+
+}  // namespace
+
+bool ShownList::model_differs(const DrawList& list) const noexcept {
+  return list.floor != kept_.floor || list.camera != kept_.camera || list.light != kept_.light ||
+         list.focus != kept_.focus || list.focus_radius != kept_.focus_radius ||
+         list.fade != kept_.fade || list.goal != kept_.goal ||
+         list.goal_radius != kept_.goal_radius ||
+         list.highlighted_exhibit != kept_.highlighted_exhibit || list.walls != kept_.walls ||
+         list.objects != kept_.objects || list.leaves != kept_.leaves ||
+         list.near_object != kept_.near_object || list.markers != kept_.markers ||
+         list.ribbon_point != kept_.ribbon_point ||
+         !std::ranges::equal(list.ribbons, kept_.ribbons, lie_alike);
+}
+
+Change ShownList::change(const DrawList& list, float pixels_high) const noexcept {
+  const std::size_t bodies = list.avatars.size();
+  if (!is_kept_ || model_differs(list) || bodies != kept_.avatars.size() ||
+      list.palette.size() != kept_.palette.size() || list.joint.size() != list.palette.size() ||
+      kept_.joint.size() != list.joint.size())
+    return {};
+  Change change{.everything = false,
+                .interface = about_what_differs(list.quads, kept_.quads),
+                .ways = list.ribbons != kept_.ribbons};
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (!has_moved(list, i, pixels_high)) continue;
+    if (i >= Change::most_bodies || list.avatars[i].look != kept_.avatars[i].look ||
+        list.avatars[i].first_matrix != kept_.avatars[i].first_matrix)
+      return {};
+    change.bodies.set(i);
+  }
+  return change;
+}
+
+bool ShownList::has_moved(const DrawList& list, std::size_t avatar,
+                          float pixels_high) const noexcept {
+  const AvatarDraw &now = list.avatars[avatar], &before = kept_.avatars[avatar];
+  if (now.first_matrix != before.first_matrix || now.look != before.look) return true;
+  const float seen = seen_movement(list.camera, now.centre, pixels_high);
+  for (std::size_t side = 0; side < 2; ++side)
+    if (glm::length(now.feet[side] - before.feet[side]) > seen ||
+        std::abs(now.foot_height[side] - before.foot_height[side]) > least_height)
+      return true;
+  for (std::size_t j = now.first_matrix; j < end_of(list, avatar); ++j)
+    if (movement(list.joint[j], kept_.joint[j], list.palette[j], kept_.palette[j]) > seen)
+      return true;
   return false;
 }
 
-void ShownList::keep(const DrawList& list) {
+void ShownList::keep_bodies(const DrawList& list, const Change& change) {
+  if (change.everything) {
+    copy_into(kept_.avatars, list.avatars);
+    copy_into(kept_.palette, list.palette);
+    copy_into(kept_.joint, list.joint);
+    return;
+  }
+  for (std::size_t i = 0; i < list.avatars.size(); ++i) {
+    if (i >= Change::most_bodies || !change.bodies.test(i)) continue;
+    const std::size_t first = list.avatars[i].first_matrix, end = end_of(list, i);
+    kept_.avatars[i] = list.avatars[i];
+    for (std::size_t j = first; j < end; ++j) {
+      kept_.palette[j] = list.palette[j];
+      kept_.joint[j] = list.joint[j];
+    }
+  }
+}
+
+void ShownList::keep(const DrawList& list, const Change& change) {
+  keep_bodies(list, change);
+  copy_into(kept_.quads, list.quads);
+  copy_into(kept_.ribbons, list.ribbons);
+  if (!change.everything) return;
   kept_.floor = list.floor;
   kept_.camera = list.camera;
   kept_.light = list.light;
   kept_.focus = list.focus;
   kept_.focus_radius = list.focus_radius;
+  kept_.fade = list.fade;
   kept_.goal = list.goal;
   kept_.goal_radius = list.goal_radius;
   kept_.highlighted_exhibit = list.highlighted_exhibit;
@@ -80,13 +161,8 @@ void ShownList::keep(const DrawList& list) {
   kept_.near_object = list.near_object;
   copy_into(kept_.objects, list.objects);
   copy_into(kept_.leaves, list.leaves);
-  copy_into(kept_.avatars, list.avatars);
-  copy_into(kept_.palette, list.palette);
-  copy_into(kept_.joint, list.joint);
-  copy_into(kept_.ribbons, list.ribbons);
   copy_into(kept_.ribbon_point, list.ribbon_point);
   copy_into(kept_.markers, list.markers);
-  copy_into(kept_.quads, list.quads);
   is_kept_ = true;
 }
 

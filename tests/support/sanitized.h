@@ -13,3 +13,8 @@ inline constexpr bool is_sanitized = false;
 #endif
 
 }  // namespace docent::test
+
+/// First in a test of answers that the release build judges, whose code other tests run too, and
+/// which would take minutes with the address sanitizer.
+#define NEEDS_SPEED() \
+  if (docent::test::is_sanitized) GTEST_SKIP() << "judged where it takes seconds"

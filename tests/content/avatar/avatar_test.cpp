@@ -13,6 +13,7 @@
 #include "content/import/motion/bvh.h"
 #include "tests/content/avatar/posed_body.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::avatar::avatar_test {
 namespace {
@@ -132,6 +133,7 @@ TEST(Avatar, FollowsFromTheSkeletonAlone) {
 }
 
 TEST(Avatar, WalksOnItsSolesWithoutTearing) {
+  NEEDS_SPEED();
   for (const gait::GaitRecipe& recipe : gait::default_clips()) {
     const MotionClip clip = gait::make_gait_clip(recipe);
     for (std::size_t frame = 0; frame < clip.root.size(); frame += 40) {
@@ -154,6 +156,7 @@ const std::vector<SkinnedMesh>& guides() {
 }
 
 TEST(EachGuide, HasAtMostFifteenThousandTriangles) {
+  NEEDS_SPEED();
   for (const SkinnedMesh& guide : guides()) {
     EXPECT_LE(guide.indices.size() / 3, 15000U);
     EXPECT_GE(guide.indices.size() / 3, 8000U);
@@ -180,6 +183,7 @@ std::set<std::pair<int, int>> silhouette(const SkinnedMesh& mesh, glm::length_t 
 }
 
 TEST(EachGuide, HasASilhouetteOfItsOwn) {
+  NEEDS_SPEED();
   for (std::size_t i = 0; i < guides().size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       double common = 0, all = 0;

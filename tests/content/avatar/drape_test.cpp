@@ -10,6 +10,7 @@
 #include "content/gait/gait.h"
 #include "content/gait/gait_skeleton.h"
 #include "tests/content/avatar/posed_body.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::avatar::drape_test {
 namespace {
@@ -137,6 +138,7 @@ const std::vector<Dressed>& guides() {
 }
 
 TEST(EachGarment, HangsAsItWasModelled) {
+  NEEDS_SPEED();
   for (const Dressed& guide : guides()) {
     const Cloth& cloth = guide.mesh.cloth;
     std::vector<Mat4> palette(matrices_of(guide.mesh), Mat4(1));
@@ -164,6 +166,7 @@ float furthest_outside(const Dressed& guide, const gait::GaitRecipe& recipe) {
 }
 
 TEST(EachGarment, CoversItsLegsInEveryShippedClip) {
+  NEEDS_SPEED();
   for (const Dressed& guide : guides())
     for (const gait::GaitRecipe& recipe : gait::default_clips())
       EXPECT_LE(furthest_outside(guide, recipe), 0.005F)

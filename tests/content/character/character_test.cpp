@@ -13,6 +13,7 @@
 #include "platform/file/read_file.h"
 #include "tests/content/character/made_character.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::character::character_test {
 namespace {
@@ -158,6 +159,7 @@ TEST(BoneNames, AreThoseOfManyPrograms) {
 
 /// The characters of the reference data are read as was measured by hand.
 TEST(Character, OfTheReferenceDataIsWhatItsFactsSay) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("models/characters");
   const std::filesystem::path folder = test::reference_data() / "models/characters";
   const auto facts = nlohmann::json::parse(*file::read_file(folder / "characters.facts.json"));

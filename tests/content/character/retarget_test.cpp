@@ -13,6 +13,7 @@
 #include "content/motion/foot_plants.h"
 #include "tests/content/character/made_character.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::character::retarget_test {
 namespace {
@@ -152,6 +153,7 @@ TEST(Retarget, HoldsArmsOutOfAWideTrunk) {
 }
 
 TEST(Retarget, KeepsFeetAndLimbsOfTheReferenceCharacters) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("models/characters");
   for (const char* name :
        {"cesium_man.glb", "gdbot.glb", "godette_vrm0.vrm", "kaykit_knight.glb",

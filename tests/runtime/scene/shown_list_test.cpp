@@ -98,5 +98,67 @@ TEST(ShownList, AddsUpWhatMovesTooLittleToBeSeen) {
   EXPECT_LT(drawn, 20);
 }
 
+void expect_near(const Rect& rect, const Rect& expected) {
+  constexpr float near = 1e-3F;
+  EXPECT_NEAR(rect.x, expected.x, near);
+  EXPECT_NEAR(rect.y, expected.y, near);
+  EXPECT_NEAR(rect.width, expected.width, near);
+  EXPECT_NEAR(rect.height, expected.height, near);
+}
+
+TEST(ShownList, TellsWhatOfThePictureDiffers) {
+  ShownList shown;
+  DrawList before = a_hall();
+  before.quads.emplace_back().rect = {0.25F, 0.5F, 0.125F, 0.0625F};
+  before.ribbons.emplace_back();
+  shown.keep(before);
+
+  DrawList list = before;
+  list.quads[1].colour.a = 0.5F;
+  Change change = shown.change(list, high);
+  EXPECT_FALSE(change.everything);
+  expect_near(change.interface, {0.25F, 0.5F, 0.125F, 0.0625F});
+  EXPECT_TRUE(change.bodies.none());
+
+  list = before;
+  list.quads[1].rect.x = 0.5F;
+  expect_near(shown.change(list, high).interface, {0.25F, 0.5F, 0.375F, 0.0625F});  // both places
+
+  list = before;
+  list.joint[0].x += 1;
+  change = shown.change(list, high);
+  EXPECT_FALSE(change.everything);
+  EXPECT_TRUE(change.bodies.test(0));
+  EXPECT_EQ(change.interface.width, 0);
+
+  list = before;
+  list.ribbons[0].walked = 2;
+  change = shown.change(list, high);
+  EXPECT_FALSE(change.everything);
+  EXPECT_TRUE(change.ways);
+  list.ribbons[0].revision = 7;
+  EXPECT_TRUE(shown.change(list, high).everything) << "it lies elsewhere";
+}
+
+TEST(ShownList, RemembersABodyThatWasNotDrawnWhereItWasDrawn) {
+  ShownList shown;
+  DrawList list = a_hall();
+  list.palette.push_back(Mat4(1));
+  list.joint.push_back({5, 1, 0});
+  list.avatars.push_back({.first_matrix = 2, .centre = {5, 1, 0}});
+  shown.keep(list);
+  bool is_seen = false;
+  for (int frame = 0; frame < 8 && !is_seen; ++frame) {
+    list.joint[0].x += 1;
+    list.joint[2].x += 0.001F;  // an eighth of a pixel is 5 mm
+    const Change change = shown.change(list, high);
+    EXPECT_TRUE(change.bodies.test(0));
+    is_seen = change.bodies.test(1);
+    shown.keep(list, change);
+  }
+
+  EXPECT_TRUE(is_seen);
+}
+
 }  // namespace
 }  // namespace docent::scene::shown_list_test

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+
+#include "platform/display.h"
+#include "platform/gles/gl_names.h"
+#include "runtime/model/geometry/vec2.h"
+
+namespace docent::gles {
+
+/// What of the picture the hull of some points may cover, in clip space; of no points: nothing.
+struct Extent {
+  float left = 1, right = -1;
+  float low = 1, high = -1;
+  unsigned outside = 0b11111;  ///< Planes of the view that all points are beyond.
+  bool reaches_behind_eye = false;
+
+  void include(const Mat4& to_clip, Vec3 point) noexcept {
+    const Vec4 clip = to_clip * Vec4(point, 1);
+    left = std::min(left, clip.x / clip.w);
+    right = std::max(right, clip.x / clip.w);
+    low = std::min(low, clip.y / clip.w);
+    high = std::max(high, clip.y / clip.w);
+    reaches_behind_eye = reaches_behind_eye || clip.w <= 0.01F;
+    unsigned beyond = 0;
+    for (const bool plane :
+         {clip.x<-clip.w, clip.x> clip.w, clip.y<-clip.w, clip.y> clip.w, clip.w <= 0.01F})
+      beyond = beyond << 1 | (plane ? 1U : 0U);
+    outside &= beyond;
+  }
+};
+
+/// A part of a picture, in pixels; y runs up.
+struct Region {
+  GLint left = 0, low = 0, right = 0, high = 0;
+
+  bool is_empty() const noexcept { return left >= right || low >= high; }
+  void include(const Region& other) noexcept {
+    if (other.is_empty()) return;
+    *this = is_empty() ? other
+                       : Region{std::min(left, other.left), std::min(low, other.low),
+                                std::max(right, other.right), std::max(high, other.high)};
+  }
+};
+
+/// Where the extent lies in a picture, and two pixels about it: edges are soft, and texts lie on
+/// whole pixels.
+Region region_of(const Extent& extent, PixelSize picture) noexcept;
+
+}  // namespace docent::gles

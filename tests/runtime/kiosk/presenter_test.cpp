@@ -1,0 +1,128 @@
+#include <GLES3/gl3.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "platform/gles/renderer.h"
+#include "platform/headless/headless_display.h"
+#include "runtime/kiosk/exhibition.h"
+#include "runtime/scene/shown_list.h"
+#include "tests/support/sample_database.h"
+
+namespace docent::kiosk::presenter_test {
+namespace {
+
+constexpr PixelSize small{480, 270};
+
+/// A visit whose frames are drawn twice: as far as they differ from the one before, and all of
+/// them.
+class DrawnTwice {
+ public:
+  DrawnTwice() {
+    auto display = headless::open_headless(small);
+    auto in_parts = gles::make_renderer(), whole = gles::make_renderer();
+    auto exhibition = load_exhibition(test::sample_database(), {.is_simulated = true},
+                                      {.shape = {.width = small.width, .height = small.height}});
+    if (!display || !in_parts || !whole || !exhibition) throw std::runtime_error("cannot draw");
+    display_ = std::move(*display);
+    in_parts_.emplace(std::move(*in_parts));
+    whole_.emplace(std::move(*whole));
+    exhibition_ = std::move(*exhibition);
+    upload(*exhibition_);
+    // A window's framebuffer, which keeps nothing: what was drawn before is the renderer's own.
+    target_ = display_->target();
+    target_.encoding = Encoding::Plain;
+  }
+
+  void run(double seconds) {
+    for (int frame = 0; frame < std::lround(60 * seconds); ++frame) {
+      exhibition_->planner->wait();
+      exhibition_->guide->step(guide::Seconds{1.0F / 60});
+      if (apply_pieces(*exhibition_)) shown_.forget();
+    }
+  }
+
+  /// Draws some frames that are a twentieth of a second apart.
+  void watch(int frames, const char* what) {
+    for (int frame = 0; frame < frames; ++frame) {
+      run(0.05);
+      const scene::DrawList& list = exhibition_->guide->draw_list();
+      const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
+      parts_ += change.everything ? 0 : 1;
+      whole_->draw(list, exhibition_->holdings, target_);
+      const auto expected = pixels();
+      in_parts_->draw(list, exhibition_->holdings, target_, change);
+      shown_.keep(list, change);
+      EXPECT_EQ(differing(pixels(), expected), 0) << what << ", frame " << frame;
+    }
+  }
+
+  void touch(const std::string& name) {
+    const interface::Control* at = nullptr;
+    for (const interface::Control& control : exhibition_->guide->view()->controls)
+      if (control.name == name && control.rect.width > 0) at = &control;
+    if (at == nullptr) throw std::runtime_error(name + " is not on the glass");
+    const input::Contact finger{1, at->rect.x + at->rect.width / 2,
+                                at->rect.y + at->rect.height / 2};
+    for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
+      exhibition_->guide->touch({.kind = kind, .contact = finger});
+      run(1.0 / 60);
+    }
+  }
+
+  bool has_arrived() const { return exhibition_->guide->state().arrived; }
+  int parts() const { return parts_; }
+
+ private:
+  static std::vector<std::uint8_t> pixels() {
+    std::vector<std::uint8_t> rgba(std::size_t{4} * small.width * small.height);
+    glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+  }
+
+  /// How many bytes differ.
+  static int differing(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
+    return count;
+  }
+
+  std::unique_ptr<headless::HeadlessDisplay> display_;
+  std::optional<gles::Renderer> in_parts_, whole_;
+  std::unique_ptr<Exhibition> exhibition_;
+  RenderTarget target_;
+  scene::ShownList shown_;
+  int parts_ = 0;
+};
+
+TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
+  DrawnTwice visit;
+
+  visit.run(1);
+  visit.watch(8, "welcome");
+  visit.touch("begin");
+  visit.run(3);
+  visit.watch(8, "choosing");
+  visit.touch("exhibit:fish-mosaic");
+  visit.run(1.5);
+  visit.watch(20, "the whole way");
+  visit.touch("walk");
+  visit.watch(8, "walking");
+  for (int second = 0; second < 120 && !visit.has_arrived(); ++second) visit.run(1);
+  ASSERT_TRUE(visit.has_arrived());
+  visit.run(4);
+  visit.watch(20, "arrived");
+
+  EXPECT_GT(visit.parts(), 40);
+}
+
+}  // namespace
+}  // namespace docent::kiosk::presenter_test
