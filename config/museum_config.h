@@ -131,6 +131,7 @@ struct ExhibitSection {
   Located<std::string> model;  ///< A file: its own shape.
   Located<double> height;      ///< Of the object, metres.
   Located<std::string> up;     ///< The axis of the file that is up: "y" or "z".
+  Located<bool> touch;         ///< It may be touched, and the guide does.
 };
 struct TourSection {
   Place place;

@@ -417,6 +417,10 @@ inline constexpr std::array exhibit_fields{
                           {},
                           Form::OneOf,
                           up_axes},
+    Field<ExhibitSection>{
+        "touch", &ExhibitSection::touch, Presence::Optional,
+        "true where visitors may touch it, a replica for example: the guide walks "
+        "up and lays a hand on it"},
 };
 
 inline constexpr std::array tour_fields{

@@ -19,6 +19,7 @@
 #include "content/compile/compile_readings.h"
 #include "content/compile/compile_scenery.h"
 #include "content/compile/compile_speech.h"
+#include "content/compile/compile_touch.h"
 #include "content/compile/shipped_files.h"
 #include "content/compile/zone_rules.h"
 #include "content/content_error.h"
@@ -248,6 +249,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     compile_scenery(&config, drawn, museum);
   }
   if (avatar) avatar->finish(museum, report);
+  if (!options.only_check && !report.has_errors()) compile_touch(config, museum, report);
   attempt(report, config.folder.string(), [&] { compile_readings(config, museum); });
   speak(config, options, museum, report, progress);
 }

@@ -287,7 +287,7 @@ GoalPart goal_part(const Museum& museum, const Goal& goal, std::uint32_t room,
   GoalPart part{.room = room};
   if (goal.exhibit) {
     const ExhibitPlace place = museum.exhibits[*goal.exhibit].place;
-    part.setting = place == ExhibitPlace::OnWall   ? Setting::OnWall
+    part.setting = hangs(place)                    ? Setting::OnWall
                    : place == ExhibitPlace::InCase ? Setting::InCase
                                                    : Setting::OnFloor;
   } else {

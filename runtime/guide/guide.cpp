@@ -61,6 +61,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
+  if (!settings.reduced_motion) touches_.emplace(museum, planner.maps(), leader());
   list_.walls = stage_.walls();
   list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
   list_.avatars.reserve(crowd_.size());
@@ -407,6 +408,7 @@ DrawnSize Guide::drawn_size() const noexcept {
 void Guide::walk(float seconds) noexcept {
   doors_.step(seconds, crowd_);
   if (is_shared()) handshakes_.step(seconds, sessions_, drawn_size(), crowd_);
+  if (touches_) touches_->step(seconds, sessions_, drawn_size(), crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
   counters_.collisions += crowd_.collisions();

@@ -18,6 +18,7 @@
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
+#include "runtime/guide/touches.h"
 #include "runtime/input/contact.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/on_glass.h"
@@ -189,6 +190,7 @@ class Guide {
   Strollers strollers_;
   Doors doors_;
   Handshakes handshakes_;
+  std::optional<Touches> touches_;  ///< None with reduced motion.
   std::vector<ExhibitShape> exhibit_shapes_;
   Attention attention_;
   Attract attract_;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "runtime/motion/chance.h"
+#include "runtime/motion/touch.h"
 
 namespace docent::guide {
 namespace {
@@ -173,6 +174,21 @@ double over_one_shoulder(double yaw, const Manner& manner) noexcept {
   return std::copysign(yaw, motion::chance(chance_of(Habit::Shoulder, manner), n) - 0.5);
 }
 
+/// Leans to what a hand is on; who lets go of it comes up again.
+void lean(const Skeleton& skeleton, double seconds, Manner& manner,
+          motion::PoseView& pose) noexcept {
+  constexpr double straightens = 3;  // per second
+  if (holds(manner)) {
+    manner.lean = 0;
+    for (const auto& held : manner.held)
+      if (held) manner.lean = std::max(manner.lean, held->lean);
+  } else {
+    manner.lean *= static_cast<float>(std::exp(-straightens * seconds));
+    if (manner.lean < 1e-4F) manner.lean = 0;
+  }
+  motion::lean_forwards(skeleton, manner.lean, pose);
+}
+
 }  // namespace
 
 void greet(Manner& manner) noexcept {
@@ -194,6 +210,7 @@ void behave(const Skeleton& skeleton, const motion::Arms& arms, const Company& c
     choose_side(arms, bearing, doing, manner);
   manner.gesture = doing.gesture;
 
+  lean(skeleton, seconds, manner, pose);
   const Look look = look_of(company, bearing, doing, manner);
   double yaw = look.yaw, pitch = look.pitch;
   if (look.at) {
@@ -205,6 +222,7 @@ void behave(const Skeleton& skeleton, const motion::Arms& arms, const Company& c
     yaw = over_one_shoulder(wish.yaw, manner);
     pitch = wish.pitch;
   }
+  pitch += static_cast<double>(manner.lean);
   motion::follow_gaze(yaw, pitch, seconds, manner.gaze);
   motion::turn_head(skeleton, manner.gaze, pose);
 

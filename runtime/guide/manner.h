@@ -34,6 +34,7 @@ struct Bearing {
 struct Held {
   motion::Grip grip;
   double since = 0;  ///< Seconds for which it has been sent there.
+  float lean = 0;    ///< Radians by which the trunk leans forwards to it.
 };
 
 /// What a body does besides walking: it greets, looks round to whom it leads, points, waves, and
@@ -51,6 +52,7 @@ struct Manner {
   Side side = Side::Right;  ///< Of the arm that it uses.
   motion::Gesture gesture = motion::Gesture::None;
   motion::Gaze gaze;
+  float lean = 0;                             ///< Radians by which it leans forwards.
   std::array<std::optional<Held>, 2> held{};  ///< By Side. Then neither arm does anything else.
   std::array<motion::ArmMotion, 2> arm{};
 };

@@ -164,9 +164,12 @@ void Session::turn_object(float seconds) noexcept {
   const bool is_before_it = state_.screen == interface::Screen::Arrived &&
                             state_.glass == interface::Glass::Whole &&
                             has_object(context_.museum, state_.exhibit);
+  // What a hand may lie on keeps still for it.
+  const bool swings = is_before_it && !context_.reduced_motion &&
+                      !may_be_touched(context_.museum.exhibits[*state_.exhibit].place);
   table_.put(is_before_it ? state_.exhibit : std::nullopt);
   if (is_before_it && view() != nullptr)
-    table_.step(gestures_.fingers(), view()->free, !context_.reduced_motion, seconds);
+    table_.step(gestures_.fingers(), view()->free, swings, seconds);
 }
 
 /// Did a finger turn the object, and so press nothing?

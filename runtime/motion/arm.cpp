@@ -326,6 +326,24 @@ Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
   return trunk.place + trunk.rotation * mirrored(palm_place(skeleton, arm, posture), arm.side);
 }
 
+ArmPlaces places_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                    const ArmPosture& posture) noexcept {
+  const Bones bones = bones_of(posture);
+  const auto turned_out = [&](Vec3 v) { return trunk.rotation * mirrored(v, arm.side); };
+  ArmPlaces places;
+  places.shoulder = trunk.place + turned_out(shoulder_place(skeleton, arm, posture));
+  places.elbow = places.shoulder + turned_out(arm.upper * bones.upper.along);
+  places.wrist = places.elbow + turned_out(arm.fore * bent(bones.upper, posture.flexion).along);
+  places.palm = places.wrist + turned_out(palm_share * arm.hand * bones.hand.along);
+  places.tip = places.wrist + turned_out(arm.hand * bones.hand.along);
+  places.faces = turned_out(bones.hand.palm());
+  return places;
+}
+
+Vec3 thumb_of(Side side, Vec3 fingers, Vec3 faces) noexcept {
+  return sign_of(side) * glm::cross(faces, fingers);
+}
+
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,
                   double seconds) noexcept {
   constexpr float raised = 1.25F;              // of the upper arm, from hanging

@@ -84,6 +84,17 @@ ArmPosture holding(const Skeleton& skeleton, const Arm& arm, const JointPlace& t
 Vec3 palm_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
              const ArmPosture& posture) noexcept;
 
+/// Where an arm is that is held so. World frame.
+struct ArmPlaces {
+  Vec3 shoulder{}, elbow{}, wrist{}, palm{}, tip{};
+  Vec3 faces{};  ///< Out of the palm, a unit vector.
+};
+ArmPlaces places_of(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk,
+                    const ArmPosture& posture) noexcept;
+
+/// Where the thumb is of a hand whose fingers and palm point so. Unit vectors square to each other.
+Vec3 thumb_of(Side side, Vec3 fingers, Vec3 faces) noexcept;
+
 /// The hand at head's height, palm towards `target` (world), waving; `seconds` since it began.
 ArmPosture waving(const Skeleton& skeleton, const Arm& arm, const JointPlace& trunk, Vec3 target,
                   double seconds) noexcept;

@@ -247,7 +247,7 @@ bool keeps_length(const LocalText& more) {
 
 bool keeps(const Exhibit& exhibit, const Museum& museum) {
   return exhibit.floor < museum.floors.size() && exhibit.room < museum.rooms.size() &&
-         exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::InCase &&
+         exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::OnWallToTouch &&
          finite(exhibit.placement) && finite(exhibit.viewing_point) && sound_time(exhibit.weight) &&
          sound_time(exhibit.looking_seconds) && keeps_length(exhibit.more) &&
          stands(exhibit, museum);

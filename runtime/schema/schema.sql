@@ -180,7 +180,7 @@ CREATE TABLE exhibit (
   view_x REAL NOT NULL,
   view_y REAL NOT NULL,
   view_heading REAL NOT NULL,
-  place INTEGER NOT NULL,       -- 0 on the floor, 1 on a wall, 2 in a case
+  place INTEGER NOT NULL,       -- ExhibitPlace: 0 on the floor, 1 on a wall, 2 in a case; to be touched: 3 free, 4 on a wall
   image INTEGER NOT NULL,
   closed INTEGER NOT NULL,
   hours TEXT NOT NULL,

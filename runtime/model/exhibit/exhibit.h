@@ -12,7 +12,20 @@
 namespace docent {
 
 /// What an exhibit stands on, found by the compiler from its position.
-enum class ExhibitPlace : std::uint8_t { OnFloor, OnWall, InCase };
+enum class ExhibitPlace : std::uint8_t {
+  OnFloor,
+  OnWall,
+  InCase,
+  ToTouch,        ///< On the floor, a plinth or a pedestal, and may be touched; a guide gets to it.
+  OnWallToTouch,  ///< The same, on a wall.
+};
+
+inline bool hangs(ExhibitPlace place) noexcept {
+  return place == ExhibitPlace::OnWall || place == ExhibitPlace::OnWallToTouch;
+}
+inline bool may_be_touched(ExhibitPlace place) noexcept {
+  return place == ExhibitPlace::ToTouch || place == ExhibitPlace::OnWallToTouch;
+}
 
 /// Something to look at.
 struct Exhibit {
