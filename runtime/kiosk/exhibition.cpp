@@ -315,20 +315,21 @@ bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
   return exhibition.details->upload_next(exhibition.holdings);
 }
 
-bool play_video(Exhibition& exhibition, bool waits) noexcept {
-  if (!exhibition.videos) return false;
+scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept {
+  constexpr auto none = scene::TextureId::None;
+  if (!exhibition.videos) return none;
   const std::optional<guide::ShownVideo> shown = exhibition.guide->video();
   const auto size = shown ? exhibition.holdings.size_of(shown->texture) : gles::Holdings::Size{};
   if (size == gles::Holdings::Size{}) {
     exhibition.videos->want({});
-    return false;
+    return none;
   }
   exhibition.videos->want(
       VideoPlayer::Wish{.image = shown->image, .size = size, .seconds = shown->seconds});
   if (waits) exhibition.videos->wait();
   const bool has_changed = exhibition.videos->upload_next(exhibition.holdings, shown->texture);
   if (exhibition.videos->has_ended()) exhibition.guide->video_ended();
-  return has_changed;
+  return has_changed ? shown->texture : none;
 }
 
 bool apply_pieces(Exhibition& exhibition) noexcept {

@@ -78,9 +78,9 @@ void upload(Exhibition& exhibition);
 bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
                     bool waits) noexcept;
 
-/// Shows the frame of the video that is due, where a visitor watches one; false where nothing
-/// changed. Frame thread; does not allocate. `waits`: until it has been decoded.
-bool play_video(Exhibition& exhibition, bool waits) noexcept;
+/// Shows the frame of the video that is due, where a visitor watches one, in this texture; None
+/// where nothing changed. Frame thread; does not allocate. `waits`: until it has been decoded.
+scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept;
 
 /// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
 /// does not allocate.

@@ -353,7 +353,7 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   staff_.step(time_, glass, exhibition_->holdings);
   const scene::DrawList& drawn = guide().draw_list();
   if (look_at_object(*exhibition_, drawn.near_object, simulated_)) presenter_.forget();
-  if (play_video(*exhibition_, simulated_)) presenter_.forget();
+  presenter_.forget(play_video(*exhibition_, simulated_));
   const scene::DrawList& list = staff_.over(drawn);
   watch.listed();
   const FrameFacts facts = facts_of_frame(passed);

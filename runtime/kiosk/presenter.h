@@ -47,6 +47,8 @@ class Presenter {
   void keep(const FrameFacts& frame) noexcept;
   /// What was drawn looks different now: textures have changed.
   void forget() noexcept { shown_.forget(); }
+  /// This one alone has.
+  void forget(scene::TextureId texture) noexcept { shown_.forget(texture); }
   /// Was the frame before drawn?
   bool has_drawn() const noexcept { return has_drawn_; }
 

@@ -125,6 +125,12 @@ bool ShownList::has_moved(const DrawList& list, std::size_t avatar,
   return false;
 }
 
+void ShownList::forget(TextureId texture) noexcept {
+  if (texture == TextureId::None) return;
+  for (Quad& quad : kept_.quads)
+    if (quad.texture == texture) quad.texture = TextureId::None;
+}
+
 void ShownList::keep_bodies(const DrawList& list, const Change& change) {
   if (change.everything) {
     copy_into(kept_.avatars, list.avatars);

@@ -40,6 +40,8 @@ class ShownList {
   void keep(const DrawList& list, const Change& change = {});
   /// What was drawn is lost.
   void forget() noexcept { is_kept_ = false; }
+  /// This texture has other contents now: what shows it looks different. None: nothing does.
+  void forget(TextureId texture) noexcept;
 
  private:
   bool model_differs(const DrawList& list) const noexcept;

@@ -140,6 +140,24 @@ TEST(ShownList, TellsWhatOfThePictureDiffers) {
   EXPECT_TRUE(shown.change(list, high).everything) << "it lies elsewhere";
 }
 
+TEST(ShownList, SeesWhatShowsATextureThatHasChanged) {
+  ShownList shown;
+  DrawList list = a_hall();
+  list.quads.push_back(list.quads[0]);
+  list.quads[1].rect = {0.5F, 0.5F, 0.25F, 0.25F};
+  list.quads[1].texture = TextureId{7};
+  shown.keep(list);
+
+  shown.forget(TextureId::None);
+  EXPECT_FALSE(shown.differs(list, high));
+  shown.forget(TextureId{7});
+  const Change change = shown.change(list, high);
+  EXPECT_FALSE(change.everything);
+  expect_near(change.interface, list.quads[1].rect);
+  shown.keep(list, change);
+  EXPECT_FALSE(shown.differs(list, high));
+}
+
 TEST(ShownList, RemembersABodyThatWasNotDrawnWhereItWasDrawn) {
   ShownList shown;
   DrawList list = a_hall();
