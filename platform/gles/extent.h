@@ -43,6 +43,12 @@ struct Region {
   }
 };
 
+/// What lies in both.
+constexpr Region common(const Region& a, const Region& b) noexcept {
+  return {std::max(a.left, b.left), std::max(a.low, b.low), std::min(a.right, b.right),
+          std::min(a.high, b.high)};
+}
+
 /// Where the extent lies in a picture, and two pixels about it: edges are soft, and texts lie on
 /// whole pixels.
 Region region_of(const Extent& extent, PixelSize picture) noexcept;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "platform/gles/avatar_pass.h"
@@ -14,6 +16,7 @@
 #include "platform/gles/shaders.h"
 #include "platform/gles/way_pass.h"
 #include "runtime/model/motion/skeleton.h"
+#include "runtime/scene/uncovered.h"
 
 namespace docent::gles {
 namespace {
@@ -68,6 +71,31 @@ Extent extent_of(const scene::Rect& rect) noexcept {
           .outside = 0};
 }
 
+/// The pixels that nothing is seen through of a rectangle of the interface.
+Region behind(const scene::Quad& quad, PixelSize size) noexcept {
+  if (!scene::is_opaque(quad)) return {};
+  const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+  // A corner's arc is nowhere further from its square's corner than this share of its radius, and
+  // an edge is soft by half a pixel.
+  constexpr float beside_arc = 0.293F;
+  const float inset = 1 + beside_arc * quad.corner * std::min(width, height);
+  const auto from = [&](float at, float most) {
+    return static_cast<GLint>(std::ceil(std::clamp(at + inset, 0.0F, most)));
+  };
+  const auto to = [&](float at, float most) {
+    return static_cast<GLint>(std::floor(std::clamp(at - inset, 0.0F, most)));
+  };
+  const scene::Rect& r = quad.rect;
+  return {from(r.x * width, width), from((1 - r.y - r.height) * height, height),
+          to((r.x + r.width) * width, width), to((1 - r.y) * height, height)};
+}
+
+/// Clearing costs something, too.
+bool is_worth_hiding(const Region& region) noexcept {
+  constexpr GLint least = 24;  // pixels
+  return region.right - region.left >= least && region.high - region.low >= least;
+}
+
 }  // namespace
 
 using Held = Holdings::Parts;
@@ -81,12 +109,17 @@ struct Renderer::Parts {
   Result<void> compile();
   void prepare(const scene::DrawList& list, const Held& held, Vec3 sun, PixelSize size) noexcept;
   /// Where the picture has to be drawn anew.
-  Region region_of_change(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
-                          double floor, PixelSize size) noexcept;
+  /// `seen`: where the interface does not cover the model.
+  Region region_of_change(const scene::DrawList& list, const Held& held,
+                          const scene::Change& change, const Region& seen, Vec3 sun,
+                          PixelSize size) noexcept;
   /// Returns what of the picture it drew.
   Region draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
                     PixelSize size, const scene::Change& change) noexcept;
-  void draw_strip(const scene::DrawList& list, const Held& held, SceneBuffer::Rows rows) noexcept;
+  void hide_what_is_covered(std::span<const scene::Quad> interface, PixelSize size,
+                            std::uint32_t strip, const Region& part) noexcept;
+  void draw_strip(const scene::DrawList& list, const Held& held, PixelSize size,
+                  std::uint32_t strip, const Region& part) noexcept;
   void draw_interface(const scene::DrawList& list, const Held& held, GLuint framebuffer,
                       PixelSize size, const Region& region) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
@@ -127,15 +160,25 @@ Result<void> Renderer::Parts::compile() {
   return {};
 }
 
+/// What of the model is behind the interface takes no fragments.
+void Renderer::Parts::hide_what_is_covered(std::span<const scene::Quad> interface, PixelSize size,
+                                           std::uint32_t strip, const Region& part) noexcept {
+  for (const scene::Quad& quad : interface)
+    if (const Region hidden = common(behind(quad, size), part); is_worth_hiding(hidden))
+      buffer.hide(strip, part, hidden);
+}
+
 /// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
-void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
-                                 SceneBuffer::Rows rows) noexcept {
+void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held, PixelSize size,
+                                 std::uint32_t strip, const Region& part) noexcept {
+  const SceneBuffer::Rows rows = buffer.rows(part);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glClearColor(list.light.paper.r, list.light.paper.g, list.light.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  hide_what_is_covered(list.quads, size, strip, part);
   avatars.draw_bodies(rows);
   objects.draw(list, held.objects);
   const Building* building = held.building(list.floor);
@@ -169,13 +212,17 @@ void Renderer::Parts::prepare(const scene::DrawList& list, const Held& held, Vec
   buffer.fit(size);
 }
 
-Region Renderer::Parts::region_of_change(const scene::DrawList& list, const scene::Change& change,
-                                         Vec3 sun, double floor, PixelSize size) noexcept {
-  Region region = avatars.moved(list, change, sun, size);
+Region Renderer::Parts::region_of_change(const scene::DrawList& list, const Held& held,
+                                         const scene::Change& change, const Region& seen, Vec3 sun,
+                                         PixelSize size) noexcept {
+  Region region = avatars.moved(list, change, held.body, sun, size);
   if (change.everything)
     return {0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)};
-  region.include(region_of(extent_of(change.interface), size));
+  const Building* building = held.building(list.floor);
+  const double floor = building ? building->floor_height : 0;
   if (change.ways) region.include(region_of(WayPass::extent_of_ribbons(list, floor), size));
+  region = change.model ? seen : common(region, seen);
+  region.include(region_of(extent_of(change.interface), size));
   return region;
 }
 
@@ -188,14 +235,15 @@ Region Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
   prepare(list, held, Vec3(block.sun), size);
-  const Region region =
-      region_of_change(list, change, Vec3(block.sun), building ? building->floor_height : 0, size);
+  const Region seen = region_of(extent_of(scene::uncovered(list.quads)), size);
+  const Region region = region_of_change(list, held, change, seen, Vec3(block.sun), size);
+  const Region model = common(region, seen);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
-    const Region part = buffer.part(strip, region);
+    const Region part = buffer.part(strip, model);
     if (part.is_empty()) continue;
-    if (!change.everything) glEnable(GL_SCISSOR_TEST);
+    glEnable(GL_SCISSOR_TEST);
     buffer.begin(strip, part);
-    draw_strip(list, held, buffer.rows(part));
+    draw_strip(list, held, size, strip, part);
     buffer.resolve(strip, part, framebuffer);
   }
   return region;

@@ -56,6 +56,21 @@ void SceneBuffer::begin(std::uint32_t strip, const Region& part) const noexcept 
   glScissor(part.left, part.low - from, part.right - part.left, part.high - part.low);
 }
 
+void SceneBuffer::hide(std::uint32_t strip, const Region& part,
+                       const Region& hidden) const noexcept {
+  const auto from = static_cast<GLint>(strip * strip_height_);
+  const auto only = [&](const Region& of) {
+    glScissor(of.left, of.low - from, of.right - of.left, of.high - of.low);
+  };
+  const Region here = common(part, hidden);
+  if (here.is_empty()) return;
+  only(here);
+  glClearDepthf(0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glClearDepthf(1);
+  only(part);
+}
+
 SceneBuffer::Rows SceneBuffer::rows(const Region& part) const noexcept {
   const auto edge = [&](GLint y) {
     return 2 * static_cast<float>(y) / static_cast<float>(picture_.height) - 1;

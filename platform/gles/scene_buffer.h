@@ -24,6 +24,9 @@ class SceneBuffer {
   Region part(std::uint32_t strip, const Region& of) const noexcept;
   /// Directs drawing to that part of a strip: the viewport is that of the whole picture, moved.
   void begin(std::uint32_t strip, const Region& part) const noexcept;
+  /// Of the part of the strip that drawing is directed to, nothing is drawn in `hidden` of the
+  /// picture: all that is drawn afterwards lies behind it.
+  void hide(std::uint32_t strip, const Region& part, const Region& hidden) const noexcept;
   /// A part's lower and upper edge in clip space.
   struct Rows {
     float low = -1, high = 1;

@@ -56,7 +56,7 @@ class DrawnTwice {
       run(0.05);
       const scene::DrawList& list = exhibition_->guide->draw_list();
       const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
-      parts_ += change.everything ? 0 : 1;
+      parts_ += change.everything || change.model ? 0 : 1;
       whole_->draw(list, exhibition_->holdings, target_);
       const auto expected = pixels();
       in_parts_->draw(list, exhibition_->holdings, target_, change);
