@@ -5,23 +5,9 @@
 // after GLES3: it declares extensions of it
 #include <GLES2/gl2ext.h>
 
-#include <string_view>
+#include "platform/gles/extension.h"
 
 namespace docent::gles {
-namespace {
-
-bool has_extension(std::string_view wanted) noexcept {
-  GLint count = 0;
-  glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i)
-    if (const auto* name = glGetStringi(GL_EXTENSIONS, i);
-        name != nullptr && wanted == reinterpret_cast<const char*>(name))
-      return true;
-  return false;
-}
-
-}  // namespace
-
 GpuTimer::GpuTimer() {
   if (!has_extension("GL_EXT_disjoint_timer_query")) return;
   get_result_ = reinterpret_cast<GetResult>(eglGetProcAddress("glGetQueryObjectui64vEXT"));

@@ -5,12 +5,15 @@
 #include <string>
 #include <utility>
 
+#include "platform/gles/extension.h"
+
 namespace docent::gles {
 namespace {
 
 Result<GlShader> compile(GLenum stage, std::string_view name,
                          std::initializer_list<std::string_view> pieces) {
   std::string source = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
+  if (can_shaders_encode()) source += "#define ENCODES\n";
   for (const std::string_view piece : pieces) source += piece;
   GlShader shader(glCreateShader(stage));
   const char* text = source.c_str();

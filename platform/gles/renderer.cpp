@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "platform/gles/avatar_pass.h"
+#include "platform/gles/extension.h"
 #include "platform/gles/holdings_parts.h"
 #include "platform/gles/object_pass.h"
 #include "platform/gles/program.h"
@@ -118,6 +119,7 @@ struct Renderer::Parts {
   AvatarPass avatars;
   WayPass way;
   QuadPass quads;
+  bool shaders_encode = false;
   Program copy, enlarge;
   GLint quarter_turns = -1, shift = -1;
   GlBuffer frame;
@@ -133,6 +135,7 @@ struct Renderer::Parts {
 };
 
 Result<void> Renderer::Parts::compile() {
+  shaders_encode = can_shaders_encode();
   for (auto made :
        {scenery.compile(), objects.compile(), avatars.compile(), way.compile(), quads.compile()})
     if (!made) return made;
@@ -164,12 +167,14 @@ void Renderer::Parts::draw_strip(const Shot& shot, PixelSize pixels, std::uint32
   for (const scene::Quad& quad : list.quads)
     if (const Region hidden = common(region_behind(quad, pixels), part); is_worth_hiding(hidden))
       buffer.hide(strip, part, hidden);
+  if (shaders_encode) glDisable(framebuffer_encodes);
   avatars.draw_bodies(rows);
   objects.draw(list, shot.held.objects);
   if (shot.building) {
     scenery.draw_solids(*shot.building, list.highlighted_exhibit, shot.held.textures);
     scenery.draw_floors(*shot.building);
   }
+  if (shaders_encode) glEnable(framebuffer_encodes);
 
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);

@@ -24,5 +24,5 @@ void main() {
   gleam *= gleam;
   gleam *= gleam;  // to the 24th
   c += base.w * gleam * sun_colour.rgb * light.y;
-  colour = vec4(shown(c, world), 1.0);
+  colour = vec4(written(shown(c, world)), 1.0);
 }

@@ -33,5 +33,5 @@ void main() {
   float seam = max(joint(row, grain.w / grain.y, footprint.y), joint(along, grain.w / grain.x, footprint.x));
   vec3 base = albedo.rgb * (1.0 + tint + figure) * (1.0 - 0.26 * fade * seam);
   vec2 share = texture(light_map, uv).rg;
-  colour = vec4(shown(lit(base, vec3(0.0, 1.0, 0.0), share.r, share.g), world), 1.0);
+  colour = vec4(written(shown(lit(base, vec3(0.0, 1.0, 0.0), share.r, share.g), world)), 1.0);
 }

@@ -12,5 +12,5 @@ void main() {
   vec2 border = min(uv, 1.0 - uv) / (abs(lightmap.zw) * 2.5);
   float inside = clamp(min(border.x, border.y), 0.0, 1.0);
   float keep = inside * (1.0 - 0.7 * focus.w * distance_from_focus(world));
-  colour = vec4(paper.rgb * mix(vec3(1.0), tone, keep), 1.0);
+  colour = vec4(written(paper.rgb * mix(vec3(1.0), tone, keep)), 1.0);
 }

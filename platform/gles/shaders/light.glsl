@@ -10,6 +10,17 @@ vec3 filmic(vec3 c) {
   return c * (1.0 + c * 0.16) / (1.0 + c * 0.30);
 }
 
+/// As it is written where nothing is blended: the shader encodes sRGB (IEC 61966-2-1, to within a
+/// thousandth), where it can, and else the framebuffer does.
+vec3 written(vec3 c) {
+#ifdef ENCODES
+  vec3 a = sqrt(c), b = sqrt(a), d = sqrt(b);
+  return 0.662002687 * a + 0.684122060 * b - 0.323583601 * d - 0.0225411470 * c;
+#else
+  return c;
+#endif
+}
+
 /// What a matte surface shows. `sky` and `sun` are the shares of each that arrive.
 vec3 lit(vec3 albedo, vec3 normal, float sky, float sun_share) {
   vec3 ambient = mix(bounce_colour.rgb, sky_colour.rgb, 0.5 + 0.5 * normal.y);

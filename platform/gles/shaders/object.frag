@@ -23,5 +23,5 @@ void main() {
   float edge = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0) * 0.12 * tint.a;
   vec3 light = base * (0.52 * room + warm * facing * mix(0.45, 1.0, tint.a) + glow) +
                vec3(shine) + edge * sky_colour.rgb;
-  colour = vec4(shown(light, world), 1.0);
+  colour = vec4(written(shown(light, world)), 1.0);
 }

@@ -10,5 +10,5 @@ void main() {
   vec3 n = normalize(normal);
   vec4 texel = texture(image, uv);
   vec3 base = mix(vec3(0.7), texel.rgb, texel.a);
-  colour = vec4(shown(lit(base, n, light.x, light.y) * 0.42 + base * (0.56 + glow), world), 1.0);
+  colour = vec4(written(shown(lit(base, n, light.x, light.y) * 0.42 + base * (0.56 + glow), world)), 1.0);
 }

@@ -8,5 +8,5 @@ uniform vec4 albedo;
 uniform float glow;
 void main() {
   vec3 n = normalize(normal);
-  colour = vec4(shown(lit(albedo.rgb, n, light.x, light.y) + albedo.rgb * glow, world), 1.0);
+  colour = vec4(written(shown(lit(albedo.rgb, n, light.x, light.y) + albedo.rgb * glow, world)), 1.0);
 }
