@@ -342,7 +342,9 @@ bool Session::can_meet() const noexcept {
 void Session::meet(const Placement& place) noexcept {
   waiting_errand_ = errand_;
   left_to_walk_ = remaining();
-  stood_ = agent().avatar.body;
+  // Who is on its way back to where it stood before still goes there.
+  if (!agent().goal || agent().has_arrived || agent().goal->position != stood_.position)
+    stood_ = agent().avatar.body;
   errand_ = {.kind = Errand::Kind::Meet};
   context_.crowd.send(*guide_, agent().avatar.floor, place, RouteKind::Shortest, state_.ways);
 }

@@ -100,6 +100,14 @@ class Session {
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
   bool is_under_way() const noexcept { return leads_to_goal() && !state_.arrived; }
+  /// Does it lead to its goal, or will it when it has met another, or touched what it shows?
+  bool shows_goal() const noexcept {
+    return leads_to_goal() || (is_meeting() && waiting_errand_.kind == Errand::Kind::ToGoal);
+  }
+  /// Is the guide not on its way to its goal meanwhile, nor where it stood there?
+  bool strays() const noexcept {
+    return is_meeting() || (state_.arrived && guide_ && !agent().has_arrived);
+  }
   /// Can the guide go and meet another where it is?
   bool can_meet() const noexcept;
   bool is_meeting() const noexcept { return errand_.kind == Errand::Kind::Meet; }

@@ -14,8 +14,10 @@ constexpr double patience = 25;       ///< Seconds for which it tries to get the
 constexpr double parting_for = 0.5;   ///< Seconds.
 constexpr double off_by = 0.03;       ///< Metres, and...
 constexpr double off_turn = 0.06;     ///< ... radians by which it may stand otherwise.
-constexpr float miss = 0.008F;        ///< Metres by which a palm may miss its place.
-constexpr float is_turned = 0.02F;    ///< Radians by which a visitor has turned an object.
+/// Times as large as life: a body that is larger stands too near, and is only drawn so.
+constexpr float most_enlarged = 1.1F;
+constexpr float miss = 0.008F;      ///< Metres by which a palm may miss its place.
+constexpr float is_turned = 0.02F;  ///< Radians by which a visitor has turned an object.
 
 bool is_there(const Agent& one, const Placement& place) noexcept {
   const Placement& body = one.avatar.body;
@@ -61,7 +63,8 @@ Touches::Touches(const Museum& museum, std::span<const std::shared_ptr<const pat
 }
 
 /// Who has arrived, and pointed at it for a while, goes to touch it.
-void Touches::begin(Session& session, Visit& visit, const Crowd& crowd) const noexcept {
+void Touches::begin(Session& session, Visit& visit, const DrawnSize& size,
+                    const Crowd& crowd) const noexcept {
   const Agent& one = crowd[visit.guide];
   if (session.is_meeting() || !session.can_meet() || !stands(one.avatar) || !one.has_arrived ||
       session.table().angle() != 0)
@@ -70,8 +73,9 @@ void Touches::begin(Session& session, Visit& visit, const Crowd& crowd) const no
   const Side side = side_of(exhibit, exhibit.placement.position, one.avatar.body.position);
   const auto& touch = touch_[visit.exhibit][index_of(side)];
   visit.since = 0;
-  visit.phase = touch ? Visit::Phase::Coming : Visit::Phase::Done;
-  if (!touch) return;
+  visit.phase = Visit::Phase::Done;
+  if (!touch || size.of(to_world(touch->body.position, one.avatar.height)) > most_enlarged) return;
+  visit.phase = Visit::Phase::Coming;
   visit.touch = *touch;
   session.meet(touch->body);
 }
@@ -161,7 +165,7 @@ void Touches::step(double seconds, std::span<Session> sessions, const DrawnSize&
                .touch = {}};
     }
     if (visit.phase == Phase::Pointing && visit.since > points_first)
-      begin(session, visit, crowd);
+      begin(session, visit, size, crowd);
     else if (visit.phase != Phase::None && visit.phase != Phase::Pointing &&
              visit.phase != Phase::Done)
       go_on(session, visit, size, crowd);

@@ -19,7 +19,7 @@ namespace docent::guide {
 /// first points at it, then walks up to it, lays a hand on it for some seconds, and goes back to
 /// where they stood, so that nothing is hidden. Whoever is told something else meanwhile does that;
 /// while a visitor turns an object, no hand lies on it. What a guide does not get to with a hand is
-/// pointed at instead.
+/// pointed at instead, and so is what one would touch who is drawn larger than life.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Touches {
@@ -46,7 +46,8 @@ class Touches {
     std::uint32_t guide = 0, exhibit = 0;
     motion::Touch touch;
   };
-  void begin(Session& session, Visit& visit, const Crowd& crowd) const noexcept;
+  void begin(Session& session, Visit& visit, const DrawnSize& size,
+             const Crowd& crowd) const noexcept;
   void go_on(Session& session, Visit& visit, const DrawnSize& size, Crowd& crowd) const noexcept;
   motion::Grip grip_of(const Visit& visit, const Avatar& avatar, const DrawnSize& size,
                        double seconds) const noexcept;

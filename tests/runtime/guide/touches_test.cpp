@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "runtime/guide/guide.h"
+#include "runtime/guide/stature.h"
 #include "runtime/scene/look.h"
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
@@ -220,6 +221,114 @@ TEST(Touches, AreNotForWhatNobodyReaches) {
   const Seen seen = watch(visit, low.exhibit);
 
   EXPECT_EQ(seen.touched, 0);
+}
+
+TEST(Touches, LeaveTheWayAndTheGoalsLightAsTheyWere) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  Visit visit(to_touch, 60);
+  visit.run(2, [] {});
+  const scene::DrawList before = visit.guide().draw_list();
+  ASSERT_EQ(before.ribbons.size(), 1U);
+  ASSERT_GT(before.goal_radius, 0);
+  bool has_touched = false;
+  visit.run(30, [&] {
+    has_touched |= holds(visit.avatar().manner);
+    const scene::DrawList& now = visit.guide().draw_list();
+    ASSERT_EQ(now.ribbons.size(), 1U);
+    EXPECT_EQ(now.ribbons[0].revision, before.ribbons[0].revision);
+    EXPECT_EQ(now.ribbons[0].count, before.ribbons[0].count);
+    EXPECT_EQ(now.ribbons[0].walked, before.ribbons[0].walked);
+    EXPECT_EQ(now.ribbons[0].flow, before.ribbons[0].flow);
+    EXPECT_EQ(now.goal, before.goal);
+    EXPECT_EQ(now.goal_radius, before.goal_radius);
+  });
+
+  EXPECT_TRUE(has_touched);
+}
+
+/// Two share a glass of so many inches. One of them is led to what may be touched.
+class SharedVisit {
+ public:
+  SharedVisit(const MuseumToTouch& of, float inches)
+      : settings_{.shape = {.width = 1920, .height = 1080, .diagonal_inches = inches},
+                  .idle_reset = Seconds{300},
+                  .visitors = 2},
+        planner_(of.museum, {test::boxes, {}}, planner_size(of.museum, settings_).avatars,
+                 planner_size(of.museum, settings_).parts),
+        guide_(of.museum, planner_, settings_) {
+    run(0.5, [] {});
+    tap(0.25F, 0.95F);
+    tap("look:" + std::string(scene::looks[0].name));
+    run(3, [] {});
+    tap("exhibit:" + of.museum.exhibits[of.exhibit].id);
+    for (int i = 0; i < 90 && !has_arrived(); ++i) run(1, [] {});
+  }
+  template <typename Each>
+  void run(double seconds, Each each) {
+    for (long i = 0; i < std::lround(seconds * 60); ++i) {
+      test::run(planner_, guide_, 1.0 / 60);
+      each();
+    }
+  }
+  bool has_arrived() const { return guide_.state(guide_.part_of(1)).arrived; }
+  const Avatar& avatar() const { return guide_.crowd()[0].avatar; }
+  /// How many times as large as life the guide is drawn.
+  float size() {
+    const Vec3 ground = to_world(avatar().body.position, avatar().height);
+    return stature_scale(guide_.draw_list().camera, settings_.shape, ground);
+  }
+  /// The marks on the model that are this.
+  std::ptrdiff_t count(scene::MarkerDraw::Kind kind) {
+    return std::ranges::count(guide_.draw_list().markers, kind, &scene::MarkerDraw::kind);
+  }
+
+ private:
+  void tap(float x, float y) {
+    for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
+      guide_.touch({.kind = kind, .contact = {1, x, y}});
+      run(0.05, [] {});
+    }
+  }
+  void tap(const std::string& name) {
+    const auto& controls = guide_.view(guide_.part_of(1))->controls;
+    const auto it = std::ranges::find(controls, name, &interface::Control::name);
+    ASSERT_NE(it, controls.end()) << name;
+    tap(it->rect.x + it->rect.width / 2, it->rect.y + it->rect.height / 2);
+  }
+
+  GuideSettings settings_;
+  plan::Planner planner_;
+  Guide guide_;
+};
+
+TEST(Touches, AreOnlyShownByWhoIsDrawnLargerThanLife) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  SharedVisit visit(to_touch, 55);
+  ASSERT_TRUE(visit.has_arrived());
+  ASSERT_GT(visit.size(), 1.5F);
+  const Placement stood = visit.avatar().body;
+  bool points = false;
+  visit.run(30, [&] {
+    points |= visit.avatar().manner.gesture == motion::Gesture::Point;
+    EXPECT_LT(glm::distance(visit.avatar().body.position, stood.position), 0.05);
+    EXPECT_FALSE(holds(visit.avatar().manner));
+  });
+
+  EXPECT_TRUE(points);
+}
+
+TEST(Touches, AreOnASharedGlassWhereBodiesAreAsLargeAsLife) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  SharedVisit visit(to_touch, 160);
+  ASSERT_TRUE(visit.has_arrived());
+  ASSERT_LT(visit.size(), 1.01F);
+  double touched = 0;
+  visit.run(30, [&] {
+    touched += holds(visit.avatar().manner) ? 1.0 / 60 : 0;
+    EXPECT_EQ(visit.count(scene::MarkerDraw::Kind::SelectedExhibit), 1);
+  });
+
+  EXPECT_GT(touched, 3);
 }
 
 /// Whatever stands on a plinth of any height: either there is no touch, or the hand of somebody who
