@@ -61,7 +61,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
-  if (!settings.reduced_motion) touches_.emplace(museum, planner.maps(), leader());
+  if (!settings.reduced_motion) touches_.emplace(museum);
   list_.walls = stage_.walls();
   list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
   list_.avatars.reserve(crowd_.size());

@@ -136,6 +136,7 @@ class Session {
   void take_way() noexcept;
   void go_on_after_meeting() noexcept;
   void step_aside() noexcept;
+  std::optional<Side> side_to_touch_from() const noexcept;
   void turn_object(float seconds) noexcept;
   bool has_turned(const input::Finger& finger) const noexcept;
   void notice_arrival() noexcept;

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +8,6 @@
 #include "runtime/guide/handshakes.h"
 #include "runtime/guide/session.h"
 #include "runtime/motion/touch.h"
-#include "runtime/path/floor_map.h"
 
 namespace docent::guide {
 
@@ -24,18 +20,11 @@ namespace docent::guide {
 /// Called by the frame thread. Only the constructor allocates.
 class Touches {
  public:
-  /// `standing`: somebody who stands there, as all do.
-  Touches(const Museum& museum, std::span<const std::shared_ptr<const path::FloorMap>> maps,
-          const Avatar& standing);
+  explicit Touches(const Museum& museum);
 
   /// Before the crowd's step of the same time.
   void step(double seconds, std::span<Session> sessions, const DrawnSize& size,
             Crowd& crowd) noexcept;
-
-  /// How an exhibit is touched from either side (Side) of the line from which one looks at it.
-  const std::array<std::optional<motion::Touch>, 2>& of(std::uint32_t exhibit) const noexcept {
-    return touch_[exhibit];
-  }
 
  private:
   /// What the guide of a session does about the exhibit that it has led to.
@@ -44,7 +33,7 @@ class Touches {
     Phase phase = Phase::None;
     double since = 0;  ///< Seconds in this phase.
     std::uint32_t guide = 0, exhibit = 0;
-    motion::Touch touch;
+    Touch touch;
   };
   void begin(Session& session, Visit& visit, const DrawnSize& size,
              const Crowd& crowd) const noexcept;
@@ -54,11 +43,7 @@ class Touches {
   bool is_in_reach(const Visit& visit, const Avatar& avatar, const DrawnSize& size) const noexcept;
 
   const Museum& museum_;
-  std::vector<std::array<std::optional<motion::Touch>, 2>> touch_;  ///< By exhibit.
-  std::vector<Visit> visits_;                                       ///< By session.
+  std::vector<Visit> visits_;  ///< By session.
 };
-
-/// How a body stands. Its arms' trunks are as they were posed last.
-motion::Stance stance_of(const Skeleton& skeleton, const Avatar& avatar) noexcept;
 
 }  // namespace docent::guide
