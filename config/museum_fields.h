@@ -419,8 +419,10 @@ inline constexpr std::array exhibit_fields{
                           up_axes},
     Field<ExhibitSection>{
         "touch", &ExhibitSection::touch, Presence::Optional,
-        "true where visitors may touch it, a replica for example: the guide walks "
-        "up and lays a hand on it"},
+        "true where visitors may touch it, a replica for example: the guide points at it, walks "
+        "up and lays a hand on it where it gets to it, 0.6 to 1.7 m above the floor, near the edge "
+        "of what it stands on and not under glass; where it is drawn larger than life, as on a "
+        "small shared glass, it only points"},
 };
 
 inline constexpr std::array tour_fields{

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <future>
+#include <optional>
 #include <span>
 
 #include "config/museum_config.h"
@@ -58,21 +59,33 @@ std::vector<double> radius_classes(double body_radius, const std::vector<double>
   return radii;
 }
 
+/// Is there something that the guide is to lay a hand on?
+bool is_touched(const config::MuseumConfig* config) {
+  return config != nullptr &&
+         std::ranges::any_of(config->exhibits, [](const config::ExhibitSection& exhibit) {
+           return exhibit.touch.value;
+         });
+}
+
+bool has_own_avatar(const CompileOptions& options, const config::MuseumConfig* config) {
+  return !options.clips.empty() ||
+         (config != nullptr && (config->motion.clips.given || config->avatar.model.given));
+}
+
 /// Must the avatar be made? The clips that ship hold no mistakes: a check needs to look only at
-/// others, and a museum that is refused is not kept waiting for them.
+/// others, and at how far an arm gets. A museum that is refused is not kept waiting for them.
 bool needs_avatar(const CompileOptions& options, const config::MuseumConfig* config,
                   const Report& report) {
   if (!options.with_motion) return false;
-  if (!options.clips.empty()) return true;
-  if (config != nullptr && (config->motion.clips.given || config->avatar.model.given)) return true;
-  return !options.only_check && !report.has_errors();
+  if (has_own_avatar(options, config)) return true;
+  return !report.has_errors() && (!options.only_check || is_touched(config));
 }
 
 /// The avatar, compiled beside everything else where there are threads for it.
 class AvatarTask {
  public:
   AvatarTask(const CompileOptions& options, AvatarSources sources, Progress& progress) {
-    plan_avatar_stages(progress);
+    plan_avatar_stages(sources, progress);
     const auto when = options.jobs > 1 ? std::launch::async : std::launch::deferred;
     task_ = std::async(when, [sources = std::move(sources), &options, &progress] {
       return compile_avatar(sources, options.enrichment, options.jobs, progress);
@@ -100,7 +113,9 @@ std::vector<fs::path> clip_folders(const CompileOptions& options,
 }
 
 AvatarSources avatar_sources(const CompileOptions& options, const config::MuseumConfig* config) {
-  AvatarSources sources{.clip_folders = clip_folders(options, config), .model = {}};
+  AvatarSources sources{.clip_folders = clip_folders(options, config),
+                        .model = {},
+                        .only_motion = options.only_check && !has_own_avatar(options, config)};
   if (config != nullptr && config->avatar.model.given)
     sources.model = config->folder / config->avatar.model.value;
   return sources;
@@ -214,7 +229,8 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   progress.plan("exhibits", 5);
   progress.plan("images", 60);
   progress.plan("objects", 20);
-  if (!options.only_check) progress.plan("scenery", 40);
+  const bool is_drawn = !options.only_check || is_touched(&config);
+  if (is_drawn) progress.plan("scenery", options.only_check ? 5 : 40);
   if (options.with_speech && !options.only_check) progress.plan("speech", 100);
   std::optional<AvatarTask> avatar;
   if (needs_avatar(options, &config, report))
@@ -244,12 +260,14 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     compile_objects(config, options.only_check ? Objects::Check : Objects::Make, options.jobs,
                     museum, report);
   }
-  if (!options.only_check && !report.has_errors()) {
+  if (is_drawn && !report.has_errors()) {
+    constexpr double coarse = 1;
     const auto stage = progress.start("scenery");
-    compile_scenery(&config, drawn, museum);
+    compile_scenery(&config, drawn, museum,
+                    options.only_check ? std::optional(coarse) : std::nullopt);
   }
   if (avatar) avatar->finish(museum, report);
-  if (!options.only_check && !report.has_errors()) compile_touch(config, museum, report);
+  if (!report.has_errors()) compile_touch(config, museum, report);
   attempt(report, config.folder.string(), [&] { compile_readings(config, museum); });
   speak(config, options, museum, report, progress);
 }

@@ -24,8 +24,9 @@ Foresight foresee(const MotionGraph& motion, unsigned jobs) {
 
 }  // namespace
 
-void plan_avatar_stages(Progress& progress) {
+void plan_avatar_stages(const AvatarSources& sources, Progress& progress) {
   progress.plan("motion", 40);
+  if (sources.only_motion) return;
   progress.plan("foresight", 40);
   progress.plan("avatar", 15);
 }
@@ -47,6 +48,7 @@ CompiledAvatar compile_avatar(const AvatarSources& sources, motion::offline::Enr
       compiled.motion =
           motion::offline::compile_motion(sources.clip_folders, options, compiled.problems);
     }
+    if (sources.only_motion) return compiled;
     {
       const auto stage = progress.start("foresight");
       compiled.motion.foresight = foresee(compiled.motion, jobs);

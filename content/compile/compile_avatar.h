@@ -18,13 +18,14 @@ struct CompiledAvatar {
   std::vector<Diagnostic> problems;
 };
 
-void plan_avatar_stages(Progress& progress);
-
 /// What an avatar is made of.
 struct AvatarSources {
   std::vector<std::filesystem::path> clip_folders;
   std::filesystem::path model;  ///< The museum's own character; empty where ours guide.
+  bool only_motion = false;     ///< No body, no foresight: enough to know where hands get to.
 };
+
+void plan_avatar_stages(const AvatarSources& sources, Progress& progress);
 
 /// Compiles the clips of the folders, for the museum's own character where it has one. What is
 /// wrong with them is in `problems`; where any of it is an error, the rest is empty.

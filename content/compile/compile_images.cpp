@@ -25,10 +25,10 @@ namespace {
 struct WantedImage {
   std::string name;  ///< Empty: the blank card.
   config::Place place;
-  std::optional<content::ContentError> problem;
+  std::optional<content::ContentError> problem{};
   std::vector<std::string>
-      lost;  ///< Pictures that an SVG drawing links to, and that are not shown.
-  bool is_video = false, has_sound = false;
+      lost{};  ///< Pictures that an SVG drawing links to, and that are not shown.
+  bool is_video = false, has_sound = false, is_touched = false;
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
@@ -37,7 +37,7 @@ class WantedImages {
   std::uint32_t index_of(const config::Located<std::string>& image) {
     const auto [known, is_new] =
         index_.emplace(image.value, static_cast<std::uint32_t>(all.size()));
-    if (is_new) all.push_back({image.value, image.place, std::nullopt, {}, false, false});
+    if (is_new) all.push_back({image.value, image.place, std::nullopt, {}});
     return known->second;
   }
 
@@ -51,8 +51,10 @@ class WantedImages {
 /// the first indices.
 std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museum& museum) {
   WantedImages wanted;
-  for (std::size_t i = 0; i < config.exhibits.size(); ++i)
+  for (std::size_t i = 0; i < config.exhibits.size(); ++i) {
     museum.exhibits[i].image = wanted.index_of(config.exhibits[i].image);
+    wanted.all[museum.exhibits[i].image].is_touched |= config.exhibits[i].touch.value;
+  }
   for (FurtherPicture& picture : museum.pictures) {
     const auto& of_it = config.exhibits[picture.exhibit].pictures.value;
     const std::span<const FurtherPicture> all = further_pictures(museum, picture.exhibit);
@@ -74,7 +76,7 @@ void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
       if (use == Images::Check) image = {.name = wanted.name, .width = 0, .height = 0, .bytes = {}};
       return;
     }
-    if (use == Images::Make)
+    if (use == Images::Make || wanted.is_touched)
       image = wanted.name.empty() ? blank_image() : load_image(file, wanted.name);
     else if (!wanted.name.empty())
       check_image(file);

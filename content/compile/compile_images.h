@@ -10,7 +10,7 @@ namespace docent::compile {
 
 /// Reads the exhibits' images, each file once, and ties the exhibits to them. The museum's exhibits
 /// are those of the config, in its order. Problems go into the report, with the place of `image`.
-/// A check makes no pictures: they stay empty.
+/// A check makes only pictures that are touched: the others stay empty.
 enum class Images : std::uint8_t { Make, Check };
 void compile_images(const config::MuseumConfig& config, Images use, unsigned jobs, Museum& museum,
                     Report& report);

@@ -23,8 +23,9 @@ struct WantedObject {
   std::string name;
   object::ObjectWish wish;
   config::Place place;
-  std::optional<content::ContentError> problem;
-  std::vector<std::string> warnings, notes;
+  std::optional<content::ContentError> problem{};
+  std::vector<std::string> warnings{}, notes{};
+  bool is_touched = false;
 };
 
 object::ObjectWish wish_of(const config::ExhibitSection& exhibit) {
@@ -60,8 +61,8 @@ std::vector<WantedObject> wanted_objects(const config::MuseumConfig& config, Mus
         std::tuple(section.model.value, section.height.given ? section.height.value : 0.0,
                    section.up.given ? section.up.value : std::string()),
         wanted.size());
-    if (is_new)
-      wanted.push_back({section.model.value, wish_of(section), section.model.place, {}, {}, {}});
+    if (is_new) wanted.push_back({section.model.value, wish_of(section), section.model.place});
+    wanted[known->second].is_touched |= section.touch.value;
     museum.exhibits[i].object = static_cast<std::int32_t>(known->second);
   }
   return wanted;
@@ -80,7 +81,7 @@ void load(const config::MuseumConfig& config, Objects use, std::size_t triangles
   if (!file::is_there(file)) return;  // already reported
   try {
     const import::object::ObjectFile source = import::object::read_object(file);
-    if (use == Objects::Make) {
+    if (use == Objects::Make || wanted.is_touched) {
       object::MadeObject made = object::make_object(source, file.string(), wanted.wish, triangles);
       object = std::move(made.object);
       wanted.warnings = std::move(made.warnings);
@@ -88,6 +89,7 @@ void load(const config::MuseumConfig& config, Objects use, std::size_t triangles
     } else {
       object::Shape shape = object::shape_of(source.model, file.string(), wanted.notes);
       object::stand_up(source, wanted.wish, shape, wanted.notes);
+      object.size = object::box_of(shape).size();
       wanted.warnings = source.model.warnings;
     }
     object.name = wanted.name;

@@ -76,7 +76,7 @@ DrawnFloor drawn_floor(const CompiledFloor& compiled) {
 }
 
 void compile_scenery(const config::MuseumConfig* config, std::span<const DrawnFloor> drawn,
-                     Museum& museum) {
+                     Museum& museum, std::optional<double> texel) {
   const std::vector<float> aspects = image_aspects(museum);
   std::vector<Vec3> objects(museum.exhibits.size(), Vec3{0});
   for (std::size_t i = 0; i < objects.size(); ++i)
@@ -86,6 +86,7 @@ void compile_scenery(const config::MuseumConfig* config, std::span<const DrawnFl
   for (std::size_t i = 0; i < museum.floors.size(); ++i) {
     scenery::SceneryOptions options;
     options.floor = static_cast<std::uint32_t>(i);
+    if (texel) options.texel = *texel;
     options.passages = passages_of(museum, i);
     options.objects = objects;
     options.taken = taken(drawn, museum.exhibits.size());

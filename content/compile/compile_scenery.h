@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct DrawnFloor {
 DrawnFloor drawn_floor(const CompiledFloor& compiled);
 
 /// Builds what is drawn of every floor, once its plan, exhibits and images are in the museum.
-/// `config` says what rooms are paved with; null for plans without a museum.
+/// `config` says what rooms are paved with; null for plans without a museum. `texel`: metres of a
+/// texel of light, where it is not to be seen.
 void compile_scenery(const config::MuseumConfig* config, std::span<const DrawnFloor> drawn,
-                     Museum& museum);
+                     Museum& museum, std::optional<double> texel = {});
 
 }  // namespace docent::compile

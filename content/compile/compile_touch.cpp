@@ -9,43 +9,31 @@
 #include <string>
 #include <vector>
 
+#include "content/motion/find_touch.h"
 #include "content/scenery/furniture.h"
 #include "runtime/model/geometry/polygon.h"
-#include "runtime/motion/touch.h"
 #include "runtime/motion/walk_graph.h"
-#include "runtime/path/floor_map.h"
 
 namespace docent::compile {
 namespace {
 
-/// Somebody who stands at the floor's origin; none without clips.
-std::optional<motion::Stance> stance_of(const Museum& museum, const motion::Arms& arms) {
-  if (museum.motion.clips.empty()) return {};
-  auto graph = motion::make_walk_graph(museum.motion);
-  if (!graph) return {};
-  motion::Stand& stand = graph->before_walking;
-  const motion::PoseView pose{.root = stand.root, .rotation = stand.rotation};
-  motion::Stance stance;
-  for (const Side side : both_sides)
-    if (arms[side])
-      stance.trunk[index_of(side)] =
-          motion::place_of(museum.motion.skeleton, arms[side]->trunk, pose);
-  const JointIndex spine = museum.motion.skeleton[BodyPart::Spine];
-  if (spine != JointIndex::None)
-    stance.waist = motion::place_of(museum.motion.skeleton, spine, pose).place;
-  return stance;
-}
+using motion::offline::Triangle;
 
-/// Has what it stands in a glass over it?
-bool is_under_glass(const Museum& museum, const Exhibit& exhibit) {
-  if (exhibit.place != ExhibitPlace::InCase) return false;
-  const FloorPlan& plan = museum.floors[exhibit.floor].plan;
-  const std::vector<scenery::HoleKind> kinds = scenery::hole_kinds(plan, museum.exhibits);
-  for (std::size_t i = 0; i < plan.ring.size(); ++i)
-    if (kinds[i] == scenery::HoleKind::Case &&
-        contains(scenery::outline_of(plan, plan.ring[i]), exhibit.placement.position))
-      return true;
-  return false;
+/// Which exhibits have a glass over what they stand in.
+std::vector<bool> are_under_glass(const Museum& museum) {
+  std::vector<std::vector<scenery::HoleKind>> kinds;
+  for (const Floor& floor : museum.floors)
+    kinds.push_back(scenery::hole_kinds(floor.plan, museum.exhibits));
+  std::vector<bool> are;
+  for (const Exhibit& exhibit : museum.exhibits) {
+    const FloorPlan& plan = museum.floors[exhibit.floor].plan;
+    bool is = false;
+    for (std::size_t i = 0; i < plan.ring.size() && exhibit.place == ExhibitPlace::InCase; ++i)
+      is |= kinds[exhibit.floor][i] == scenery::HoleKind::Case &&
+            contains(scenery::outline_of(plan, plan.ring[i]), exhibit.placement.position);
+    are.push_back(is);
+  }
+  return are;
 }
 
 /// Why nobody gets to it with a hand.
@@ -54,7 +42,7 @@ std::string why_not(const Museum& museum, std::uint32_t index) {
   const Exhibit& exhibit = museum.exhibits[index];
   const double ground = museum.floors[exhibit.floor].plan.height;
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (const motion::Triangle& triangle : motion::touch_surface(museum, index))
+  for (const Triangle& triangle : motion::offline::touch_surface(museum, index))
     for (const Vec3 corner : triangle) {
       low = std::min(low, static_cast<double>(corner.y) - ground);
       high = std::max(high, static_cast<double>(corner.y) - ground);
@@ -69,8 +57,54 @@ std::string why_not(const Museum& museum, std::uint32_t index) {
 
 }  // namespace
 
-void compile_touch(const config::MuseumConfig& config, Museum& museum, Report& report) {
+std::optional<motion::Stance> standing_body(const Museum& museum) {
+  if (museum.motion.clips.empty()) return {};
+  auto graph = motion::make_walk_graph(museum.motion);
+  if (!graph) return {};
   const motion::Arms arms = motion::find_arms(museum.motion.skeleton);
+  motion::Stand& stand = graph->before_walking;
+  const motion::PoseView pose{.root = stand.root, .rotation = stand.rotation};
+  motion::Stance stance;
+  for (const Side side : both_sides)
+    if (arms[side])
+      stance.trunk[index_of(side)] =
+          motion::place_of(museum.motion.skeleton, arms[side]->trunk, pose);
+  const JointIndex spine = museum.motion.skeleton[BodyPart::Spine];
+  if (spine != JointIndex::None)
+    stance.waist = motion::place_of(museum.motion.skeleton, spine, pose).place;
+  return stance;
+}
+
+std::vector<Touch> find_touches(const Museum& museum, const motion::Stance& stance,
+                                std::uint32_t exhibit, const path::FloorMap& map) {
+  constexpr double room = 0.02;  // metres more than the body's radius
+  constexpr double narrow = 0.1;
+  const Exhibit& it = museum.exhibits[exhibit];
+  const motion::Arms arms = motion::find_arms(museum.motion.skeleton);
+  const std::vector<Triangle> surface = motion::offline::touch_surface(museum, exhibit);
+  const std::vector<Triangle> around = motion::offline::things_around(museum, exhibit);
+  const Vec2 view = it.viewing_point.position;
+  const motion::offline::TouchSearch search{
+      .skeleton = museum.motion.skeleton,
+      .arms = arms,
+      .stance = stance,
+      .surface = surface,
+      .around = around,
+      .ground = museum.floors[it.floor].plan.height,
+      .view = it.viewing_point,
+      .middle = it.object >= 0 ? it.stand.position : it.placement.position,
+      .has_room = [&](Vec2 at) {
+        return map.has_room(at, museum.body_radius + room) &&
+               map.walls().capsule_clear(view, at, narrow);
+      }};
+  std::vector<Touch> touches;
+  for (const Side beside : both_sides)
+    if (const auto touch = motion::offline::find_touch(search, beside)) touches.push_back(*touch);
+  return touches;
+}
+
+void compile_touch(const config::MuseumConfig& config, Museum& museum, Report& report) {
+  const std::vector<bool> under_glass = are_under_glass(museum);  // by places not yet marked
   std::optional<motion::Stance> stance;
   std::map<std::uint32_t, path::FloorMap> maps;
   for (std::uint32_t i = 0; i < config.exhibits.size() && i < museum.exhibits.size(); ++i) {
@@ -86,22 +120,18 @@ void compile_touch(const config::MuseumConfig& config, Museum& museum, Report& r
       diagnostic.severity = Severity::Warning;
       report.add(std::move(diagnostic));
     };
-    if (is_under_glass(museum, exhibit)) {
+    if (under_glass[i]) {
       tell("it stands under glass", "stand it on a plinth, or leave `touch` out");
       continue;
     }
-    if (!stance) stance = stance_of(museum, arms);
+    if (!stance) stance = standing_body(museum);
     if (stance) {
       const auto [map, is_new] = maps.try_emplace(exhibit.floor, museum.floors[exhibit.floor]);
-      const bool is_reached = std::ranges::any_of(both_sides, [&](Side side) {
-        return motion::find_touch(museum, arms, *stance, i, map->second, side).has_value();
-      });
-      if (!is_reached) {
+      exhibit.touches = find_touches(museum, *stance, i, map->second);
+      if (exhibit.touches.empty())
         tell(why_not(museum, i),
              "stand it nearer to the edge of what it stands on, or between 0.7 and 1.6 m high, "
              "with room for the guide beside it");
-        continue;
-      }
     }
     exhibit.place = hangs(exhibit.place) ? ExhibitPlace::OnWallToTouch : ExhibitPlace::ToTouch;
   }

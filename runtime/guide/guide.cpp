@@ -61,7 +61,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
-  if (!settings.reduced_motion) touches_.emplace(museum, planner.maps(), leader());
+  if (!settings.reduced_motion) touches_.emplace(museum);
   list_.walls = stage_.walls();
   list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
   list_.avatars.reserve(crowd_.size());
@@ -402,12 +402,13 @@ void Guide::attract(float seconds) noexcept {
 }
 
 DrawnSize Guide::drawn_size() const noexcept {
-  return {scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)), settings_.shape};
+  return {scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)), settings_.shape,
+          is_shared()};
 }
 
 void Guide::walk(float seconds) noexcept {
   doors_.step(seconds, crowd_);
-  if (is_shared()) handshakes_.step(seconds, sessions_, drawn_size(), crowd_);
+  if (is_shared()) handshakes_.step(seconds, sessions_, drawn_size(), planner_, crowd_);
   if (touches_) touches_->step(seconds, sessions_, drawn_size(), crowd_);
   crowd_.step(seconds);
   strollers_.step(crowd_);
@@ -447,10 +448,10 @@ std::span<const LedVisitor> Guide::led_visitors() noexcept {
   led_visitors_.clear();
   if (const auto led = attract_.led()) led_visitors_.push_back(*led);
   for (const Session& session : sessions_)
-    if (session.guide() && session.leads_to_goal())
+    if (session.guide() && session.shows_goal())
       led_visitors_.push_back({*session.guide(), session.state().exhibit,
                                interface::goal_of(museum_, session.state()),
-                               session.state().arrived});
+                               session.state().arrived, session.strays()});
   return led_visitors_;
 }
 

@@ -19,10 +19,11 @@ constexpr double patience = 45;        ///< Seconds for which they try to come t
 constexpr double shaken_for = 1.5;     ///< Seconds.
 constexpr double parting_for = 0.5;    ///< Seconds.
 constexpr double shakes_a_second = 2.2;
-constexpr float shake_height = 0.02F;    ///< Metres, up and down.
-constexpr float hand_height = 0.72F;     ///< Share of the shoulders' height.
-constexpr float half_a_hand = 0.004F;    ///< Metres between a palm's middle and where they touch.
-constexpr double near_each_other = 3.5;  ///< Metres, from where on they look at each other.
+constexpr double looks_again_after = 0.5;  ///< Seconds, at a wish that could not be granted.
+constexpr float shake_height = 0.02F;      ///< Metres, up and down.
+constexpr float hand_height = 0.72F;       ///< Share of the shoulders' height.
+constexpr float half_a_hand = 0.004F;      ///< Metres between a palm's middle and where they touch.
+constexpr double near_each_other = 3.5;    ///< Metres, from where on they look at each other.
 
 Vec2 direction(double heading) noexcept {
   return {std::cos(heading), std::sin(heading)};
@@ -103,7 +104,11 @@ std::optional<std::array<Placement, 2>> meeting_place(const path::FloorMap& map,
 }
 
 float DrawnSize::of(const Avatar& avatar) const noexcept {
-  return stature_scale(camera, shape, to_world(avatar.body.position, avatar.height));
+  return of(to_world(avatar.body.position, avatar.height));
+}
+
+float DrawnSize::of(Vec3 ground) const noexcept {
+  return is_enlarged ? stature_scale(camera, shape, ground) : 1;
 }
 
 Handshakes::Handshakes(const Museum& museum) : museum_(museum) {
@@ -121,9 +126,11 @@ void Handshakes::wish(std::size_t session, std::uint32_t guide, std::span<Sessio
   const std::uint32_t own = *sessions[session].guide();
   if (other == session) return;
   crowd.wave(own, eyes_of(museum_, crowd[guide].avatar));
-  wishes_[session] = {other, own, guide, wished_for};
+  wishes_[session] = {.of = other, .own = own, .guide = guide, .left = wished_for};
   const bool both_wish = wishes_[other].of == session && wishes_[other].left > 0;
   if (sessions[other].is_under_way() && !both_wish) return;
+  wishes_[session].is_due = true;
+  wishes_[session].rests = looks_again_after;
   if (begin(session, other, sessions, size, planner, crowd))
     wishes_[session].left = wishes_[other].left = 0;
 }
@@ -164,9 +171,24 @@ void Handshakes::forget_wishes(double seconds, std::span<const Session> sessions
   }
 }
 
+/// Who had something in hand when it was wished may be free now.
+void Handshakes::grant_wishes(double seconds, std::span<Session> sessions, const DrawnSize& size,
+                              const plan::Planner& planner, Crowd& crowd) noexcept {
+  for (std::size_t k = 0; k < sessions.size() && k < wishes_.size(); ++k) {
+    Wish& wish = wishes_[k];
+    if (wish.left <= 0 || !wish.is_due || (wish.rests -= seconds) > 0) continue;
+    wish.rests = looks_again_after;
+    if (sessions[k].is_under_way() || sessions[wish.of].is_under_way()) continue;
+    if (!begin(k, wish.of, sessions, size, planner, crowd)) continue;
+    wish.left = 0;
+    if (wishes_[wish.of].of == k) wishes_[wish.of].left = 0;
+  }
+}
+
 void Handshakes::step(double seconds, std::span<Session> sessions, const DrawnSize& size,
-                      Crowd& crowd) noexcept {
+                      const plan::Planner& planner, Crowd& crowd) noexcept {
   forget_wishes(seconds, sessions);
+  grant_wishes(seconds, sessions, size, planner, crowd);
   for (Handshake& it : shakes_) {
     it.since += seconds;
     const auto both = [&](auto is) { return is(0) && is(1); };

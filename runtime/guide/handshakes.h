@@ -33,23 +33,26 @@ std::optional<std::array<Placement, 2>> meeting_place(const path::FloorMap& map,
                                                       const std::array<Placement, 2>& bodies,
                                                       std::span<const Vec2> others) noexcept;
 
-/// How large bodies are drawn on the glass (stature.h).
+/// How many times as large as life bodies are drawn on the glass (stature.h).
 struct DrawnSize {
   scene::CameraView camera;
   interface::ScreenShape shape;
+  bool is_enlarged = true;  ///< Only on a shared glass.
   float of(const Avatar& avatar) const noexcept;
+  float of(Vec3 ground) const noexcept;  ///< Of who stands there. World frame.
 };
 
 /// Guides of a shared glass who shake hands, as they are drawn there: larger than life, they stand
 /// further apart. A visitor touches another visitor's guide, and their own waves to it. If the
 /// other is not leading its visitor anywhere, or as soon as that one's visitor has touched the
 /// first one's guide too, both walk up to each other, shake hands, and go on with what they were
-/// doing. Whoever is told something else meanwhile does that.
+/// doing; who is just then touching an exhibit does so first. Whoever is told something else
+/// meanwhile does that.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Handshakes {
  public:
-  /// Seconds for which a wish is kept for the other visitor's.
+  /// Seconds for which a wish is kept for the other visitor's, or until the guides are free.
   static constexpr double wished_for = 30;
 
   explicit Handshakes(const Museum& museum);
@@ -59,7 +62,7 @@ class Handshakes {
             const DrawnSize& size, const plan::Planner& planner, Crowd& crowd) noexcept;
   /// Before the crowd's step of the same time.
   void step(double seconds, std::span<Session> sessions, const DrawnSize& size,
-            Crowd& crowd) noexcept;
+            const plan::Planner& planner, Crowd& crowd) noexcept;
 
   std::span<const Handshake> all() const noexcept { return shakes_; }
 
@@ -68,7 +71,11 @@ class Handshakes {
     std::size_t of = 0;                ///< Session whose guide is meant.
     std::uint32_t own = 0, guide = 0;  ///< Whom both had then: a seat outlasts its visitor.
     double left = 0;                   ///< Seconds.
+    bool is_due = false;               ///< Nothing is in its way but what one of them has in hand.
+    double rests = 0;                  ///< Seconds before it is looked at again.
   };
+  void grant_wishes(double seconds, std::span<Session> sessions, const DrawnSize& size,
+                    const plan::Planner& planner, Crowd& crowd) noexcept;
   bool begin(std::size_t one, std::size_t other, std::span<Session> sessions, const DrawnSize& size,
              const plan::Planner& planner, Crowd& crowd) noexcept;
   void forget_wishes(double seconds, std::span<const Session> sessions) noexcept;

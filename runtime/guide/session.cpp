@@ -166,7 +166,7 @@ void Session::turn_object(float seconds) noexcept {
                             has_object(context_.museum, state_.exhibit);
   // What a hand may lie on keeps still for it.
   const bool swings = is_before_it && !context_.reduced_motion &&
-                      !may_be_touched(context_.museum.exhibits[*state_.exhibit].place);
+                      context_.museum.exhibits[*state_.exhibit].touches.empty();
   table_.put(is_before_it ? state_.exhibit : std::nullopt);
   if (is_before_it && view() != nullptr)
     table_.step(gestures_.fingers(), view()->free, swings, seconds);
@@ -342,7 +342,9 @@ bool Session::can_meet() const noexcept {
 void Session::meet(const Placement& place) noexcept {
   waiting_errand_ = errand_;
   left_to_walk_ = remaining();
-  stood_ = agent().avatar.body;
+  // Who is on its way back to where it stood before still goes there.
+  if (!agent().goal || agent().has_arrived || agent().goal->position != stood_.position)
+    stood_ = agent().avatar.body;
   errand_ = {.kind = Errand::Kind::Meet};
   context_.crowd.send(*guide_, agent().avatar.floor, place, RouteKind::Shortest, state_.ways);
 }
@@ -471,6 +473,13 @@ void Session::go_on_after_meeting() noexcept {
   left_to_walk_.reset();
 }
 
+/// What is touched from one side only is shown from there.
+std::optional<Side> Session::side_to_touch_from() const noexcept {
+  const std::vector<Touch>& touches = context_.museum.exhibits[*state_.exhibit].touches;
+  if (context_.reduced_motion || touches.size() != 1) return {};
+  return touches.front().beside;
+}
+
 /// Near the end of its way the guide turns to a place beside it, so that it hides nothing.
 void Session::step_aside() noexcept {
   if (!guide_ || !leads_to_goal() || ends_aside_ || !state_.exhibit || state_.arrived) return;
@@ -483,7 +492,7 @@ void Session::step_aside() noexcept {
   if (state_.seat) yaw = context_.museum.kiosk.heading;
   const auto place = place_aside(*context_.planner.maps()[goal->floor], *goal,
                                  context_.exhibit_shapes[*state_.exhibit], avatar.body, yaw,
-                                 context_.museum.body_radius);
+                                 context_.museum.body_radius, side_to_touch_from());
   ends_aside_ = true;
   if (place) context_.crowd.end_at(*guide_, *place);
 }

@@ -100,6 +100,14 @@ class Session {
   const std::optional<std::uint32_t>& guide() const noexcept { return guide_; }
   bool leads_to_goal() const noexcept { return errand_.kind == Errand::Kind::ToGoal; }
   bool is_under_way() const noexcept { return leads_to_goal() && !state_.arrived; }
+  /// Does it lead to its goal, or will it when it has met another, or touched what it shows?
+  bool shows_goal() const noexcept {
+    return leads_to_goal() || (is_meeting() && waiting_errand_.kind == Errand::Kind::ToGoal);
+  }
+  /// Is the guide not on its way to its goal meanwhile, nor where it stood there?
+  bool strays() const noexcept {
+    return is_meeting() || (state_.arrived && guide_ && !agent().has_arrived);
+  }
   /// Can the guide go and meet another where it is?
   bool can_meet() const noexcept;
   bool is_meeting() const noexcept { return errand_.kind == Errand::Kind::Meet; }
@@ -128,6 +136,7 @@ class Session {
   void take_way() noexcept;
   void go_on_after_meeting() noexcept;
   void step_aside() noexcept;
+  std::optional<Side> side_to_touch_from() const noexcept;
   void turn_object(float seconds) noexcept;
   bool has_turned(const input::Finger& finger) const noexcept;
   void notice_arrival() noexcept;

@@ -262,6 +262,7 @@ void Stage::turn_to_way(const interface::InterfaceState& state, const Avatar& le
 void Stage::advance(const interface::InterfaceState& state, const Avatar& leader,
                     float seconds) noexcept {
   change_floor(state, leader, seconds);
+  measure_walked(state, leader);
   if (reduced_motion_) {
     way_opacity_ = 1;
     if (screen_ != interface::Screen::Walking || above_ || !shows_walk(state, leader))
@@ -317,6 +318,8 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   way_count_ =
       static_cast<std::uint32_t>(std::min(plan.points.size(), list.ribbon_point.capacity()));
   way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
+  if (way_count_ > 0) way_end_ = plan.points[way_count_ - 1];
+  rests_ = false;
   list.ribbon_point.assign(plan.points.begin(),
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
   look_at_whole_way(list.ribbon_point);
@@ -389,12 +392,18 @@ std::optional<Placement> Stage::end_of_way(const interface::InterfaceState& stat
 }
 
 /// Metres of the way shown that are behind the guide, who may have left it near its end.
-float Stage::walked(const Avatar& leader, Vec2 end) const noexcept {
+float Stage::walked(const Avatar& leader) const noexcept {
   constexpr double same = 0.3;
-  if (glm::distance(leader.plan->end.position, end) < same || leader.plan->then)
+  if (glm::distance(leader.plan->end.position, way_end_) < same || leader.plan->then)
     return static_cast<float>(leader.along);
-  const auto left = static_cast<float>(glm::distance(leader.body.position, end));
+  const auto left = static_cast<float>(glm::distance(leader.body.position, way_end_));
   return std::clamp(way_length_ - left, 0.0F, way_length_);
+}
+
+/// Who has arrived steps about there, to touch what it shows; its way is walked all the same.
+void Stage::measure_walked(const interface::InterfaceState& state, const Avatar& leader) noexcept {
+  if (!state.arrived || !rests_) walked_ = walked(leader);
+  rests_ = state.arrived;
 }
 
 void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
@@ -414,7 +423,7 @@ void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& l
                             .count = way_count_,
                             .revision = revision_,
                             .length = way_length_,
-                            .walked = walked(leader, list.ribbon_point[way_count_ - 1]),
+                            .walked = walked_,
                             .flow = static_cast<float>(flow_),
                             .opacity = way_opacity_});
 }
@@ -424,7 +433,7 @@ void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visito
   for (const LedVisitor& one : led_visitors) {
     const Agent& guide = crowd[one.guide];
     if (!one.goal) continue;
-    if (guide.is_on_its_way && guide.avatar.floor == list.floor)
+    if (!one.strays && guide.is_on_its_way && guide.avatar.floor == list.floor)
       draw_trail(guide.avatar, static_cast<float>(flow_), list);
     const Placement& view = one.goal->standing;
     if (!one.arrived && one.goal->floor == list.floor)

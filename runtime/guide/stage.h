@@ -28,6 +28,7 @@ struct LedVisitor {
   std::optional<std::uint32_t> exhibit{};
   std::optional<interface::Goal> goal{};  ///< None until it is known.
   bool arrived = false;
+  bool strays = false;  ///< The guide is on another way just now, and comes back to this.
 };
 
 /// The model as a view shows it: the camera, the ways on the floor, the marks. Everything that is
@@ -67,7 +68,8 @@ class Stage {
  private:
   void draw_own_way(const interface::InterfaceState& state, const Avatar& leader,
                     scene::DrawList& list) const noexcept;
-  float walked(const Avatar& leader, Vec2 end) const noexcept;
+  float walked(const Avatar& leader) const noexcept;
+  void measure_walked(const interface::InterfaceState& state, const Avatar& leader) noexcept;
   void draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,
                  scene::DrawList& list) const noexcept;
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,
@@ -112,6 +114,9 @@ class Stage {
   RouteKind way_kind_ = RouteKind::Shortest;
   std::uint32_t way_count_ = 0, way_floor_ = 0;
   float way_length_ = 0;
+  Vec2 way_end_{};
+  float walked_ = 0;    ///< Metres of the way shown.
+  bool rests_ = false;  ///< It has been walked, and all is measured.
 };
 
 }  // namespace docent::guide

@@ -15,6 +15,7 @@ constexpr std::array onwards{0.3, 0.1, -0.15, -0.4};  ///< ... and along it.
 constexpr double gap = 0.12;                          ///< Metres between a body and what it shows.
 constexpr double most_half = 1.15;  ///< Radians that it turns from what it shows at most.
 constexpr double room = 0.05;       ///< Metres more than its radius.
+constexpr double other_side = 1e3;  ///< More than any other cost.
 
 double wrapped(double angle) noexcept {
   return std::remainder(angle, 2 * std::numbers::pi);
@@ -48,16 +49,18 @@ double arrival_yaw(const interface::Goal& goal, Vec2 guide) noexcept {
 
 std::optional<Placement> place_aside(const path::FloorMap& map, const interface::Goal& goal,
                                      const ExhibitShape& shape, const Placement& body,
-                                     std::optional<double> yaw, double radius) noexcept {
+                                     std::optional<double> yaw, double radius,
+                                     std::optional<Side> side) noexcept {
   const Vec2 stands = goal.standing.position;
   const double towards = direction_of_exhibit(goal);
   const Vec2 on{std::cos(towards), std::sin(towards)};
   std::optional<Placement> best;
   double least = 1e9;
-  for (const double side : {1.0, -1.0})
+  for (const Side beside : both_sides)
     for (const double across : sidewards)
       for (const double along : onwards) {
-        const Vec2 at = stands + along * on + side * across * left_of(on);
+        const Vec2 at =
+            stands + along * on + static_cast<double>(sign_of(beside)) * across * left_of(on);
         if (!map.has_room(at, radius + room) || distance_to(shape, at) < radius + gap ||
             !map.walls().capsule_clear(body.position, at, radius))
           continue;
@@ -67,7 +70,9 @@ std::optional<Placement> place_aside(const path::FloorMap& map, const interface:
                                          yaw.value_or(arrival_yaw(goal, at)) + std::numbers::pi,
                                          direction_of(stands - at));
         const double cost = glm::length(walk) + 0.6 * std::abs(wrapped(heading - body.heading)) +
-                            0.4 * std::abs(wrapped(faces - heading)) + 0.5 * std::abs(across - 0.8);
+                            0.4 * std::abs(wrapped(faces - heading)) +
+                            0.5 * std::abs(across - 0.8) +
+                            (side.value_or(beside) == beside ? 0 : other_side);
         if (cost >= least) continue;
         least = cost;
         best = Placement{at, faces};

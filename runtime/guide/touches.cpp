@@ -1,5 +1,6 @@
 #include "runtime/guide/touches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,8 +15,10 @@ constexpr double patience = 25;       ///< Seconds for which it tries to get the
 constexpr double parting_for = 0.5;   ///< Seconds.
 constexpr double off_by = 0.03;       ///< Metres, and...
 constexpr double off_turn = 0.06;     ///< ... radians by which it may stand otherwise.
-constexpr float miss = 0.008F;        ///< Metres by which a palm may miss its place.
-constexpr float is_turned = 0.02F;    ///< Radians by which a visitor has turned an object.
+/// Times as large as life: a body that is larger stands too near, and is only drawn so.
+constexpr float most_enlarged = 1.1F;
+constexpr float miss = 0.008F;      ///< Metres by which a palm may miss its place.
+constexpr float is_turned = 0.02F;  ///< Radians by which a visitor has turned an object.
 
 bool is_there(const Agent& one, const Placement& place) noexcept {
   const Placement& body = one.avatar.body;
@@ -33,8 +36,7 @@ Side side_of(const Exhibit& exhibit, Vec2 middle, Vec2 stands) noexcept {
   return cross(middle - view, stands - view) > 0 ? Side::Left : Side::Right;
 }
 
-}  // namespace
-
+/// How a body stands. Its arms' trunks are as they were posed last.
 motion::Stance stance_of(const Skeleton& skeleton, const Avatar& avatar) noexcept {
   motion::Stance stance{.body = avatar.body, .height = avatar.height};
   for (const Side side : both_sides)
@@ -47,31 +49,26 @@ motion::Stance stance_of(const Skeleton& skeleton, const Avatar& avatar) noexcep
   return stance;
 }
 
-Touches::Touches(const Museum& museum, std::span<const std::shared_ptr<const path::FloorMap>> maps,
-                 const Avatar& standing)
-    : museum_(museum), touch_(museum.exhibits.size()), visits_(1 + interface::most_seats) {
-  const motion::Stance stance = stance_of(museum.motion.skeleton, standing);
-  for (std::uint32_t i = 0; i < museum.exhibits.size(); ++i) {
-    const Exhibit& exhibit = museum.exhibits[i];
-    if (!may_be_touched(exhibit.place) || exhibit.floor >= maps.size()) continue;
-    for (const Side side : both_sides)
-      touch_[i][index_of(side)] =
-          motion::find_touch(museum, standing.limbs.arms, stance, i, *maps[exhibit.floor], side);
-  }
-}
+}  // namespace
+
+Touches::Touches(const Museum& museum) : museum_(museum), visits_(1 + interface::most_seats) {}
 
 /// Who has arrived, and pointed at it for a while, goes to touch it.
-void Touches::begin(Session& session, Visit& visit, const Crowd& crowd) const noexcept {
+void Touches::begin(Session& session, Visit& visit, const DrawnSize& size,
+                    const Crowd& crowd) const noexcept {
   const Agent& one = crowd[visit.guide];
   if (session.is_meeting() || !session.can_meet() || !stands(one.avatar) || !one.has_arrived ||
       session.table().angle() != 0)
     return;
   const Exhibit& exhibit = museum_.exhibits[visit.exhibit];
   const Side side = side_of(exhibit, exhibit.placement.position, one.avatar.body.position);
-  const auto& touch = touch_[visit.exhibit][index_of(side)];
+  const auto touch = std::ranges::find(exhibit.touches, side, &Touch::beside);
   visit.since = 0;
-  visit.phase = touch ? Visit::Phase::Coming : Visit::Phase::Done;
-  if (!touch) return;
+  visit.phase = Visit::Phase::Done;
+  if (touch == exhibit.touches.end() ||
+      size.of(to_world(touch->body.position, one.avatar.height)) > most_enlarged)
+    return;
+  visit.phase = Visit::Phase::Coming;
   visit.touch = *touch;
   session.meet(touch->body);
 }
@@ -89,7 +86,7 @@ motion::Grip Touches::grip_of(const Visit& visit, const Avatar& avatar, const Dr
 
 bool Touches::is_in_reach(const Visit& visit, const Avatar& avatar,
                           const DrawnSize& size) const noexcept {
-  const Side side = visit.touch.side;
+  const Side side = visit.touch.hand;
   const auto& arm = avatar.limbs.arms[side];
   if (!arm) return false;
   const Skeleton& skeleton = museum_.motion.skeleton;
@@ -118,7 +115,7 @@ void Touches::go_on(Session& session, Visit& visit, const DrawnSize& size,
              (!is_let_be || visit.since > motion::touch_seconds || !stands(one.avatar))) {
     next(Phase::Parting);
   }
-  const Side side = visit.touch.side;
+  const Side side = visit.touch.hand;
   if (visit.phase == Phase::Touching)
     crowd.hold(visit.guide, side,
                Held{grip_of(visit, one.avatar, size, visit.since), visit.since,
@@ -132,7 +129,7 @@ void Touches::go_on(Session& session, Visit& visit, const DrawnSize& size,
   }
   Company company = one.avatar.company;
   company.exhibit = company.passer = {};
-  if (visit.phase == Phase::Touching) company.partner = visit.touch.grip.place;
+  if (visit.phase == Phase::Touching) company.partner = visit.touch.palm;
   if (session.is_meeting()) crowd.attend(visit.guide, company);
 }
 
@@ -144,24 +141,24 @@ void Touches::step(double seconds, std::span<Session> sessions, const DrawnSize&
     Visit& visit = visits_[k];
     visit.since += seconds;
     const interface::InterfaceState& state = session.state();
-    const bool has_come =
-        session.guide() && state.arrived && state.exhibit && *state.exhibit < touch_.size();
+    const bool has_come = session.guide() && state.arrived && state.exhibit &&
+                          *state.exhibit < museum_.exhibits.size();
     const bool is_same =
         has_come && visit.guide == *session.guide() && visit.exhibit == *state.exhibit;
     if (visit.phase != Phase::None && !is_same) {
       // Told something else: its hand comes away, and it goes where it is sent.
-      if (visit.phase == Phase::Touching) crowd.hold(visit.guide, visit.touch.side, {});
+      if (visit.phase == Phase::Touching) crowd.hold(visit.guide, visit.touch.hand, {});
       visit.phase = Phase::None;
     }
     if (visit.phase == Phase::None && has_come) {
-      const auto& touch = touch_[*state.exhibit];
-      visit = {.phase = touch[0] || touch[1] ? Phase::Pointing : Phase::Done,
+      const bool is_touched = !museum_.exhibits[*state.exhibit].touches.empty();
+      visit = {.phase = is_touched ? Phase::Pointing : Phase::Done,
                .guide = *session.guide(),
                .exhibit = *state.exhibit,
                .touch = {}};
     }
     if (visit.phase == Phase::Pointing && visit.since > points_first)
-      begin(session, visit, crowd);
+      begin(session, visit, size, crowd);
     else if (visit.phase != Phase::None && visit.phase != Phase::Pointing &&
              visit.phase != Phase::Done)
       go_on(session, visit, size, crowd);

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,7 +8,6 @@
 #include "runtime/guide/handshakes.h"
 #include "runtime/guide/session.h"
 #include "runtime/motion/touch.h"
-#include "runtime/path/floor_map.h"
 
 namespace docent::guide {
 
@@ -19,23 +15,16 @@ namespace docent::guide {
 /// first points at it, then walks up to it, lays a hand on it for some seconds, and goes back to
 /// where they stood, so that nothing is hidden. Whoever is told something else meanwhile does that;
 /// while a visitor turns an object, no hand lies on it. What a guide does not get to with a hand is
-/// pointed at instead.
+/// pointed at instead, and so is what one would touch who is drawn larger than life.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Touches {
  public:
-  /// `standing`: somebody who stands there, as all do.
-  Touches(const Museum& museum, std::span<const std::shared_ptr<const path::FloorMap>> maps,
-          const Avatar& standing);
+  explicit Touches(const Museum& museum);
 
   /// Before the crowd's step of the same time.
   void step(double seconds, std::span<Session> sessions, const DrawnSize& size,
             Crowd& crowd) noexcept;
-
-  /// How an exhibit is touched from either side (Side) of the line from which one looks at it.
-  const std::array<std::optional<motion::Touch>, 2>& of(std::uint32_t exhibit) const noexcept {
-    return touch_[exhibit];
-  }
 
  private:
   /// What the guide of a session does about the exhibit that it has led to.
@@ -44,20 +33,17 @@ class Touches {
     Phase phase = Phase::None;
     double since = 0;  ///< Seconds in this phase.
     std::uint32_t guide = 0, exhibit = 0;
-    motion::Touch touch;
+    Touch touch;
   };
-  void begin(Session& session, Visit& visit, const Crowd& crowd) const noexcept;
+  void begin(Session& session, Visit& visit, const DrawnSize& size,
+             const Crowd& crowd) const noexcept;
   void go_on(Session& session, Visit& visit, const DrawnSize& size, Crowd& crowd) const noexcept;
   motion::Grip grip_of(const Visit& visit, const Avatar& avatar, const DrawnSize& size,
                        double seconds) const noexcept;
   bool is_in_reach(const Visit& visit, const Avatar& avatar, const DrawnSize& size) const noexcept;
 
   const Museum& museum_;
-  std::vector<std::array<std::optional<motion::Touch>, 2>> touch_;  ///< By exhibit.
-  std::vector<Visit> visits_;                                       ///< By session.
+  std::vector<Visit> visits_;  ///< By session.
 };
-
-/// How a body stands. Its arms' trunks are as they were posed last.
-motion::Stance stance_of(const Skeleton& skeleton, const Avatar& avatar) noexcept;
 
 }  // namespace docent::guide

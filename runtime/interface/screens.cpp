@@ -208,6 +208,8 @@ std::string goal_text(const Sheet& sheet) {
       if (!told.empty() && !line.empty()) told += '\n';
       told += line;
     };
+    if (told.empty() && sheet.request().state.arrived && may_be_touched(exhibit->place))
+      add(sheet.word("may_touch"));
     if (!has_picture(sheet.museum(), *exhibit)) add(sheet.local(exhibit->description));
     add(sheet.local(exhibit->text));
     return told;

@@ -272,7 +272,10 @@ void Composer::add_arrival(Utterance& out) const {
   append_spoken(out, goal_title());
   if (state_.exhibit && *state_.exhibit < museum_.exhibits.size()) {
     const Exhibit& exhibit = museum_.exhibits[*state_.exhibit];
-    if (closed_exhibit(closed_, *state_.exhibit) != nullptr) append_spoken(out, say("closed_now"));
+    if (closed_exhibit(closed_, *state_.exhibit) != nullptr)
+      append_spoken(out, say("closed_now"));
+    else if (may_be_touched(exhibit.place))
+      append_spoken(out, say("may_touch"));
     add_picture(out, shown_picture(museum_, state_, *state_.exhibit));
     return append_spoken(out, local(exhibit.text));
   }

@@ -2,6 +2,7 @@
 
 #include "runtime/model/connection.h"
 #include "runtime/model/exhibit/object.h"
+#include "runtime/model/exhibit/touch.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
@@ -63,6 +64,10 @@ void fields(auto& io, MaybeConst<ClothNode> auto& n) {
 }
 void fields(auto& io, MaybeConst<ClothCollider> auto& c) {
   io(c.figure, c.joint, c.from, c.to, c.from_radius, c.to_radius);
+}
+
+void fields(auto& io, MaybeConst<Touch> auto& t) {
+  io(t.beside, t.hand, t.body, t.palm, t.fingers, t.thumb, t.normal, t.ready, t.lean);
 }
 
 void fields(auto& io, MaybeConst<ObjectVertex> auto& v) {

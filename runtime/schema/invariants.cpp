@@ -240,6 +240,35 @@ bool stands(const Exhibit& exhibit, const Museum& museum) {
          stand.scale > 0;
 }
 
+bool is_unit(Vec3 v) {
+  constexpr float rounding = 1e-3F;
+  return finite(v) && std::abs(glm::dot(v, v) - 1) < rounding;
+}
+
+/// Is it what somebody does who stands before it?
+bool keeps(const Touch& touch, double ground) {
+  const auto is_near = [](double metres) { return metres <= Touch::farthest; };
+  const double height = static_cast<double>(touch.palm.y) - ground;
+  return touch.beside <= Side::Right && touch.hand <= Side::Right && finite(touch.body) &&
+         finite(touch.palm) && finite(touch.ready) && is_unit(touch.fingers) &&
+         is_unit(touch.thumb) && is_unit(touch.normal) && touch.lean >= 0 &&
+         touch.lean <= Touch::most_lean && height >= 0 && height <= Touch::highest &&
+         is_near(glm::distance(touch.body.position, to_floor(touch.palm))) &&
+         is_near(static_cast<double>(glm::distance(touch.palm, touch.ready)));
+}
+
+bool keep_touches(const Exhibit& exhibit, const Museum& museum) {
+  const auto in_order = [](const Touch& one, const Touch& next) {
+    return one.beside < next.beside;
+  };
+  const std::vector<Touch>& all = exhibit.touches;
+  return (all.empty() || may_be_touched(exhibit.place)) &&
+         std::ranges::adjacent_find(all, std::not_fn(in_order)) == all.end() &&
+         std::ranges::all_of(all, [&](const Touch& touch) {
+           return keeps(touch, museum.floors[exhibit.floor].plan.height);
+         });
+}
+
 bool keeps_length(const LocalText& more) {
   return std::ranges::all_of(
       more, [](const auto& entry) { return count_letters(entry.second) <= longest_more; });
@@ -250,7 +279,7 @@ bool keeps(const Exhibit& exhibit, const Museum& museum) {
          exhibit.image < museum.images.size() && exhibit.place <= ExhibitPlace::OnWallToTouch &&
          finite(exhibit.placement) && finite(exhibit.viewing_point) && sound_time(exhibit.weight) &&
          sound_time(exhibit.looking_seconds) && keeps_length(exhibit.more) &&
-         stands(exhibit, museum);
+         stands(exhibit, museum) && keep_touches(exhibit, museum);
 }
 
 /// Those of an exhibit lie together, and are not too many to leaf through.

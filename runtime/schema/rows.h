@@ -165,6 +165,7 @@ void columns(auto& row, MaybeConst<Exhibit> auto& exhibit) {
   row("object_y", exhibit.stand.position.y);
   row("object_base", exhibit.stand.base);
   row("object_scale", exhibit.stand.scale);
+  row("touch", exhibit.touches);
 }
 
 void columns(auto& row, MaybeConst<FurtherPicture> auto& picture) {

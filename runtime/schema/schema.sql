@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 17 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 18 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -190,7 +190,8 @@ CREATE TABLE exhibit (
   object_x REAL NOT NULL,       -- where that stands
   object_y REAL NOT NULL,
   object_base REAL NOT NULL,    -- metres above the floor
-  object_scale REAL NOT NULL    -- of its own size
+  object_scale REAL NOT NULL,   -- of its own size
+  touch BLOB NOT NULL           -- Touch: how a guide lays a hand on it, from either side; or none
 );
 
 CREATE TABLE picture (          -- of exhibits, besides their own: in the order in which one leafs

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/model/exhibit/object.h"
+#include "runtime/model/exhibit/touch.h"
 #include "runtime/model/geometry/vec2.h"
 #include "runtime/model/local_text.h"
 
@@ -16,7 +17,7 @@ enum class ExhibitPlace : std::uint8_t {
   OnFloor,
   OnWall,
   InCase,
-  ToTouch,        ///< On the floor, a plinth or a pedestal, and may be touched; a guide gets to it.
+  ToTouch,        ///< On the floor, a plinth or a pedestal, and may be touched.
   OnWallToTouch,  ///< The same, on a wall.
 };
 
@@ -49,6 +50,10 @@ struct Exhibit {
 
   std::int32_t object = -1;  ///< Index into Museum::objects: its own shape; -1: it has none.
   ObjectStand stand{};       ///< Of the object, where it has one.
+
+  /// How a guide lays a hand on it: from either side at most once, the left one first. None where
+  /// it may not be touched, nobody gets to it, or there are no clips.
+  std::vector<Touch> touches{};
 
   static constexpr double ordinary_look = 60;
 };

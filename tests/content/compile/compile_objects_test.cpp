@@ -24,10 +24,8 @@ struct Compiled {
   std::vector<std::string> told;  ///< "code: message"
 };
 
-Compiled compiled(const std::string& exhibit, const std::string& model, bool only_check = false,
-                  const std::string& cases = {}) {
+Compiled compiled(const std::string& exhibit, const std::string& model, bool only_check = false) {
   test::MuseumFolder folder;
-  if (!cases.empty()) folder.replace("museum.toml", "[ambient]", cases + "[ambient]");
   folder.write("models/thing.obj", model);
   folder.write("exhibits/thing.toml",
                "[[exhibit]]\nid = \"thing\"\nfacing = 270\ntitle.en = \"Thing\"\n"
@@ -97,26 +95,6 @@ TEST(CompileObjects, ShowsThePictureOfWhatHangsOnAWall) {
   EXPECT_THAT(it.told, Contains(HasSubstr("object-on-wall: exhibit 'thing' hangs on a wall")));
   EXPECT_EQ(thing(*it.museum).object, -1);
   EXPECT_TRUE(it.museum->objects.empty());
-}
-
-TEST(CompileTouch, MarksWhatStandsFreeOrHangsAndTellsOfWhatIsUnderGlass) {
-  const Compiled free = compiled("position = [3.0, 6.0]\ntouch = true\n", pyramid);
-  const Compiled hung = compiled("position = [5.0, 8.0]\ntouch = true\n", pyramid);
-  const Compiled cased = compiled("in = \"vitrine\"\ntouch = true\n", pyramid, false,
-                                  "[[case]]\nid = \"vitrine\"\nposition = [3.0, 6.0]\n"
-                                  "facing = 270\nsize = [1.6, 0.7]\n");
-  const Compiled plain = compiled("position = [3.0, 6.0]\ntouch = false\n", pyramid);
-
-  ASSERT_TRUE(free.museum && hung.museum && cased.museum && plain.museum);
-  EXPECT_EQ(thing(*free.museum).place, ExhibitPlace::ToTouch);
-  EXPECT_EQ(thing(*hung.museum).place, ExhibitPlace::OnWallToTouch);
-  EXPECT_EQ(thing(*cased.museum).place, ExhibitPlace::InCase);
-  EXPECT_EQ(thing(*plain.museum).place, ExhibitPlace::OnFloor);
-  EXPECT_EQ(schema::broken_invariant(*free.museum), "");
-  EXPECT_EQ(schema::broken_invariant(*hung.museum), "");
-  EXPECT_THAT(cased.told, Contains(HasSubstr("touch-out-of-reach: the guide does not touch exhibit "
-                                             "'thing', and points at it: it stands under glass")));
-  EXPECT_THAT(free.told, ::testing::Not(Contains(HasSubstr("touch-out-of-reach"))));
 }
 
 }  // namespace

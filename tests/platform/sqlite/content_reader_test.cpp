@@ -46,6 +46,8 @@ TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
   // The writer covers every field (rows.h), so equal files are equal museums.
   EXPECT_EQ(write::encode_museum(*read), write::encode_museum(museum));
   EXPECT_EQ(read->exhibits[0].text.at("zh"), "玉璧。");
+  ASSERT_EQ(read->exhibits[0].touches.size(), 1U);
+  EXPECT_EQ(read->exhibits[0].touches[0].ready, Vec3(9.5F, 1.75F, -4.25F));
   EXPECT_EQ(read->ambient.entrances, museum.ambient.entrances);
   EXPECT_EQ(read->ambient.look_most, 9.5);
   EXPECT_EQ(read->floors[0].tangent_graphs[1].tangent[0].leave, Vec2(1, 2));
@@ -205,6 +207,20 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
       {"exhibit", [](Museum& m) { m.exhibits[0].more["en"] = std::string(longest_more + 1, 'a'); }},
       {"exhibit",
        [](Museum& m) { m.exhibits[0].more["en"] = std::string(4 * longest_more + 1, '\x80'); }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].place = ExhibitPlace::OnWall; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches.push_back(m.exhibits[0].touches[0]); }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].beside = Side{2}; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].hand = Side{2}; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].body.position.x = 7; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].body.heading = NAN; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].palm.y = 3.1F; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].palm.z = NAN; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].ready.x = INFINITY; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].fingers = {}; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].thumb = {NAN, 0, 0}; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].normal *= 2.0F; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].lean = 0.31F; }},
+      {"exhibit", [](Museum& m) { m.exhibits[0].touches[0].lean = -0.01F; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 2; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops[1].floor = 0; }},
       {"connection 'lift'", [](Museum& m) { m.connections[0].stops.pop_back(); }},

@@ -273,7 +273,7 @@ class TwoGuides {
   TwoGuides& operator=(const TwoGuides&) = delete;
   void step() {
     planner_.wait();
-    handshakes_.step(1.0 / 60, sessions_, {{}, shape_}, crowd_);
+    handshakes_.step(1.0 / 60, sessions_, {{}, shape_}, planner_, crowd_);
     crowd_.step(1.0 / 60);
   }
   /// Where they will meet, as far as anybody knows.
@@ -284,6 +284,7 @@ class TwoGuides {
   }
   void wish() { handshakes_.wish(1, 1, sessions_, {{}, shape_}, planner_, crowd_); }
   bool are_shaking_hands() const { return !handshakes_.all().empty(); }
+  Session& session(std::uint32_t who) { return sessions_[1 + who]; }
   void appear(const Placement& place) { crowd_.appear(obstinate, museum_.kiosk_floor, place); }
   const Agent& operator[](std::uint32_t who) const { return crowd_[who]; }
 
@@ -319,6 +320,29 @@ TEST(Handshakes, AreNotHeldOutToAGuideWhoseMeetingPlaceSomebodyElseHas) {
   EXPECT_TRUE(have_arrived) << "one of them elsewhere, because it was held up";
   EXPECT_FALSE(two.are_shaking_hands());
   EXPECT_FALSE(has_held);
+}
+
+/// A guide that is just then touching what it shows is meeting, as far as its session goes.
+TEST(Handshakes, WaitForWhoIsTouchingSomethingAndThenAreShaken) {
+  TwoGuides two;
+  const Placement stood = two[1].avatar.body;
+  two.session(1).meet(
+      {stood.position - 0.4 * Vec2{std::cos(stood.heading), std::sin(stood.heading)},
+       stood.heading});
+  two.wish();
+  for (int frame = 0; frame < 5 * 60; ++frame) two.step();
+  EXPECT_FALSE(two.are_shaking_hands());
+  two.session(1).part();
+  bool has_shaken = false;
+  for (int frame = 0; frame < 45 * 60; ++frame) {
+    two.step();
+    has_shaken |= holds(two[0].avatar.manner) && holds(two[1].avatar.manner);
+  }
+
+  EXPECT_TRUE(has_shaken);
+  EXPECT_FALSE(two.are_shaking_hands()) << "once is enough";
+  EXPECT_LT(glm::distance(two[1].avatar.body.position, stood.position), 0.05)
+      << "it goes back to where it stood, not to where it was asked";
 }
 
 TEST(MeetingPlace, IsFaceToFaceClearOfWallsAndOthersInTheSampleMuseum) {

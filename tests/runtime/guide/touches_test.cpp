@@ -1,13 +1,15 @@
 #include "runtime/guide/touches.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "content/compile/compile_touch.h"
+#include "content/motion/find_touch.h"
 #include "runtime/guide/guide.h"
+#include "runtime/guide/stature.h"
 #include "runtime/scene/look.h"
 #include "tests/runtime/guide/simulated.h"
 #include "tests/support/sample_as_read.h"
@@ -28,7 +30,8 @@ ExhibitObject block(Vec3 size) {
   return object;
 }
 
-/// The sample museum with a block in place of what stands on a pedestal, in the middle of it.
+/// The sample museum with a block in place of what stands on a pedestal, in the middle of it; or
+/// with a picture on a wall that may be touched.
 struct MuseumToTouch {
   Museum museum = test::sample_museum();
   std::uint32_t exhibit = 0;
@@ -38,12 +41,27 @@ struct MuseumToTouch {
     exhibit = static_cast<std::uint32_t>(stone - museum.exhibits.begin());
     Exhibit& it = museum.exhibits[exhibit];
     for (Scenery& scenery : museum.scenery)
-      for (SceneryPart& part : scenery.parts)
-        if (part.exhibit == static_cast<std::int32_t>(exhibit)) part.exhibit = -1;
+      std::erase_if(scenery.parts, [&](const SceneryPart& part) {
+        return part.exhibit == static_cast<std::int32_t>(exhibit);
+      });
     it.place = ExhibitPlace::ToTouch;
     it.object = static_cast<std::int32_t>(museum.objects.size());
     it.stand = {.position = it.placement.position, .base = base, .scale = 1};
     museum.objects.push_back(block(size));
+    find();
+  }
+  MuseumToTouch() {
+    const auto hung = std::ranges::find_if(museum.exhibits, [&](const Exhibit& one) {
+      return one.place == ExhibitPlace::OnWall && one.floor == museum.kiosk_floor;
+    });
+    exhibit = static_cast<std::uint32_t>(hung - museum.exhibits.begin());
+    hung->place = ExhibitPlace::OnWallToTouch;
+    find();
+  }
+  void find() {
+    Exhibit& it = museum.exhibits[exhibit];
+    it.touches = compile::find_touches(museum, compile::standing_body(museum).value(), exhibit,
+                                       path::FloorMap(museum.floors[it.floor]));
   }
 };
 
@@ -97,6 +115,20 @@ class Visit {
   Guide guide_;
 };
 
+/// By how much an upper arm is raised, or turned, further than people's shoulders allow: radians.
+float shoulder_hurts(const Avatar& avatar, const motion::Arm& arm) {
+  namespace most = motion::arm_limits;
+  constexpr float hangs = 0.35F;  // an arm that does may swing anywhere
+  const auto place = [&](std::size_t joint) { return Vec3(avatar.world[arm.joint[joint]][3]); };
+  const Quat trunk = glm::normalize(glm::quat_cast(avatar.world[index_of(arm.trunk)]));
+  const Vec3 upper = glm::inverse(trunk) * glm::normalize(place(arm.elbow) - place(arm.shoulder));
+  const float raised = std::acos(std::clamp(-upper.y, -1.0F, 1.0F));
+  const float azimuth = std::atan2(sign_of(arm.side) * upper.x, upper.z);
+  if (raised < hangs) return 0;
+  const float aside = std::max(azimuth - most::outwards, -most::inwards - azimuth);
+  return std::max(raised - most::elevation, std::min(aside, raised - most::extension));
+}
+
 /// How deep a point is in the block.
 float depth_in(const Museum& museum, const Exhibit& it, Vec3 point) {
   const Vec3 foot =
@@ -109,14 +141,14 @@ float depth_in(const Museum& museum, const Exhibit& it, Vec3 point) {
 
 struct Seen {
   double touched = 0;  ///< Seconds together.
-  float deepest = -1, slid = 0, wrist = 0, elbow = 0;
+  float deepest = -1, slid = 0, wrist = 0, elbow = 0, shoulder = 0;
   bool gestures = true;
 };
 
 Seen watch(Visit& visit, std::uint32_t exhibit) {
   const Museum& museum = visit.museum();
   const Exhibit& it = museum.exhibits[exhibit];
-  const auto surface = motion::touch_surface(museum, exhibit);
+  const auto surface = motion::offline::touch_surface(museum, exhibit);
   const Skeleton& skeleton = museum.motion.skeleton;
   Seen seen;
   double together = 0;
@@ -130,15 +162,18 @@ Seen watch(Visit& visit, std::uint32_t exhibit) {
       const Vec3 wrist = visit.joint(arm.joint[arm.wrist]);
       const Vec3 shoulder = visit.joint(arm.joint[arm.shoulder]);
       for (const Vec3 point : {palm, elbow, wrist, shoulder, glm::mix(elbow, wrist, 0.5F)})
-        seen.deepest = std::max(seen.deepest, depth_in(museum, it, point));
+        if (it.object >= 0) seen.deepest = std::max(seen.deepest, depth_in(museum, it, point));
       toe[index_of(side)] = Vec3(visit.avatar().world[index_of(
           skeleton[side == Side::Left ? BodyPart::LeftToe : BodyPart::RightToe])][3]);
-      if (!manner.held[index_of(side)]) continue;
+      const auto& held = manner.held[index_of(side)];
+      if (!held) continue;
+      if (held->since > motion::longest_change)
+        seen.shoulder = std::max(seen.shoulder, shoulder_hurts(visit.avatar(), arm));
       const Vec3 upper = glm::normalize(elbow - shoulder), fore = glm::normalize(wrist - elbow);
       seen.elbow = std::max(seen.elbow, std::acos(std::clamp(glm::dot(upper, fore), -1.0F, 1.0F)));
       const Vec3 hand = glm::normalize(palm - wrist);
       seen.wrist = std::max(seen.wrist, std::acos(std::clamp(glm::dot(fore, hand), -1.0F, 1.0F)));
-      together = motion::distance_to(surface, palm) < motion::touches_within
+      together = motion::offline::distance_to(surface, palm) < motion::offline::touches_within
                      ? together + visit.frame()
                      : 0;
       seen.touched = std::max(seen.touched, together);
@@ -171,6 +206,7 @@ TEST_P(ATouch, LaysAHandOnTheObjectOverFeetThatStayAndStepsBack) {
     EXPECT_LT(seen.slid, 0.005F);
     EXPECT_LT(seen.elbow, motion::arm_limits::flexion + 0.02F);
     constexpr float rounding = 1e-3F;
+    EXPECT_LT(seen.shoulder, rounding);
     EXPECT_LT(seen.wrist,
               rounding + std::hypot(motion::arm_limits::wrist_flexion, motion::arm_limits::ulnar));
     EXPECT_TRUE(seen.gestures);
@@ -181,6 +217,20 @@ TEST_P(ATouch, LaysAHandOnTheObjectOverFeetThatStayAndStepsBack) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(AtAnyFrameRate, ATouch, ::testing::Values(30, 60, 120));
+
+TEST(Touches, AreOfWhatHangsOnAWallToo) {
+  const MuseumToTouch hung;
+  ASSERT_FALSE(hung.museum.exhibits[hung.exhibit].touches.empty());
+  Visit visit(hung, 60);
+  ASSERT_TRUE(visit.guide().state().arrived);
+
+  const Seen seen = watch(visit, hung.exhibit);
+
+  EXPECT_GT(seen.touched, 1.0);
+  EXPECT_LT(seen.slid, 0.005F);
+  EXPECT_LT(seen.shoulder, 1e-3F);
+  EXPECT_EQ(visit.guide().counters().collisions, 0U);
+}
 
 TEST(Touches, AreGivenUpByWhoIsSentElsewhereMeanwhile) {
   const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
@@ -222,69 +272,147 @@ TEST(Touches, AreNotForWhatNobodyReaches) {
   EXPECT_EQ(seen.touched, 0);
 }
 
-/// Whatever stands on a plinth of any height: either there is no touch, or the hand of somebody who
-/// stands clear of the plinth is on the surface, and their arm nowhere in it.
-RC_GTEST_PROP(FindTouch, ReachesTheSurfaceOrSaysThatItDoesNot, ()) {
-  const Museum& museum = test::sample_museum();
-  static const Avatar standing =
-      make_avatar(museum, museum.kiosk_floor, plan::make_standing(museum, museum.kiosk));
-  const auto metres = [](int least, int most) {
-    return static_cast<float>(*rc::gen::inRange(least, most)) / 100;
-  };
-  const float wide = metres(8, 90), high = metres(5, 160), deep = metres(8, 90);
-  const float base = metres(0, 180);
-  const float half = std::max(wide, deep) / 2 + metres(2, 40);
-  std::vector<motion::Triangle> surface;
-  const ExhibitObject object = block({wide, high, deep});
-  for (std::size_t i = 0; i < object.distant.triangles.size(); i += 3) {
-    motion::Triangle triangle;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& p = object.distant.vertices[object.distant.triangles[i + k]].position;
-      triangle[k] =
-          Vec3(-wide / 2, base, -deep / 2) + Vec3(p[0], p[1], p[2]) / 65535.0F * object.size;
-    }
-    surface.push_back(triangle);
-  }
-  const motion::Stance stance = stance_of(museum.motion.skeleton, standing);
-  const auto has_room = [&](Vec2 at) {
-    const Vec2 limit{half, half};
-    return glm::distance(at, glm::clamp(at, -limit, limit)) > museum.body_radius;
-  };
-  const motion::TouchSearch search{.skeleton = museum.motion.skeleton,
-                                   .arms = standing.limbs.arms,
-                                   .stance = stance,
-                                   .surface = surface,
-                                   .ground = 0,
-                                   .view = {{-2.5, 0}, 0},
-                                   .middle = {},
-                                   .has_room = has_room};
+TEST(Touches, FromOneSideOnlyAreShownFromThatSide) {
   for (const Side side : both_sides) {
-    const auto touch = motion::find_touch(search, side);
-    const bool is_easy = base + high > 1.0F && base < 1.1F &&
-                         half - std::max(wide, deep) / 2 < 0.1F &&
-                         std::min(wide, deep) > 0.7F * std::max(wide, deep);
-    if (is_easy) RC_ASSERT(touch.has_value());
-    RC_CLASSIFY(touch.has_value());
-    if (!touch) continue;
-    RC_ASSERT(has_room(touch->body.position));
-    const motion::Arm& arm = *standing.limbs.arms[touch->side];
-    const motion::Stance stands = motion::moved_to(stance, touch->body, 0);
-    for (double at = motion::longest_change; at < motion::touch_seconds; at += 0.05) {
-      const motion::JointPlace trunk =
-          motion::leaned(stands, motion::lean_after(*touch, at)).trunk[index_of(touch->side)];
-      const motion::ArmPosture posture =
-          motion::holding(museum.motion.skeleton, arm, trunk, motion::grip_after(*touch, at));
-      const motion::ArmPlaces held = motion::places_of(museum.motion.skeleton, arm, trunk, posture);
-      const bool rests = at >= motion::touch_begins && at <= motion::touch_ends;
-      if (rests) RC_ASSERT(motion::distance_to(surface, held.palm) < motion::touches_within);
-      const Vec3 low(-wide / 2, base, -deep / 2), top = low + Vec3(wide, high, deep);
-      for (const Vec3 p :
-           {held.elbow, held.wrist, held.palm, held.tip, glm::mix(held.elbow, held.wrist, 0.5F)}) {
-        const Vec3 in = glm::min(p - low, top - p);
-        RC_ASSERT(std::min({in.x, in.y, in.z}) < 0.004F);
-      }
+    MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+    std::vector<Touch>& touches = to_touch.museum.exhibits[to_touch.exhibit].touches;
+    ASSERT_EQ(touches.size(), 2U);
+    std::erase_if(touches, [&](const Touch& touch) { return touch.beside != side; });
+    Visit visit(to_touch, 60);
+    ASSERT_TRUE(visit.guide().state().arrived);
+    bool has_touched = false;
+    visit.run(20, [&] { has_touched |= holds(visit.avatar().manner); });
+
+    EXPECT_TRUE(has_touched) << "from the " << (side == Side::Left ? "left" : "right");
+  }
+}
+
+TEST(Touches, LeaveTheWayAndTheGoalsLightAsTheyWere) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  Visit visit(to_touch, 60);
+  visit.run(2, [] {});
+  const scene::DrawList before = visit.guide().draw_list();
+  ASSERT_EQ(before.ribbons.size(), 1U);
+  ASSERT_GT(before.goal_radius, 0);
+  bool has_touched = false;
+  visit.run(30, [&] {
+    has_touched |= holds(visit.avatar().manner);
+    const scene::DrawList& now = visit.guide().draw_list();
+    ASSERT_EQ(now.ribbons.size(), 1U);
+    EXPECT_EQ(now.ribbons[0].revision, before.ribbons[0].revision);
+    EXPECT_EQ(now.ribbons[0].count, before.ribbons[0].count);
+    EXPECT_EQ(now.ribbons[0].walked, before.ribbons[0].walked);
+    EXPECT_EQ(now.ribbons[0].flow, before.ribbons[0].flow);
+    EXPECT_EQ(now.goal, before.goal);
+    EXPECT_EQ(now.goal_radius, before.goal_radius);
+  });
+
+  EXPECT_TRUE(has_touched);
+}
+
+/// Two share a glass of so many inches. One of them is led to what may be touched.
+class SharedVisit {
+ public:
+  SharedVisit(const MuseumToTouch& of, float inches)
+      : settings_{.shape = {.width = 1920, .height = 1080, .diagonal_inches = inches},
+                  .idle_reset = Seconds{300},
+                  .visitors = 2},
+        planner_(of.museum, {test::boxes, {}}, planner_size(of.museum, settings_).avatars,
+                 planner_size(of.museum, settings_).parts),
+        guide_(of.museum, planner_, settings_),
+        exhibit_(of.exhibit) {
+    run(0.5, [] {});
+    tap(0.25F, 0.95F);
+    tap("look:" + std::string(scene::looks[0].name));
+    run(3, [] {});
+    tap("exhibit:" + of.museum.exhibits[of.exhibit].id);
+    for (int i = 0; i < 90 && !has_arrived(); ++i) run(1, [] {});
+  }
+  template <typename Each>
+  void run(double seconds, Each each) {
+    for (long i = 0; i < std::lround(seconds * 60); ++i) {
+      test::run(planner_, guide_, 1.0 / 60);
+      each();
     }
   }
+  bool has_arrived() const { return guide_.state(guide_.part_of(1)).arrived; }
+  const Avatar& avatar() const { return guide_.crowd()[0].avatar; }
+  /// How many times as large as life the guide is drawn.
+  float size() {
+    const Vec3 ground = to_world(avatar().body.position, avatar().height);
+    return stature_scale(guide_.draw_list().camera, settings_.shape, ground);
+  }
+  /// Metres from the nearer hand, as it is drawn, to what is touched.
+  float off_surface() {
+    const Museum& museum = guide_.museum();
+    const auto surface = motion::offline::touch_surface(museum, exhibit_);
+    float least = 1e9F;
+    for (const Side side : both_sides) {
+      const motion::Arm& arm = *avatar().limbs.arms[side];
+      const Mat4& wrist = avatar().world[arm.joint[arm.wrist]];
+      const Vec3 ground = to_world(avatar().body.position, avatar().height);
+      const Vec3 palm =
+          Vec3(wrist[3]) +
+          glm::mat3(wrist) * (arm.rest[2] * Vec3(0.5F * sign_of(side) * arm.hand, 0, 0));
+      const Vec3 drawn =
+          ground + size() * Vec3{1, scene::looks[avatar().look].height, 1} * (palm - ground);
+      least = std::min(least, motion::offline::distance_to(surface, drawn));
+    }
+    return least;
+  }
+  /// The marks on the model that are this.
+  std::ptrdiff_t count(scene::MarkerDraw::Kind kind) {
+    return std::ranges::count(guide_.draw_list().markers, kind, &scene::MarkerDraw::kind);
+  }
+
+ private:
+  void tap(float x, float y) {
+    for (const auto kind : {input::InputEvent::Kind::Down, input::InputEvent::Kind::Up}) {
+      guide_.touch({.kind = kind, .contact = {1, x, y}});
+      run(0.05, [] {});
+    }
+  }
+  void tap(const std::string& name) {
+    const auto& controls = guide_.view(guide_.part_of(1))->controls;
+    const auto it = std::ranges::find(controls, name, &interface::Control::name);
+    ASSERT_NE(it, controls.end()) << name;
+    tap(it->rect.x + it->rect.width / 2, it->rect.y + it->rect.height / 2);
+  }
+
+  GuideSettings settings_;
+  plan::Planner planner_;
+  Guide guide_;
+  std::uint32_t exhibit_;
+};
+
+TEST(Touches, AreOnlyShownByWhoIsDrawnLargerThanLife) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  SharedVisit visit(to_touch, 55);
+  ASSERT_TRUE(visit.has_arrived());
+  ASSERT_GT(visit.size(), 1.5F);
+  const Placement stood = visit.avatar().body;
+  bool points = false;
+  visit.run(30, [&] {
+    points |= visit.avatar().manner.gesture == motion::Gesture::Point;
+    EXPECT_LT(glm::distance(visit.avatar().body.position, stood.position), 0.05);
+    EXPECT_FALSE(holds(visit.avatar().manner));
+  });
+
+  EXPECT_TRUE(points);
+}
+
+TEST(Touches, AreOnASharedGlassWhereBodiesAreAsLargeAsLife) {
+  const MuseumToTouch to_touch({0.45F, 1.0F, 0.4F}, 0.364);
+  SharedVisit visit(to_touch, 160);
+  ASSERT_TRUE(visit.has_arrived());
+  ASSERT_LT(visit.size(), 1.01F);
+  double touched = 0;
+  visit.run(30, [&] {
+    touched += visit.off_surface() < motion::offline::touches_within ? 1.0 / 60 : 0;
+    EXPECT_EQ(visit.count(scene::MarkerDraw::Kind::SelectedExhibit), 1);
+  });
+
+  EXPECT_GT(touched, 1) << "seconds, as it is drawn";
 }
 
 }  // namespace

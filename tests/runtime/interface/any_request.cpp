@@ -45,13 +45,13 @@ directions::Directions any_directions(const Museum& museum) {
       const auto of = *rc::gen::inRange(0U, 12U);
       part.doors.push_back({.from = part.last_room(),
                             .to = room(),
-                            .side = static_cast<Side>(*rc::gen::inRange(0, 6)),
+                            .side = static_cast<directions::Side>(*rc::gen::inRange(0, 6)),
                             .nth = of == 0 ? 0 : *rc::gen::inRange(1U, of + 1),
                             .of = of});
     }
     for (int i = *rc::gen::inRange(0, 3); i > 0; --i)
       part.turns.push_back(
-          {static_cast<Side>(*rc::gen::inRange(1, 4)), *rc::gen::inRange(0, 90) / 1.0});
+          {static_cast<directions::Side>(*rc::gen::inRange(1, 4)), *rc::gen::inRange(0, 90) / 1.0});
     if (parts > 1)
       part.then = RideStep{static_cast<ConnectionKind>(*rc::gen::inRange(0, 4)),
                            *rc::gen::arbitrary<bool>(), *rc::gen::inRange(0U, 2U)};

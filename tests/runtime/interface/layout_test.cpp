@@ -464,6 +464,36 @@ TEST(AnExhibitWithoutAPicture, IsDescribedWhereThePictureWouldBe) {
   EXPECT_THAT(texts(), Contains(HasSubstr("A red jar")));
 }
 
+TEST(AnExhibitToTouch, SaysSoToWhoHasArrivedOnTheWholeGlassAndOnACard) {
+  Museum touched = museum();
+  touched.exhibits[0].place = ExhibitPlace::OnWallToTouch;
+  for (const std::optional<std::uint32_t> seat : {std::optional<std::uint32_t>{}, {1}})
+    for (const bool arrived : {false, true}) {
+      ViewRequest request;
+      request.shape = {.width = 1920, .height = 1080, .diagonal_inches = 55};
+      request.state.screen = arrived ? Screen::Arrived : Screen::Walking;
+      request.state.arrived = arrived;
+      request.state.exhibit = 0;
+      request.state.seat = seat;
+      request.state.seats = seat ? 2 : 0;
+      request.state.glass = seat ? Glass::Busy : Glass::Whole;
+      std::vector<std::string> all;
+      const SetText note = [&](const TextStyle& style, std::string_view text, std::uint32_t width) {
+        all.emplace_back(text);
+        return boxes(style, text, width);
+      };
+      PieceCache cache({note, plain}, 1, 1 << 20);
+      make_view(touched, request, cache);
+      EXPECT_EQ(std::ranges::any_of(all,
+                                    [](const std::string& text) {
+                                      return text.find("You may touch this one.") !=
+                                             std::string::npos;
+                                    }),
+                arrived)
+          << (seat ? "on a card" : "on the whole glass");
+    }
+}
+
 TEST(AClosedExhibit, HasANumberOnTheModelThatIsUnlikeAnyOther) {
   ViewRequest request;
   request.state.screen = Screen::Choosing;

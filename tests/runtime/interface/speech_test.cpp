@@ -124,6 +124,34 @@ TEST(Speech, DescribesThePictureAfterTheTitle) {
   EXPECT_THAT(spoken_pieces(described, 0), Contains("A red jar with two handles"));
 }
 
+TEST(Speech, SaysOnArrivalThatItMayBeTouchedInEveryLanguage) {
+  Museum touched = museum();
+  touched.exhibits[0].title = {{"en", "Jar"}};
+  touched.exhibits[0].description = {};
+  touched.exhibits[0].text = {{"en", "It held millet."}};
+  ViewRequest request;
+  request.state.screen = Screen::Arrived;
+  request.state.arrived = true;
+  request.state.exhibit = 0;
+  const auto opening = [&] {
+    return text_of(speech_of(touched, request, {}, {}, nullptr).opening);
+  };
+  EXPECT_EQ(opening(), "Jar. It held millet.");
+  touched.exhibits[0].place = ExhibitPlace::ToTouch;
+  EXPECT_EQ(opening(), "Jar. You may touch this one. It held millet.");
+
+  std::set<std::string_view> words;
+  for (std::uint32_t i = 0; i < touched.languages.size(); ++i) {
+    words.insert(word(touched, i, "may_touch"));
+    request.state.language = i;
+    const Utterance said = speech_of(touched, request, {}, {}, nullptr).opening;
+    ASSERT_GE(said.pieces.size(), 3U) << said.language;
+    EXPECT_TRUE(prepared(said.language).contains(said.pieces[1].text)) << said.pieces[1].text;
+  }
+  EXPECT_EQ(words.size(), touched.languages.size());
+  EXPECT_FALSE(words.contains(""));
+}
+
 /// At an exhibit with three pictures and a longer text.
 struct CloserLook {
   CloserLook() {
