@@ -147,7 +147,7 @@ Result<Museum> read_museum(const std::filesystem::path& database, const Selectio
   if (!selection.keys.empty())
     if (const auto trusted = sqlite::check_signature(*file, database, selection.keys); !trusted)
       return std::unexpected(trusted.error());
-  Result<Museum> museum = sqlite::read_museum(*file, database);
+  Result<Museum> museum = sqlite::read_museum(*file, database, sqlite::Videos::LeaveInFile);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
