@@ -324,8 +324,8 @@ scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept {
     exhibition.videos->want({});
     return none;
   }
-  exhibition.videos->want(
-      VideoPlayer::Wish{.image = shown->image, .size = size, .seconds = shown->seconds});
+  exhibition.videos->want(VideoPlayer::Wish{
+      .image = shown->image, .size = size, .seconds = shown->seconds, .plays = shown->plays});
   if (waits) exhibition.videos->wait();
   const bool has_changed = exhibition.videos->upload_next(exhibition.holdings, shown->texture);
   if (exhibition.videos->has_ended()) exhibition.guide->video_ended();

@@ -7,8 +7,17 @@
 #include "platform/vpx/decoder.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/statistics.h"
+#include "runtime/video/next_frame.h"
 
 namespace docent::kiosk {
+
+namespace {
+
+std::uint32_t milliseconds(const VideoPlayer::Wish& wish) noexcept {
+  return static_cast<std::uint32_t>(1000 * std::clamp(wish.seconds, 0.0F, 3600.0F));
+}
+
+}  // namespace
 
 struct VideoPlayer::Playing {
   std::span<const std::byte> bytes;
@@ -31,8 +40,13 @@ bool VideoPlayer::fits_wish() const noexcept {
   return wish_ && is_open_ && playing_run_ == run_;
 }
 
+/// Does it stand at its beginning, which has been shown?
+bool VideoPlayer::rests() const noexcept {
+  return wish_ && !wish_->plays && wish_->seconds <= 0 && shown_run_ == run_;
+}
+
 std::uint32_t VideoPlayer::due() const noexcept {
-  return static_cast<std::uint32_t>(1000 * std::clamp(wish_->seconds, 0.0F, 3600.0F));
+  return milliseconds(*wish_);
 }
 
 VideoPlayer::Slot* VideoPlayer::slot_in(SlotState state) noexcept {
@@ -41,7 +55,7 @@ VideoPlayer::Slot* VideoPlayer::slot_in(SlotState state) noexcept {
 }
 
 bool VideoPlayer::has_work() const noexcept {
-  if (!wish_) return is_open_;
+  if (!wish_ || rests()) return is_open_;
   if (!fits_wish()) return true;
   return !has_failed_ && next_ < frame_count_ &&
          std::ranges::find(slots_, SlotState::Free, &Slot::state) != slots_.end();
@@ -51,7 +65,7 @@ void VideoPlayer::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (changed_.wait(lock, stop, [&] { return has_work(); })) {
     is_busy_ = true;
-    if (!wish_)
+    if (!wish_ || rests())
       close(lock);
     else if (!fits_wish())
       open(lock);
@@ -100,32 +114,39 @@ void VideoPlayer::open(std::unique_lock<std::mutex>& lock) {
   playing_run_ = run;
   made_for_ = wish.size;
   next_ = 0;
+  seen_ = milliseconds(wish);
   has_failed_ = playing_ == nullptr;
+  if (has_failed_) shown_run_ = run;
   frame_count_ = has_failed_ ? 0 : playing_->video.frames.size();
   duration_ = has_failed_ ? 0 : static_cast<std::uint32_t>(playing_->video.duration().count());
 }
 
-/// A frame after which another is due already is decoded, because others are made from it, and not
-/// shown.
 void VideoPlayer::decode_next(std::unique_lock<std::mutex>& lock) {
-  const std::vector<video::Frame>& frames = playing_->video.frames;
-  const video::Frame frame = frames[next_];
-  const bool is_late = next_ + 1 < frames.size() && frames[next_ + 1].milliseconds <= due();
-  ++next_;
+  const std::span<const video::Frame> frames = playing_->video.frames;
+  const video::NextFrame next = video::next_frame(frames, next_, due(), seen_);
+  const video::Frame frame = frames[next.index];
+  const auto passed = frames.subspan(next_, next.index - next_);
+  counters_.dropped +=
+      static_cast<std::size_t>(std::ranges::count(passed, true, &video::Frame::is_shown));
+  next_ = next.index + 1;
+  if (next.is_seen) seen_ = due();
   Slot* slot = slot_in(SlotState::Free);
   slot->state = SlotState::Filling;
   lock.unlock();
   const std::chrono::nanoseconds began = thread_cpu_now();
   const Result<video::Planes> planes =
       playing_->decoder.decode(playing_->bytes.subspan(frame.at, frame.size));
-  const bool is_seen = planes && planes->y != nullptr && !is_late;
+  const bool is_seen = planes && planes->y != nullptr && next.is_seen;
   if (is_seen) video::fill_pixels(*planes, slot->pixels);
   const std::chrono::nanoseconds took = thread_cpu_now() - began;
   lock.lock();
   counters_.decoding += took;
   ++counters_.decoded;
-  if (is_late && frame.is_shown) ++counters_.dropped;
-  if (!planes) has_failed_ = true;
+  if (!next.is_seen && frame.is_shown) ++counters_.dropped;
+  if (!planes) {
+    has_failed_ = true;
+    shown_run_ = playing_run_;
+  }
   slot->milliseconds = frame.milliseconds;
   slot->state = is_seen && fits_wish() ? SlotState::Ready : SlotState::Free;
 }
@@ -137,9 +158,10 @@ void VideoPlayer::want(const std::optional<Wish>& wish) noexcept {
   if (!wish && !wish_) return;
   const bool begins = wish && (!wish_ || wish_->image != wish->image || wish_->size != wish->size ||
                                wish->seconds < wish_->seconds);
+  const bool goes_on = wish && wish_ && wish->plays != wish_->plays;
   wish_ = wish;
   if (begins) ++run_;
-  if (begins || !wish) changed_.notify_all();
+  if (begins || goes_on || !wish) changed_.notify_all();
 }
 
 bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture) noexcept {
@@ -165,6 +187,7 @@ bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture
   holdings.replace_image(texture, newest->pixels);
   const std::scoped_lock lock(mutex_);
   newest->state = SlotState::Free;
+  shown_run_ = run_;
   ++counters_.shown;
   changed_.notify_all();
   return true;

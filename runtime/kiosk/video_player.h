@@ -20,8 +20,9 @@ namespace docent::kiosk {
 
 /// Plays a video in the texture of a picture: a thread reads it and decodes ahead into two frames
 /// that were made when it began, and the frame thread carries the one that is due into texture
-/// memory. The guide says how far the video has come; what comes too late is left out. One video is
-/// played at a time, and all that it takes is given back when nobody watches it.
+/// memory. The guide says how far the video has come; what comes too late is left out
+/// (video::next_frame). One video is played at a time, and all that it takes is given back when
+/// nobody watches it, and while it stands at its beginning, which stays in the texture.
 class VideoPlayer {
  public:
   /// The bytes of an image of the museum, valid until the next call; none where there is no such
@@ -38,6 +39,7 @@ class VideoPlayer {
     std::uint32_t image = 0;
     gles::Holdings::Size size;
     float seconds = 0;  ///< Of the video. Less than before: it begins again.
+    bool plays = true;  ///< Else it stands still.
   };
   /// Frame thread; these do not allocate. What is to be seen from now on.
   void want(const std::optional<Wish>& wish) noexcept;
@@ -65,18 +67,21 @@ class VideoPlayer {
   void decode_next(std::unique_lock<std::mutex>& lock);
   Slot* slot_in(SlotState state) noexcept;
   bool fits_wish() const noexcept;
+  bool rests() const noexcept;
   std::uint32_t due() const noexcept;
 
   Read read_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<Wish> wish_{};        ///< By the frame thread.
-  std::uint64_t run_ = 0;             ///< Grows with every beginning that is wanted.
+  std::uint64_t run_ = 0;             ///< Grows with whatever is begun anew, somewhere.
   std::unique_ptr<Playing> playing_;  ///< The thread's; what it is of is read by both.
   std::uint64_t playing_run_ = 0;
+  std::uint64_t shown_run_ = 0;  ///< That of which a frame was shown last, or could not be.
   std::optional<gles::Holdings::Size> made_for_{};
   std::size_t next_ = 0, frame_count_ = 0;
   std::uint32_t duration_ = 0;  ///< Milliseconds.
+  std::uint32_t seen_ = 0;      ///< Likewise: what was due when a frame was last made to be seen.
   bool is_open_ = false, has_failed_ = false, is_busy_ = false;
   std::array<Slot, 2> slots_;
   VideoCounters counters_;
