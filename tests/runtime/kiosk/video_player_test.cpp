@@ -32,7 +32,7 @@ class TheVideoPlayer : public ::testing::Test {
     player_.wait();
     return player_.upload_next(*holdings_, texture);
   }
-  /// Does the player hold a video's bytes?
+  /// Does the player hold anything of a video's bytes?
   bool is_held() {
     player_.wait();
     return is_held_;
@@ -41,11 +41,27 @@ class TheVideoPlayer : public ::testing::Test {
   std::string video_ = test::make_video({});
   std::unique_ptr<headless::HeadlessDisplay> display_;
   std::optional<gles::Holdings> holdings_;
-  std::atomic<bool> is_held_ = false;
-  VideoPlayer player_{[this](std::uint32_t image) {
-    is_held_ = image == 0;
-    return image == 0 ? test::bytes_of(video_) : std::span<const std::byte>();
-  }};
+  /// The test's only image, and whether anybody has it.
+  struct OneVideo : BlobArchive {
+    explicit OneVideo(TheVideoPlayer& test) : of(test) {}
+    std::span<const std::byte> read(std::uint32_t image) override {
+      of.is_held_ = of.is_whole_ = image == 0;
+      return image == 0 ? test::bytes_of(of.video_) : std::span<const std::byte>();
+    }
+    bool read_part(std::uint32_t image, std::size_t from, std::span<std::byte> out) override {
+      if (image != 0 || from > of.video_.size() || out.size() > of.video_.size() - from)
+        return false;
+      of.is_held_ = true;
+      of.is_whole_ = false;
+      std::ranges::copy(test::bytes_of(of.video_).subspan(from, out.size()), out.begin());
+      return true;
+    }
+    void let_go() noexcept override { of.is_held_ = of.is_whole_ = false; }
+    TheVideoPlayer& of;
+  };
+
+  std::atomic<bool> is_held_ = false, is_whole_ = false;
+  VideoPlayer player_{std::make_shared<OneVideo>(*this)};
 };
 
 TEST_F(TheVideoPlayer, ShowsEachFrameOnceWhenItIsDue) {
@@ -83,13 +99,15 @@ TEST_F(TheVideoPlayer, EndsAndBeginsAgain) {
 TEST_F(TheVideoPlayer, GoesOnWhereItIsInAnotherSize) {
   EXPECT_TRUE(shows(0));
   EXPECT_TRUE(shows(0.201F));
-  const std::uint64_t shown = player_.counters().shown;
+  player_.wait();
+  const std::uint64_t shown = player_.counters().shown, dropped = player_.counters().dropped;
 
   holdings_->release(texture);
   holdings_->add_image(texture, {16, 12, std::vector<std::byte>(std::size_t{4} * 16 * 12)});
   EXPECT_TRUE(shows(0.21F, true, {16, 12})) << "what is due, at once";
   EXPECT_FALSE(shows(0.22F, true, {16, 12})) << "and nothing of what was before it";
   EXPECT_EQ(player_.counters().shown, shown + 1);
+  EXPECT_EQ(player_.counters().dropped, dropped) << "nobody has missed what they had seen";
   EXPECT_TRUE(shows(0.241F, true, {16, 12}));
 }
 
@@ -101,11 +119,30 @@ TEST_F(TheVideoPlayer, HoldsNothingWhileTheVideoStandsAtItsBeginning) {
 
   EXPECT_TRUE(shows(0.041F)) << "it is played";
   EXPECT_TRUE(is_held());
+  EXPECT_FALSE(is_whole_) << "a frame at a time";
   EXPECT_FALSE(shows(0.042F, false));
   EXPECT_TRUE(is_held()) << "whoever has stopped it may go on";
   EXPECT_TRUE(shows(0, false)) << "it has come to its end";
   EXPECT_FALSE(is_held());
   EXPECT_FALSE(player_.has_ended());
+}
+
+TEST_F(TheVideoPlayer, IsAtItsEndWhereTheFileIsNotWhatItWas) {
+  EXPECT_TRUE(shows(0));
+  player_.wait();
+  video_.resize(video_.size() / 2);
+  shows(0.3F);
+  shows(0.35F);
+
+  EXPECT_TRUE(player_.has_ended());
+}
+
+TEST(AVideoPlayer, PlaysNothingWhereThereIsNoFile) {
+  VideoPlayer player({});
+  player.want(VideoPlayer::Wish{.image = 0, .size = {32, 24}});
+  player.wait();
+
+  EXPECT_TRUE(player.has_ended());
 }
 
 TEST_F(TheVideoPlayer, HoldsNothingOfWhatCannotBePlayed) {
