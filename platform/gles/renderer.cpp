@@ -80,12 +80,15 @@ struct Renderer::Parts {
 
   Result<void> compile();
   void prepare(const scene::DrawList& list, const Held& held, Vec3 sun, PixelSize size) noexcept;
-  /// Where the picture has to be drawn anew.
-  Region region_of_change(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
-                          double floor, PixelSize size) noexcept;
+  /// Where the picture has to be drawn anew: of the model, and of the interface, which often lie
+  /// far from each other, as a video and a guide who breathes do. One is empty where both together
+  /// are no larger.
+  using Regions = std::array<Region, 2>;
+  Regions regions_of_change(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
+                            double floor, PixelSize size) noexcept;
   /// Returns what of the picture it drew.
-  Region draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                    PixelSize size, const scene::Change& change) noexcept;
+  Regions draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
+                     PixelSize size, const scene::Change& change) noexcept;
   void draw_strip(const scene::DrawList& list, const Held& held, SceneBuffer::Rows rows) noexcept;
   void draw_interface(const scene::DrawList& list, const Held& held, GLuint framebuffer,
                       PixelSize size, const Region& region) noexcept;
@@ -169,36 +172,43 @@ void Renderer::Parts::prepare(const scene::DrawList& list, const Held& held, Vec
   buffer.fit(size);
 }
 
-Region Renderer::Parts::region_of_change(const scene::DrawList& list, const scene::Change& change,
-                                         Vec3 sun, double floor, PixelSize size) noexcept {
-  Region region = avatars.moved(list, change, sun, size);
+Renderer::Parts::Regions Renderer::Parts::regions_of_change(const scene::DrawList& list,
+                                                            const scene::Change& change, Vec3 sun,
+                                                            double floor, PixelSize size) noexcept {
+  Region model = avatars.moved(list, change, sun, size);
   if (change.everything)
-    return {0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)};
-  region.include(region_of(extent_of(change.interface), size));
-  if (change.ways) region.include(region_of(WayPass::extent_of_ribbons(list, floor), size));
-  return region;
+    return {Region{0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)}, {}};
+  if (change.ways) model.include(region_of(WayPass::extent_of_ribbons(list, floor), size));
+  const Region interface = region_of(extent_of(change.interface), size);
+  Region both = model;
+  both.include(interface);
+  // What is blended must not be drawn twice.
+  if (model.overlaps(interface) || both.area() <= model.area() + interface.area())
+    return {both, {}};
+  return {model, interface};
 }
 
-Region Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held,
-                                   GLuint framebuffer, PixelSize size,
-                                   const scene::Change& change) noexcept {
+Renderer::Parts::Regions Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held,
+                                                     GLuint framebuffer, PixelSize size,
+                                                     const scene::Change& change) noexcept {
   const Building* building = held.building(list.floor);
   const FrameBlock block = frame_block(list, building);
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
   glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
   prepare(list, held, Vec3(block.sun), size);
-  const Region region =
-      region_of_change(list, change, Vec3(block.sun), building ? building->floor_height : 0, size);
-  for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
-    const Region part = buffer.part(strip, region);
-    if (part.is_empty()) continue;
-    if (!change.everything) glEnable(GL_SCISSOR_TEST);
-    buffer.begin(strip, part);
-    draw_strip(list, held, buffer.rows(part));
-    buffer.resolve(strip, part, framebuffer);
-  }
-  return region;
+  const Regions regions =
+      regions_of_change(list, change, Vec3(block.sun), building ? building->floor_height : 0, size);
+  for (const Region& region : regions)
+    for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
+      const Region part = buffer.part(strip, region);
+      if (part.is_empty()) continue;
+      if (!change.everything) glEnable(GL_SCISSOR_TEST);
+      buffer.begin(strip, part);
+      draw_strip(list, held, buffer.rows(part));
+      buffer.resolve(strip, part, framebuffer);
+    }
+  return regions;
 }
 
 void Renderer::Parts::draw_interface(const scene::DrawList& list, const Held& held,
@@ -248,9 +258,9 @@ void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
   const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
   const Parts::Drawn now{&holdings, framebuffer, target.size};
   const bool is_there = std::exchange(parts_->drawn, now) == now;
-  const Region region = parts_->draw_model(list, holdings.parts(), framebuffer, target.size,
-                                           is_there ? change : scene::Change{});
-  parts_->draw_interface(list, holdings.parts(), framebuffer, target.size, region);
+  for (const Region& region : parts_->draw_model(list, holdings.parts(), framebuffer, target.size,
+                                                 is_there ? change : scene::Change{}))
+    parts_->draw_interface(list, holdings.parts(), framebuffer, target.size, region);
   if (!direct) parts_->copy_to_panel(target);
 }
 
