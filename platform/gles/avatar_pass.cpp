@@ -10,6 +10,7 @@
 #include "platform/gles/shaders.h"
 #include "runtime/model/motion/skeleton.h"
 #include "runtime/scene/look.h"
+#include "runtime/scene/uncovered.h"
 
 namespace docent::gles {
 namespace {
@@ -114,9 +115,8 @@ bool is_in_picture(const Extent& extent, std::span<const scene::Quad> interface)
   const float y = 0.5F - 0.5F * extent.high, end_y = 0.5F - 0.5F * extent.low;
   return std::ranges::none_of(interface, [&](const scene::Quad& quad) {
     const scene::Rect& r = quad.rect;
-    return quad.fill == scene::QuadFill::Solid && quad.colour.a >= 1 && quad.corner <= 0 &&
-           (r.x <= 0 || r.x <= x) && (r.y <= 0 || r.y <= y) &&
-           (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
+    return scene::is_opaque(quad) && quad.corner <= 0 && (r.x <= 0 || r.x <= x) &&
+           (r.y <= 0 || r.y <= y) && (r.x + r.width >= 1 || r.x + r.width >= end_x) &&
            (r.y + r.height >= 1 || r.y + r.height >= end_y);
   });
 }
@@ -126,11 +126,14 @@ SceneBuffer::Rows rows_of(const Extent& extent) noexcept {
                                    : SceneBuffer::Rows{extent.low, extent.high};
 }
 
-Extent extent_of_body(const Mat4& to_clip, Vec3 hips, float scale, float floor) noexcept {
+/// `beyond`: metres that it reaches further than people do.
+Extent extent_of_body(const Mat4& to_clip, const scene::AvatarDraw& avatar, float beyond) noexcept {
+  const Vec3 hips = avatar.centre;
+  const float scale = avatar.scale, floor = avatar.feet[0].y, reach = body_reach + beyond;
   Extent extent;
-  for (const float x : {-body_reach, body_reach})
-    for (const float z : {-body_reach, body_reach})
-      for (const float height : {0.0F, most_height})
+  for (const float x : {-reach, reach})
+    for (const float z : {-reach, reach})
+      for (const float height : {-beyond, most_height + beyond})
         extent.include(to_clip, {hips.x + scale * x, floor + scale * height, hips.z + scale * z});
   return extent;
 }
@@ -143,19 +146,28 @@ Extent extent_of_shadow(const Mat4& to_clip, const Vec4& window, float floor) no
   return extent;
 }
 
-/// Metres beyond a joint at which something of the body may be: hats, hands, hair.
+/// Metres beyond a joint at which something of a body may be, as it is built and turned by looks:
+/// hats, hands, hair.
 constexpr float reach_of_joint = 0.4F;
+constexpr float built_wider = 0.1F;
+
+/// Of a museum's own character: wings, a staff, a train.
+float beyond_people(const scene::AvatarDraw& avatar, const Body& body) noexcept {
+  const std::uint32_t figure = figure_of(avatar, body);
+  if (figure >= body.reach.size()) return 0;
+  return std::max(0.0F, body.reach[figure] + built_wider - reach_of_joint);
+}
 
 /// About a body in any pose, and its shadow.
-Region region_of(const scene::DrawList& list, std::size_t avatar, Vec3 sun,
+Region region_of(const scene::DrawList& list, std::size_t avatar, const Body& body, Vec3 sun,
                  PixelSize picture) noexcept {
   const scene::AvatarDraw& one = list.avatars[avatar];
   const Mat4 to_clip = list.camera.projection * list.camera.view;
   Extent extent =
       extent_of_shadow(to_clip, shadow_window(one.centre, one.scale, sun), one.feet[0].y);
   const Mat4 from_eye = glm::transpose(list.camera.view);  // its rows are the picture's axes
-  const Vec3 across = one.scale * reach_of_joint * Vec3(from_eye[0]);
-  const Vec3 up = one.scale * reach_of_joint * Vec3(from_eye[1]);
+  const float reach = one.scale * (reach_of_joint + beyond_people(one, body));
+  const Vec3 across = reach * Vec3(from_eye[0]), up = reach * Vec3(from_eye[1]);
   const std::size_t end =
       avatar + 1 < list.avatars.size() ? list.avatars[avatar + 1].first_matrix : list.joint.size();
   for (std::size_t j = one.first_matrix; j < std::min(end, list.joint.size()); ++j)
@@ -166,13 +178,13 @@ Region region_of(const scene::DrawList& list, std::size_t avatar, Vec3 sun,
 
 }  // namespace
 
-Region AvatarPass::moved(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
-                         PixelSize picture) noexcept {
+Region AvatarPass::moved(const scene::DrawList& list, const scene::Change& change, const Body& body,
+                         Vec3 sun, PixelSize picture) noexcept {
   Region all;
   for (std::size_t a = 0; a < std::min(list.avatars.size(), most_avatars); ++a) {
-    if (!change.everything && !change.bodies.test(a)) continue;
+    if (!change.everything && !change.model && !change.bodies.test(a)) continue;
     all.include(regions_[a]);
-    regions_[a] = region_of(list, a, sun, picture);
+    regions_[a] = region_of(list, a, body, sun, picture);
     all.include(regions_[a]);
   }
   return all;
@@ -242,7 +254,8 @@ void AvatarPass::choose(const scene::DrawList& list, Vec3 sun, PixelSize picture
     const float larger = list.avatars[a].scale;
     const Vec4 window = shadow_window(hips, larger, sun);
     const float floor = list.avatars[a].feet[0].y;
-    const Extent body = extent_of_body(to_clip, hips, larger, floor);
+    const Extent body =
+        extent_of_body(to_clip, list.avatars[a], beyond_people(list.avatars[a], *worn_));
     const Extent shadow = extent_of_shadow(to_clip, window, floor);
     const bool sees_body = is_in_picture(body, list.quads);
     const bool sees_shadow = is_in_picture(shadow, list.quads);

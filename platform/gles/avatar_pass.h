@@ -25,7 +25,7 @@ class AvatarPass {
 
   /// About the avatars that have moved and their shadows, where they were drawn and where they will
   /// be, which it remembers: called once for a picture.
-  Region moved(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
+  Region moved(const scene::DrawList& list, const scene::Change& change, const Body& body, Vec3 sun,
                PixelSize picture) noexcept;
   /// Draw the avatars or shadows that reach into these rows of the picture.
   void draw_bodies(SceneBuffer::Rows rows) const noexcept;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace docent::gles {
@@ -11,7 +12,7 @@ namespace {
 
 /// A vertex as it lies in texture memory, in little more than half of the room.
 struct DrawnVertex {
-  std::array<std::int16_t, 3> position{};  ///< In 32,767ths of `reach`.
+  std::array<std::int16_t, 3> position{};  ///< In 32,767ths of `most_from_origin`.
   Material material = Material::Skin;
   std::uint8_t occlusion = 255;
   std::uint32_t normal = 0;  ///< Three tens of bits, as OpenGL has them.
@@ -21,7 +22,7 @@ static_assert(sizeof(DrawnVertex) == 20);
 
 /// Metres from the origin, along an axis, that a body has its vertices in; skin.glsl has it too.
 /// The steps are an eighth of a millimetre.
-constexpr float reach = 4;
+constexpr float most_from_origin = 4;
 
 std::int32_t whole(float share, float most) noexcept {
   return static_cast<std::int32_t>(std::lround(std::clamp(share, -1.0F, 1.0F) * most));
@@ -39,7 +40,7 @@ std::vector<DrawnVertex> drawn_vertices(const std::vector<SkinnedVertex>& vertic
   drawn.reserve(vertices.size());
   for (const SkinnedVertex& v : vertices) {
     const auto place = [](float metres) {
-      return static_cast<std::int16_t>(whole(metres / reach, 32767));
+      return static_cast<std::int16_t>(whole(metres / most_from_origin, 32767));
     };
     drawn.push_back({.position = {place(v.position.x), place(v.position.y), place(v.position.z)},
                      .material = v.material,
@@ -90,6 +91,41 @@ GlBuffer upload_colours(const SkinnedMesh& mesh) {
   return buffer;
 }
 
+/// Where joints and nodes of cloth are in a body's rest pose, in the order of its matrices.
+std::vector<Vec3> carriers_of(const SkinnedMesh& mesh, std::size_t figure) {
+  const std::size_t joints = joints_of(mesh);
+  const std::size_t first = has_own_body(mesh) ? figure * joints : 0;
+  std::vector<Vec3> place;
+  for (std::size_t j = 0; j < joints; ++j)
+    place.emplace_back(glm::inverse(mesh.inverse_bind[first + j])[3]);
+  for (const ClothNode& node : of_figure(mesh.cloth.node, figure)) place.push_back(node.place);
+  return place;
+}
+
+/// A vertex is where its joints would carry it, in proportion to their weights.
+float reach_of(const SkinnedVertex& vertex, std::span<const Vec3> joints_at) noexcept {
+  float all = 0;
+  for (std::size_t k = 0; k < vertex.joint.size(); ++k)
+    if (vertex.weight[k] > 0 && vertex.joint[k] < joints_at.size())
+      all += static_cast<float>(vertex.weight[k]) / 255 *
+             glm::length(vertex.position - joints_at[vertex.joint[k]]);
+  return all;
+}
+
+std::vector<float> reaches_of(const SkinnedMesh& mesh) {
+  std::vector<float> reach;
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : mesh.figure_end) {
+    const std::vector<Vec3> joints_at = carriers_of(mesh, reach.size());
+    float most = 0;
+    for (std::uint32_t i = first; i < end; ++i)
+      most = std::max(most, reach_of(mesh.vertices[mesh.indices[i]], joints_at));
+    reach.push_back(most);
+    first = end;
+  }
+  return reach;
+}
+
 template <typename Index>
 void upload_indices(const std::vector<Index>& indices) noexcept {
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(Index)),
@@ -103,6 +139,7 @@ Body make_body(const SkinnedMesh& mesh, const scene::BodyLevels& levels) {
   body.matrices = matrices_of(mesh);
   body.has_own = has_own_body(mesh);
   body.figure = levels.figure;
+  body.reach = reaches_of(mesh);
   body.array = make_vertex_array();
   glBindVertexArray(body.array.get());
   body.vertices = make_buffer();

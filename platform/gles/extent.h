@@ -6,6 +6,7 @@
 #include "platform/display.h"
 #include "platform/gles/gl_names.h"
 #include "runtime/model/geometry/vec2.h"
+#include "runtime/scene/draw_list.h"
 
 namespace docent::gles {
 
@@ -51,8 +52,27 @@ struct Region {
   }
 };
 
+/// What lies in both.
+constexpr Region common(const Region& a, const Region& b) noexcept {
+  return {std::max(a.left, b.left), std::max(a.low, b.low), std::min(a.right, b.right),
+          std::min(a.high, b.high)};
+}
+
+/// A picture of this share of the lines and columns; never without pixels.
+PixelSize scaled(PixelSize size, float share) noexcept;
+
+/// A part of a picture as it lies in one of another size: all pixels that any of it is in, and
+/// those beside them.
+Region scaled(const Region& part, PixelSize from, PixelSize to) noexcept;
+
 /// Where the extent lies in a picture, and two pixels about it: edges are soft, and texts lie on
 /// whole pixels.
 Region region_of(const Extent& extent, PixelSize picture) noexcept;
+
+/// Where a rectangle of the interface lies; of one without width: nowhere.
+Extent extent_of(const scene::Rect& rect) noexcept;
+
+/// The pixels that nothing is seen through of a rectangle of the interface.
+Region region_behind(const scene::Quad& quad, PixelSize picture) noexcept;
 
 }  // namespace docent::gles

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 #include <utility>
 
 #include "platform/gles/avatar_pass.h"
@@ -14,6 +16,7 @@
 #include "platform/gles/shaders.h"
 #include "platform/gles/way_pass.h"
 #include "runtime/model/motion/skeleton.h"
+#include "runtime/scene/uncovered.h"
 
 namespace docent::gles {
 namespace {
@@ -59,18 +62,25 @@ FrameBlock frame_block(const scene::DrawList& list, const Building* building) no
   return frame;
 }
 
-Extent extent_of(const scene::Rect& rect) noexcept {
-  if (rect.width <= 0) return {};
-  return {.left = 2 * rect.x - 1,
-          .right = 2 * (rect.x + rect.width) - 1,
-          .low = 1 - 2 * (rect.y + rect.height),
-          .high = 1 - 2 * rect.y,
-          .outside = 0};
+/// Clearing costs something, too.
+bool is_worth_hiding(const Region& region) noexcept {
+  constexpr GLint least = 24;  // pixels
+  return region.right - region.left >= least && region.high - region.low >= least;
 }
 
-}  // namespace
-
 using Held = Holdings::Parts;
+
+/// What is drawn, and into which picture.
+struct Shot {
+  const scene::DrawList& list;
+  const Held& held;
+  const Building* building;  ///< None: there is none on that floor.
+  Vec3 sun;
+  GLuint framebuffer;  ///< Encodes sRGB.
+  PixelSize size;
+};
+
+}  // namespace
 
 struct Renderer::Parts {
   explicit Parts(const RendererOptions& options)
@@ -79,29 +89,38 @@ struct Renderer::Parts {
         array(make_vertex_array()) {}
 
   Result<void> compile();
-  void prepare(const scene::DrawList& list, const Held& held, Vec3 sun, PixelSize size) noexcept;
+  /// Draws what differs; all of the model, where that is asked for, with this share of the
+  /// picture's lines and columns.
+  void draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
+  /// `pixels`: of the model as it is drawn.
+  void prepare(const Shot& shot, PixelSize pixels) noexcept;
   /// Where the picture has to be drawn anew: of the model, and of the interface, which often lie
   /// far from each other, as a video and a guide who breathes do. One is empty where both together
-  /// are no larger.
-  using Regions = std::array<Region, 2>;
-  Regions regions_of_change(const scene::DrawList& list, const scene::Change& change, Vec3 sun,
-                            double floor, PixelSize size) noexcept;
-  /// Returns what of the picture it drew.
-  Regions draw_model(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                     PixelSize size, const scene::Change& change) noexcept;
-  void draw_strip(const scene::DrawList& list, const Held& held, SceneBuffer::Rows rows) noexcept;
-  void draw_interface(const scene::DrawList& list, const Held& held, GLuint framebuffer,
-                      PixelSize size, const Region& region) noexcept;
+  /// are no larger. `seen`: where the interface does not cover the model.
+  std::array<Region, 2> regions_of_change(const Shot& shot, const scene::Change& change,
+                                          const Region& seen) noexcept;
+  /// The next rows of what was drawn coarsely; empty where nothing was.
+  Region take_coarse_rows() noexcept;
+  void draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept;
+  void draw_coarsely(const Shot& shot, const Region& part, PixelSize pixels) noexcept;
+  /// Draws a part of the model, so many pixels large, into a framebuffer of that size.
+  void draw_model(const Shot& shot, const Region& part, PixelSize pixels,
+                  GLuint framebuffer) noexcept;
+  void draw_strip(const Shot& shot, PixelSize pixels, std::uint32_t strip,
+                  const Region& part) noexcept;
+  void draw_interface(const Shot& shot, const Region& part) noexcept;
   void copy_to_panel(const RenderTarget& target) noexcept;
 
   SceneBuffer buffer;
-  Picture picture;
+  Picture picture{GL_NEAREST};
+  Picture coarse_picture{GL_LINEAR};
+  Region coarse;  ///< Where that is what is seen.
   SceneryPass scenery;
   ObjectPass objects;
   AvatarPass avatars;
   WayPass way;
   QuadPass quads;
-  Program copy;
+  Program copy, enlarge;
   GLint quarter_turns = -1, shift = -1;
   GlBuffer frame;
   GlVertexArray array;
@@ -124,6 +143,9 @@ Result<void> Renderer::Parts::compile() {
   copy = std::move(*copier);
   quarter_turns = copy["quarter_turns"];
   shift = copy["shift"];
+  auto enlarger = link_program("enlarge", {shaders::copy_vert}, {shaders::enlarge_frag});
+  if (!enlarger) return std::unexpected(enlarger.error());
+  enlarge = std::move(*enlarger);
   glReleaseShaderCompiler();  // nothing is compiled from source any more
   glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(FrameBlock), nullptr, GL_STREAM_DRAW);
@@ -131,20 +153,24 @@ Result<void> Renderer::Parts::compile() {
 }
 
 /// Front to back: what hides the floor comes before it. Then what lies on the floor, then glass.
-void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
-                                 SceneBuffer::Rows rows) noexcept {
+void Renderer::Parts::draw_strip(const Shot& shot, PixelSize pixels, std::uint32_t strip,
+                                 const Region& part) noexcept {
+  const scene::DrawList& list = shot.list;
+  const SceneBuffer::Rows rows = buffer.rows(part);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   glClearColor(list.light.paper.r, list.light.paper.g, list.light.paper.b, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const scene::Quad& quad : list.quads)
+    if (const Region hidden = common(region_behind(quad, pixels), part); is_worth_hiding(hidden))
+      buffer.hide(strip, part, hidden);
   avatars.draw_bodies(rows);
-  objects.draw(list, held.objects);
-  const Building* building = held.building(list.floor);
-  if (building) {
-    scenery.draw_solids(*building, list.highlighted_exhibit, held.textures);
-    scenery.draw_floors(*building);
+  objects.draw(list, shot.held.objects);
+  if (shot.building) {
+    scenery.draw_solids(*shot.building, list.highlighted_exhibit, shot.held.textures);
+    scenery.draw_floors(*shot.building);
   }
 
   glDepthMask(GL_FALSE);
@@ -158,73 +184,127 @@ void Renderer::Parts::draw_strip(const scene::DrawList& list, const Held& held,
   avatars.draw_shadows(rows);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  if (building) scenery.draw_glass(*building);
+  if (shot.building) scenery.draw_glass(*shot.building);
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Parts::prepare(const scene::DrawList& list, const Held& held, Vec3 sun,
-                              PixelSize size) noexcept {
-  const Building* building = held.building(list.floor);
-  way.prepare(list);
-  scenery.prepare(list.walls, list.leaves);
-  avatars.prepare(list, held.body, sun, size);
-  bind_texture(static_cast<GLuint>(Unit::LightMap), building ? building->lightmap.get() : 0);
-  buffer.fit(size);
+void Renderer::Parts::draw_model(const Shot& shot, const Region& part, PixelSize pixels,
+                                 GLuint framebuffer) noexcept {
+  buffer.set_picture(pixels);
+  for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
+    const Region here = buffer.part(strip, part);
+    if (here.is_empty()) continue;
+    glEnable(GL_SCISSOR_TEST);
+    buffer.begin(strip, here);
+    draw_strip(shot, pixels, strip, here);
+    buffer.resolve(strip, here, framebuffer);
+  }
 }
 
-Renderer::Parts::Regions Renderer::Parts::regions_of_change(const scene::DrawList& list,
-                                                            const scene::Change& change, Vec3 sun,
-                                                            double floor, PixelSize size) noexcept {
-  Region model = avatars.moved(list, change, sun, size);
+void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& part,
+                                    PixelSize pixels) noexcept {
+  coarse_picture.fit(pixels);
+  draw_model(shot, scaled(part, shot.size, pixels), pixels, coarse_picture.framebuffer());
+  glBindFramebuffer(GL_FRAMEBUFFER, shot.framebuffer);
+  glViewport(0, 0, static_cast<GLsizei>(shot.size.width), static_cast<GLsizei>(shot.size.height));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.left, part.low, part.right - part.left, part.high - part.low);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  enlarge.use();
+  bind_texture(static_cast<GLuint>(Unit::Image), coarse_picture.texture());
+  glBindVertexArray(array.get());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::Parts::draw_interface(const Shot& shot, const Region& part) noexcept {
+  if (part.is_empty()) return;
+  glBindFramebuffer(GL_FRAMEBUFFER, shot.framebuffer);
+  glViewport(0, 0, static_cast<GLsizei>(shot.size.width), static_cast<GLsizei>(shot.size.height));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.left, part.low, part.right - part.left, part.high - part.low);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  quads.draw(shot.list.quads, shot.size, shot.held.textures);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::Parts::draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept {
+  draw_model(shot, common(part, seen), shot.size, shot.framebuffer);
+  draw_interface(shot, part);
+}
+
+void Renderer::Parts::prepare(const Shot& shot, PixelSize pixels) noexcept {
+  const FrameBlock block = frame_block(shot.list, shot.building);
+  glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
+  glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
+  glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
+  way.prepare(shot.list);
+  scenery.prepare(shot.list.walls, shot.list.leaves);
+  avatars.prepare(shot.list, shot.held.body, shot.sun, pixels);
+  bind_texture(static_cast<GLuint>(Unit::LightMap),
+               shot.building ? shot.building->lightmap.get() : 0);
+  buffer.fit(shot.size);
+}
+
+std::array<Region, 2> Renderer::Parts::regions_of_change(const Shot& shot,
+                                                         const scene::Change& change,
+                                                         const Region& seen) noexcept {
+  const PixelSize size = shot.size;
+  Region model = avatars.moved(shot.list, change, shot.held.body, shot.sun, size);
   if (change.everything)
     return {Region{0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)}, {}};
-  if (change.ways) model.include(region_of(WayPass::extent_of_ribbons(list, floor), size));
+  const double floor = shot.building ? shot.building->floor_height : 0;
+  if (change.ways) model.include(region_of(WayPass::extent_of_ribbons(shot.list, floor), size));
+  model = change.model ? seen : common(model, seen);
   const Region interface = region_of(extent_of(change.interface), size);
   Region both = model;
   both.include(interface);
-  // What is blended must not be drawn twice.
+  // The interface is blended with what is there, so nothing may be drawn twice.
   if (model.overlaps(interface) || both.area() <= model.area() + interface.area())
     return {both, {}};
   return {model, interface};
 }
 
-Renderer::Parts::Regions Renderer::Parts::draw_model(const scene::DrawList& list, const Held& held,
-                                                     GLuint framebuffer, PixelSize size,
-                                                     const scene::Change& change) noexcept {
-  const Building* building = held.building(list.floor);
-  const FrameBlock block = frame_block(list, building);
-  glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
-  glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof block, &block);
-  glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(Block::Frame), frame.get());
-  prepare(list, held, Vec3(block.sun), size);
-  const Regions regions =
-      regions_of_change(list, change, Vec3(block.sun), building ? building->floor_height : 0, size);
-  for (const Region& region : regions)
-    for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
-      const Region part = buffer.part(strip, region);
-      if (part.is_empty()) continue;
-      if (!change.everything) glEnable(GL_SCISSOR_TEST);
-      buffer.begin(strip, part);
-      draw_strip(list, held, buffer.rows(part));
-      buffer.resolve(strip, part, framebuffer);
-    }
-  return regions;
+Region Renderer::Parts::take_coarse_rows() noexcept {
+  if (coarse.is_empty()) return {};
+  const Region rows = buffer.part(buffer.strip_of(coarse.low), coarse);
+  coarse.low = rows.high;
+  return rows;
 }
 
-void Renderer::Parts::draw_interface(const scene::DrawList& list, const Held& held,
-                                     GLuint framebuffer, PixelSize size,
-                                     const Region& region) noexcept {
-  if (region.is_empty()) return;
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, static_cast<GLsizei>(size.width), static_cast<GLsizei>(size.height));
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(region.left, region.low, region.right - region.left, region.high - region.low);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  quads.draw(list.quads, size, held.textures);
-  glDisable(GL_SCISSOR_TEST);
+void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float fineness) noexcept {
+  const bool is_all_drawn = change.everything || change.model;
+  const bool is_coarse = is_all_drawn && fineness < 1;
+  const PixelSize pixels = is_coarse ? scaled(shot.size, fineness) : shot.size;
+  prepare(shot, pixels);
+  const Region seen = region_of(extent_of(scene::uncovered(shot.list.quads)), shot.size);
+  const std::array<Region, 2> regions = regions_of_change(shot, change, seen);
+  Region region = regions[0];
+  region.include(regions[1]);
+  if (is_all_drawn) coarse = is_coarse ? common(region, seen) : Region{};
+  if (is_coarse) {
+    draw_coarsely(shot, coarse, pixels);
+    return draw_interface(shot, region);
+  }
+  buffer.set_picture(shot.size);
+  const Region finer = take_coarse_rows();
+  if (finer.is_empty()) {
+    for (const Region& part : regions) draw_part(shot, part, seen);
+    return;
+  }
+  // Nothing is drawn twice: the interface is blended with what is there.
+  const GLint left = 0, right = static_cast<GLint>(shot.size.width);
+  const auto height = static_cast<GLint>(shot.size.height);
+  Region among = common(region, {left, finer.low, right, finer.high});
+  among.include(finer);
+  draw_part(shot, common(region, {left, 0, right, finer.low}), seen);
+  draw_part(shot, among, seen);
+  draw_part(shot, common(region, {left, finer.high, right, height}), seen);
 }
 
 void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
@@ -251,17 +331,28 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
-                    const RenderTarget& target, const scene::Change& change) noexcept {
+                    const RenderTarget& target, const scene::Change& change,
+                    float fineness) noexcept {
   if (target.size.width == 0 || target.size.height == 0) return;
   const bool direct = target.encoding == Encoding::Srgb;
   if (!direct) parts_->picture.fit(target.size);
   const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
   const Parts::Drawn now{&holdings, framebuffer, target.size};
   const bool is_there = std::exchange(parts_->drawn, now) == now;
-  for (const Region& region : parts_->draw_model(list, holdings.parts(), framebuffer, target.size,
-                                                 is_there ? change : scene::Change{}))
-    parts_->draw_interface(list, holdings.parts(), framebuffer, target.size, region);
+  const Held& held = holdings.parts();
+  const Building* building = held.building(list.floor);
+  const Shot shot{.list = list,
+                  .held = held,
+                  .building = building,
+                  .sun = building ? Vec3(building->scenery.sun) : Vec3(0, 1, 0),
+                  .framebuffer = framebuffer,
+                  .size = target.size};
+  parts_->draw(shot, is_there ? change : scene::Change{}, fineness);
   if (!direct) parts_->copy_to_panel(target);
+}
+
+bool Renderer::is_coarse() const noexcept {
+  return !parts_->coarse.is_empty();
 }
 
 /// A driver that compiles shaders for the state they are used in does so here and not in a frame.
@@ -294,9 +385,11 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
     quad.texture = fill == scene::QuadFill::Text ? text : image;
     list.quads.push_back(quad);
   }
+  draw(list, holdings, target, {}, 0.5F);
   draw(list, holdings, target);
   glFinish();
   parts_->drawn = {};
+  parts_->coarse_picture = Picture{GL_LINEAR};  // takes memory only where it is needed
   holdings.release(image);
   holdings.release(text);
 }

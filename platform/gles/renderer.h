@@ -36,8 +36,14 @@ class Renderer {
 
   /// Draws into the target what differs from the list before, which was drawn into it, too; all of
   /// it where there was none.
+  ///
+  /// Where that is all of the model it is drawn with `fineness` of the picture's lines and columns,
+  /// in (0, 1], and enlarged. Each list that leaves it as it is then draws some rows of it anew
+  /// with all of them.
   void draw(const scene::DrawList& list, const Holdings& holdings, const RenderTarget& target,
-            const scene::Change& change = {}) noexcept;
+            const scene::Change& change = {}, float fineness = 1) noexcept;
+  /// Is any of the picture still one that was enlarged?
+  bool is_coarse() const noexcept;
 
  private:
   friend Result<Renderer> make_renderer(const RendererOptions&);

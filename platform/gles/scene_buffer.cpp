@@ -11,18 +11,18 @@ SceneBuffer::SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept
   samples_ = samples > 1 ? std::min(static_cast<GLint>(samples), most) : 0;
 }
 
-void SceneBuffer::fit(PixelSize picture) noexcept {
-  if (picture == picture_ || picture.width == 0 || picture.height == 0) return;
-  picture_ = picture;
+void SceneBuffer::fit(PixelSize largest) noexcept {
+  if (largest == largest_ || largest.width == 0 || largest.height == 0) return;
+  largest_ = picture_ = largest;
   constexpr std::size_t bytes_a_sample = 8;  // colour and depth
   const std::size_t row =
-      bytes_a_sample * picture.width * static_cast<std::size_t>(std::max(samples_, 1));
+      bytes_a_sample * largest.width * static_cast<std::size_t>(std::max(samples_, 1));
   const std::size_t rows =
-      std::clamp<std::size_t>(most_bytes_ / row, 64, std::max(64U, picture.height));
-  strips_ = static_cast<std::uint32_t>((picture.height + rows - 1) / rows);
-  strip_height_ = (picture.height + strips_ - 1) / strips_;
+      std::clamp<std::size_t>(most_bytes_ / row, 64, std::max(64U, largest.height));
+  const auto strips = static_cast<std::uint32_t>((largest.height + rows - 1) / rows);
+  strip_height_ = (largest.height + strips - 1) / strips;
 
-  const auto width = static_cast<GLsizei>(picture.width);
+  const auto width = static_cast<GLsizei>(largest.width);
   const auto height = static_cast<GLsizei>(strip_height_);
   colour_ = make_renderbuffer();
   glBindRenderbuffer(GL_RENDERBUFFER, colour_.get());
@@ -34,7 +34,7 @@ void SceneBuffer::fit(PixelSize picture) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.get());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
-  if (strips_ == 1 || samples_ == 0) return;
+  if (strips == 1 || samples_ == 0) return;
   resolved_ = make_renderbuffer();
   glBindRenderbuffer(GL_RENDERBUFFER, resolved_.get());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width, height);
@@ -54,6 +54,21 @@ void SceneBuffer::begin(std::uint32_t strip, const Region& part) const noexcept 
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glViewport(0, -from, static_cast<GLsizei>(picture_.width), static_cast<GLsizei>(picture_.height));
   glScissor(part.left, part.low - from, part.right - part.left, part.high - part.low);
+}
+
+void SceneBuffer::hide(std::uint32_t strip, const Region& part,
+                       const Region& hidden) const noexcept {
+  const auto from = static_cast<GLint>(strip * strip_height_);
+  const auto only = [&](const Region& of) {
+    glScissor(of.left, of.low - from, of.right - of.left, of.high - of.low);
+  };
+  const Region here = common(part, hidden);
+  if (here.is_empty()) return;
+  only(here);
+  glClearDepthf(0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glClearDepthf(1);
+  only(part);
 }
 
 SceneBuffer::Rows SceneBuffer::rows(const Region& part) const noexcept {
@@ -91,8 +106,8 @@ void Picture::fit(PixelSize size) noexcept {
   bind_texture(0, texture_.get());
   glTexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, static_cast<GLsizei>(size.width),
                  static_cast<GLsizei>(size.height));
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter_);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   framebuffer_ = make_framebuffer();

@@ -16,14 +16,24 @@ class SceneBuffer {
   /// `samples` and `most_bytes` are as in RendererOptions.
   SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept;
 
-  /// Makes the buffers fit the picture; nothing happens while its size stays.
-  void fit(PixelSize picture) noexcept;
+  /// Makes the buffers fit pictures up to this size; nothing happens while it stays.
+  void fit(PixelSize largest) noexcept;
+  /// What follows is about a picture of this size, at most the largest.
+  void set_picture(PixelSize size) noexcept { picture_ = size; }
 
-  std::uint32_t strips() const noexcept { return strips_; }
+  std::uint32_t strips() const noexcept {
+    return (picture_.height + strip_height_ - 1) / strip_height_;
+  }
+  std::uint32_t strip_of(GLint row) const noexcept {
+    return static_cast<std::uint32_t>(row) / strip_height_;
+  }
   /// What a strip has of a part of the picture; empty where it has none of it.
   Region part(std::uint32_t strip, const Region& of) const noexcept;
   /// Directs drawing to that part of a strip: the viewport is that of the whole picture, moved.
   void begin(std::uint32_t strip, const Region& part) const noexcept;
+  /// Of the part of the strip that drawing is directed to, nothing is drawn in `hidden` of the
+  /// picture: all that is drawn afterwards lies behind it.
+  void hide(std::uint32_t strip, const Region& part, const Region& hidden) const noexcept;
   /// A part's lower and upper edge in clip space.
   struct Rows {
     float low = -1, high = 1;
@@ -35,8 +45,8 @@ class SceneBuffer {
  private:
   GLsizei samples_ = 1;
   std::size_t most_bytes_ = 0;
-  PixelSize picture_;
-  std::uint32_t strips_ = 0, strip_height_ = 0;
+  PixelSize largest_, picture_;
+  std::uint32_t strip_height_ = 1;
   GlRenderbuffer colour_, depth_, resolved_;
   GlFramebuffer framebuffer_, resolved_framebuffer_;
 };
@@ -44,11 +54,14 @@ class SceneBuffer {
 /// A picture that encodes sRGB and can be read as a texture, for targets that can do neither.
 class Picture {
  public:
+  /// `filter`: between its pixels.
+  explicit Picture(GLint filter) noexcept : filter_(filter) {}
   void fit(PixelSize size) noexcept;
   GLuint framebuffer() const noexcept { return framebuffer_.get(); }
   GLuint texture() const noexcept { return texture_.get(); }
 
  private:
+  GLint filter_;
   PixelSize size_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;

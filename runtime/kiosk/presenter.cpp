@@ -38,17 +38,26 @@ scene::Change Presenter::change(const scene::DrawList& list,
   return shown_.change(list, static_cast<float>(target.size.height));
 }
 
+/// In memory nobody waits.
+float Presenter::fineness_of(const FrameFacts& frame, const RenderTarget& target) noexcept {
+  if (edges_.headless != nullptr) return 1;
+  if (has_drawn_model_) fineness_.took(frame.passed, target.size);
+  return fineness_.share();
+}
+
 bool Presenter::show(const scene::DrawList& list, const gles::Holdings& holdings,
                      const FrameFacts& frame, Statistics& statistics) noexcept {
   const RenderTarget target = target_of(edges_);
   const scene::Change different = change(list, target);
-  has_drawn_ = is_seen(frame) && !different.nothing();
+  const float fineness = fineness_of(frame, target);
+  has_drawn_ = is_seen(frame) && !(different.nothing() && !renderer_.is_coarse());
+  has_drawn_model_ = has_drawn_ && (different.everything || different.model);
   if (!has_drawn_) return false;
   has_poster_ = false;
   gpu_timer_.begin();
-  renderer_.draw(list, holdings, target, different);
+  renderer_.draw(list, holdings, target, different, fineness);
   gpu_timer_.end();
-  poster_.drawn(frame.is_first_picture, target);
+  poster_.drawn(frame.is_first_picture && !renderer_.is_coarse(), target);
   edges_.display->present();
   if (edges_.headless == nullptr) shown_.keep(list, different);
   shown_on_ = target;

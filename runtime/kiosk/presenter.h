@@ -8,6 +8,7 @@
 #include "platform/gles/holdings.h"
 #include "platform/gles/renderer.h"
 #include "runtime/kiosk/edges.h"
+#include "runtime/kiosk/fineness.h"
 #include "runtime/kiosk/heat_watch.h"
 #include "runtime/kiosk/pixel_shift.h"
 #include "runtime/kiosk/poster.h"
@@ -56,6 +57,7 @@ class Presenter {
   bool is_seen(const FrameFacts& frame) const noexcept;
   void give_back_code(const FrameFacts& frame) noexcept;
   scene::Change change(const scene::DrawList& list, const RenderTarget& target) const noexcept;
+  float fineness_of(const FrameFacts& frame, const RenderTarget& target) noexcept;
 
   Edges& edges_;
   gles::Renderer renderer_;
@@ -69,7 +71,8 @@ class Presenter {
   std::optional<HeatWatch> heat_;  ///< Of a display that shows something.
   scene::ShownList shown_;         ///< On the display.
   RenderTarget shown_on_;
-  bool has_drawn_ = false;
+  Fineness fineness_;
+  bool has_drawn_ = false, has_drawn_model_ = false;  ///< In the frame before; all of the model.
   bool was_vacant_ = true;
   std::uint64_t settled_at_ = 0;  ///< The frame at which a new view has been drawn whole.
 };

@@ -92,20 +92,21 @@ bool ShownList::model_differs(const DrawList& list) const noexcept {
 }
 
 Change ShownList::change(const DrawList& list, float pixels_high) const noexcept {
+  if (!is_kept_) return {};
   const std::size_t bodies = list.avatars.size();
-  if (!is_kept_ || model_differs(list) || bodies != kept_.avatars.size() ||
-      list.palette.size() != kept_.palette.size() || list.joint.size() != list.palette.size() ||
-      kept_.joint.size() != list.joint.size())
-    return {};
-  Change change{.everything = false,
-                .interface = about_what_differs(list.quads, kept_.quads),
-                .ways = list.ribbons != kept_.ribbons};
+  Change change{.everything = false, .interface = about_what_differs(list.quads, kept_.quads)};
+  change.model = model_differs(list) || bodies != kept_.avatars.size() ||
+                 list.palette.size() != kept_.palette.size() ||
+                 list.joint.size() != list.palette.size() ||
+                 kept_.joint.size() != list.joint.size();
+  if (change.model) return change;
+  change.ways = list.ribbons != kept_.ribbons;
   for (std::size_t i = 0; i < bodies; ++i) {
     if (!has_moved(list, i, pixels_high)) continue;
-    if (i >= Change::most_bodies || list.avatars[i].look != kept_.avatars[i].look ||
-        list.avatars[i].first_matrix != kept_.avatars[i].first_matrix)
-      return {};
-    change.bodies.set(i);
+    change.model = change.model || i >= Change::most_bodies ||
+                   list.avatars[i].look != kept_.avatars[i].look ||
+                   list.avatars[i].first_matrix != kept_.avatars[i].first_matrix;
+    if (i < Change::most_bodies) change.bodies.set(i);
   }
   return change;
 }
@@ -132,7 +133,7 @@ void ShownList::forget(TextureId texture) noexcept {
 }
 
 void ShownList::keep_bodies(const DrawList& list, const Change& change) {
-  if (change.everything) {
+  if (change.everything || change.model) {
     copy_into(kept_.avatars, list.avatars);
     copy_into(kept_.palette, list.palette);
     copy_into(kept_.joint, list.joint);
@@ -153,7 +154,7 @@ void ShownList::keep(const DrawList& list, const Change& change) {
   keep_bodies(list, change);
   copy_into(kept_.quads, list.quads);
   copy_into(kept_.ribbons, list.ribbons);
-  if (!change.everything) return;
+  if (!change.everything && !change.model) return;
   kept_.floor = list.floor;
   kept_.camera = list.camera;
   kept_.light = list.light;

@@ -11,12 +11,13 @@ struct Change {
   static constexpr std::size_t most_bodies = 64;
 
   bool everything = true;  ///< Otherwise only what follows.
+  bool model = false;      ///< All of the model, wherever it is seen: the camera has moved.
   Rect interface{};  ///< About the rectangles of the interface that differ; without width: none.
   std::bitset<most_bodies> bodies{};  ///< Which of the avatars have moved.
   bool ways = false;                  ///< Ways look different where they are.
 
   bool nothing() const noexcept {
-    return !everything && interface.width <= 0 && bodies.none() && !ways;
+    return !everything && !model && interface.width <= 0 && bodies.none() && !ways;
   }
 };
 

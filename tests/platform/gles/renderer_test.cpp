@@ -133,6 +133,14 @@ void add_way(scene::DrawList& list, RouteKind kind, std::initializer_list<Vec2> 
   list.ribbon_point.insert(list.ribbon_point.end(), points);
 }
 
+int most_difference(const Pixels& a, const Pixels& b) {
+  int most = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i)
+    most =
+        std::max(most, std::abs(std::to_integer<int>(a.rgba[i]) - std::to_integer<int>(b.rgba[i])));
+  return most;
+}
+
 class Rendering : public ::testing::Test {
  protected:
   void SetUp() override { open(small); }
@@ -407,6 +415,47 @@ TEST_F(Rendering, ShowsWhatLooksOutFromBehindAPanelAsIfThereWereNone) {
       }
     EXPECT_LE(most, 1) << "a panel of " << width;
   }
+}
+
+/// What lies behind them takes no fragments: nobody sees where that ends.
+TEST_F(Rendering, ShowsTheModelUpToTheRoundCornersOfCards) {
+  scene::DrawList list = view_of_hall(small);
+  add_guide(list, {4.5, 2});
+  for (const float at : {0.1F, 0.3003F, 0.52F, 0.7345F}) {
+    scene::Quad card;
+    card.rect = {at, at, 0.2F, 0.17F};
+    card.corner = 0.03F;
+    card.colour = {0.8F, 0.1F, 0.1F, 1};
+    list.quads.push_back(card);
+  }
+  const Pixels opaque = drawn(list);
+  for (scene::Quad& card : list.quads) card.colour.a = std::nextafter(1.0F, 0.0F);
+  const Pixels all_behind = drawn(list);
+
+  EXPECT_EQ(most_difference(opaque, all_behind), 0);
+}
+
+/// A museum's own character may have wings.
+TEST_F(Rendering, LeavesNoTraceOfABodyThatReachesFar) {
+  SkinnedMesh body = box_body();
+  for (SkinnedVertex& vertex : body.vertices) vertex.position.x *= 8;  // two metres to either side
+  holdings_->set_body(body, scene::levels_of(body));
+  scene::DrawList list = view_of_hall(small);
+  add_guide(list, {4.5, 3});
+  list.joint.emplace_back(list.avatars[0].centre);
+  drawn(list);
+  scene::ShownList shown;
+  shown.keep(list);
+
+  const Mat4 turn = glm::rotate(Mat4(1), 0.4F, Vec3(0, 1, 0));
+  list.palette[0] = list.palette[0] * turn;
+  const scene::Change change = shown.change(list, small.height);
+  ASSERT_FALSE(change.everything || change.model);
+  renderer_->draw(list, *holdings_, display_->target(), change);
+  Pixels in_part;
+  display_->read_back(in_part);
+
+  EXPECT_EQ(most_difference(in_part, drawn(list)), 0);
 }
 
 TEST_F(Rendering, FadesFarGalleriesTowardsPaper) {

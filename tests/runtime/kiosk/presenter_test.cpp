@@ -28,7 +28,8 @@ class DrawnTwice {
  public:
   DrawnTwice() {
     auto display = headless::open_headless(small);
-    auto in_parts = gles::make_renderer(), whole = gles::make_renderer();
+    const gles::RendererOptions few_rows{.buffer_bytes = 1};  // 64 at a time
+    auto in_parts = gles::make_renderer(few_rows), whole = gles::make_renderer(few_rows);
     auto exhibition = load_exhibition(test::sample_database(), {.is_simulated = true},
                                       {.shape = {.width = small.width, .height = small.height}});
     if (!display || !in_parts || !whole || !exhibition) throw std::runtime_error("cannot draw");
@@ -65,13 +66,50 @@ class DrawnTwice {
       const scene::DrawList& list = exhibition_->guide->draw_list();
       shown_.forget(played);
       const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
-      parts_ += change.everything ? 0 : 1;
+      parts_ += change.everything || change.model ? 0 : 1;
       whole_->draw(list, exhibition_->holdings, target_);
       const auto expected = pixels();
       in_parts_->draw(list, exhibition_->holdings, target_, change);
       shown_.keep(list, change);
       EXPECT_EQ(differing(pixels(), expected), 0) << what << ", frame " << frame;
     }
+  }
+
+  /// Draws a list coarsely, and then as often as it takes until nothing of it is coarse: how often
+  /// that is.
+  int refine(const char* what) {
+    const scene::DrawList list = exhibition_->guide->draw_list();
+    in_parts_->draw(list, exhibition_->holdings, target_, {}, 0.5F);
+    shown_.keep(list, {});
+    const auto coarse = pixels();
+    int frames = 0;
+    for (; in_parts_->is_coarse() && frames < 1000; ++frames)
+      in_parts_->draw(list, exhibition_->holdings, target_, {.everything = false});
+    const auto refined = pixels();
+    whole_->draw(list, exhibition_->holdings, target_);
+    EXPECT_EQ(differing(refined, pixels()), 0) << what;
+    EXPECT_GT(differing(coarse, refined), 1000) << what;
+    return frames;
+  }
+
+  /// The same while the picture goes on.
+  void refine_among_others(int frames, const char* what) {
+    run(0.05);
+    scene::DrawList list = exhibition_->guide->draw_list();
+    in_parts_->draw(list, exhibition_->holdings, target_, {}, 0.75F);
+    shown_.keep(list, {});
+    for (int frame = 0; frame < frames; ++frame) {
+      run(0.05);
+      list = exhibition_->guide->draw_list();
+      const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
+      ASSERT_FALSE(change.everything || change.model) << what << ", frame " << frame;
+      in_parts_->draw(list, exhibition_->holdings, target_, change, 0.75F);
+      shown_.keep(list, change);
+    }
+    EXPECT_FALSE(in_parts_->is_coarse()) << what;
+    const auto refined = pixels();
+    whole_->draw(list, exhibition_->holdings, target_);
+    EXPECT_EQ(differing(refined, pixels()), 0) << what;
   }
 
   void touch(const std::string& name) {
@@ -111,6 +149,22 @@ class DrawnTwice {
   scene::ShownList shown_;
   int parts_ = 0;
 };
+
+/// What is drawn coarsely while the camera moves is as fine as ever soon after.
+TEST(ACoarsePicture, BecomesTheOneThatIsDrawnWholeAFewRowsAtATime) {
+  DrawnTwice visit;
+
+  visit.run(1);
+  EXPECT_EQ(visit.refine("welcome"), 5) << "of 270 rows";
+  visit.touch("begin");
+  visit.run(3);
+  visit.touch("exhibit:painted-jar");
+  visit.run(1.5);
+  visit.refine("the whole way");
+  for (int second = 0; second < 120 && !visit.has_arrived(); ++second) visit.run(1);
+  visit.run(4);
+  visit.refine_among_others(12, "arrived");
+}
 
 TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
   DrawnTwice visit;

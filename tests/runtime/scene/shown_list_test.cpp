@@ -137,7 +137,17 @@ TEST(ShownList, TellsWhatOfThePictureDiffers) {
   EXPECT_FALSE(change.everything);
   EXPECT_TRUE(change.ways);
   list.ribbons[0].revision = 7;
-  EXPECT_TRUE(shown.change(list, high).everything) << "it lies elsewhere";
+  EXPECT_TRUE(shown.change(list, high).model) << "it lies elsewhere";
+
+  list = before;
+  list.camera.eye.x += 1;
+  list.quads[1].colour.a = 0.5F;
+  change = shown.change(list, high);
+  EXPECT_FALSE(change.everything) << "the rest of the interface is there";
+  EXPECT_TRUE(change.model);
+  expect_near(change.interface, {0.25F, 0.5F, 0.125F, 0.0625F});
+  shown.keep(list, change);
+  EXPECT_FALSE(shown.differs(list, high));
 }
 
 TEST(ShownList, SeesWhatShowsATextureThatHasChanged) {
