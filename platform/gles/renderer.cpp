@@ -228,7 +228,8 @@ void Renderer::Parts::draw_interface(const Shot& shot, const Region& part) noexc
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  // The picture is opaque where the interface is, and covers a model that was not drawn.
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   quads.draw(shot.list.quads, shot.size, shot.held.textures);
   glDisable(GL_SCISSOR_TEST);
 }

@@ -125,6 +125,16 @@ class DrawnTwice {
     }
   }
 
+  /// Does a recorded picture show nothing of what would be behind it?
+  bool is_opaque() {
+    whole_->draw(exhibition_->guide->draw_list(), exhibition_->holdings, display_->target());
+    Pixels picture;
+    display_->read_back(picture);
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+      if (picture.rgba[i] != std::byte{255}) return false;
+    return !picture.rgba.empty();
+  }
+
   bool has_arrived() const { return exhibition_->guide->state().arrived; }
   int parts() const { return parts_; }
 
@@ -164,6 +174,14 @@ TEST(ACoarsePicture, BecomesTheOneThatIsDrawnWholeAFewRowsAtATime) {
   for (int second = 0; second < 120 && !visit.has_arrived(); ++second) visit.run(1);
   visit.run(4);
   visit.refine_among_others(12, "arrived");
+}
+
+TEST(APicture, IsOpaqueWhereTheInterfaceCoversTheModel) {
+  DrawnTwice visit;
+
+  visit.run(1);
+
+  EXPECT_TRUE(visit.is_opaque());
 }
 
 TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
