@@ -361,7 +361,8 @@ inline constexpr std::array exhibit_fields{
                           Form::File},
     Field<ExhibitSection>{
         "pictures", &ExhibitSection::pictures, Presence::Optional,
-        "Further pictures, which visitors leaf through in this order; at most 19"},
+        "Further pictures, which visitors leaf through in this order; at most 19; a video is "
+        "named here, never in image, and stands still on a glass that visitors share"},
     Field<ExhibitSection>{"title", &ExhibitSection::title, Presence::UnlessSource,
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct WantedImage {
   std::vector<std::string>
       lost{};  ///< Pictures that an SVG drawing links to, and that are not shown.
   bool is_video = false, has_sound = false, is_touched = false;
+  std::size_t bytes = 0;  ///< Of a video.
 };
 
 /// The files that exhibits name, each once, in the order of the exhibits.
@@ -72,6 +75,7 @@ void load(const config::MuseumConfig& config, Images use, WantedImage& wanted,
       LoadedVideo video = load_video(file, wanted.name);
       wanted.is_video = true;
       wanted.has_sound = video.has_sound;
+      wanted.bytes = video.image.bytes.size();
       image = std::move(video.image);
       if (use == Images::Check) image = {.name = wanted.name, .width = 0, .height = 0, .bytes = {}};
       return;
@@ -121,6 +125,21 @@ void tell_of_video(const config::MuseumConfig& config, const WantedImage& image,
                               {}, "say what is heard in the caption, or in the exhibit's text")));
 }
 
+/// All of a database is read when a kiosk starts, to see that it is whole.
+void tell_of_all_videos(const config::MuseumConfig& config, std::span<const WantedImage> images,
+                        std::size_t many_bytes, Report& report) {
+  std::size_t bytes = 0;
+  for (const WantedImage& image : images) bytes += image.bytes;
+  if (bytes <= many_bytes) return;
+  const WantedImage& largest = *std::ranges::max_element(images, {}, &WantedImage::bytes);
+  report.add(warning(config::diagnostic_at(
+      config, largest.place, "videos-large",
+      fmt::format("the videos of this museum have {} MB together, which each kiosk reads into "
+                  "memory when it starts; the largest is '{}'",
+                  bytes >> 20U, largest.name),
+      {}, "make them shorter or smaller, for example with ffmpeg's -b:v 700k")));
+}
+
 /// Exhibits of which visitors see a blank card.
 void report_blank_cards(const config::MuseumConfig& config, Report& report) {
   for (const config::ExhibitSection& exhibit : config.exhibits)
@@ -136,7 +155,7 @@ void report_blank_cards(const config::MuseumConfig& config, Report& report) {
 }  // namespace
 
 void compile_images(const config::MuseumConfig& config, Images use, unsigned jobs, Museum& museum,
-                    Report& report) {
+                    Report& report, std::size_t many_bytes) {
   std::vector<WantedImage> wanted = wanted_images(config, museum);
   museum.images.resize(wanted.size());
   content::for_each_index(wanted.size(), jobs,
@@ -146,6 +165,7 @@ void compile_images(const config::MuseumConfig& config, Images use, unsigned job
     tell(config, wanted[i], report);
     tell_of_video(config, wanted[i], i < first, report);
   }
+  tell_of_all_videos(config, wanted, many_bytes, report);
   report_blank_cards(config, report);
 }
 

@@ -22,9 +22,11 @@ content::ContentError unreadable(const std::filesystem::path& file, const std::s
           0,
           "unreadable-video",
           why,
-          fmt::format("ffmpeg -i FILM -an -c:v libvpx-vp9 -vf scale=-2:{},fps=25 -t {} "
-                      "{}.webm makes one of nearly any film",
-                      limits.shortest_side, limits.duration.count(), file.stem().string())};
+          fmt::format("ffmpeg -i FILM -an -c:v libvpx-vp9 -b:v 1400k -vf \"scale=iw*sar:ih,"
+                      "scale={}:{}:force_original_aspect_ratio=decrease:force_divisible_by=2,"
+                      "setsar=1,fps=25,format=yuv420p\" -t {} {}.webm makes one of nearly any film",
+                      limits.longest_side, limits.shortest_side, limits.duration.count(),
+                      file.stem().string())};
 }
 
 /// Decodes every frame: what is wrong with the first that cannot be shown; empty where all can.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "platform/display.h"
 #include "platform/gles/gl_names.h"
@@ -36,6 +37,13 @@ struct Region {
   GLint left = 0, low = 0, right = 0, high = 0;
 
   bool is_empty() const noexcept { return left >= right || low >= high; }
+  bool overlaps(const Region& other) const noexcept {
+    return !is_empty() && !other.is_empty() && left < other.right && other.left < right &&
+           low < other.high && other.low < high;
+  }
+  std::int64_t area() const noexcept {
+    return is_empty() ? 0 : std::int64_t{right - left} * (high - low);
+  }
   void include(const Region& other) noexcept {
     if (other.is_empty()) return;
     *this = is_empty() ? other

@@ -95,9 +95,11 @@ struct Renderer::Parts {
   void draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
   /// `pixels`: of the model as it is drawn.
   void prepare(const Shot& shot, PixelSize pixels) noexcept;
-  /// Where the picture has to be drawn anew. `seen`: where the interface does not cover the model.
-  Region region_of_change(const Shot& shot, const scene::Change& change,
-                          const Region& seen) noexcept;
+  /// Where the picture has to be drawn anew: of the model, and of the interface, which often lie
+  /// far from each other, as a video and a guide who breathes do. One is empty where both together
+  /// are no larger. `seen`: where the interface does not cover the model.
+  std::array<Region, 2> regions_of_change(const Shot& shot, const scene::Change& change,
+                                          const Region& seen) noexcept;
   /// The next rows of what was drawn coarsely; empty where nothing was.
   Region take_coarse_rows() noexcept;
   void draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept;
@@ -231,7 +233,8 @@ void Renderer::Parts::draw_interface(const Shot& shot, const Region& part) noexc
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  // The picture is opaque where the interface is, and covers a model that was not drawn.
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   quads.draw(shot.list.quads, shot.size, shot.held.textures);
   glDisable(GL_SCISSOR_TEST);
 }
@@ -254,17 +257,23 @@ void Renderer::Parts::prepare(const Shot& shot, PixelSize pixels) noexcept {
   buffer.fit(shot.size);
 }
 
-Region Renderer::Parts::region_of_change(const Shot& shot, const scene::Change& change,
-                                         const Region& seen) noexcept {
+std::array<Region, 2> Renderer::Parts::regions_of_change(const Shot& shot,
+                                                         const scene::Change& change,
+                                                         const Region& seen) noexcept {
   const PixelSize size = shot.size;
-  Region region = avatars.moved(shot.list, change, shot.held.body, shot.sun, size);
+  Region model = avatars.moved(shot.list, change, shot.held.body, shot.sun, size);
   if (change.everything)
-    return {0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)};
+    return {Region{0, 0, static_cast<GLint>(size.width), static_cast<GLint>(size.height)}, {}};
   const double floor = shot.building ? shot.building->floor_height : 0;
-  if (change.ways) region.include(region_of(WayPass::extent_of_ribbons(shot.list, floor), size));
-  region = change.model ? seen : common(region, seen);
-  region.include(region_of(extent_of(change.interface), size));
-  return region;
+  if (change.ways) model.include(region_of(WayPass::extent_of_ribbons(shot.list, floor), size));
+  model = change.model ? seen : common(model, seen);
+  const Region interface = region_of(extent_of(change.interface), size);
+  Region both = model;
+  both.include(interface);
+  // The interface is blended with what is there, so nothing may be drawn twice.
+  if (model.overlaps(interface) || both.area() <= model.area() + interface.area())
+    return {both, {}};
+  return {model, interface};
 }
 
 Region Renderer::Parts::take_coarse_rows() noexcept {
@@ -280,7 +289,9 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
   const PixelSize pixels = is_coarse ? scaled(shot.size, fineness) : shot.size;
   prepare(shot, pixels);
   const Region seen = region_of(extent_of(scene::uncovered(shot.list.quads)), shot.size);
-  const Region region = region_of_change(shot, change, seen);
+  const std::array<Region, 2> regions = regions_of_change(shot, change, seen);
+  Region region = regions[0];
+  region.include(regions[1]);
   if (is_all_drawn) coarse = is_coarse ? common(region, seen) : Region{};
   if (is_coarse) {
     draw_coarsely(shot, coarse, pixels);
@@ -288,7 +299,10 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
   }
   buffer.set_picture(shot.size);
   const Region finer = take_coarse_rows();
-  if (finer.is_empty()) return draw_part(shot, region, seen);
+  if (finer.is_empty()) {
+    for (const Region& part : regions) draw_part(shot, part, seen);
+    return;
+  }
   // Nothing is drawn twice: the interface is blended with what is there.
   const GLint left = 0, right = static_cast<GLint>(shot.size.width);
   const auto height = static_cast<GLint>(shot.size.height);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/model/moving_picture.h"
 #include "runtime/schema/invariants.h"
 #include "runtime/schema/rows.h"
 
@@ -85,7 +86,8 @@ struct ColumnReader {
 /// The store of schema::tables that reads.
 class Reader {
  public:
-  explicit Reader(sqlite3* database) : database_(database) {}
+  explicit Reader(sqlite3* database, Videos videos = Videos::Read)
+      : database_(database), videos_(videos) {}
 
   /// Did every row that was asked for exist and hold what it should?
   [[nodiscard]] bool sound() const { return sound_; }
@@ -99,7 +101,11 @@ class Reader {
   }
   template <typename T>
   void rows(std::string_view table, std::vector<T>& values) {
-    read<T>(table, {}, 0, [&]() -> T& { return values.emplace_back(); });
+    read<T>(table, {}, 0, [&]() -> T& {
+      leave_video(values);
+      return values.emplace_back();
+    });
+    leave_video(values);
   }
   template <typename T>
   void rows_of(std::string_view table, std::string_view parent, std::size_t parent_id,
@@ -124,6 +130,14 @@ class Reader {
   }
 
  private:
+  /// Of the last one read, so that no two are in memory.
+  void leave_video(std::vector<EncodedImage>& images) const {
+    if (videos_ == Videos::LeaveInFile && !images.empty() && is_video(images.back()))
+      images.back().bytes = {};
+  }
+  template <typename T>
+  void leave_video(std::vector<T>& /*others*/) const {}
+
   Statement prepare(const std::string& sql) const {
     sqlite3_stmt* raw = nullptr;
     sqlite3_prepare_v2(database_, sql.c_str(), -1, &raw, nullptr);
@@ -157,6 +171,7 @@ class Reader {
   }
 
   sqlite3* database_;
+  Videos videos_;
   bool sound_ = true;
   std::string fault_;
 };
@@ -169,9 +184,10 @@ std::unexpected<Error> damaged(const std::filesystem::path& file, const std::str
 
 }  // namespace
 
-Result<Museum> read_museum(const Database& database, const std::filesystem::path& file) {
+Result<Museum> read_museum(const Database& database, const std::filesystem::path& file,
+                           Videos videos) {
   Museum museum;
-  Reader reader(database.handle.get());
+  Reader reader(database.handle.get(), videos);
   schema::tables(reader, museum);
   const std::string fault =
       reader.sound() ? schema::broken_invariant(museum) : reader.first_fault();

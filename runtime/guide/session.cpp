@@ -274,6 +274,7 @@ void Session::resume() noexcept {
   interface::InterfaceState before = *left_;
   left_.reset();
   before.arrived = false;
+  before.plays = false;  // whoever comes back begins it
   if (before.screen == interface::Screen::Arrived) before.screen = interface::Screen::Walking;
   show(before);
   set_out();
@@ -391,7 +392,8 @@ std::optional<ShownVideo> Session::video() const noexcept {
   if (!video_ || view() == nullptr || view()->video == scene::TextureId::None ||
       interface::shown_video(context_.museum, view()->state) != video_)
     return std::nullopt;
-  return ShownVideo{.image = *video_, .texture = view()->video, .seconds = video_seconds_};
+  return ShownVideo{
+      .image = *video_, .texture = view()->video, .seconds = video_seconds_, .plays = state_.plays};
 }
 
 void Session::video_ended() noexcept {
@@ -519,7 +521,7 @@ void Session::notice_arrival() noexcept {
 void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
-  if (voice_.is_busy() || (video_ && state_.plays)) return;  // who listens or watches does nothing
+  if (voice_.is_busy() || (state_.plays && video())) return;  // who listens or watches does nothing
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);

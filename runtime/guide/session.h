@@ -31,11 +31,12 @@ struct Errand {
   bool operator==(const Errand&) const = default;
 };
 
-/// A video that a visitor sees, and how far it has come.
+/// A video that a visitor sees, how far it has come, and whether it goes on.
 struct ShownVideo {
   std::uint32_t image = 0;                            ///< Index into Museum::images.
   scene::TextureId texture = scene::TextureId::None;  ///< In which it is played.
   float seconds = 0;                                  ///< Of it.
+  bool plays = false;
 };
 
 /// What the sessions of a kiosk have in common. Borrowed.

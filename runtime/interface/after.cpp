@@ -258,6 +258,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Resume:
       break;
   }
+  if (state.screen != Screen::Arrived) state.plays = false;  // nor does it begin on the way back
   return state;
 }
 

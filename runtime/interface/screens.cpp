@@ -246,12 +246,11 @@ float height_of_goal(Sheet& sheet, float width) {
 float draw_goal(Sheet& sheet, const PixelBox& box, Align align) {
   if (chosen_exhibit(sheet) != nullptr) {
     const InterfaceState& state = sheet.request().state;
-    const float height =
+    const Sheet::DrawnImage drawn =
         sheet.whole_image(box, shown_picture(sheet.museum(), state, *state.exhibit).image,
                           sheet.measures().corner, align);
-    if (height > 0 && shown_video(sheet.museum(), state) && !sheet.view().elements.empty())
-      sheet.view().video = sheet.view().elements.back().quad.texture;
-    return height;
+    if (shown_video(sheet.museum(), state)) sheet.view().video = drawn.texture;
+    return drawn.height;
   }
   const std::optional<PlaceKind> kind = chosen_kind(sheet);
   const float side = std::round(std::min({box.width, box.height, 40 * sheet.measures().unit}));

@@ -258,23 +258,27 @@ void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
       -1);
 }
 
-void Sheet::image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control) {
-  if (image >= museum_.images.size() || box.width < 1 || box.height < 1) return;
+scene::TextureId Sheet::image(const PixelBox& box, std::uint32_t image, float corner,
+                              std::int32_t control) {
+  if (image >= museum_.images.size() || box.width < 1 || box.height < 1)
+    return scene::TextureId::None;
   const float x = std::round(box.x), y = std::round(box.y);
   const PixelBox whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
   const scene::TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
                                                    static_cast<std::uint32_t>(whole.height));
-  if (texture == scene::TextureId::None) return;
+  if (texture == scene::TextureId::None) return texture;
   add({.rect = share_of(whole),
        .fill = scene::QuadFill::Image,
        .colour = {1, 1, 1, 1},
        .texture = texture,
        .corner = corner / shorter_},
       control);
+  return texture;
 }
 
-float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner, Align align) {
-  if (image >= museum_.images.size() || museum_.images[image].height == 0) return 0;
+Sheet::DrawnImage Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner,
+                                     Align align) {
+  if (image >= museum_.images.size() || museum_.images[image].height == 0) return {};
   const EncodedImage& picture = museum_.images[image];
   constexpr float most_crop = 0.1F;
   const float shape = static_cast<float>(picture.width) / static_cast<float>(picture.height);
@@ -283,8 +287,7 @@ float Sheet::whole_image(const PixelBox& box, std::uint32_t image, float corner,
   const float height = std::round(std::min(box.height, width / shape));
   const float aside = align == Align::Centre ? std::floor((box.width - width) / 2) : 0,
               above = align == Align::Centre ? std::floor((box.height - height) / 2) : 0;
-  this->image({box.x + aside, box.y + above, width, height}, image, corner);
-  return height;
+  return {height, this->image({box.x + aside, box.y + above, width, height}, image, corner)};
 }
 
 scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,

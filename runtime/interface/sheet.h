@@ -87,12 +87,19 @@ class Sheet {
   /// What is chosen has a ground, and such an edge.
   void mark_selected(const PixelBox& box, std::int32_t control);
   void shadow(const PixelBox& box, float reach, float opacity);
-  /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel.
-  void image(const PixelBox& box, std::uint32_t image, float corner, std::int32_t control = -1);
+  /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel. Returns
+  /// the texture that it is in; None where nothing is drawn.
+  scene::TextureId image(const PixelBox& box, std::uint32_t image, float corner,
+                         std::int32_t control = -1);
+  /// How high it is, drawn or not yet, and its texture as above.
+  struct DrawnImage {
+    float height = 0;
+    scene::TextureId texture = scene::TextureId::None;
+  };
   /// Shows the whole picture at the box's start, or in its middle, as large as fits; up to a tenth
-  /// of its height may be cut off to make it wider. Returns its height.
-  float whole_image(const PixelBox& box, std::uint32_t image, float corner,
-                    Align align = Align::Start);
+  /// of its height may be cut off to make it wider.
+  DrawnImage whole_image(const PixelBox& box, std::uint32_t image, float corner,
+                         Align align = Align::Start);
   /// Fills the box, which lies on whole pixels, with a picture that is drawn when it is not there
   /// yet.
   void drawing(const PixelBox& box, std::string key, const std::function<Pixels()>& draw);

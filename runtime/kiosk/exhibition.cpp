@@ -36,14 +36,21 @@ std::uint32_t scenery_picture_side(std::size_t pictures) noexcept {
   return static_cast<std::uint32_t>(std::ceil(largest * std::sqrt(share)));
 }
 
+/// Its pixels, none where it cannot be decoded.
+Pixels decode(std::span<const std::byte> bytes, bool is_video) {
+  if (is_video) return vpx::first_picture(bytes).value_or(Pixels{});
+  return image::decode_image(bytes).value_or(Pixels{});
+}
+
 /// A picture that cannot be decoded is left out: its exhibit is shown without one. `archive`: where
 /// it lies; null: in memory.
-Pixels decode(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
+Pixels picture_of(const Museum& museum, BlobArchive* archive, std::uint32_t image) {
   if (image >= museum.images.size()) return {};
-  const std::span<const std::byte> bytes =
-      archive != nullptr ? archive->read(image) : std::span(museum.images[image].bytes);
-  if (is_video(museum.images[image])) return vpx::first_picture(bytes).value_or(Pixels{});
-  return image::decode_image(bytes).value_or(Pixels{});
+  const EncodedImage& encoded = museum.images[image];
+  if (archive == nullptr) return decode(encoded.bytes, is_video(encoded));
+  Pixels pixels = decode(archive->read(image), is_video(encoded));
+  archive->let_go();
+  return pixels;
 }
 
 /// Makes the pictures of the building, on other processors while the rest of the start goes on.
@@ -147,7 +154,7 @@ Result<Museum> read_museum(const std::filesystem::path& database, const Selectio
   if (!selection.keys.empty())
     if (const auto trusted = sqlite::check_signature(*file, database, selection.keys); !trusted)
       return std::unexpected(trusted.error());
-  Result<Museum> museum = sqlite::read_museum(*file, database);
+  Result<Museum> museum = sqlite::read_museum(*file, database, sqlite::Videos::LeaveInFile);
   if (museum && museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
@@ -214,17 +221,10 @@ std::unique_ptr<ObjectDetails> details_of(Exhibition& exhibition) {
       [archive](std::uint32_t object) { return archive->read(object); });
 }
 
-/// Videos stay in the file, as pictures do.
 std::unique_ptr<VideoPlayer> videos_of(const Exhibition& exhibition) {
-  const std::vector<EncodedImage>& images = exhibition.museum.images;
-  if (std::ranges::none_of(images, is_video)) return {};
-  const std::shared_ptr<BlobArchive> archive = sqlite::open_archive(
-      exhibition.content.path, sqlite::Archived::Images, exhibition.content.checksum);
-  return std::make_unique<VideoPlayer>([&images, archive](std::uint32_t image) {
-    if (archive) return archive->read(image);
-    return image < images.size() ? std::span<const std::byte>(images[image].bytes)
-                                 : std::span<const std::byte>();
-  });
+  if (std::ranges::none_of(exhibition.museum.images, is_video)) return {};
+  return std::make_unique<VideoPlayer>(sqlite::open_archive(
+      exhibition.content.path, sqlite::Archived::Images, exhibition.content.checksum));
 }
 
 }  // namespace
@@ -251,7 +251,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       exhibition->content.path, sqlite::Archived::Images, exhibition->content.checksum);
   interface::SetPicture set_picture = [&kept, pictures](std::uint32_t image, std::uint32_t width,
                                                         std::uint32_t height) {
-    return image::fill(decode(kept, pictures.get(), image), width, height);
+    return image::fill(picture_of(kept, pictures.get(), image), width, height);
   };
   // What visitors of the last hours needed is not kept for months.
   const auto rest = [] {
@@ -324,8 +324,8 @@ scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept {
     exhibition.videos->want({});
     return none;
   }
-  exhibition.videos->want(
-      VideoPlayer::Wish{.image = shown->image, .size = size, .seconds = shown->seconds});
+  exhibition.videos->want(VideoPlayer::Wish{
+      .image = shown->image, .size = size, .seconds = shown->seconds, .plays = shown->plays});
   if (waits) exhibition.videos->wait();
   const bool has_changed = exhibition.videos->upload_next(exhibition.holdings, shown->texture);
   if (exhibition.videos->has_ended()) exhibition.guide->video_ended();

@@ -54,8 +54,8 @@ struct Selection {
 /// As the settings say; fails where a key cannot be read.
 Result<Selection> selection_of(const config::KioskConfig& config);
 
-/// Reads a museum that can be shown, as this device shows it, and writes down of which database,
-/// where `facts` are wanted. Fails with a sentence.
+/// Reads a museum that can be shown, as this device shows it, but for its videos, which stay in the
+/// file; and writes down of which database, where `facts` are wanted. Fails with a sentence.
 Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
                            ContentFacts* facts = nullptr);
 /// What a museum is, in a line for the journal: its title and how much it holds.

@@ -1,23 +1,32 @@
 #include "runtime/kiosk/video_player.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "platform/vpx/decoder.h"
 #include "runtime/kiosk/allocations.h"
 #include "runtime/kiosk/statistics.h"
+#include "runtime/video/next_frame.h"
 
 namespace docent::kiosk {
 
+namespace {
+
+std::uint32_t milliseconds(const VideoPlayer::Wish& wish) noexcept {
+  return static_cast<std::uint32_t>(1000 * std::clamp(wish.seconds, 0.0F, 3600.0F));
+}
+
+}  // namespace
+
 struct VideoPlayer::Playing {
-  std::span<const std::byte> bytes;
+  std::uint32_t image;
   video::Video video;
   vpx::Decoder decoder;
+  std::vector<std::byte> coded;  ///< As long as the longest frame.
 };
 
-VideoPlayer::VideoPlayer(Read read)
-    : read_{std::move(read)}, thread_{[this](const std::stop_token& stop) { work(stop); }} {}
+VideoPlayer::VideoPlayer(std::shared_ptr<BlobArchive> images)
+    : images_{std::move(images)}, thread_{[this](const std::stop_token& stop) { work(stop); }} {}
 
 VideoPlayer::~VideoPlayer() {
   thread_.request_stop();
@@ -31,8 +40,13 @@ bool VideoPlayer::fits_wish() const noexcept {
   return wish_ && is_open_ && playing_run_ == run_;
 }
 
+/// Does it stand at its beginning, which has been shown?
+bool VideoPlayer::rests() const noexcept {
+  return wish_ && !wish_->plays && wish_->seconds <= 0 && shown_run_ == run_;
+}
+
 std::uint32_t VideoPlayer::due() const noexcept {
-  return static_cast<std::uint32_t>(1000 * std::clamp(wish_->seconds, 0.0F, 3600.0F));
+  return milliseconds(*wish_);
 }
 
 VideoPlayer::Slot* VideoPlayer::slot_in(SlotState state) noexcept {
@@ -41,7 +55,7 @@ VideoPlayer::Slot* VideoPlayer::slot_in(SlotState state) noexcept {
 }
 
 bool VideoPlayer::has_work() const noexcept {
-  if (!wish_) return is_open_;
+  if (!wish_ || rests()) return is_open_;
   if (!fits_wish()) return true;
   return !has_failed_ && next_ < frame_count_ &&
          std::ranges::find(slots_, SlotState::Free, &Slot::state) != slots_.end();
@@ -51,7 +65,7 @@ void VideoPlayer::work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (changed_.wait(lock, stop, [&] { return has_work(); })) {
     is_busy_ = true;
-    if (!wish_)
+    if (!wish_ || rests())
       close(lock);
     else if (!fits_wish())
       open(lock);
@@ -67,13 +81,37 @@ void VideoPlayer::close(std::unique_lock<std::mutex>& lock) {
   made_for_.reset();
   lock.unlock();
   playing_.reset();
-  read_(std::numeric_limits<std::uint32_t>::max());  // lets go of the bytes
+  if (images_) images_->let_go();
   lock.lock();
   for (Slot& slot : slots_)
     if (slot.state != SlotState::Uploading) slot = {};
   lock.unlock();
   give_back_freed_memory();
   lock.lock();
+}
+
+/// Null where it cannot be played. All of its bytes are in memory only while its frames are looked
+/// for.
+std::unique_ptr<VideoPlayer::Playing> VideoPlayer::begun(std::uint32_t image) const {
+  if (!images_) return {};
+  Result<video::Video> video = video::read_webm(images_->read(image));
+  images_->let_go();
+  if (!video || video::beyond(*video)) return {};
+  Result<vpx::Decoder> decoder = vpx::Decoder::open(*video);
+  if (!decoder) return {};
+  const std::size_t longest = std::ranges::max(video->frames, {}, &video::Frame::size).size;
+  return std::make_unique<Playing>(Playing{.image = image,
+                                           .video = std::move(*video),
+                                           .decoder = std::move(*decoder),
+                                           .coded = std::vector<std::byte>(longest)});
+}
+
+/// Fails where the file no longer has what it had.
+Result<video::Planes> VideoPlayer::decode(const video::Frame& frame) {
+  const std::span<std::byte> coded = std::span(playing_->coded).first(frame.size);
+  if (!images_->read_part(playing_->image, frame.at, coded))
+    return std::unexpected(Error{Errc::Damaged, "a frame cannot be read"});
+  return playing_->decoder.decode(coded);
 }
 
 void VideoPlayer::open(std::unique_lock<std::mutex>& lock) {
@@ -84,12 +122,7 @@ void VideoPlayer::open(std::unique_lock<std::mutex>& lock) {
   for (Slot& slot : slots_) slot.state = SlotState::Filling;
   lock.unlock();
   playing_.reset();
-  const std::span<const std::byte> bytes = read_(wish.image);
-  Result<video::Video> video = video::read_webm(bytes);
-  if (video && !video::beyond(*video))
-    if (Result<vpx::Decoder> decoder = vpx::Decoder::open(*video))
-      playing_ = std::make_unique<Playing>(
-          Playing{.bytes = bytes, .video = std::move(*video), .decoder = std::move(*decoder)});
+  playing_ = begun(wish.image);
   if (made_for_ != wish.size)
     for (Slot& slot : slots_)
       slot.pixels = {wish.size.width, wish.size.height,
@@ -99,33 +132,42 @@ void VideoPlayer::open(std::unique_lock<std::mutex>& lock) {
   is_open_ = true;
   playing_run_ = run;
   made_for_ = wish.size;
-  next_ = 0;
+  begun_at_ = seen_ = milliseconds(wish);
   has_failed_ = playing_ == nullptr;
+  if (has_failed_) shown_run_ = run;
+  // What lies before is nobody's loss.
+  next_ = has_failed_ ? 0 : video::next_frame(playing_->video.frames, 0, seen_, seen_).index;
   frame_count_ = has_failed_ ? 0 : playing_->video.frames.size();
   duration_ = has_failed_ ? 0 : static_cast<std::uint32_t>(playing_->video.duration().count());
 }
 
-/// A frame after which another is due already is decoded, because others are made from it, and not
-/// shown.
 void VideoPlayer::decode_next(std::unique_lock<std::mutex>& lock) {
-  const std::vector<video::Frame>& frames = playing_->video.frames;
-  const video::Frame frame = frames[next_];
-  const bool is_late = next_ + 1 < frames.size() && frames[next_ + 1].milliseconds <= due();
-  ++next_;
+  const std::span<const video::Frame> frames = playing_->video.frames;
+  const video::NextFrame next = video::next_frame(frames, next_, due(), seen_);
+  const video::Frame frame = frames[next.index];
+  const auto is_lost = [&](const video::Frame& one) {
+    return one.is_shown && one.milliseconds >= begun_at_;
+  };
+  const auto passed = frames.subspan(next_, next.index - next_);
+  counters_.dropped += static_cast<std::size_t>(std::ranges::count_if(passed, is_lost));
+  next_ = next.index + 1;
+  if (next.is_seen) seen_ = due();
   Slot* slot = slot_in(SlotState::Free);
   slot->state = SlotState::Filling;
   lock.unlock();
   const std::chrono::nanoseconds began = thread_cpu_now();
-  const Result<video::Planes> planes =
-      playing_->decoder.decode(playing_->bytes.subspan(frame.at, frame.size));
-  const bool is_seen = planes && planes->y != nullptr && !is_late;
+  const Result<video::Planes> planes = decode(frame);
+  const bool is_seen = planes && planes->y != nullptr && next.is_seen;
   if (is_seen) video::fill_pixels(*planes, slot->pixels);
   const std::chrono::nanoseconds took = thread_cpu_now() - began;
   lock.lock();
   counters_.decoding += took;
   ++counters_.decoded;
-  if (is_late && frame.is_shown) ++counters_.dropped;
-  if (!planes) has_failed_ = true;
+  if (!next.is_seen && is_lost(frame)) ++counters_.dropped;
+  if (!planes) {
+    has_failed_ = true;
+    shown_run_ = playing_run_;
+  }
   slot->milliseconds = frame.milliseconds;
   slot->state = is_seen && fits_wish() ? SlotState::Ready : SlotState::Free;
 }
@@ -137,9 +179,10 @@ void VideoPlayer::want(const std::optional<Wish>& wish) noexcept {
   if (!wish && !wish_) return;
   const bool begins = wish && (!wish_ || wish_->image != wish->image || wish_->size != wish->size ||
                                wish->seconds < wish_->seconds);
+  const bool goes_on = wish && wish_ && wish->plays != wish_->plays;
   wish_ = wish;
   if (begins) ++run_;
-  if (begins || !wish) changed_.notify_all();
+  if (begins || goes_on || !wish) changed_.notify_all();
 }
 
 bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture) noexcept {
@@ -165,6 +208,7 @@ bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture
   holdings.replace_image(texture, newest->pixels);
   const std::scoped_lock lock(mutex_);
   newest->state = SlotState::Free;
+  shown_run_ = run_;
   ++counters_.shown;
   changed_.notify_all();
   return true;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,22 +12,24 @@
 
 #include "platform/gles/holdings.h"
 #include "runtime/kiosk/statistics.h"
+#include "runtime/model/blob_archive.h"
 #include "runtime/model/pixels.h"
+#include "runtime/model/result.h"
+#include "runtime/video/fill_pixels.h"
 #include "runtime/video/webm.h"
 
 namespace docent::kiosk {
 
 /// Plays a video in the texture of a picture: a thread reads it and decodes ahead into two frames
 /// that were made when it began, and the frame thread carries the one that is due into texture
-/// memory. The guide says how far the video has come; what comes too late is left out. One video is
-/// played at a time, and all that it takes is given back when nobody watches it.
+/// memory. The guide says how far the video has come; what comes too late is left out
+/// (video::next_frame). Each coded frame is read from the file when it is decoded. One video is
+/// played at a time, and all that it takes is given back when nobody watches it, and while it
+/// stands at its beginning, which stays in the texture.
 class VideoPlayer {
  public:
-  /// The bytes of an image of the museum, valid until the next call; none where there is no such
-  /// image. Called by the thread alone.
-  using Read = std::function<std::span<const std::byte>(std::uint32_t image)>;
-
-  explicit VideoPlayer(Read read);
+  /// `images`: where the museum's images lie, read by the thread alone; null: nothing is played.
+  explicit VideoPlayer(std::shared_ptr<BlobArchive> images);
   ~VideoPlayer();
   VideoPlayer(const VideoPlayer&) = delete;
   VideoPlayer& operator=(const VideoPlayer&) = delete;
@@ -38,6 +39,7 @@ class VideoPlayer {
     std::uint32_t image = 0;
     gles::Holdings::Size size;
     float seconds = 0;  ///< Of the video. Less than before: it begins again.
+    bool plays = true;  ///< Else it stands still.
   };
   /// Frame thread; these do not allocate. What is to be seen from now on.
   void want(const std::optional<Wish>& wish) noexcept;
@@ -61,22 +63,28 @@ class VideoPlayer {
   void work(const std::stop_token& stop);
   bool has_work() const noexcept;
   void open(std::unique_lock<std::mutex>& lock);
+  std::unique_ptr<Playing> begun(std::uint32_t image) const;
+  Result<video::Planes> decode(const video::Frame& frame);
   void close(std::unique_lock<std::mutex>& lock);
   void decode_next(std::unique_lock<std::mutex>& lock);
   Slot* slot_in(SlotState state) noexcept;
   bool fits_wish() const noexcept;
+  bool rests() const noexcept;
   std::uint32_t due() const noexcept;
 
-  Read read_;
+  std::shared_ptr<BlobArchive> images_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<Wish> wish_{};        ///< By the frame thread.
-  std::uint64_t run_ = 0;             ///< Grows with every beginning that is wanted.
+  std::uint64_t run_ = 0;             ///< Grows with whatever is begun anew, somewhere.
   std::unique_ptr<Playing> playing_;  ///< The thread's; what it is of is read by both.
   std::uint64_t playing_run_ = 0;
+  std::uint64_t shown_run_ = 0;  ///< That of which a frame was shown last, or could not be.
   std::optional<gles::Holdings::Size> made_for_{};
   std::size_t next_ = 0, frame_count_ = 0;
   std::uint32_t duration_ = 0;  ///< Milliseconds.
+  std::uint32_t begun_at_ = 0;  ///< Likewise: what was due when it was opened.
+  std::uint32_t seen_ = 0;      ///< Likewise: what was due when a frame was last made to be seen.
   bool is_open_ = false, has_failed_ = false, is_busy_ = false;
   std::array<Slot, 2> slots_;
   VideoCounters counters_;

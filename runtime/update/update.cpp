@@ -33,7 +33,7 @@ Result<void> check_database(const std::filesystem::path& file,
   if (!keys.empty())
     if (const Result<void> trusted = sqlite::check_signature(*database, file, keys); !trusted)
       return trusted;
-  const Result<Museum> museum = sqlite::read_museum(*database, file);
+  const Result<Museum> museum = sqlite::read_museum(*database, file, sqlite::Videos::LeaveInFile);
   if (!museum) return std::unexpected(museum.error());
   return {};
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "runtime/video/ebml.h"
@@ -29,6 +30,13 @@ enum Id : std::uint32_t {
   Pictures = 0xE0,
   PixelWidth = 0xB0,
   PixelHeight = 0xBA,
+  PixelCropBottom = 0x54AA,
+  PixelCropTop = 0x54BB,
+  PixelCropLeft = 0x54CC,
+  PixelCropRight = 0x54DD,
+  DisplayWidth = 0x54B0,
+  DisplayHeight = 0x54BA,
+  DisplayUnit = 0x54B2,
   Cluster = 0x1F43B675,
   Timestamp = 0xE7,
   SimpleBlock = 0xA3,
@@ -39,6 +47,8 @@ enum Id : std::uint32_t {
 /// What a track says of itself.
 struct Track {
   std::uint64_t number = 0, type = 0, width = 0, height = 0;
+  std::uint64_t shown_width = 0, shown_height = 0, shown_unit = 0;  ///< 0: as the pixels are.
+  bool is_cropped = false;                                          ///< Edges are not to be seen.
   std::string_view codec;
   bool is_packed = false;  ///< Compressed once more, or encrypted.
 };
@@ -62,6 +72,21 @@ bool is_key_frame(Codec codec, std::span<const std::byte> frame) noexcept {
 bool is_shown(Codec codec, std::span<const std::byte> frame) noexcept {
   return codec == Codec::Vp9 || frame.empty() ||
          (std::to_integer<unsigned>(frame[0]) & 0b1'0000U) != 0;
+}
+
+/// How wide a pixel is to be shown for its height. Whatever the unit is, both are in it; where it
+/// is unknown, so is the shape. A side that is not said is that of the pixels
+/// (section 5.1.4.1.28.11).
+double shape_of_pixels(const Track& track) noexcept {
+  constexpr std::uint64_t pixels = 0, unknown = 4;
+  const bool is_whole = track.shown_width != 0 && track.shown_height != 0;
+  if (track.shown_unit >= unknown || (track.shown_unit != pixels && !is_whole)) return 1;
+  const auto width = static_cast<double>(track.width), height = static_cast<double>(track.height);
+  const double shown_width =
+      track.shown_width == 0 ? width : static_cast<double>(track.shown_width);
+  const double shown_height =
+      track.shown_height == 0 ? height : static_cast<double>(track.shown_height);
+  return shown_width * height / (shown_height * width);
 }
 
 class WebmReader {
@@ -197,12 +222,35 @@ class WebmReader {
       if (one.id == CodecId) track.codec = text(one);
       if (one.id == ContentEncodings) track.is_packed = true;
       if (one.id != Pictures) return true;
-      return each(one, [&](const Element& side) {
-        if (side.id == PixelWidth) return number(side, track.width);
-        return side.id != PixelHeight || number(side, track.height);
-      });
+      return each(one, [&](const Element& side) { return read_side(side, track); });
     });
     return is_read && keep(track);
+  }
+
+  /// Of the picture: section 5.1.4.1.28.
+  bool read_side(const Element& side, Track& track) {
+    std::uint64_t cropped = 0;
+    switch (side.id) {
+      case PixelWidth:
+        return number(side, track.width);
+      case PixelHeight:
+        return number(side, track.height);
+      case DisplayWidth:
+        return number(side, track.shown_width);
+      case DisplayHeight:
+        return number(side, track.shown_height);
+      case DisplayUnit:
+        return number(side, track.shown_unit);
+      case PixelCropBottom:
+      case PixelCropTop:
+      case PixelCropLeft:
+      case PixelCropRight:
+        if (!number(side, cropped)) return false;
+        track.is_cropped = track.is_cropped || cropped != 0;
+        return true;
+      default:
+        return true;
+    }
   }
 
   bool keep(const Track& track) {
@@ -220,6 +268,8 @@ class WebmReader {
     video_.codec = track.codec == "V_VP8" ? Codec::Vp8 : Codec::Vp9;
     video_.width = static_cast<std::uint32_t>(track.width);
     video_.height = static_cast<std::uint32_t>(track.height);
+    video_.pixel_shape = shape_of_pixels(track);
+    video_.is_cropped = track.is_cropped;
     track_ = track.number;
     return true;
   }
@@ -300,6 +350,12 @@ std::optional<std::string> beyond(const Video& video, const Limits& limits) {
   if (least < limits.least_side)
     return fmt::format("this video is {} x {} pixels, too small to be seen", video.width,
                        video.height);
+  if (video.is_cropped) return "this video says that parts of it at its edges are not to be seen";
+  if (std::abs(video.pixel_shape - 1) > limits.squeeze)
+    return fmt::format(
+        "the pixels of this video are {:.2f} times as wide as they are high; those "
+        "of a screen are square",
+        video.pixel_shape);
   if (video.shown() < 2) return "this video has a single frame: name a picture instead";
   const double seconds = static_cast<double>(video.duration().count()) / 1000;
   if (seconds > static_cast<double>(limits.duration.count()))

@@ -22,10 +22,12 @@ struct Frame {
   bool is_shown = true;            ///< VP8 has frames that only others are made from.
 };
 
-/// What the head of a video says, and where its frames lie. Pixels are square.
+/// What the head of a video says, and where its frames lie.
 struct Video {
   Codec codec = Codec::Vp8;
   std::uint32_t width = 0, height = 0;  ///< As the head says; frames may say otherwise.
+  double pixel_shape = 1;               ///< How wide a pixel is for its height; over 0.
+  bool is_cropped = false;              ///< Something at its edges is not to be seen.
   bool has_sound = false;               ///< Another track holds it; nothing here plays it.
   std::vector<Frame> frames;            ///< At least one; the first is a key frame.
 
@@ -39,6 +41,7 @@ struct Limits {
   std::uint32_t longest_side = 1280, shortest_side = 720;  ///< Pixels; either may be the width.
   std::uint32_t least_side = 16;
   double frames_a_second = 30;
+  double squeeze = 0.01;  ///< By so much a circle may be wider or less wide than high.
   std::chrono::seconds duration{60};
   std::size_t bytes = std::size_t{12} << 20U;
 };

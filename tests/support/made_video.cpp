@@ -55,12 +55,17 @@ std::string track_of(const VideoSketch& sketch) {
   const std::string codec = !sketch.says_codec.empty() ? sketch.says_codec
                             : is_vp8                   ? "V_VP8"
                                                        : "V_VP9";
+  std::string sides = element(0xB0, sketch.says_width != 0 ? sketch.says_width : sketch.width) +
+                      element(0xBA, sketch.says_height != 0 ? sketch.says_height : sketch.height);
+  const auto say = [&](std::uint32_t id, std::uint32_t number) {
+    if (number != 0) sides += element(id, std::uint64_t{number});
+  };
+  say(0x54B0, sketch.says_shown_width);
+  say(0x54BA, sketch.says_shown_height);
+  say(0x54B2, sketch.says_unit);
+  say(0x54DD, sketch.says_cropped);
   return element(
-      0xAE,
-      element(0xD7, 1) + element(0x83, 1) + text_element(0x86, codec) +
-          element(0xE0,
-                  element(0xB0, sketch.says_width != 0 ? sketch.says_width : sketch.width) +
-                      element(0xBA, sketch.says_height != 0 ? sketch.says_height : sketch.height)));
+      0xAE, element(0xD7, 1) + element(0x83, 1) + text_element(0x86, codec) + element(0xE0, sides));
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ struct VideoSketch {
   std::size_t frames = 10;
   std::uint64_t milliseconds_a_frame = 40;
   std::uint32_t says_width = 0, says_height = 0;  ///< Its head; 0: the truth.
-  std::string says_codec{};                       ///< Likewise.
+  std::uint32_t says_shown_width = 0, says_shown_height = 0, says_unit = 0;  ///< 0: nothing.
+  std::uint32_t says_cropped = 0;                                            ///< At its right.
+  std::string says_codec{};                                                  ///< Likewise.
   std::string says_kind = "webm";
   bool has_sound = false;
   bool is_streamed = false;  ///< As browsers record: nothing tells its size.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/museum_config.h"
+#include "content/compile/compile_images.h"
 #include "content/content_error.h"
 #include "tests/support/made_video.h"
 #include "tests/support/museum_folder.h"
@@ -32,7 +34,7 @@ std::string fault_of(const std::string& video) {
   EXPECT_EQ(run.exit_code, 1) << run.err;
   EXPECT_THAT(run.err,
               HasSubstr("hall.toml:11:9: error[unreadable-video]: 'images/turning.webm': "));
-  EXPECT_THAT(run.err, HasSubstr("hint: ffmpeg -i FILM -an -c:v libvpx-vp9"));
+  EXPECT_THAT(run.err, HasSubstr("hint: ffmpeg -i FILM -an -c:v libvpx-vp9 -b:v 1400k"));
   return run.err;
 }
 
@@ -95,6 +97,70 @@ TEST(LoadVideo, RefusesAFrameThatIsDamaged) {
   frames[4] = std::string(frames[4].size(), '\x7f');
 
   EXPECT_THAT(fault_of(make_video({}, frames)), HasSubstr("frame 5 of this video is damaged"));
+}
+
+TEST(LoadVideo, RefusesPixelsThatAreNotSquare) {
+  EXPECT_THAT(fault_of(make_video({.says_shown_width = 80, .says_shown_height = 48})),
+              HasSubstr("the pixels of this video are 1.25 times as wide as they are high"));
+}
+
+/// How a command of the shell ends; what it says is nobody's.
+int ended(const std::string& command) {
+  return std::system(
+      ("(" + command + ") >/dev/null 2>&1").c_str());  // NOLINT(bugprone-command-processor)
+}
+
+/// Does the command that `check` names as the remedy make of a film what `check` takes? `film`: how
+/// ffmpeg makes one.
+void expect_remedied(const std::string& film) {
+  const MuseumWithVideo museum("no video");
+  const std::string told =
+      test::run_program("docent-content", "check '" + museum.path().string() + "'").err;
+  const std::size_t begin = told.find("hint: ffmpeg") + 6, end = told.find(" makes one", begin);
+  ASSERT_NE(end, std::string::npos) << told;
+  std::string remedy = told.substr(begin, end - begin);
+  const std::size_t name = remedy.find("FILM"), made = remedy.find("turning.webm");
+  ASSERT_TRUE(name != std::string::npos && made != std::string::npos) << remedy;
+  const test::TemporaryFolder folder;
+  const std::string source = "'" + (folder.path() / "film.mkv").string() + "'";
+  remedy.replace(made, 12, "-y '" + (museum.path() / "images/turning.webm").string() + "'");
+  remedy.replace(name, 4, source);
+
+  ASSERT_EQ(ended("ffmpeg -f lavfi -i " + film + " " + source), 0);
+  ASSERT_EQ(ended(remedy), 0) << remedy;
+
+  const test::ProgramRun checked =
+      test::run_program("docent-content", "check '" + museum.path().string() + "'");
+  EXPECT_EQ(checked.exit_code, 0) << film << '\n' << checked.err;
+}
+
+TEST(LoadVideo, SaysHowNearlyAnyFilmBecomesOne) {
+  if (ended("ffmpeg -version") != 0) GTEST_SKIP() << "ffmpeg is not here";
+  expect_remedied("testsrc2=s=1920x804:r=24:d=0.2 -c:v ffv1 -pix_fmt yuv422p10le");  // 2.39:1
+  expect_remedied("testsrc2=s=720x576:r=50:d=0.2 -c:v mpeg2video -aspect 16:9");     // a DVD
+  expect_remedied("testsrc2=s=540x960:r=60:d=0.2 -c:v ffv1 -pix_fmt yuv444p");       // a telephone
+  expect_remedied("testsrc2=s=321x101:r=12:d=0.5 -c:v ffv1");
+}
+
+TEST(LoadVideo, TellsOfMoreThanAKioskMayReadInto) {
+  const std::string video = make_video({});
+  const MuseumWithVideo folder(video);
+  const config::MuseumConfig config = *config::load_museum_config(folder.path()).value;
+  const auto told = [&](std::size_t many_bytes) {
+    Museum museum;
+    museum.exhibits.resize(2);
+    museum.pictures = {{.exhibit = 0}};
+    Report report;
+    compile_images(config, Images::Check, 1, museum, report, many_bytes);
+    return report.in_order();
+  };
+
+  EXPECT_TRUE(told(video.size()).empty());
+  const std::vector<Diagnostic> more = told(video.size() - 1);
+  ASSERT_EQ(more.size(), 1U);
+  EXPECT_EQ(more[0].code, "videos-large");
+  EXPECT_EQ(more[0].severity, Severity::Warning);
+  EXPECT_THAT(more[0].message, HasSubstr("images/turning.webm"));
 }
 
 }  // namespace

@@ -114,6 +114,8 @@ class OneSound : public BlobArchive {
  public:
   explicit OneSound(std::vector<std::byte> packets) : packets_(std::move(packets)) {}
   std::span<const std::byte> read(std::uint32_t) override { return packets_; }
+  bool read_part(std::uint32_t, std::size_t, std::span<std::byte>) override { return false; }
+  void let_go() noexcept override {}
 
  private:
   std::vector<std::byte> packets_;

@@ -35,6 +35,29 @@ Error refusal(const std::vector<std::byte>& bytes) {
   return museum ? Error{.code = Errc::WrongUsage, .what = "was accepted"} : museum.error();
 }
 
+TEST(ContentReader, LeavesVideosInTheFileWhereTheyAreAskedForLater) {
+  const TemporaryFolder folder;
+  Museum museum = small_museum();
+  const std::vector<std::byte> bytes(100, std::byte{7});
+  museum.images = {{.name = "a.webm", .width = 64, .height = 48, .bytes = bytes},
+                   {.name = "b.png", .width = 64, .height = 48, .bytes = bytes},
+                   {.name = "c.webm", .width = 64, .height = 48, .bytes = bytes}};
+  const auto file = folder.path() / "museum.db";
+  write::write_museum(museum, file);
+  const auto database = open_database(file);
+  ASSERT_TRUE(database.has_value());
+
+  const auto all = read_museum(*database, file);
+  const auto light = read_museum(*database, file, Videos::LeaveInFile);
+
+  ASSERT_TRUE(all.has_value() && light.has_value());
+  for (std::size_t image = 0; image < 3; ++image) {
+    EXPECT_EQ(all->images[image].bytes, bytes);
+    EXPECT_EQ(light->images[image].bytes, image == 1 ? bytes : std::vector<std::byte>());
+    EXPECT_EQ(light->images[image].name, museum.images[image].name);
+  }
+}
+
 TEST(ContentReader, GivesBackEveryFieldThatTheWriterStored) {
   const TemporaryFolder folder;
   const Museum museum = small_museum();

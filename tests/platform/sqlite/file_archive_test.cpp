@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "content/write/content_writer.h"
 #include "platform/sqlite/database.h"
@@ -42,6 +44,29 @@ TEST_F(AFileArchive, HoldsSoundsAndPicturesByTheirIndices) {
       EXPECT_TRUE(std::ranges::equal(pictures->read(i), museum_.images[i].bytes)) << i;
   }
   EXPECT_TRUE(sounds->read(static_cast<std::uint32_t>(museum_.speech.size())).empty());
+}
+
+TEST_F(AFileArchive, ReadsPartsOfALongOneInAnyOrder) {
+  std::vector<std::byte> bytes(300'000);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = std::byte(i * 2654435761U >> 13U);
+  museum_.images.push_back({.name = "b.webm", .width = 2, .height = 3, .bytes = bytes});
+  write::write_museum(museum_, file_);
+  const auto number = static_cast<std::uint32_t>(museum_.images.size() - 1);
+  const auto archive =
+      open_archive(file_, Archived::Images, checksum_text(open_database(file_).value()));
+  ASSERT_NE(archive, nullptr);
+  std::vector<std::byte> part(1000);
+  for (const std::size_t from : {0U, 299'000U, 4090U, 150'000U}) {
+    ASSERT_TRUE(archive->read_part(number, from, part));
+    EXPECT_TRUE(std::ranges::equal(part, std::span(bytes).subspan(from, 1000))) << from;
+  }
+  EXPECT_FALSE(archive->read_part(number, 299'001, part)) << "beyond its end";
+  EXPECT_FALSE(archive->read_part(number, std::size_t{1} << 40U, part));
+  EXPECT_FALSE(archive->read_part(number + 1, 0, part)) << "there is none";
+  EXPECT_TRUE(std::ranges::equal(archive->read(0), museum_.images[0].bytes)) << "another, whole";
+  EXPECT_TRUE(archive->read_part(number, 0, part));
+  archive->let_go();
+  EXPECT_TRUE(archive->read_part(number, 0, part));
 }
 
 TEST_F(AFileArchive, KeepsToItsFileWhenAnotherTakesTheName) {

@@ -404,6 +404,23 @@ TEST(ControlGraph, AVideoIsPlayedAndStoppedWhereItIsSeen) {
   EXPECT_FALSE(press("video:stop"));
 }
 
+TEST(ControlGraph, AVideoDoesNotGoOnForWhoWasElsewhereMeanwhile) {
+  InterfaceState watching;
+  watching.screen = Screen::Arrived;
+  watching.arrived = true;
+  watching.exhibit = 0;
+  watching.picture = 1;
+  watching.plays = true;
+
+  const InterfaceState choosing = after(watching, {Action::Kind::ShowLanguages});
+  const InterfaceState back = after(choosing, {Action::Kind::Speak, 1});
+
+  EXPECT_FALSE(choosing.plays);
+  EXPECT_EQ(back.screen, Screen::Arrived);
+  EXPECT_FALSE(back.plays);
+  EXPECT_TRUE(after(watching, {Action::Kind::RaiseContrast, 1}).plays) << "it is still seen";
+}
+
 TEST(ControlGraph, EveryEnabledControlLeadsToAStateWithControls) {
   const Museum museum = test::sample_museum_without_walls();
   std::vector<InterfaceState> open{{}};

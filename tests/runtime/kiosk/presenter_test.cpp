@@ -51,11 +51,20 @@ class DrawnTwice {
     }
   }
 
-  /// Draws some frames that are a twentieth of a second apart.
-  void watch(int frames, const char* what) {
+  /// The exhibit's picture on the glass; None: there is none.
+  scene::TextureId picture() const {
+    for (const interface::Element& element : exhibition_->guide->view()->elements)
+      if (element.quad.fill == scene::QuadFill::Image) return element.quad.texture;
+    return scene::TextureId::None;
+  }
+
+  /// Draws some frames that are a twentieth of a second apart. `played`: has another content in
+  /// each of them.
+  void watch(int frames, const char* what, scene::TextureId played = scene::TextureId::None) {
     for (int frame = 0; frame < frames; ++frame) {
       run(0.05);
       const scene::DrawList& list = exhibition_->guide->draw_list();
+      shown_.forget(played);
       const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
       parts_ += change.everything || change.model ? 0 : 1;
       whole_->draw(list, exhibition_->holdings, target_);
@@ -116,6 +125,16 @@ class DrawnTwice {
     }
   }
 
+  /// Does a recorded picture show nothing of what would be behind it?
+  bool is_opaque() {
+    whole_->draw(exhibition_->guide->draw_list(), exhibition_->holdings, display_->target());
+    Pixels picture;
+    display_->read_back(picture);
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+      if (picture.rgba[i] != std::byte{255}) return false;
+    return !picture.rgba.empty();
+  }
+
   bool has_arrived() const { return exhibition_->guide->state().arrived; }
   int parts() const { return parts_; }
 
@@ -157,6 +176,14 @@ TEST(ACoarsePicture, BecomesTheOneThatIsDrawnWholeAFewRowsAtATime) {
   visit.refine_among_others(12, "arrived");
 }
 
+TEST(APicture, IsOpaqueWhereTheInterfaceCoversTheModel) {
+  DrawnTwice visit;
+
+  visit.run(1);
+
+  EXPECT_TRUE(visit.is_opaque());
+}
+
 TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
   DrawnTwice visit;
 
@@ -174,8 +201,10 @@ TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
   ASSERT_TRUE(visit.has_arrived());
   visit.run(4);
   visit.watch(20, "arrived");
+  ASSERT_NE(visit.picture(), scene::TextureId::None);
+  visit.watch(20, "beside a guide who breathes, a picture plays", visit.picture());
 
-  EXPECT_GT(visit.parts(), 40);
+  EXPECT_GT(visit.parts(), 60);
 }
 
 }  // namespace

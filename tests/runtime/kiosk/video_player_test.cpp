@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "platform/headless/headless_display.h"
 #include "tests/support/kiosk_run.h"
 #include "tests/support/made_video.h"
@@ -25,18 +27,41 @@ class TheVideoPlayer : public ::testing::Test {
   }
 
   /// Is another frame shown at that time of the video?
-  bool shows(float seconds) {
-    player_.want(VideoPlayer::Wish{.image = 0, .size = {32, 24}, .seconds = seconds});
+  bool shows(float seconds, bool plays = true, gles::Holdings::Size size = {32, 24}) {
+    player_.want(VideoPlayer::Wish{.image = 0, .size = size, .seconds = seconds, .plays = plays});
     player_.wait();
     return player_.upload_next(*holdings_, texture);
+  }
+  /// Does the player hold anything of a video's bytes?
+  bool is_held() {
+    player_.wait();
+    return is_held_;
   }
 
   std::string video_ = test::make_video({});
   std::unique_ptr<headless::HeadlessDisplay> display_;
   std::optional<gles::Holdings> holdings_;
-  VideoPlayer player_{[this](std::uint32_t image) {
-    return image == 0 ? test::bytes_of(video_) : std::span<const std::byte>();
-  }};
+  /// The test's only image, and whether anybody has it.
+  struct OneVideo : BlobArchive {
+    explicit OneVideo(TheVideoPlayer& test) : of(test) {}
+    std::span<const std::byte> read(std::uint32_t image) override {
+      of.is_held_ = of.is_whole_ = image == 0;
+      return image == 0 ? test::bytes_of(of.video_) : std::span<const std::byte>();
+    }
+    bool read_part(std::uint32_t image, std::size_t from, std::span<std::byte> out) override {
+      if (image != 0 || from > of.video_.size() || out.size() > of.video_.size() - from)
+        return false;
+      of.is_held_ = true;
+      of.is_whole_ = false;
+      std::ranges::copy(test::bytes_of(of.video_).subspan(from, out.size()), out.begin());
+      return true;
+    }
+    void let_go() noexcept override { of.is_held_ = of.is_whole_ = false; }
+    TheVideoPlayer& of;
+  };
+
+  std::atomic<bool> is_held_ = false, is_whole_ = false;
+  VideoPlayer player_{std::make_shared<OneVideo>(*this)};
 };
 
 TEST_F(TheVideoPlayer, ShowsEachFrameOnceWhenItIsDue) {
@@ -69,6 +94,69 @@ TEST_F(TheVideoPlayer, EndsAndBeginsAgain) {
 
   EXPECT_TRUE(shows(0)) << "the first frame again";
   EXPECT_FALSE(player_.has_ended());
+}
+
+TEST_F(TheVideoPlayer, GoesOnWhereItIsInAnotherSize) {
+  EXPECT_TRUE(shows(0));
+  EXPECT_TRUE(shows(0.201F));
+  player_.wait();
+  const std::uint64_t shown = player_.counters().shown, dropped = player_.counters().dropped;
+
+  holdings_->release(texture);
+  holdings_->add_image(texture, {16, 12, std::vector<std::byte>(std::size_t{4} * 16 * 12)});
+  EXPECT_TRUE(shows(0.21F, true, {16, 12})) << "what is due, at once";
+  EXPECT_FALSE(shows(0.22F, true, {16, 12})) << "and nothing of what was before it";
+  EXPECT_EQ(player_.counters().shown, shown + 1);
+  EXPECT_EQ(player_.counters().dropped, dropped) << "nobody has missed what they had seen";
+  EXPECT_TRUE(shows(0.241F, true, {16, 12}));
+}
+
+TEST_F(TheVideoPlayer, HoldsNothingWhileTheVideoStandsAtItsBeginning) {
+  EXPECT_TRUE(shows(0, false)) << "its first frame, in the place of whatever was there";
+  EXPECT_FALSE(is_held());
+  EXPECT_FALSE(shows(0, false));
+  EXPECT_FALSE(is_held());
+
+  EXPECT_TRUE(shows(0.041F)) << "it is played";
+  EXPECT_TRUE(is_held());
+  EXPECT_FALSE(is_whole_) << "a frame at a time";
+  EXPECT_FALSE(shows(0.042F, false));
+  EXPECT_TRUE(is_held()) << "whoever has stopped it may go on";
+  EXPECT_TRUE(shows(0, false)) << "it has come to its end";
+  EXPECT_FALSE(is_held());
+  EXPECT_FALSE(player_.has_ended());
+}
+
+TEST_F(TheVideoPlayer, IsAtItsEndWhereTheFileIsNotWhatItWas) {
+  EXPECT_TRUE(shows(0));
+  player_.wait();
+  video_.resize(video_.size() / 2);
+  shows(0.3F);
+  shows(0.35F);
+
+  EXPECT_TRUE(player_.has_ended());
+}
+
+TEST(AVideoPlayer, PlaysNothingWhereThereIsNoFile) {
+  VideoPlayer player({});
+  player.want(VideoPlayer::Wish{.image = 0, .size = {32, 24}});
+  player.wait();
+
+  EXPECT_TRUE(player.has_ended());
+}
+
+TEST_F(TheVideoPlayer, HoldsNothingOfWhatCannotBePlayed) {
+  video_ = "nothing";
+  EXPECT_FALSE(shows(0));
+  EXPECT_TRUE(player_.has_ended());
+  EXPECT_FALSE(shows(0, false));
+  EXPECT_FALSE(is_held());
+
+  video_ = test::make_video({}, std::vector<std::string>(10, "\x82 and no frame"));
+  EXPECT_FALSE(shows(0.1F));
+  EXPECT_TRUE(player_.has_ended());
+  EXPECT_FALSE(shows(0, false));
+  EXPECT_FALSE(is_held());
 }
 
 TEST_F(TheVideoPlayer, IsAtItsEndWhereAFrameIsDamagedOrThereIsNone) {

@@ -147,5 +147,44 @@ TEST(Beyond, SaysWhatIsTooMuch) {
   EXPECT_THAT(beyond_of({.width = 8, .height = 8}), HasSubstr("too small"));
 }
 
+TEST(Beyond, SaysWhatWouldBeSqueezed) {
+  // A DVD of a wide film, in pixels, and as a shape alone.
+  EXPECT_THAT(beyond_of({.width = 720, .height = 576, .says_shown_width = 1024}),
+              HasSubstr("are 1.42 times as wide as they are high"));
+  EXPECT_THAT(beyond_of({.width = 720,
+                         .height = 576,
+                         .says_shown_width = 16,
+                         .says_shown_height = 9,
+                         .says_unit = 3}),
+              HasSubstr("are 1.42 times as wide"));
+  EXPECT_THAT(beyond_of({.width = 720, .height = 576, .says_shown_height = 810}),
+              HasSubstr("are 0.71 times as wide"));
+}
+
+TEST(Beyond, TakesTheShapeThatRoundingMakes) {
+  EXPECT_EQ(beyond_of({.width = 854,
+                       .height = 480,
+                       .says_shown_width = 16,
+                       .says_shown_height = 9,
+                       .says_unit = 3}),
+            "");
+  EXPECT_EQ(
+      beyond_of({.width = 640, .height = 480, .says_shown_width = 1280, .says_shown_height = 960}),
+      "")
+      << "larger, and no other shape";
+  EXPECT_EQ(beyond_of({.width = 640,
+                       .height = 480,
+                       .says_shown_width = 1,
+                       .says_shown_height = 100,
+                       .says_unit = 4}),
+            "")
+      << "a unit that nobody knows";
+}
+
+TEST(Beyond, SaysThatEdgesAreNotCutOff) {
+  EXPECT_THAT(beyond_of({.width = 640, .height = 480, .says_cropped = 8}),
+              HasSubstr("parts of it at its edges are not to be seen"));
+}
+
 }  // namespace
 }  // namespace docent::video::webm_test
