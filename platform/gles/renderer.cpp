@@ -195,7 +195,6 @@ void Renderer::Parts::draw_strip(const Shot& shot, PixelSize pixels, std::uint32
 
 void Renderer::Parts::draw_model(const Shot& shot, const Region& part, PixelSize pixels,
                                  GLuint framebuffer) noexcept {
-  buffer.set_picture(pixels);
   for (std::uint32_t strip = 0; strip < buffer.strips(); ++strip) {
     const Region here = buffer.part(strip, part);
     if (here.is_empty()) continue;
@@ -254,7 +253,7 @@ void Renderer::Parts::prepare(const Shot& shot, PixelSize pixels) noexcept {
   avatars.prepare(shot.list, shot.held.body, shot.sun, pixels);
   bind_texture(static_cast<GLuint>(Unit::LightMap),
                shot.building ? shot.building->lightmap.get() : 0);
-  buffer.fit(shot.size);
+  buffer.fit(pixels);
 }
 
 std::array<Region, 2> Renderer::Parts::regions_of_change(const Shot& shot,
@@ -297,7 +296,6 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
     draw_coarsely(shot, coarse, pixels);
     return draw_interface(shot, region);
   }
-  buffer.set_picture(shot.size);
   const Region finer = take_coarse_rows();
   if (finer.is_empty()) {
     for (const Region& part : regions) draw_part(shot, part, seen);

@@ -11,18 +11,18 @@ SceneBuffer::SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept
   samples_ = samples > 1 ? std::min(static_cast<GLint>(samples), most) : 0;
 }
 
-void SceneBuffer::fit(PixelSize largest) noexcept {
-  if (largest == largest_ || largest.width == 0 || largest.height == 0) return;
-  largest_ = picture_ = largest;
+void SceneBuffer::fit(PixelSize picture) noexcept {
+  if (picture == picture_ || picture.width == 0 || picture.height == 0) return;
+  picture_ = picture;
   constexpr std::size_t bytes_a_sample = 8;  // colour and depth
   const std::size_t row =
-      bytes_a_sample * largest.width * static_cast<std::size_t>(std::max(samples_, 1));
+      bytes_a_sample * picture.width * static_cast<std::size_t>(std::max(samples_, 1));
   const std::size_t rows =
-      std::clamp<std::size_t>(most_bytes_ / row, 64, std::max(64U, largest.height));
-  const auto strips = static_cast<std::uint32_t>((largest.height + rows - 1) / rows);
-  strip_height_ = (largest.height + strips - 1) / strips;
+      std::clamp<std::size_t>(most_bytes_ / row, 64, std::max(64U, picture.height));
+  strips_ = static_cast<std::uint32_t>((picture.height + rows - 1) / rows);
+  strip_height_ = (picture.height + strips_ - 1) / strips_;
 
-  const auto width = static_cast<GLsizei>(largest.width);
+  const auto width = static_cast<GLsizei>(picture.width);
   const auto height = static_cast<GLsizei>(strip_height_);
   colour_ = make_renderbuffer();
   glBindRenderbuffer(GL_RENDERBUFFER, colour_.get());
@@ -34,7 +34,7 @@ void SceneBuffer::fit(PixelSize largest) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.get());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.get());
-  if (strips == 1 || samples_ == 0) return;
+  if (strips_ == 1 || samples_ == 0) return;
   resolved_ = make_renderbuffer();
   glBindRenderbuffer(GL_RENDERBUFFER, resolved_.get());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width, height);

@@ -16,14 +16,10 @@ class SceneBuffer {
   /// `samples` and `most_bytes` are as in RendererOptions.
   SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept;
 
-  /// Makes the buffers fit pictures up to this size; nothing happens while it stays.
-  void fit(PixelSize largest) noexcept;
-  /// What follows is about a picture of this size, at most the largest.
-  void set_picture(PixelSize size) noexcept { picture_ = size; }
+  /// Makes the buffers fit the picture; nothing happens while its size stays.
+  void fit(PixelSize picture) noexcept;
 
-  std::uint32_t strips() const noexcept {
-    return (picture_.height + strip_height_ - 1) / strip_height_;
-  }
+  std::uint32_t strips() const noexcept { return strips_; }
   std::uint32_t strip_of(GLint row) const noexcept {
     return static_cast<std::uint32_t>(row) / strip_height_;
   }
@@ -45,8 +41,8 @@ class SceneBuffer {
  private:
   GLsizei samples_ = 1;
   std::size_t most_bytes_ = 0;
-  PixelSize largest_, picture_;
-  std::uint32_t strip_height_ = 1;
+  PixelSize picture_;
+  std::uint32_t strips_ = 0, strip_height_ = 1;
   GlRenderbuffer colour_, depth_, resolved_;
   GlFramebuffer framebuffer_, resolved_framebuffer_;
 };

@@ -9,7 +9,7 @@ namespace {
 constexpr double longest = 1.0 / 20;
 /// A finer picture is tried where it would leave so much of that, if frames cost by the pixel.
 constexpr double spare = 0.8;
-constexpr float least_lines = 540;
+constexpr float least_lines = 400;
 /// Frames that have to be quick before a finer picture is tried: the more, the more often that was
 /// in vain, up to some minutes.
 constexpr std::size_t first_patience = 60, most_patience = 7200;

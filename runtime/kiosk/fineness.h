@@ -18,7 +18,7 @@ class Fineness {
 
   float share() const noexcept { return shares[step_]; }
   /// A frame of all of the model, drawn with share(), was followed by the next after so many
-  /// seconds; `screen` says how far it may be made coarser: to 540 lines.
+  /// seconds; `screen` says how far it may be made coarser: to 400 lines.
   void took(double seconds, PixelSize screen) noexcept;
 
  private:

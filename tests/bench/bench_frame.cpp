@@ -159,6 +159,7 @@ int measure(const std::string& database, int frames) {
   all.push_back(shown("walking", walk));
   all.push_back(shown("walking, three quarters", walk, 0.75F));
   all.push_back(shown("walking, half", walk, 0.5F));
+  all.push_back(shown("walking, quarter", walk, 0.25F));
   for (int second = 0; second < 200 && !exhibition.guide->state().arrived; ++second)
     run(exhibition, 1);
   run(exhibition, 3);

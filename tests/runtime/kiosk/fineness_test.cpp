@@ -42,14 +42,16 @@ TEST(Fineness, IsFoundWithinASecondAndAHalf) {
   EXPECT_LT(seconds, 1.5);
 }
 
-TEST(Fineness, KeepsFiveHundredAndFortyLines) {
-  Fineness fineness, larger, turned;
+TEST(Fineness, KeepsFourHundredLines) {
+  Fineness fineness, larger, smaller, turned;
   draw(fineness, 1000, 9000);
-  EXPECT_EQ(fineness.share(), 0.5F);
+  EXPECT_EQ(fineness.share(), 0.375F);
+  draw(smaller, 1000, 9000, {1024, 768});
+  EXPECT_EQ(smaller.share(), 0.75F);
   draw(larger, 1000, 9000, four_k);
   EXPECT_EQ(larger.share(), 0.25F);
   draw(turned, 1000, 9000, {1080, 1920});
-  EXPECT_EQ(turned.share(), 0.5F);
+  EXPECT_EQ(turned.share(), 0.375F);
 }
 
 TEST(Fineness, StaysThroughAFrameThatIsHeldUp) {
