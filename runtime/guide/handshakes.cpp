@@ -176,7 +176,9 @@ void Handshakes::grant_wishes(double seconds, std::span<Session> sessions, const
                               const plan::Planner& planner, Crowd& crowd) noexcept {
   for (std::size_t k = 0; k < sessions.size() && k < wishes_.size(); ++k) {
     Wish& wish = wishes_[k];
-    if (wish.left <= 0 || !wish.is_due || (wish.rests -= seconds) > 0) continue;
+    if (wish.left <= 0 || !wish.is_due) continue;
+    wish.rests -= seconds;
+    if (wish.rests > 0) continue;
     wish.rests = looks_again_after;
     if (sessions[k].is_under_way() || sessions[wish.of].is_under_way()) continue;
     if (!begin(k, wish.of, sessions, size, planner, crowd)) continue;
