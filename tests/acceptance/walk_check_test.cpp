@@ -10,6 +10,7 @@
 #include "runtime/model/geometry/vec2.h"
 #include "tests/acceptance/run.h"
 #include "tests/support/reference_data.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 namespace docent::test::walk_check_test {
@@ -92,6 +93,7 @@ bool has_python() {
 }
 
 TEST(WalkCheck, FindsTheShippedClipsWalkingAsTheyShould) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("acceptance/walk_check.py");
   if (!has_python()) GTEST_SKIP() << "no python3";
   const auto clips = source_dir() / "content/clips";
@@ -99,6 +101,7 @@ TEST(WalkCheck, FindsTheShippedClipsWalkingAsTheyShould) {
 }
 
 TEST(WalkCheck, FindsRecordedClipsWalkingAsTheyShould) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("acceptance/walk_check.py");
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   if (!has_python()) GTEST_SKIP() << "no python3";

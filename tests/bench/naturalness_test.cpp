@@ -12,6 +12,7 @@
 #include "tests/bench/naturalness_table.h"
 #include "tests/bench/zero_moment_point.h"
 #include "tests/support/sample_database.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::bench::naturalness_test {
 namespace {
@@ -119,6 +120,7 @@ void expect_natural(const Naturalness& look) {
 }
 
 TEST(ShippedWalks, LookAsNaturalAsIsPromised) {
+  NEEDS_SPEED();
   const Naturalness& look = look_of(shipped());
 
   expect_natural(look);
@@ -131,6 +133,7 @@ TEST(ShippedWalks, LookAsNaturalAsIsPromised) {
 }
 
 TEST(RecordedWalks, LookAsNaturalAsIsPromised) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("mocap/cmu-walk");
   const Naturalness& look = look_of(recorded());
 

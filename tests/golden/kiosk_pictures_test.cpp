@@ -10,6 +10,7 @@
 #include "runtime/scene/theme.h"
 #include "tests/golden/pictures.h"
 #include "tests/support/kiosk_run.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::test::kiosk_pictures_test {
 namespace {
@@ -111,6 +112,7 @@ TEST(TheMuseumAtNight, LooksAsItWasSeenAndApproved) {
 }
 
 TEST(AMuseumAlone, LeavesNothingBrightWhereItIsForAMinute) {
+  NEEDS_SPEED();
   constexpr int first = 63, last = 123, step = 4;
   std::string visit;
   for (int second = first; second <= last; second += step)

@@ -16,6 +16,7 @@
 #include "runtime/schema/elements.h"
 #include "runtime/schema/invariants.h"
 #include "tests/support/museum_folder.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::compile::compile_touch_test {
 namespace {
@@ -105,6 +106,7 @@ TEST(CompileTouch, TellsOfWhatIsUnderGlassInACheckToo) {
 }
 
 TEST(CompileTouch, FindsTheSameInACheckAsWhenAllIsMade) {
+  NEEDS_SPEED();
   const Folder folder("position = [3.0, 5.0]\ntouch = true\n");
   const Compiled made = folder.compiled(true, false), checked = folder.compiled(true, true);
 

@@ -12,6 +12,7 @@
 #include "content/motion/foot_plants.h"
 #include "content/motion/nearest_poses.h"
 #include "tests/content/motion/shipped_clips.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::test::alike_tiles_test {
 namespace {
@@ -133,6 +134,7 @@ TEST(PoseFeatures, DoNotDependOnWhereAClipIsOnTheFloor) {
 }
 
 TEST(Transitions, FoundByIndexAreThoseOfTheWholeMatrix) {
+  NEEDS_SPEED();
   EXPECT_TRUE(rc::check([] {
     Studied some;
     const auto count = *rc::gen::inRange<std::size_t>(2, 5);

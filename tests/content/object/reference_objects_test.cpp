@@ -48,6 +48,7 @@ Shape drawn(const ExhibitObject& object, const ObjectDetail& detail) {
 }
 
 TEST(ReferenceObjects, AreMadeWithinTheirBudgetAndKeepTheirOutlines) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("models/objects");
   const fs::path folder = test::reference_data() / "models" / "objects";
   for (const fs::path& file : models_below(folder)) {

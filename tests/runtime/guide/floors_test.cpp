@@ -397,6 +397,7 @@ TEST(TwoGuides, WhoMeetAtAConnectionFromBothEndsBothGetOn) {
 }
 
 TEST(EightGuides, SentUpTheSameStairsAtOnceAllGetThereAndBack) {
+  NEEDS_SPEED();
   const Museum museum = two_halls();
   constexpr std::uint32_t guides = 8;
   Watch watch(museum, guides);
@@ -415,6 +416,7 @@ TEST(EightGuides, SentUpTheSameStairsAtOnceAllGetThereAndBack) {
 }
 
 TEST(Strollers, ChangeFloorsAndMeetNobodyOnTheStairsInTheLiftOrOnAnyFloor) {
+  NEEDS_SPEED();
   Museum museum = house();
   museum.ambient = {.count = 14, .entrances = {}, .look_least = 1, .look_most = 5};
   Watch watch(museum, 15);

@@ -77,6 +77,7 @@ Stroll stroll(const Museum& museum, double seconds) {
 }
 
 TEST(Strollers, NeverTouchEachOtherOrAWall) {
+  NEEDS_SPEED();
   const Stroll seen = stroll(busy_museum(40), watched_seconds);
 
   std::printf(

@@ -9,6 +9,7 @@
 #include "platform/sqlite/content_reader.h"
 #include "runtime/path/route.h"
 #include "tests/support/kiosk_run.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/started_program.h"
 
 namespace docent::kiosk::kiosk_test {
@@ -120,6 +121,7 @@ TEST(Visit, EndsBesideTheExhibitThatWasTouched) {
 }
 
 TEST(Visit, TapsWhatLiesFurtherDownAListThatScrolls) {
+  NEEDS_SPEED();
   const auto museum = sqlite::load_museum(test::sample_database());
   const PlayedVisit run("1 tap @larger\n2 tap @places\n4 tap @exhibit:standing-king\n40 quit\n", {},
                         "rotate = 90\n");
@@ -129,6 +131,7 @@ TEST(Visit, TapsWhatLiesFurtherDownAListThatScrolls) {
 }
 
 TEST(Visit, OfSeveralAtOnceEndsForEachBesideTheirExhibit) {
+  NEEDS_SPEED();
   const auto museum = sqlite::load_museum(test::sample_database());
   const PlayedVisit run(
       "0.5 tap 0.06 0.9\n0.5 tap 0.5 0.9\n0.6 tap 0.94 0.9\n"
@@ -154,6 +157,7 @@ TEST(Visit, OfSeveralAtOnceEndsForEachBesideTheirExhibit) {
 }
 
 TEST(Visit, TurnsRoundWithoutAJumpWhenTheVisitorWantsSomethingElse) {
+  NEEDS_SPEED();
   const auto museum = sqlite::load_museum(test::sample_database());
 
   const PlayedVisit run(
@@ -174,6 +178,7 @@ TEST(Visit, TurnsRoundWithoutAJumpWhenTheVisitorWantsSomethingElse) {
 }
 
 TEST(Visit, RepeatsExactly) {
+  NEEDS_SPEED();
   const char* visit = "0.5 tap @exhibit:chime-bells\n3 tap @route:skeleton\n8 quit\n";
 
   const PlayedVisit once(visit), again(visit);

@@ -16,6 +16,7 @@
 #include "runtime/kiosk/exhibition.h"
 #include "runtime/scene/shown_list.h"
 #include "tests/support/sample_database.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::kiosk::presenter_test {
 namespace {
@@ -185,6 +186,7 @@ TEST(APicture, IsOpaqueWhereTheInterfaceCoversTheModel) {
 }
 
 TEST(APartDrawnAnew, LeavesThePictureThatIsDrawnWhole) {
+  NEEDS_SPEED();
   DrawnTwice visit;
 
   visit.run(1);

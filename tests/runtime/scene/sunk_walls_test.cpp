@@ -7,6 +7,7 @@
 #include "content/scenery/scenery.h"
 #include "runtime/scene/walking_camera.h"
 #include "tests/runtime/scene/walk_in_halls.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::scene::sunk_walls_test {
 namespace {
@@ -90,6 +91,7 @@ TEST(SunkWalls, HideNeitherTheGuideNorTheWayNorTheGoal) {
 }
 
 TEST(SunkWalls, AreDownBeforeTheGuideComesBehindThem) {
+  NEEDS_SPEED();
   EXPECT_TRUE(rc::check("all along a walk", [] {
     const WalkInHall walk = any_walk_in_a_hall(14);
     const DrawnWalls drawn(walk.plan);
