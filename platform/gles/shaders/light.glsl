@@ -10,8 +10,9 @@ vec3 filmic(vec3 c) {
   return c * (1.0 + c * 0.16) / (1.0 + c * 0.30);
 }
 
-/// As it is written where nothing is blended: the shader encodes sRGB (IEC 61966-2-1, to within a
-/// thousandth), where it can, and else the framebuffer does.
+/// As it is written where nothing is blended: the shader encodes sRGB where it can (IEC 61966-2-1;
+/// from 0.002 on to within a thousandth, and filmic() shows nothing darker), and else the
+/// framebuffer does.
 vec3 written(vec3 c) {
 #ifdef ENCODES
   vec3 a = sqrt(c), b = sqrt(a), d = sqrt(b);

@@ -5,43 +5,20 @@
 
 #include <string>
 
-#include "content/compile/compile.h"
 #include "runtime/schema/invariants.h"
-#include "tests/support/museum_folder.h"
+#include "tests/content/compile/thing_folder.h"
 
 namespace docent::compile::compile_objects_test {
 namespace {
 
+using test_things::Compiled;
+using test_things::Folder;
+using test_things::pyramid;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-constexpr const char* pyramid =
-    "v 0 0 0\nv 300 0 0\nv 300 0 300\nv 0 0 300\nv 150 400 150\n"
-    "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
-
-struct Compiled {
-  std::optional<Museum> museum;
-  std::vector<std::string> told;  ///< "code: message"
-};
-
 Compiled compiled(const std::string& exhibit, const std::string& model, bool only_check = false) {
-  test::MuseumFolder folder;
-  folder.write("models/thing.obj", model);
-  folder.write("exhibits/thing.toml",
-               "[[exhibit]]\nid = \"thing\"\nfacing = 270\ntitle.en = \"Thing\"\n"
-               "title.ar = \"شيء\"\nimage = \"images/disc.svg\"\nmodel = \"models/thing.obj\"\n" +
-                   exhibit);
-  Report report;
-  Progress progress(Progress::Output::Nothing);
-  CompileOptions options;
-  options.sources = {folder.path().string()};
-  options.with_motion = false;
-  options.with_speech = false;
-  options.only_check = only_check;
-  Compiled compiled{compile(options, report, progress), {}};
-  for (const Diagnostic& one : report.in_order())
-    compiled.told.push_back(one.code + ": " + one.message);
-  return compiled;
+  return Folder(exhibit, model).compiled(false, only_check);
 }
 
 const Exhibit& thing(const Museum& museum) {
