@@ -124,6 +124,7 @@ bool check_copy(const VariedObject& copy, const std::string& told) {
 }
 
 TEST(ReferenceObjects, AreMadeWithinTheirBudgetAsAStrangerWouldBringThem) {
+  NEEDS_SPEED();
   NEEDS_REFERENCE_DATA("models/objects");
   const fs::path folder = test::reference_data() / "models" / "objects";
   const std::vector<fs::path> files = models_below(folder);
