@@ -407,9 +407,10 @@ void Session::play_video(float seconds) noexcept {
   constexpr float longest = 61;  // no video is longer: video::Limits
   const auto before = std::exchange(video_, interface::shown_video(context_.museum, state_));
   if (video_ != before) video_seconds_ = 0;
-  if (!video_ || !state_.plays || !video()) return;
-  video_seconds_ += seconds;
+  if (video_ && state_.plays && video()) video_seconds_ += seconds;
   if (video_seconds_ > longest) video_ended();
+  const bool is_begun = video() && (state_.plays || video_seconds_ > 0);
+  overlay_.watch(is_begun ? std::optional(video_seconds_) : std::nullopt);
 }
 
 // What the planner answers.

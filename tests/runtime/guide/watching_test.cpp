@@ -25,6 +25,8 @@ struct MuseumWithVideo {
     exhibit = nearest->id;
     museum.pictures = {{.exhibit = static_cast<std::uint32_t>(nearest - museum.exhibits.begin()),
                         .image = static_cast<std::uint32_t>(museum.images.size() - 1)}};
+    museum.cues = {{.begin = 2000, .end = 4000, .text = "It turns."},
+                   {.begin = 6000, .end = 7000, .text = "It stands."}};
   }
   Museum museum = test::sample_museum();
   std::string exhibit;
@@ -126,6 +128,65 @@ TEST(Watching, DoesNotBeginForWhoeverComesBack) {
   ASSERT_TRUE(visitor.guide().video()) << "the same picture is there";
   EXPECT_FALSE(visitor.guide().state().plays);
   EXPECT_EQ(visitor.guide().video()->seconds, 0);
+}
+
+/// The caption that is read now; empty where none is.
+std::string read_by(Guide& guide) {
+  const interface::View& view = *guide.view();
+  for (const interface::TimedText& cue : view.cues)
+    for (const scene::Quad& quad : guide.draw_list().quads)
+      if (quad.texture == cue.quad.texture && quad.rect.width > 0)
+        return view.words[static_cast<std::size_t>(cue.words)].text;
+  return {};
+}
+
+TEST(Watching, HasTheCaptionsReadAtTheirTimes) {
+  Visitor visitor;
+  visitor.tap("picture:next");
+  std::vector<std::string> read;
+  std::vector<float> changed;
+  for (int frame = 0; frame < 9 * 60; ++frame) {
+    visitor.run(1.0 / 60);
+    const std::string now = read_by(visitor.guide());
+    if (!read.empty() && now == read.back()) continue;
+    read.push_back(now);
+    changed.push_back(visitor.guide().video()->seconds);
+  }
+
+  ASSERT_EQ(read, (std::vector<std::string>{"", "It turns.", "", "It stands.", ""}));
+  for (const auto& [at, seconds] : {std::pair{1U, 2.0F}, {2U, 4.0F}, {3U, 6.0F}, {4U, 7.0F}})
+    EXPECT_NEAR(changed[at], seconds, 1.5 / 60);
+}
+
+TEST(Watching, KeepsTheCaptionOfAVideoThatIsStoppedAndHasNoneAtItsBeginning) {
+  Visitor visitor;
+  visitor.tap("picture:next");
+  visitor.run(3);
+  visitor.tap("video:stop");
+  visitor.run(3);
+  EXPECT_EQ(read_by(visitor.guide()), "It turns.");
+
+  visitor.guide().video_ended();
+  visitor.run(1);
+  EXPECT_EQ(read_by(visitor.guide()), "");
+}
+
+/// Captions come and go without anything else being drawn.
+TEST(Watching, DrawsNothingAnewButTheCaptionWhereOneChanges) {
+  Visitor visitor;
+  visitor.guide().spare_videos(true);
+  visitor.tap("picture:next");
+  visitor.run(1.8);
+  const interface::TimedText cue = visitor.guide().view()->cues.front();
+  scene::ShownList shown;
+  shown.keep(visitor.guide().draw_list());
+  visitor.run(0.3);
+  const scene::Rect drawn = shown.change(visitor.guide().draw_list(), 1080).interface;
+
+  EXPECT_EQ(read_by(visitor.guide()), "It turns.");
+  EXPECT_GT(drawn.width, 0);
+  EXPECT_LT(drawn.width, cue.ground.rect.width + 0.01F);
+  EXPECT_LT(drawn.height, cue.ground.rect.height + 0.01F);
 }
 
 /// Where a machine has no time for more, the frames are the video's: of those in which nothing else
