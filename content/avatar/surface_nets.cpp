@@ -90,19 +90,20 @@ bool mean_crossing(const Grid& grid, const std::vector<float>& value, std::uint3
   return true;
 }
 
-/// A few Newton steps along the gradient, never further than a cell.
+/// A few Newton steps along the gradient where they begin, never further than a cell.
 Vec3 pulled_onto(const DistanceField& field, Vec3 p, float cell) {
   const Vec3 start = p;
-  for (int step = 0; step < 3; ++step) {
-    const float off = field(p);
-    if (std::abs(off) < 0.004F * cell) break;
-    const float h = 0.2F * cell;
-    const Vec3 slope{field(p + Vec3{h, 0, 0}) - field(p - Vec3{h, 0, 0}),
-                     field(p + Vec3{0, h, 0}) - field(p - Vec3{0, h, 0}),
-                     field(p + Vec3{0, 0, h}) - field(p - Vec3{0, 0, h})};
-    const Vec3 gradient = slope / (2 * h);
-    p -= gradient * (off / std::max(glm::dot(gradient, gradient), 0.1F));
-    p = glm::clamp(p, start - 0.5F * cell, start + 0.5F * cell);
+  float off = field(p);
+  if (std::abs(off) < 0.004F * cell) return p;
+  const float h = 0.2F * cell;
+  const Vec3 slope{field(p + Vec3{h, 0, 0}) - field(p - Vec3{h, 0, 0}),
+                   field(p + Vec3{0, h, 0}) - field(p - Vec3{0, h, 0}),
+                   field(p + Vec3{0, 0, h}) - field(p - Vec3{0, 0, h})};
+  const Vec3 gradient = slope / (2 * h);
+  const Vec3 stride = gradient / std::max(glm::dot(gradient, gradient), 0.1F);
+  for (int step = 0; step < 6 && std::abs(off) >= 0.004F * cell; ++step) {
+    p = glm::clamp(p - off * stride, start - 0.5F * cell, start + 0.5F * cell);
+    off = field(p);
   }
   return p;
 }

@@ -285,12 +285,8 @@ class Trunk {
     std::vector<Vec3> points;
     for (const SkinnedVertex& v : body.vertices) {
       int share = 0;
-      Vec3 place{0};
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < 4; ++k)
         if (v.joint[k] < is_trunk.size() && is_trunk[v.joint[k]]) share += v.weight[k];
-        place += static_cast<float>(v.weight[k]) / 255 *
-                 Vec3(body.inverse_bind[v.joint[k]] * Vec4(v.position, 1));
-      }
       // Trunk joints do not turn at rest, so a vertex lies by its first joint's frame.
       if (share > 200) points.push_back(v.position);
     }
