@@ -36,6 +36,7 @@ class MediaReader {
     if (config_.sources.empty())
       if (auto missing = missing_first_picture(config_, exhibit))
         diagnostics_.push_back(std::move(*missing));
+    for (const PictureSection& picture : pictures) check_captions(picture);
     if (pictures.size() < FurtherPicture::most) return;
     error(exhibit.pictures.place, "out-of-range",
           fmt::format("exhibit '{}' has {} pictures, its own one included", exhibit.id.value,
@@ -67,6 +68,25 @@ class MediaReader {
              std::string hint) {
     diagnostics_.push_back(diagnostic_at(config_, place, std::move(code), std::move(message),
                                          std::move(label), std::move(hint)));
+  }
+
+  /// What is in the files is read when the museum is compiled.
+  void check_captions(const PictureSection& picture) {
+    if (!picture.captions.given) return;
+    if (!picture.image.value.ends_with(".webm"))
+      error(picture.captions.place, "bad-value",
+            fmt::format("'{}' is no video, and has no time for captions", picture.image.value), {},
+            "what is read below a picture is its 'caption'");
+    for (const auto& [tag, name] : picture.captions.value) {
+      if (!name.given) continue;
+      if (std::ranges::find(config_.languages, tag) == config_.languages.end())
+        error({name.place.file, name.key}, "unknown-language",
+              fmt::format("captions are given in '{}', which the museum does not speak", tag), {},
+              fmt::format("the languages are: {}", fmt::join(config_.languages, ", ")));
+      else if (auto fault = paths_.fault(name.value))
+        error(name.place, std::move(fault->code), std::move(fault->message),
+              std::move(fault->label), std::move(fault->hint));
+    }
   }
 
   /// The text of a file that staff name; false where it cannot be read, which is told.

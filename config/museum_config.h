@@ -111,6 +111,7 @@ struct PictureSection {
   Place place;
   Located<std::string> image;
   Located<LocatedTexts> caption, description;
+  Located<LocatedTexts> captions;  ///< Files: what is read while a video plays.
 };
 struct ExhibitSection {
   Place place;

@@ -320,6 +320,9 @@ inline constexpr std::array picture_fields{
                           "What visitors read below it, by language"},
     Field<PictureSection>{"description", &PictureSection::description, Presence::Optional,
                           "What it shows, by language, for those who do not see it"},
+    Field<PictureSection>{"captions", &PictureSection::captions, Presence::Optional,
+                          "Of a video: what is said and heard in it, as a WebVTT file, by "
+                          "language; it is read while the video plays"},
 };
 
 inline constexpr std::array exhibit_fields{

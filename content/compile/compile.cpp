@@ -12,6 +12,7 @@
 #include "content/compile/add_collections.h"
 #include "content/compile/add_languages.h"
 #include "content/compile/compile_avatar.h"
+#include "content/compile/compile_captions.h"
 #include "content/compile/compile_doors.h"
 #include "content/compile/compile_exhibits.h"
 #include "content/compile/compile_floor.h"
@@ -254,6 +255,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     const auto stage = progress.start("images");
     compile_images(config, options.only_check ? Images::Check : Images::Make, options.jobs, museum,
                    report);
+    compile_captions(config, museum, report);
   }
   {
     const auto stage = progress.start("objects");

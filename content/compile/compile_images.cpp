@@ -30,7 +30,7 @@ struct WantedImage {
   std::optional<content::ContentError> problem{};
   std::vector<std::string>
       lost{};  ///< Pictures that an SVG drawing links to, and that are not shown.
-  bool is_video = false, has_sound = false, is_touched = false;
+  bool is_video = false, has_sound = false, has_captions = false, is_touched = false;
   std::size_t bytes = 0;  ///< Of a video.
 };
 
@@ -61,7 +61,9 @@ std::vector<WantedImage> wanted_images(const config::MuseumConfig& config, Museu
   for (FurtherPicture& picture : museum.pictures) {
     const auto& of_it = config.exhibits[picture.exhibit].pictures.value;
     const std::span<const FurtherPicture> all = further_pictures(museum, picture.exhibit);
-    picture.image = wanted.index_of(of_it[static_cast<std::size_t>(&picture - all.data())].image);
+    const config::PictureSection& section = of_it[static_cast<std::size_t>(&picture - all.data())];
+    picture.image = wanted.index_of(section.image);
+    wanted.all[picture.image].has_captions |= !section.captions.value.empty();
   }
   return std::move(wanted.all);
 }
@@ -118,11 +120,11 @@ void tell_of_video(const config::MuseumConfig& config, const WantedImage& image,
         fmt::format("the video '{}' is an exhibit's first picture, which hangs in the model",
                     image.name),
         {}, "name a picture there, and the video in [[exhibit.pictures]]"));
-  if (image.has_sound)
-    report.add(warning(
-        config::diagnostic_at(config, image.place, "video-silent",
-                              fmt::format("the sound of the video '{}' is left out", image.name),
-                              {}, "say what is heard in the caption, or in the exhibit's text")));
+  if (image.has_sound && !image.has_captions)
+    report.add(warning(config::diagnostic_at(
+        config, image.place, "video-silent",
+        fmt::format("the sound of the video '{}' is left out", image.name), {},
+        "write what is said and heard into a WebVTT file: captions.en = \"...\"")));
 }
 
 /// All of a database is read when a kiosk starts, to see that it is whole.

@@ -370,15 +370,16 @@ void Guide::step(Seconds dt) noexcept {
   attention_.direct(sessions_, settings_.shape,
                     scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)),
                     homes_.size(), settings_.reduced_motion, crowd_);
+  const float theirs = keep_still(seconds);
   for (int i = 0; i < pace(); ++i) {
-    walk(seconds);
+    walk(theirs);
     if (state().skips) follow_chapters(0);
   }
   follow_chapters(seconds);
   go_along_in_time(seconds);
   counters_.routes = 0;
   for (Session& session : sessions_) {
-    session.step(seconds, settings_.idle_reset.count());
+    session.step(seconds, settings_.idle_reset.count(), repose_.share());
     counters_.routes += session.routes();
   }
   if (!is_shared()) captions_.step(sessions_[0], settings_.shape, planner_, seconds);
@@ -404,6 +405,13 @@ void Guide::attract(float seconds) noexcept {
 DrawnSize Guide::drawn_size() const noexcept {
   return {scene::view_of(stage_.rig(), interface::aspect_ratio(settings_.shape)), settings_.shape,
           is_shared()};
+}
+
+/// How much of these seconds passes on the model.
+float Guide::keep_still(float seconds) noexcept {
+  const std::optional<ShownVideo> watched = video();
+  const bool is_asked = spares_videos_ && watched && watched->plays;
+  return seconds * repose_.step(is_asked, leader(), seconds);
 }
 
 void Guide::walk(float seconds) noexcept {

@@ -14,6 +14,7 @@
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/doors.h"
 #include "runtime/guide/handshakes.h"
+#include "runtime/guide/repose.h"
 #include "runtime/guide/seating.h"
 #include "runtime/guide/session.h"
 #include "runtime/guide/stage.h"
@@ -108,6 +109,8 @@ class Guide {
   }
   /// Whoever plays it has come to its end, or cannot play it.
   void video_ended() noexcept { sessions_[0].video_ended(); }
+  /// There is no time to draw a model that moves beside a video: while one plays, it keeps still.
+  void spare_videos(bool are_spared) noexcept { spares_videos_ = are_spared; }
 
   const Museum& museum() const noexcept { return museum_; }
   const interface::ScreenShape& shape() const noexcept { return settings_.shape; }
@@ -172,6 +175,7 @@ class Guide {
   void put_down(const input::InputEvent& event) noexcept;
   void tell_each_other() noexcept;
   void take_answers() noexcept;
+  float keep_still(float seconds) noexcept;
   void walk(float seconds) noexcept;
   int pace() const noexcept;
   void follow_chapters(float seconds) noexcept;
@@ -195,6 +199,8 @@ class Guide {
   Attention attention_;
   Attract attract_;
   Chapters chapters_;
+  Repose repose_;
+  bool spares_videos_ = false;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.
   std::optional<Seating> seating_;  ///< Of a shared glass.

@@ -538,23 +538,6 @@ void Overlay::draw_inset(const interface::View& view, float opacity, const Guide
   disc(at, 1.1F, 2.4F, theme.ink);
 }
 
-void Overlay::draw_remaining(const interface::View& view, float metres, float opacity,
-                             scene::DrawList& list) const noexcept {
-  for (const interface::CountedText& text : view.remaining) {
-    if (metres > text.metres) continue;
-    scene::Quad quad = text.quad;
-    if (view.remaining_scrolls) {
-      const bool is_leaving = &view == leaving_.get();
-      quad = interface::moved(view.scroll, quad,
-                              pixels_of(view, is_leaving ? leaving_scroller_ : scroller_));
-      if (!interface::is_seen(view.scroll, quad)) return;
-    }
-    quad.colour = scene::with_opacity(quad.colour, opacity);
-    list.quads.push_back(quad);
-    return;
-  }
-}
-
 void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide,
                    scene::DrawList& list) const noexcept {
   if (!view_) return;
@@ -570,6 +553,7 @@ void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide
     if (view_->remaining.empty()) draw_remaining(*leaving_, remaining, 1 - t, list);
   }
   draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
+  draw_cue(t, list);
   draw_thumb(t, list);
   draw_countdown(t, list);
   draw_inset(*view_, leaving_ && leaving_->inset.board.width <= 0 ? t : 1, guide, list);

@@ -160,7 +160,7 @@ void Session::type(char letter) noexcept {
 
 // What the visitor turns.
 
-void Session::turn_object(float seconds) noexcept {
+void Session::turn_object(float seconds, float liveliness) noexcept {
   const bool is_before_it = state_.screen == interface::Screen::Arrived &&
                             state_.glass == interface::Glass::Whole &&
                             has_object(context_.museum, state_.exhibit);
@@ -169,7 +169,7 @@ void Session::turn_object(float seconds) noexcept {
                       context_.museum.exhibits[*state_.exhibit].touches.empty();
   table_.put(is_before_it ? state_.exhibit : std::nullopt);
   if (is_before_it && view() != nullptr)
-    table_.step(gestures_.fingers(), view()->free, swings, seconds);
+    table_.step(gestures_.fingers(), view()->free, swings ? liveliness * seconds : 0, seconds);
 }
 
 /// Did a finger turn the object, and so press nothing?
@@ -407,9 +407,10 @@ void Session::play_video(float seconds) noexcept {
   constexpr float longest = 61;  // no video is longer: video::Limits
   const auto before = std::exchange(video_, interface::shown_video(context_.museum, state_));
   if (video_ != before) video_seconds_ = 0;
-  if (!video_ || !state_.plays || !video()) return;
-  video_seconds_ += seconds;
+  if (video_ && state_.plays && video()) video_seconds_ += seconds;
   if (video_seconds_ > longest) video_ended();
+  const bool is_begun = video() && (state_.plays || video_seconds_ > 0);
+  overlay_.watch(is_begun ? std::optional(video_seconds_) : std::nullopt);
 }
 
 // What the planner answers.
@@ -454,8 +455,8 @@ void Session::take_way() noexcept {
 
 // What time brings.
 
-void Session::step(float seconds, float absent_after) noexcept {
-  turn_object(seconds);
+void Session::step(float seconds, float absent_after, float liveliness) noexcept {
+  turn_object(seconds, liveliness);
   take_way();
   go_on_after_meeting();
   step_aside();

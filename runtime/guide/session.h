@@ -77,8 +77,8 @@ class Session {
   /// Takes the planner's answer. True where the view is now on the glass.
   bool take_view(std::unique_ptr<interface::View> view) noexcept;
   /// Called after the crowd's step. `absent_after`: seconds without a touch or a key after which
-  /// the visitor counts as gone.
-  void step(float seconds, float absent_after) noexcept;
+  /// the visitor counts as gone. `liveliness`: so much of that time passes on the model.
+  void step(float seconds, float absent_after, float liveliness) noexcept;
 
   /// Headphones were plugged in, or pulled out: whoever has them is read to.
   void headphones(bool are_in) noexcept;
@@ -138,7 +138,7 @@ class Session {
   void go_on_after_meeting() noexcept;
   void step_aside() noexcept;
   std::optional<Side> side_to_touch_from() const noexcept;
-  void turn_object(float seconds) noexcept;
+  void turn_object(float seconds, float liveliness) noexcept;
   bool has_turned(const input::Finger& finger) const noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;

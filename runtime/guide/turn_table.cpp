@@ -29,11 +29,11 @@ void TurnTable::turn(bool left) noexcept {
   left_to_turn_ += left ? -step : step;
 }
 
-void TurnTable::step(std::span<const input::Finger> fingers, const scene::Rect& free, bool swings,
-                     float seconds) noexcept {
+void TurnTable::step(std::span<const input::Finger> fingers, const scene::Rect& free,
+                     float sways_for, float seconds) noexcept {
   if (!exhibit_ || seconds <= 0) return;
   constexpr float dies_away = 0.35F, by_keys = 0.12F;  // seconds
-  seconds_ += seconds;
+  swayed_for_ += sways_for;
   const auto held = std::ranges::find_if(fingers, [&](const input::Finger& finger) {
     return finger_ ? finger.start.id == *finger_
                    : scene::contains(free, finger.start.x, finger.start.y);
@@ -56,8 +56,7 @@ void TurnTable::step(std::span<const input::Finger> fingers, const scene::Rect& 
   // A sway of a tenth of a turn shows that it is one of the things that can be turned.
   constexpr float sway = whole_turn / 20, sway_seconds = 9;
   const auto swayed = [&](float at) { return sway * std::sin(whole_turn * at / sway_seconds); };
-  const float by_itself =
-      swings && !is_touched_ ? swayed(seconds_) - swayed(seconds_ - seconds) : 0;
+  const float by_itself = is_touched_ ? 0 : swayed(swayed_for_) - swayed(swayed_for_ - sways_for);
   angle_ = wrapped(angle_ + rate_ * seconds + keys + by_itself);
   rate_ *= std::exp(-seconds / dies_away);
   if (std::abs(rate_) < 0.01F) rate_ = 0;

@@ -21,8 +21,9 @@ class TurnTable {
   /// By a key: a twelfth of a turn to the left or the right, softly.
   void turn(bool left) noexcept;
   /// One step of time, with the fingers on the glass: the first that came down in `free` turns it,
-  /// all round for a finger that crosses it. `swings`: it moves by itself while nobody touches it.
-  void step(std::span<const input::Finger> fingers, const scene::Rect& free, bool swings,
+  /// all round for a finger that crosses it. `sways_for`: of these seconds it moves by itself for
+  /// so many, while nobody touches it.
+  void step(std::span<const input::Finger> fingers, const scene::Rect& free, float sways_for,
             float seconds) noexcept;
   /// Radians from how it was placed, counter-clockwise from above.
   float angle() const noexcept { return angle_; }
@@ -31,7 +32,7 @@ class TurnTable {
   std::optional<std::uint32_t> exhibit_{};
   float angle_ = 0, rate_ = 0;  ///< Radians a second, after a finger has let go.
   float left_to_turn_ = 0;      ///< Radians, by keys.
-  float seconds_ = 0;           ///< Since it was put there.
+  float swayed_for_ = 0;        ///< Seconds.
   bool is_touched_ = false;     ///< At any time since then.
   std::optional<std::uint32_t> finger_{};
   float finger_x_ = 0;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/interface/pages.h"
 #include "runtime/interface/sheet.h"
 
 namespace docent::interface {
@@ -13,47 +14,6 @@ namespace {
 
 constexpr float most_lines = 3;
 constexpr float widest = 90;  // units
-
-bool begins_letter(char c) noexcept {
-  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-}
-
-/// Where a text may be broken: words with what follows them, and a few signs at a time where it
-/// has no spaces.
-std::vector<std::string_view> parts_of(std::string_view text) {
-  constexpr std::size_t longest = 16;  // letters
-  std::vector<std::string_view> parts;
-  std::size_t first = 0, letters = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!begins_letter(text[i])) continue;
-    if (i > first && (text[i - 1] == ' ' || letters >= longest)) {
-      parts.push_back(text.substr(first, i - first));
-      first = i;
-      letters = 0;
-    }
-    ++letters;
-  }
-  if (first < text.size()) parts.push_back(text.substr(first));
-  return parts;
-}
-
-/// As much of a text at a time as a few lines hold; together they are the text.
-std::vector<std::string_view> pages_of(Sheet& sheet, const TextStyle& style, std::string_view text,
-                                       float width) {
-  const float most = most_lines * std::round(style.size * style.line_height) + 1;
-  std::vector<std::string_view> pages;
-  std::size_t first = 0, end = 0;
-  for (const std::string_view part : parts_of(text)) {
-    const std::size_t next = end + part.size();
-    if (end > first && sheet.height_of(style, text.substr(first, next - first), width) > most) {
-      pages.push_back(text.substr(first, end - first));
-      first = end;
-    }
-    end = next;
-  }
-  if (end > first) pages.push_back(text.substr(first, end - first));
-  return pages;
-}
 
 /// When a text is said, as it follows from how long its pieces sound.
 class Timing {
@@ -128,7 +88,7 @@ std::unique_ptr<View> make_caption(const Museum& museum, const ViewRequest& aske
   const float pad = std::round(1.5F * m.unit), room = width - 2 * pad;
   const TextStyle style = sheet.style(Letters::Body);
   const std::string text = text_of(*said);
-  const std::vector<std::string_view> pages = pages_of(sheet, style, text, room);
+  const std::vector<std::string_view> pages = pages_of(sheet, style, text, room, most_lines);
   float height = 0;
   for (const std::string_view page : pages)
     height = std::max(height, sheet.extent(style, page, room).height);

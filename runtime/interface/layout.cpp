@@ -66,6 +66,8 @@ void lower(View& view, const ScreenShape& shape) noexcept {
   for (Control& control : view.controls) move(control.rect);
   for (Element& element : view.elements) move_quad(element.quad);
   for (CountedText& text : view.remaining) move_quad(text.quad);
+  for (TimedText& text : view.cues)
+    for (scene::Quad* quad : {&text.ground, &text.quad}) move_quad(*quad);
   for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board,
                             &view.scroll.rect, &view.scroll.rail})
     move(*rect);

@@ -21,6 +21,7 @@ ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
   if (leafed == 0 || leafed > further.size()) return shown;
   const FurtherPicture& picture = further[leafed - 1];
   shown.image = picture.image;
+  shown.further = static_cast<std::uint32_t>(&picture - museum.pictures.data());
   shown.number = leafed + 1;
   if (!picture.caption.empty()) shown.caption = &picture.caption;
   shown.description = &picture.description;

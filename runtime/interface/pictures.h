@@ -10,9 +10,11 @@ namespace docent::interface {
 
 /// One of an exhibit's pictures, and what is said of it. Borrows from the museum.
 struct ShownPicture {
-  std::uint32_t image = 0;                 ///< Index into Museum::images.
-  std::size_t number = 1, count = 1;       ///< Which it is of how many, from 1.
-  const LocalText* caption = nullptr;      ///< Null: none.
+  std::uint32_t image = 0;            ///< Index into Museum::images.
+  std::size_t number = 1, count = 1;  ///< Which it is of how many, from 1.
+  std::optional<std::uint32_t>
+      further{};                       ///< Index into Museum::pictures; none: the exhibit's own.
+  const LocalText* caption = nullptr;  ///< Null: none.
   const LocalText* description = nullptr;  ///< Never null.
 };
 

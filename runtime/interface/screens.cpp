@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/interface/button_grid.h"
+#include "runtime/interface/cues.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
@@ -246,10 +247,14 @@ float height_of_goal(Sheet& sheet, float width) {
 float draw_goal(Sheet& sheet, const PixelBox& box, Align align) {
   if (chosen_exhibit(sheet) != nullptr) {
     const InterfaceState& state = sheet.request().state;
+    const ShownPicture shown = shown_picture(sheet.museum(), state, *state.exhibit);
     const Sheet::DrawnImage drawn =
-        sheet.whole_image(box, shown_picture(sheet.museum(), state, *state.exhibit).image,
-                          sheet.measures().corner, align);
-    if (shown_video(sheet.museum(), state)) sheet.view().video = drawn.texture;
+        sheet.whole_image(box, shown.image, sheet.measures().corner, align);
+    if (shown_video(sheet.museum(), state)) {
+      sheet.view().video = drawn.texture;
+      if (drawn.texture != scene::TextureId::None && shown.further)
+        draw_cues(sheet, drawn.box, *shown.further);
+    }
     return drawn.height;
   }
   const std::optional<PlaceKind> kind = chosen_kind(sheet);

@@ -287,7 +287,8 @@ Sheet::DrawnImage Sheet::whole_image(const PixelBox& box, std::uint32_t image, f
   const float height = std::round(std::min(box.height, width / shape));
   const float aside = align == Align::Centre ? std::floor((box.width - width) / 2) : 0,
               above = align == Align::Centre ? std::floor((box.height - height) / 2) : 0;
-  return {height, this->image({box.x + aside, box.y + above, width, height}, image, corner)};
+  const PixelBox lies{box.x + aside, box.y + above, width, height};
+  return {height, this->image(lies, image, corner), lies};
 }
 
 scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,
@@ -402,7 +403,7 @@ std::int32_t Sheet::add_control(Control control) {
 }
 
 Sheet::Mark Sheet::mark() const noexcept {
-  return {view_.elements.size(), placed_.size(), view_.remaining.size()};
+  return {view_.elements.size(), placed_.size(), view_.remaining.size(), view_.cues.size()};
 }
 
 void Sheet::scroll_since(const Mark& mark, const PixelBox& area, float length, const PixelBox& rail,
@@ -421,6 +422,7 @@ void Sheet::scroll_since(const Mark& mark, const PixelBox& area, float length, c
   for (std::size_t i = mark.placed; i < placed_.size(); ++i)
     scroll.controls.push_back({placed_[i], at(placed_[i]).rect});
   view_.remaining_scrolls = view_.remaining.size() > mark.counted;
+  view_.cues_scroll = view_.cues.size() > mark.cues;
 }
 
 /// After what scrolls, or else before all others; till now they were last.
@@ -464,6 +466,8 @@ void Sheet::turn_over() noexcept {
     for (ScrollArea::Scrolled& one : view_.scroll.controls) mirror(one.rect, turned_);
   }
   for (CountedText& text : view_.remaining) mirror(text.quad.rect, turned_);
+  for (TimedText& text : view_.cues)
+    for (scene::Quad* quad : {&text.ground, &text.quad}) mirror(quad->rect, turned_);
 }
 
 }  // namespace docent::interface

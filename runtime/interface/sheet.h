@@ -95,6 +95,7 @@ class Sheet {
   struct DrawnImage {
     float height = 0;
     scene::TextureId texture = scene::TextureId::None;
+    PixelBox box{};  ///< Where it lies.
   };
   /// Shows the whole picture at the box's start, or in its middle, as large as fits; up to a tenth
   /// of its height may be cut off to make it wider.
@@ -158,7 +159,7 @@ class Sheet {
   std::int32_t add_control(Control control);
   /// What is drawn and placed from here on, ...
   struct Mark {
-    std::size_t elements = 0, placed = 0, counted = 0;
+    std::size_t elements = 0, placed = 0, counted = 0, cues = 0;
   };
   Mark mark() const noexcept;
   /// ... as far as here, lies in `area`, which scrolls; it is `length` high. One turns it with the

@@ -101,6 +101,13 @@ struct CountedText {
   std::int32_t words = -1;  ///< Index into View::words.
 };
 
+/// A caption of a video: shown on its ground from `begin` on, before `end`; seconds of the video.
+struct TimedText {
+  float begin = 0, end = 0;
+  scene::Quad ground, quad;
+  std::int32_t words = -1;  ///< Index into View::words.
+};
+
 /// The small plan of the kiosk's floor, with the way from where the visitor stands. The frame
 /// thread draws a figure that runs along the way, and where the guide is.
 struct InsetPlan {
@@ -128,6 +135,8 @@ struct View {
   std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
   bool remaining_scrolls = false;      ///< They lie in the part that scrolls.
+  std::vector<TimedText> cues;         ///< Of the video, by time, one at a time.
+  bool cues_scroll = false;            ///< They lie in the part that scrolls.
   ScrollArea scroll;
   Speech speech;  ///< For who does not see it.
   InsetPlan inset;

@@ -346,6 +346,7 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   take_input();
   guide().resize(glass);
   if (simulated_) exhibition_->planner->wait();  // so that runs repeat exactly
+  guide().spare_videos(presenter_.lacks_time_for_video());
   guide().step(passed);
   watch.stepped();
   if (apply_pieces(*exhibition_)) presenter_.forget();

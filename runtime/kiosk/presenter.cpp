@@ -50,8 +50,11 @@ bool Presenter::show(const scene::DrawList& list, const gles::Holdings& holdings
   const RenderTarget target = target_of(edges_);
   const scene::Change different = change(list, target);
   const float fineness = fineness_of(frame, target);
+  if (has_drawn_bodies_ && edges_.headless == nullptr) time_for_video_.took(frame.passed);
   has_drawn_ = is_seen(frame) && !(different.nothing() && !renderer_.is_coarse());
   has_drawn_model_ = has_drawn_ && (different.everything || different.model);
+  has_drawn_bodies_ =
+      has_drawn_ && !has_drawn_model_ && different.bodies.any() && !renderer_.is_coarse();
   if (!has_drawn_) return false;
   has_poster_ = false;
   gpu_timer_.begin();

@@ -14,6 +14,7 @@
 #include "runtime/kiosk/poster.h"
 #include "runtime/kiosk/screen_hours.h"
 #include "runtime/kiosk/statistics.h"
+#include "runtime/kiosk/time_for_video.h"
 #include "runtime/scene/shown_list.h"
 
 namespace docent::kiosk {
@@ -50,6 +51,8 @@ class Presenter {
   void forget() noexcept { shown_.forget(); }
   /// This one alone has.
   void forget(scene::TextureId texture) noexcept { shown_.forget(texture); }
+  /// Is there no time to draw bodies that move while a video plays? Never in memory.
+  bool lacks_time_for_video() const noexcept { return time_for_video_.is_short(); }
   /// Was the frame before drawn?
   bool has_drawn() const noexcept { return has_drawn_; }
 
@@ -72,7 +75,9 @@ class Presenter {
   scene::ShownList shown_;         ///< On the display.
   RenderTarget shown_on_;
   Fineness fineness_;
-  bool has_drawn_ = false, has_drawn_model_ = false;  ///< In the frame before; all of the model.
+  TimeForVideo time_for_video_;
+  /// In the frame before; all of the model; nothing of it but bodies.
+  bool has_drawn_ = false, has_drawn_model_ = false, has_drawn_bodies_ = false;
   bool was_vacant_ = true;
   std::uint64_t settled_at_ = 0;  ///< The frame at which a new view has been drawn whole.
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/model/connection.h"
+#include "runtime/model/exhibit/cue.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/motion/motion_graph.h"
@@ -70,6 +71,7 @@ struct Museum {
   std::vector<Room> rooms;
   std::vector<Exhibit> exhibits;
   std::vector<FurtherPicture> pictures;  ///< In the order of their exhibits.
+  std::vector<Cue> cues;  ///< By picture, language and time; of a video never two at once.
   std::vector<Tour> tours;
   /// How titles and names are read that are not typed as they are written: Chinese in Pinyin,
   /// Japanese in kana, syllables with spaces between them. By the text.
@@ -101,6 +103,18 @@ struct Museum {
   const auto of_it =
       std::ranges::equal_range(museum.pictures, exhibit, {}, &FurtherPicture::exhibit);
   return {of_it.begin(), of_it.end()};
+}
+
+/// What is read below that picture, a video, in a language: their own, else the first of the
+/// museum's in which there is any.
+[[nodiscard]] inline std::span<const Cue> cues_of(const Museum& museum, std::uint32_t picture,
+                                                  std::uint32_t language) noexcept {
+  const auto all = std::ranges::equal_range(museum.cues, picture, {}, &Cue::picture);
+  if (all.empty()) return {};
+  auto in_it = std::ranges::equal_range(all, language, {}, &Cue::language);
+  if (in_it.empty())
+    in_it = std::ranges::equal_range(all, all.front().language, {}, &Cue::language);
+  return {in_it.begin(), in_it.end()};
 }
 
 /// Makes the kiosk the one with that id; false, and nothing changed, where there is none. Strollers

@@ -292,6 +292,28 @@ bool keep(const std::vector<FurtherPicture>& pictures, const Museum& museum) {
          std::ranges::all_of(pictures, is_there);
 }
 
+/// Those of a video in a language follow each other, and are no more than a kiosk sets.
+bool keep(const std::vector<Cue>& cues, const Museum& museum) {
+  const auto is_sound = [&](const Cue& cue) {
+    return cue.picture < museum.pictures.size() && cue.language < museum.languages.size() &&
+           cue.begin < cue.end && cue.end <= Cue::latest && !cue.text.empty() &&
+           count_letters(cue.text) <= Cue::most_letters;
+  };
+  const auto comes_before = [](const Cue& a, const Cue& b) {
+    const bool are_together = a.picture == b.picture && a.language == b.language;
+    return are_together ? a.end <= b.begin
+                        : std::tie(a.picture, a.language) < std::tie(b.picture, b.language);
+  };
+  if (!std::ranges::all_of(cues, is_sound) ||
+      std::ranges::adjacent_find(cues, std::not_fn(comes_before)) != cues.end())
+    return false;
+  for (std::size_t i = Cue::most; i < cues.size(); ++i)
+    if (cues[i].picture == cues[i - Cue::most].picture &&
+        cues[i].language == cues[i - Cue::most].language)
+      return false;
+  return true;
+}
+
 bool keeps(const Tour& tour, std::size_t exhibits) {
   std::vector<std::uint32_t> all = tour.exhibits;
   std::ranges::sort(all);
@@ -553,6 +575,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
   if (scenery_images(museum) > most_scenery_images) return "the number of exhibits' pictures";
   if (!keep(museum.pictures, museum)) return "the exhibits' further pictures";
+  if (!keep(museum.cues, museum)) return "the captions of its videos";
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
   for (const Connection& connection : museum.connections)

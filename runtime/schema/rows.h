@@ -173,6 +173,14 @@ void columns(auto& row, MaybeConst<FurtherPicture> auto& picture) {
   row("image", picture.image);
 }
 
+void columns(auto& row, MaybeConst<Cue> auto& cue) {
+  row("picture", cue.picture);
+  row("language", cue.language);
+  row("begin_ms", cue.begin);
+  row("end_ms", cue.end);
+  row("text", cue.text);
+}
+
 void columns(auto& row, MaybeConst<Place> auto& place) {
   row("name", place.id);
   row("kind", place.kind);
@@ -309,6 +317,7 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.texts("picture.caption", i, museum.pictures[i].caption);
     store.texts("picture.description", i, museum.pictures[i].description);
   }
+  store.rows("cue", museum.cues);
   store.rows("place", museum.places);
   for (std::size_t i = 0; i < museum.places.size(); ++i)
     store.texts("place.title", i, museum.places[i].title);

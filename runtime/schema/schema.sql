@@ -1,4 +1,4 @@
--- A docent database: one museum, compiled. Version 18 (user_version), application_id 0x646F6374.
+-- A docent database: one museum, compiled. Version 19 (user_version), application_id 0x646F6374.
 --
 -- Rows are numbered from 0 in the order of the model's vectors, so an id here is an index there
 -- (runtime/model/museum.h). Lengths are metres, angles radians, in the frames of the model's
@@ -198,6 +198,15 @@ CREATE TABLE picture (          -- of exhibits, besides their own: in the order 
   id INTEGER PRIMARY KEY,
   exhibit INTEGER NOT NULL,
   image INTEGER NOT NULL
+);
+
+CREATE TABLE cue (              -- what is read for a part of a video: by picture, language, begin
+  id INTEGER PRIMARY KEY,
+  picture INTEGER NOT NULL,
+  language INTEGER NOT NULL,
+  begin_ms INTEGER NOT NULL,    -- of the video
+  end_ms INTEGER NOT NULL,
+  text TEXT NOT NULL
 );
 
 CREATE TABLE place (            -- what visitors ask for besides exhibits

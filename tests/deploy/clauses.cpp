@@ -134,16 +134,19 @@ const std::array table{
            "screens less.",
            {"Senses.AreAsOneVisitorWantsThemAndNormalForTheNext",
             "OnGlass.SaysHowHighLettersAreOnTheGlass"}},
-    Clause{"5.1.5",
-           "What is heard can be seen",
-           State::InPart,
-           "While something is said to one visitor, the glass shows it as a caption, page by page, "
-           "each for as long as it sounds. Open: recordings of staff that say something else are "
-           "captioned with what they stand for.",
-           {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
-            "Caption.TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes",
-            "Caption.CoversNothingThatCanBeTouched",
-            "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
+    Clause{
+        "5.1.5",
+        "What is heard can be seen",
+        State::InPart,
+        "What is said and heard in a video is read on its lower edge, as staff have captioned it. "
+        "While something is said to one visitor, the glass shows it as a caption, page by page, "
+        "each for as long as it sounds. Open: recordings of staff that say something else are "
+        "captioned with what they stand for.",
+        {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+         "Caption.TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes",
+         "Caption.CoversNothingThatCanBeTouched", "Watching.HasTheCaptionsReadAtTheirTimes",
+         "Cues.LieInTheLowerHalfOfTheVideoInAnyLanguageAndSizeOfLetters",
+         "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage"}},
     Clause{"5.1.6.1",
            "Without a keyboard",
            State::Met,

@@ -120,6 +120,9 @@ inline Museum small_museum() {
                              .image = 0,
                              .caption = {{"en", "The back"}},
                              .description = {{"en", "A worn disc."}}});
+  museum.cues = {{.picture = 0, .language = 0, .begin = 500, .end = 2000, .text = "It turns."},
+                 {.picture = 0, .language = 0, .begin = 2000, .end = 60500, .text = "- Look!"},
+                 {.picture = 0, .language = 1, .begin = 500, .end = 2000, .text = "يدور."}};
   museum.scenery.push_back(museum.scenery.front());
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});

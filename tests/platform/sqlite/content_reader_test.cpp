@@ -226,6 +226,20 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
          m.exhibits.push_back(m.exhibits.front());
          m.pictures.insert(m.pictures.begin(), {.exhibit = 1});
        }},
+      {"captions", [](Museum& m) { m.cues[2].picture = 1; }},
+      {"captions", [](Museum& m) { m.cues[2].language = 2; }},
+      {"captions", [](Museum& m) { m.cues[0].begin = 2000; }},
+      {"captions", [](Museum& m) { m.cues[0].end = 2001; }},
+      {"captions", [](Museum& m) { m.cues[1].end = Cue::latest + 1; }},
+      {"captions", [](Museum& m) { m.cues[1].text.clear(); }},
+      {"captions", [](Museum& m) { m.cues[1].text.assign(Cue::most_letters + 1, 'a'); }},
+      {"captions", [](Museum& m) { std::swap(m.cues[0], m.cues[2]); }},
+      {"captions",
+       [](Museum& m) {
+         m.cues.clear();
+         for (std::uint32_t i = 0; i <= Cue::most; ++i)
+           m.cues.push_back({.begin = i, .end = i + 1, .text = "a"});
+       }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].more["en"] = std::string(longest_more + 1, 'a'); }},
       {"exhibit",

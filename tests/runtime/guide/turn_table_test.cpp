@@ -23,7 +23,7 @@ TEST(TurnTable, TurnsAllRoundForAFingerThatCrossesIt) {
   table.put(4);
   for (int i = 1; i <= 25; ++i) {
     const std::array fingers{finger(0.1F, 0.1F + 0.01F * static_cast<float>(i))};
-    table.step(fingers, free, false, frame);
+    table.step(fingers, free, 0, frame);
   }
 
   EXPECT_NEAR(std::abs(table.angle()), std::numbers::pi, 0.01);
@@ -34,14 +34,14 @@ TEST(TurnTable, GoesOnForAWhileWhenItIsLetGo) {
   table.put(4);
   for (int i = 0; i <= 10; ++i) {
     const std::array fingers{finger(0.1F, 0.1F + 0.005F * static_cast<float>(i))};
-    table.step(fingers, free, false, frame);
+    table.step(fingers, free, 0, frame);
   }
   const float let_go = table.angle();
-  for (int i = 0; i < 30; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 30; ++i) table.step({}, free, frame, frame);
   const float later = table.angle();
-  for (int i = 0; i < 600; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 600; ++i) table.step({}, free, frame, frame);
   const float at_rest = table.angle();
-  for (int i = 0; i < 60; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 60; ++i) table.step({}, free, frame, frame);
 
   EXPECT_GT(later, let_go + 0.3F);
   EXPECT_EQ(table.angle(), at_rest) << "and does not sway any more";
@@ -52,7 +52,7 @@ TEST(TurnTable, IsNotTurnedFromThePanel) {
   table.put(4);
   for (int i = 0; i < 10; ++i) {
     const std::array fingers{finger(0.7F, 0.7F - 0.02F * static_cast<float>(i))};
-    table.step(fingers, free, false, frame);
+    table.step(fingers, free, 0, frame);
   }
 
   EXPECT_EQ(table.angle(), 0);
@@ -62,11 +62,11 @@ TEST(TurnTable, TurnsByATwelfthForAKey) {
   TurnTable table;
   table.put(4);
   table.turn(false);
-  for (int i = 0; i < 120; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 120; ++i) table.step({}, free, frame, frame);
 
   EXPECT_NEAR(table.angle(), std::numbers::pi / 6, 0.001);
   table.turn(true);
-  for (int i = 0; i < 120; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 120; ++i) table.step({}, free, frame, frame);
   EXPECT_NEAR(table.angle(), 0, 0.001);
 }
 
@@ -75,8 +75,8 @@ TEST(TurnTable, SwaysUntilItIsTouchedAndStandsStillWithReducedMotion) {
   swaying.put(4);
   still.put(4);
   for (int i = 0; i < 120; ++i) {
-    swaying.step({}, free, true, frame);
-    still.step({}, free, false, frame);
+    swaying.step({}, free, frame, frame);
+    still.step({}, free, 0, frame);
   }
 
   EXPECT_GT(std::abs(swaying.angle()), 0.1F);
@@ -87,13 +87,13 @@ TEST(TurnTable, OfAnotherExhibitStandsAsItWasPlaced) {
   TurnTable table;
   table.put(4);
   table.turn(true);
-  for (int i = 0; i < 60; ++i) table.step({}, free, true, frame);
+  for (int i = 0; i < 60; ++i) table.step({}, free, frame, frame);
   table.put(5);
 
   EXPECT_EQ(table.angle(), 0);
   table.put({});
   table.turn(true);
-  table.step({}, free, true, frame);
+  table.step({}, free, frame, frame);
   EXPECT_EQ(table.angle(), 0) << "there is nothing on it";
 }
 
@@ -111,7 +111,7 @@ TEST(DrawObjects, ShowsThoseOfTheFloorAndSaysWhichIsLookedAt) {
   TurnTable table;
   table.put(0);
   table.turn(false);
-  for (int i = 0; i < 120; ++i) table.step({}, free, false, frame);
+  for (int i = 0; i < 120; ++i) table.step({}, free, 0, frame);
   scene::DrawList list;
   list.objects.reserve(3);
   draw_objects(museum, 1, table, 0, list);

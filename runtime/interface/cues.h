@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+#include "runtime/interface/sheet.h"
+
+namespace docent::interface {
+
+/// The captions of the video that is drawn in `picture`, an index into Museum::pictures: on its
+/// lower edge, in the visitor's language where there are any, a page at a time where one is longer
+/// than half of the picture has room for. They become View::cues.
+void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index);
+
+}  // namespace docent::interface
