@@ -17,6 +17,7 @@
 #include "tests/runtime/directions/raster.h"
 #include "tests/runtime/directions/some_ways.h"
 #include "tests/runtime/interface/boxes.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::interface::sentences_test {
 namespace {
@@ -191,6 +192,7 @@ std::vector<std::string> times_in(const Museum& museum, std::uint32_t language, 
 
 /// Whatever the guide makes of the way: it may take longer or be quicker, or be on another way.
 TEST_P(Sentences, AndTheLineAboveThemSayOneTimeOfAWay) {
+  NEEDS_SPEED();
   const test::SampleHouse& house = test::sample_house();
   const Museum& museum = house.museum;
   const std::uint32_t language = GetParam();
