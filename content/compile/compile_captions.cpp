@@ -71,7 +71,7 @@ class CaptionReader {
     }
     import::CaptionFile read = import::read_webvtt(text, file.string());
     report_.add(read.faults);
-    if (!read.faults.empty()) return;
+    if (!read.faults.empty() || !are_few(file, read.captions.size())) return;
     const auto late = std::ranges::find_if(
         read.captions, [&](const import::TimedCaption& one) { return one.begin >= length; });
     if (late != read.captions.end())
@@ -82,17 +82,20 @@ class CaptionReader {
     add(file, import::one_at_a_time(std::move(read.captions)), length, picture, language);
   }
 
+  bool are_few(const std::filesystem::path& file, std::size_t count) {
+    if (count <= Cue::most) return true;
+    report_.add(fault_in(file, 0, Severity::Error, "too-many-captions",
+                         fmt::format("the captions of this video change {} times, and a kiosk "
+                                     "shows at most {}",
+                                     count, Cue::most),
+                         "make fewer and longer ones: nobody reads two in a second"));
+    return false;
+  }
+
   void add(const std::filesystem::path& file, std::vector<import::TimedCaption> captions,
            std::uint32_t length, std::uint32_t picture, std::uint32_t language) {
     std::erase_if(captions, [&](const import::TimedCaption& one) { return one.begin >= length; });
-    if (captions.size() > Cue::most) {
-      report_.add(fault_in(file, 0, Severity::Error, "too-many-captions",
-                           fmt::format("the captions of this video change {} times, and a kiosk "
-                                       "shows at most {}",
-                                       captions.size(), Cue::most),
-                           "make fewer and longer ones: nobody reads two in a second"));
-      return;
-    }
+    if (!are_few(file, captions.size())) return;
     for (import::TimedCaption& one : captions) {
       if (const std::size_t letters = count_letters(one.text); letters > Cue::most_letters) {
         report_.add(
