@@ -48,6 +48,7 @@ class Releases:
         shutil.copytree(self.options.source / "config/museum", museum)
         words = museum / "museum.toml"
         words.write_text(words.read_text().replace(TITLE, title))
+        shutil.copy(self.options.museum, out)  # whose speech is kept where it is the same
         self.run("compile", museum, "-o", out, "--quiet")
         shutil.rmtree(museum)
         return out
