@@ -13,6 +13,7 @@
 #include "content/object/pack.h"
 #include "runtime/schema/object_blob.h"
 #include "tests/content/object/silhouette.h"
+#include "tests/support/sanitized.h"
 
 namespace docent::object::make_object_test {
 namespace {
@@ -84,6 +85,7 @@ TEST(MakeObject, OfHundredsOfUnitsIsInMillimetresAndSaysSo) {
 }
 
 TEST(MakeObject, OfManyTrianglesKeepsItsOutlineWithinAPixel) {
+  NEEDS_SPEED();
   const import::object::ObjectFile source = read(ball(200, 400));
   const MadeObject it = make_object(source, "made.obj");
   const ObjectDetail detail = detail_of(it);
@@ -130,6 +132,7 @@ TEST(MakeObject, OfTheSameTrianglesAThousandTimesHasThemOnce) {
 }
 
 TEST(MakeObject, OfManyTrianglesAboutOnePointIsMadeInTime) {
+  NEEDS_SPEED();
   constexpr int columns = 150'000;  // to collapse edges would take hours
   std::string text = "v 0 1 0\n";
   for (int c = 0; c < columns; ++c) {
