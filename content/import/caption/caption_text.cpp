@@ -5,30 +5,13 @@
 #include <cstdint>
 #include <utility>
 
+#include "content/import/collection/utf8.h"
+
 namespace docent::import {
 namespace {
 
 constexpr bool is_space(char c) noexcept {
   return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\0';
-}
-
-void add_code_point(std::uint32_t c, std::string& text) {
-  const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
-  if (c < 0x80) {
-    byte(c);
-  } else if (c < 0x800) {
-    byte(0xC0U | (c >> 6U));
-    byte(0x80U | (c & 0x3FU));
-  } else if (c < 0x10000) {
-    byte(0xE0U | (c >> 12U));
-    byte(0x80U | ((c >> 6U) & 0x3FU));
-    byte(0x80U | (c & 0x3FU));
-  } else {
-    byte(0xF0U | (c >> 18U));
-    byte(0x80U | ((c >> 12U) & 0x3FU));
-    byte(0x80U | ((c >> 6U) & 0x3FU));
-    byte(0x80U | (c & 0x3FU));
-  }
 }
 
 /// "#233" or "#xe9" as its letter; empty where it is none.
@@ -41,7 +24,7 @@ std::string numbered(std::string_view name) {
   const bool is_letter = c >= 0x20 && c <= 0x10FFFF && (c < 0xD800 || c > 0xDFFF);
   std::string letter;
   if (error == std::errc() && end == digits.data() + digits.size() && is_letter)
-    add_code_point(c, letter);
+    append_utf8(letter, c);
   return letter;
 }
 
