@@ -13,6 +13,7 @@
 #include "runtime/path/offset/offset_way.h"
 #include "runtime/path/round_corners.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
+#include "runtime/path/shortest/shortest_way.h"
 
 namespace docent::path {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "runtime/model/geometry/floor.h"
-#include "runtime/path/shortest/shortest_way.h"
+#include "runtime/path/shortest/shortest_way_map.h"
 
 namespace docent::path {
 
