@@ -24,7 +24,7 @@ namespace {
 
 constexpr int bits_per_second = 20'000;
 /// Raise it where the same text and voice are to sound otherwise: all is made anew then.
-constexpr std::string_view manner = "1";
+constexpr std::string_view manner = "2";
 
 using Key = std::tuple<std::uint32_t, std::string_view>;
 
@@ -56,10 +56,12 @@ std::string digest_of(const Piece& piece, std::string_view version) {
   return digest_of({{manner, version, piece.voice, piece.read_as(), opus::encoder_version()}});
 }
 
-/// The sound as it is stored; empty packets where there is nothing to hear.
-void encode(const Pcm& pcm, SpeechSound& sound) {
+/// The sound as it is stored; empty packets where there is nothing to hear. `voice`: for sounds of
+/// the rate that the voices have.
+void encode(const Pcm& pcm, const Resampler& voice, SpeechSound& sound) {
   if (pcm.samples.empty()) return;
-  const std::vector<float> samples = resample(pcm, opus::encoder_rate);
+  const std::vector<float> samples =
+      pcm.rate == voice.from() ? voice.resample(pcm.samples) : resample(pcm, opus::encoder_rate);
   const auto heard = without_silence(samples, opus::encoder_rate);
   std::vector<float> kept(heard.begin(), heard.end());
   level(kept);
@@ -181,7 +183,7 @@ class Maker {
     try {
       encode(
           piece.is_recorded() ? piece.own->recording : espeak_->say(piece.voice, piece.read_as()),
-          sound);
+          resampler_, sound);
       return {};
     } catch (const content::ContentError& error) {
       return fmt::format("'{}' cannot be said: {}", piece.text, error.what());
@@ -197,6 +199,7 @@ class Maker {
   std::map<std::pair<std::string, std::string_view>, const SpeechSound*> before_;
   std::optional<Espeak> espeak_;
   std::string no_program_;
+  Resampler resampler_{Espeak::rate, opus::encoder_rate};
 };
 
 }  // namespace

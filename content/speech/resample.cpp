@@ -1,8 +1,8 @@
 #include "content/speech/resample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <numeric>
 
@@ -11,7 +11,8 @@ namespace docent::speech {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::ptrdiff_t half = 16;  // taps on either side of a sample, at the lower of the rates
+constexpr double half = 16;       // taps on either side of a sample, at the lower of the rates
+constexpr std::size_t lanes = 8;  // sums that are taken at a time
 
 double sinc(double x) {
   return x == 0 ? 1 : std::sin(pi * x) / (pi * x);
@@ -22,60 +23,63 @@ double window(double x) {
   return std::abs(x) >= 1 ? 0 : 0.42 + 0.5 * std::cos(pi * x) + 0.08 * std::cos(2 * pi * x);
 }
 
-/// The taps for each place between two samples at which a new one may lie.
-struct Filter {
-  std::size_t phases = 0;
-  std::ptrdiff_t reach = 0;  ///< Samples on either side.
-  std::vector<float> taps;   ///< 2 * reach for each phase.
-};
-
-Filter make_filter(std::size_t phases, double cutoff) {
-  Filter filter{
-      .phases = phases, .reach = static_cast<std::ptrdiff_t>(std::ceil(half / cutoff)), .taps = {}};
-  const auto width = static_cast<std::size_t>(2 * filter.reach);
-  filter.taps.resize(phases * width);
-  for (std::size_t phase = 0; phase < phases; ++phase) {
-    double sum = 0;
-    const auto tap_at = [&](std::size_t tap) {
-      const double x = static_cast<double>(static_cast<std::ptrdiff_t>(tap) - filter.reach + 1) -
-                       static_cast<double>(phase) / static_cast<double>(phases);
-      return cutoff * sinc(cutoff * x) * window(x / static_cast<double>(filter.reach));
-    };
-    for (std::size_t tap = 0; tap < width; ++tap) sum += tap_at(tap);
-    for (std::size_t tap = 0; tap < width; ++tap)
-      filter.taps[phase * width + tap] = static_cast<float>(tap_at(tap) / sum);
-  }
-  return filter;
+double cutoff_of(std::uint32_t from, std::uint32_t to) {
+  return 0.97 * std::min(1.0, static_cast<double>(to) / from);
 }
 
-float sample_at(const std::vector<float>& samples, std::size_t whole, const float* taps,
-                std::ptrdiff_t reach) {
-  const auto size = static_cast<std::ptrdiff_t>(samples.size());
-  const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(whole) - reach + 1;
-  const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, -first);
-  const std::ptrdiff_t end = std::min(2 * reach, size - first);
-  float sum = 0;
-  for (std::ptrdiff_t tap = begin; tap < end; ++tap)
-    sum += samples[static_cast<std::size_t>(first + tap)] * taps[tap];
-  return sum;
+/// The taps of a place that is `share` of the way from one sample to the next; they add up to 1.
+void fill_phase(double share, double cutoff, std::size_t reach, std::span<float> taps) {
+  std::vector<double> exact(2 * reach);
+  for (std::size_t tap = 0; tap < exact.size(); ++tap) {
+    const double x = static_cast<double>(tap) - static_cast<double>(reach) + 1 - share;
+    exact[tap] = sinc(cutoff * x) * window(x / static_cast<double>(reach));
+  }
+  const double sum = std::reduce(exact.begin(), exact.end());
+  std::ranges::transform(exact, taps.begin(),
+                         [=](double tap) { return static_cast<float>(tap / sum); });
+}
+
+/// Of `width` samples, a multiple of the lanes: one sum would wait for itself at each tap.
+float weighted(const float* samples, const float* taps, std::size_t width) {
+  std::array<float, lanes> sums{};
+  for (std::size_t tap = 0; tap < width; tap += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      sums[lane] += samples[tap + lane] * taps[tap + lane];
+  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
 }  // namespace
 
-std::vector<float> resample(const Pcm& sound, std::uint32_t rate) {
-  if (sound.rate == rate || sound.samples.empty()) return sound.samples;
-  const std::uint32_t common = std::gcd(sound.rate, rate);
-  const std::size_t phases = rate / common, step = sound.rate / common;
-  const double cutoff = 0.97 * std::min(1.0, static_cast<double>(rate) / sound.rate);
-  const Filter filter = make_filter(phases, cutoff);
-  std::vector<float> made(std::max<std::size_t>(1, sound.samples.size() * phases / step));
+Resampler::Resampler(std::uint32_t from, std::uint32_t to)
+    : from_(from),
+      phases_(to / std::gcd(from, to)),
+      step_(from / std::gcd(from, to)),
+      reach_(static_cast<std::size_t>(std::ceil(half / cutoff_of(from, to)))),
+      width_((2 * reach_ + lanes - 1) / lanes * lanes),
+      taps_(phases_ * width_) {
+  for (std::size_t phase = 0; phase < phases_; ++phase)
+    fill_phase(static_cast<double>(phase) / static_cast<double>(phases_), cutoff_of(from, to),
+               reach_, std::span(taps_).subspan(phase * width_, width_));
+}
+
+std::vector<float> Resampler::resample(std::span<const float> samples) const {
+  if (samples.empty()) return {};
+  // With the silence before and after it, so that every new sample has all of its taps.
+  std::vector<float> padded(reach_ - 1 + samples.size() + width_);
+  std::ranges::copy(samples, padded.begin() + static_cast<std::ptrdiff_t>(reach_ - 1));
+  std::vector<float> made(std::max<std::size_t>(1, samples.size() * phases_ / step_));
   for (std::size_t i = 0; i < made.size(); ++i) {
-    const std::size_t place = i * step;
-    const float* taps =
-        filter.taps.data() + place % phases * static_cast<std::size_t>(2 * filter.reach);
-    made[i] = std::clamp(sample_at(sound.samples, place / phases, taps, filter.reach), -1.0F, 1.0F);
+    const std::size_t place = i * step_;
+    const float sample =
+        weighted(padded.data() + place / phases_, taps_.data() + place % phases_ * width_, width_);
+    made[i] = std::clamp(sample, -1.0F, 1.0F);
   }
   return made;
+}
+
+std::vector<float> resample(const Pcm& sound, std::uint32_t rate) {
+  if (sound.rate == rate) return sound.samples;
+  return Resampler(sound.rate, rate).resample(sound.samples);
 }
 
 }  // namespace docent::speech

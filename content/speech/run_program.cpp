@@ -112,7 +112,7 @@ int start(const std::vector<std::string>& words, int input, int output, int erro
 
 /// Appends what can be read; false at the end.
 bool take(int from, std::string& into, std::size_t most) {
-  std::array<char, 65536> part{};
+  std::array<char, 8192> part{};  // programs write half of that at a time
   const ssize_t count = ::read(from, part.data(), part.size());
   if (count < 0) return errno == EINTR || errno == EAGAIN;
   if (into.size() < most) into.append(part.data(), static_cast<std::size_t>(count));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -19,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 
 /// A minute of speech is made in a third of a second.
-constexpr auto patience = 20s;
+constexpr auto patience = 60s;  // of a machine that is busy with something else
 /// More words than these among a hundred, and a voice does not read its language: of Debian 12's
 /// voices Japanese reads 43 in English, Hebrew 59 and Thai 15 without a vowel, and the others at
 /// most 2 and 3.
@@ -130,6 +132,26 @@ std::string reading_fault(std::string_view phonemes) {
   return {};
 }
 
+std::map<std::string, std::string> voice_files(std::string_view listed) {
+  constexpr int column = 4;  // after priority, language, age/gender and name
+  std::map<std::string, std::string> files;
+  std::set<std::string> twice;
+  std::istringstream lines{std::string(listed)};
+  for (std::string line, word; std::getline(lines, line);) {
+    std::istringstream words(line);
+    for (int i = 0; i <= column; ++i) words >> word;
+    const std::size_t slash = word.rfind('/');
+    if (!words || slash == std::string::npos) continue;
+    std::string name = word.substr(slash + 1);
+    std::ranges::transform(name, name.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    if (!files.emplace(name, word).second) twice.insert(name);
+  }
+  for (const std::string& name : twice) files.erase(name);
+  return files;
+}
+
 Espeak Espeak::find(const std::string& program) {
   const Outcome outcome = run_program({program, "--version"}, {}, patience);
   const std::string line = first_line(outcome.output);
@@ -140,7 +162,13 @@ Espeak Espeak::find(const std::string& program) {
   if (outcome.kind != Outcome::Kind::Ended || outcome.status != 0 || at == std::string::npos)
     no_voice(program, "the program does not say its version", "install the package espeak-ng anew");
   const std::string rest = line.substr(at + before.size());
-  return {program, rest.substr(0, rest.find(' '))};
+  const Outcome listed = run_program({program, "--voices"}, {}, patience);
+  return {program, rest.substr(0, rest.find(' ')), voice_files(listed.output)};
+}
+
+const std::string& Espeak::file_of(const std::string& voice) const {
+  const auto file = files_.find(voice);
+  return file == files_.end() ? voice : file->second;
 }
 
 std::string Espeak::run(std::vector<std::string> arguments, std::string_view text) const {
@@ -169,7 +197,7 @@ std::string Espeak::run(std::vector<std::string> arguments, std::string_view tex
 }
 
 std::string Espeak::phonemes(const std::string& voice, std::string_view text) const {
-  return run({"-q", "--ipa", "-b", "1", "-v", voice, "--stdin"}, text);
+  return run({"-q", "--ipa", "-b", "1", "-v", file_of(voice), "--stdin"}, text);
 }
 
 /// espeak-ng 1.51 looks at memory that it never wrote where an Arabic number ends in nine. What
@@ -178,7 +206,7 @@ std::string Espeak::phonemes(const std::string& voice, std::string_view text) co
 Pcm Espeak::say(const std::string& voice, std::string_view text) const {
   std::string wav;
   for (int attempt = 0; attempt < 8; ++attempt) {
-    wav = run({"-b", "1", "-z", "-s", "160", "-v", voice, "--stdin", "--stdout"}, text);
+    wav = run({"-b", "1", "-z", "-s", "160", "-v", file_of(voice), "--stdin", "--stdout"}, text);
     if (wav.empty()) return {};
     if (wav.starts_with("RIFF")) break;
   }

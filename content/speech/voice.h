@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "content/speech/pcm.h"
 
@@ -15,9 +19,16 @@ std::string voice_name(std::string_view tag);
 /// in English, and one that has no vowels to read has words without any.
 std::string reading_fault(std::string_view phonemes);
 
+/// Of what `espeak-ng --voices` lists, the files by the names under which voices are asked for; a
+/// name that two files have is left out. Given a file it looks into no other: a name has it read
+/// all 130 of them, each time.
+std::map<std::string, std::string> voice_files(std::string_view listed);
+
 /// espeak-ng, run as a program of its own: it is GPL-3, and a text that ends it ends nothing else.
 class Espeak {
  public:
+  static constexpr std::uint32_t rate = 22'050;  ///< Of nearly all voices' sound.
+
   /// Looks for it. Throws ContentError where it is not there or does not say its version.
   static Espeak find(const std::string& program = "espeak-ng");
 
@@ -29,11 +40,13 @@ class Espeak {
   Pcm say(const std::string& voice, std::string_view text) const;
 
  private:
-  Espeak(std::string program, std::string version)
-      : program_(std::move(program)), version_(std::move(version)) {}
+  Espeak(std::string program, std::string version, std::map<std::string, std::string> files)
+      : program_(std::move(program)), version_(std::move(version)), files_(std::move(files)) {}
+  const std::string& file_of(const std::string& voice) const;
   std::string run(std::vector<std::string> arguments, std::string_view text) const;
 
   std::string program_, version_;
+  std::map<std::string, std::string> files_;
 };
 
 }  // namespace docent::speech

@@ -18,15 +18,19 @@ struct CueLook {
   float pad = 0, most_lines = 1;
 };
 
+/// Larger letters are as large as leaves the picture to be seen, and never smaller than usual ones.
 CueLook look_of(const Sheet& sheet, const PixelBox& picture, const Language& language) {
-  constexpr float most = 3, share = 0.5F;
+  constexpr float most = 3, enough = 2, share = 0.4F;
   CueLook look{.style = sheet.style(Letters::Body), .pad = std::round(sheet.measures().unit)};
   look.style.language = language.tag;
   look.style.right_to_left = language.right_to_left;
   look.style.centred = true;
   look.width = picture.width - 4 * look.pad;
-  const float line = std::round(look.style.size * look.style.line_height);
   const float room = share * picture.height - 2 * look.pad;
+  const float usual = std::ceil(look.style.size / sheet.request().shape.text_scale);
+  const float fitting = std::floor(room / (enough * look.style.line_height));
+  look.style.size = std::clamp(fitting, std::min(usual, look.style.size), look.style.size);
+  const float line = std::round(look.style.size * look.style.line_height);
   look.most_lines = std::clamp(std::floor(room / std::max(line, 1.0F)), 1.0F, most);
   return look;
 }

@@ -8,7 +8,8 @@ namespace docent::interface {
 
 /// The captions of the video that is drawn in `picture`, an index into Museum::pictures: on its
 /// lower edge, in the visitor's language where there are any, a page at a time where one is longer
-/// than half of the picture has room for. They become View::cues.
+/// than two fifths of the picture have room for; for two lines of it, larger letters become smaller
+/// again, down to the usual. They become View::cues.
 void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index);
 
 }  // namespace docent::interface

@@ -12,6 +12,8 @@ What is proved, with the unit and the udev rule of the package:
  - another terminal of the console can be looked at meanwhile;
  - killed or restarted, the service draws again, and takes touches again, and by then what the integrator has set holds: nothing moves
    but a guide on its way, which leaves the simulated processors to everything else;
+ - headphones that are plugged in are read to, and what is heard of the service is what was to be said, from its first to its last
+   moment; they are pulled out in mid-sentence, which ends nothing else;
  - touch screens that come and go every few hundredths of a second do it no harm;
  - a signed release comes over the network and another on a USB stick, by the package's own units, and is shown; power that is cut
    in the middle of an installation leaves the old one or the new, and the next look finishes it;
@@ -34,6 +36,7 @@ sys.dont_write_bytecode = True
 
 from boot import Story, run
 from expected import SIZE
+from hearing import Speech, speaks
 from kiosk import CHECKOUT, TO_BOOT, TO_DRAW, Kiosk, glass_is_open, install, unpack
 from machine import Failure
 from releases import Releases
@@ -146,7 +149,7 @@ def no_hang_up(kiosk: Kiosk) -> None:
         raise Failure(f"the service was ended by its terminal: {ends[0]}")
 
 
-def play(kiosk: Kiosk, commands: list[str], descriptor: str, releases: Releases) -> None:
+def play(kiosk: Kiosk, commands: list[str], descriptor: str, releases: Releases, speech: Speech) -> None:
     kiosk.machine.wait_for_shell(TO_BOOT)
     is_stock(kiosk)
     unpack(kiosk.machine)
@@ -162,6 +165,7 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str, releases: Releases)
     killed(kiosk)
     kiosk.draws("killed")
     kiosk.owns_console("killed")
+    speaks(kiosk, speech)
 
     kiosk.machine.must("systemctl restart docent", TO_DRAW)
     kiosk.draws("restarted")
@@ -189,16 +193,16 @@ def play(kiosk: Kiosk, commands: list[str], descriptor: str, releases: Releases)
         step(kiosk, releases)
 
 
-def story(releases: Releases) -> Story:
+def story(releases: Releases, speech: Speech) -> Story:
     return Story(
         __doc__,
         "a kiosk works as installed",
-        lambda *of_the_machine: play(*of_the_machine, releases),
+        lambda *of_the_machine: play(*of_the_machine, releases, speech),
         altogether=2900.0,
         devices=("-device", "qemu-xhci,id=usb"),
-        luggage=releases.make,
+        luggage=lambda *of_the_museum: releases.make(*of_the_museum) + speech.rehearse(*of_the_museum),
     )
 
 
 if __name__ == "__main__":
-    sys.exit(run(story(Releases())))
+    sys.exit(run(story(Releases(), Speech())))

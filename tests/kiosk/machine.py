@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from picture import Picture, read_ppm
+from sound import RATE
 
 
 class Bootable(Protocol):
@@ -98,6 +99,7 @@ class Machine:
                  devices: tuple[str, ...] = ()) -> None:
         # fmt: on
         self.logs, self.deadline = logs, deadline
+        self.heard = logs / "heard.wav"
         self.shell, self.monitor = Line(), Line()
         self.folder = tempfile.TemporaryDirectory(prefix="machine-")  # a socket's address has to be short
         self.viewers = f"{self.folder.name}/screen"
@@ -115,7 +117,8 @@ class Machine:
             "-device", "virtio-serial-pci", "-chardev", f"socket,id=shell,fd={ends[self.shell]}",
             "-device", "virtserialport,chardev=shell,name=shell",
             "-chardev", f"socket,id=monitor,fd={ends[self.monitor]}", "-mon", "chardev=monitor,mode=control",
-            "-serial", f"file:{logs / 'serial.log'}", *devices,
+            "-serial", f"file:{logs / 'serial.log'}",
+            "-audiodev", f"wav,id=loudspeaker,path={self.heard},out.frequency={RATE}", *devices,
         ]
         # fmt: on
         with open(logs / "qemu.log", "wb") as log:
@@ -179,6 +182,13 @@ class Machine:
 
     def pull_out_stick(self) -> None:
         self.ask_monitor("device_del", id="plugged")
+
+    def plug_in_headphones(self) -> None:
+        """With a sound card, by USB; the machine has a controller `usb`. What they play is in the file `heard`."""
+        self.ask_monitor("device_add", driver="usb-audio", id="headphones", bus="usb.0", audiodev="loudspeaker")
+
+    def pull_out_headphones(self) -> None:
+        self.ask_monitor("device_del", id="headphones")
 
     def cut_power(self) -> None:
         """And gives it again at once: what had not come to the disk is lost."""

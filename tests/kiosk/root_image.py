@@ -21,6 +21,7 @@ FOR_THE_TEST = ["python3-minimal"]
 TO_REACH_THE_DISK = ["virtio_pci", "virtio_blk", "ext4", "crc32c_generic"]
 TO_BE_FIRST = ["virtio_gpu"]  # of several graphics cards
 FOR_UDEV = ["virtio_console", "virtio_gpu", "bochs", "uhid", "hid_generic", "hid_multitouch", "evdev"]
+FOR_HEADPHONES = ["snd_usb_audio"]
 FOR_A_STICK = ["xhci_pci", "usb_storage", "sd_mod", "vfat", "nls_cp437", "nls_ascii", "nls_iso8859-1"]
 FREE_MIB = 600
 
@@ -179,7 +180,7 @@ def bootstrap(scratch: pathlib.Path, root: pathlib.Path, packages: list[str]) ->
 def furnish(root: pathlib.Path, modules: pathlib.Path) -> None:
     """The kernel's modules, and the test's way in."""
     inside = root / "usr/lib/modules" / modules.name
-    for file in module_files(modules, TO_REACH_THE_DISK + FOR_UDEV + FOR_A_STICK):
+    for file in module_files(modules, TO_REACH_THE_DISK + FOR_UDEV + FOR_HEADPHONES + FOR_A_STICK):
         copy = inside / file.relative_to(modules)
         copy.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(file, copy)

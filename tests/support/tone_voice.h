@@ -22,6 +22,7 @@ class ToneVoice {
     std::ofstream(program())
         << "#!/bin/sh\n"
            "[ \"$1\" = --version ] && echo 'eSpeak NG text-to-speech: 9.9  Data at: /x' && exit 0\n"
+           "[ \"$1\" = --voices ] && exit 0\n"
            "text=$(cat)\n"
            "if [ \"$1\" = -q ]; then\n"
            "  case \"$text\" in *館*) echo '(en)letˈə(ja)';; *) echo aha;; esac\n"

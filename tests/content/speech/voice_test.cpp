@@ -14,7 +14,10 @@
 namespace docent::speech::voice_test {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
 
 TEST(Voice, OfChineseIsTheOneThatReadsItsOwnPinyin) {
   EXPECT_EQ(voice_name("zh"), "cmn-latn-pinyin");
@@ -41,6 +44,22 @@ TEST(Voice, MayNameSomethingInForeignLetters) {
             "");
 }
 
+// A few lines of what espeak-ng 1.51 of Debian 12 lists.
+constexpr std::string_view listed =
+    "Pty Language       Age/Gender VoiceName          File                 Other Languages\n"
+    " 5  cmn-latn-pinyin --/M      Chinese_(Mandarin,_latin_as_Pinyin) sit/cmn-Latn-pinyin  (zh "
+    "5)\n"
+    " 2  en-gb           --/M      English_(Great_Britain) gmw/en               (en 2)\n"
+    " 5  ko              --/M      Korean             ko                   \n"
+    " 5  xx              --/M      One                one/xx               \n"
+    " 5  xx              --/M      Another            other/xx             \n";
+
+TEST(Voice, HasAFileThatIsItsAlone) {
+  EXPECT_THAT(voice_files(listed),
+              ElementsAre(Pair("cmn-latn-pinyin", "sit/cmn-Latn-pinyin"), Pair("en", "gmw/en")));
+  EXPECT_THAT(voice_files("what is that?\n\n1 2"), IsEmpty());
+}
+
 /// A program that says that it is espeak-ng, and then does as `script` says.
 class FakeEspeak {
  public:
@@ -48,6 +67,8 @@ class FakeEspeak {
     std::ofstream(file()) << "#!/bin/sh\n"
                              "[ \"$1\" = --version ] && echo 'eSpeak NG text-to-speech: 9.9  Data "
                              "at: /x' && exit 0\n"
+                             "[ \"$1\" = --voices ] && echo '"
+                          << listed << "' && exit 0\n"
                           << script << "\n";
     std::filesystem::permissions(file(), std::filesystem::perms::owner_all);
   }
@@ -88,6 +109,13 @@ TEST(Espeak, ThatFailsIsToldInASentence) {
             "this is no WAV file");
 }
 
+TEST(Espeak, IsAskedForAVoiceByItsFileWhereItSaysWhichThatIs) {
+  const FakeEspeak answering("echo \"$@\"");
+  const Espeak espeak = Espeak::find(answering.file());
+  EXPECT_THAT(espeak.phonemes("en", "hello"), HasSubstr("-v gmw/en --stdin"));
+  EXPECT_THAT(espeak.phonemes("xx", "hello"), HasSubstr("-v xx --stdin"));
+}
+
 TEST(Espeak, GetsTheTextByItsInputWithoutItsOwnCodes) {
   const FakeEspeak listening("cat");
   EXPECT_EQ(Espeak::find(listening.file()).phonemes("en", "-w file; [[h@l'oU]] [[["),
@@ -117,6 +145,21 @@ TEST(Espeak, OfThisMachineSaysTheSameEachTime) {
     if (is_still) {
       ASSERT_EQ(next.samples, first.samples) << i;
     }
+  }
+}
+
+TEST(Espeak, OfThisMachineSaysTheSameByAVoicesNameAndByItsFile) {
+  const Outcome list = run_program({"espeak-ng", "--voices"}, {}, std::chrono::seconds(20));
+  if (list.kind != Outcome::Kind::Ended) GTEST_SKIP() << "no espeak-ng";
+  const auto files = voice_files(list.output);
+  for (const std::string voice : {"en", "de", "fr", "es", "ru", "ar", "hi", "cmn-latn-pinyin"}) {
+    const auto said = [](const std::string& by) {
+      return run_program({"espeak-ng", "-v", by, "--stdin", "--stdout"}, "12 museum\n",
+                         std::chrono::seconds(20))
+          .output;
+    };
+    ASSERT_TRUE(files.contains(voice)) << voice;
+    EXPECT_EQ(said(files.at(voice)), said(voice)) << voice;
   }
 }
 

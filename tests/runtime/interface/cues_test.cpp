@@ -109,7 +109,8 @@ TEST(Cues, LieInTheLowerHalfOfTheVideoInAnyLanguageAndSizeOfLetters) {
           EXPECT_TRUE(is_within(cue.ground.rect, video))
               << width << ' ' << large << ' ' << language;
           EXPECT_TRUE(is_within(cue.quad.rect, cue.ground.rect));
-          EXPECT_GE(cue.ground.rect.y, video.y + 0.2F * video.height) << "most of it is seen";
+          // A line of usual Arabic letters takes that of the small picture on an upright glass.
+          EXPECT_GE(cue.ground.rect.y, video.y + 0.45F * video.height) << "most of it is seen";
           for (const Control& control : view->controls) {
             const scene::Rect &r = control.rect, &box = cue.ground.rect;
             EXPECT_FALSE(r.width > 0 && r.x < box.x + box.width && box.x < r.x + r.width &&
@@ -118,6 +119,31 @@ TEST(Cues, LieInTheLowerHalfOfTheVideoInAnyLanguageAndSizeOfLetters) {
           }
         }
       }
+}
+
+float size_of_capitals(const View& view) {
+  return view.words[static_cast<std::size_t>(view.cues.front().words)].capitals_px;
+}
+
+TEST(Cues, AreLargerForWhoAsksForThatAsFarAsThePictureIsStillSeen) {
+  const Museum museum = museum_with_captions();
+  for (const float inches : {15.0F, 24.0F, 55.0F}) {
+    ViewRequest request = watching(0);
+    request.shape.diagonal_inches = inches;
+    const auto usual = view_of(museum, request);
+    request.state.large_letters = true;
+    const auto large = view_of(museum, request);
+
+    const float times = size_of_capitals(*large) / size_of_capitals(*usual);
+    EXPECT_GE(times, 1) << inches;
+    EXPECT_LE(times, 1.52F) << inches;
+    const scene::Rect& video = video_of(*large);
+    for (const TimedText& cue : large->cues)
+      EXPECT_LE(cue.ground.rect.height, 0.42F * video.height) << inches;
+    if (inches > 24) {
+      EXPECT_GT(times, 1.4F) << "there is room";
+    }
+  }
 }
 
 TEST(Cues, HaveLettersOfFiveMillimetresAndTheContrastOfText) {
