@@ -20,6 +20,7 @@ _docent() {
     'docent --today') _docent_offer -f; return ;;
     'docent --visit') _docent_offer -f; return ;;
     'docent --record') _docent_offer -d; return ;;
+    'docent --states') _docent_offer -f; return ;;
     'docent --seconds') :; return ;;
     'docent --stats') _docent_offer -f; return ;;
     'docent --speech') _docent_offer -f; return ;;
@@ -29,7 +30,7 @@ _docent() {
     'docent check --config') _docent_offer -f; return ;;
   esac
   case "$path" in
-    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --today --visit --record --seconds --stats --speech --health --counts --hid -h --help --version'; else _docent_offer -W 'check counts hid pin status'; fi ;;
+    'docent') if [[ $word == -* ]]; then _docent_offer -W '--content --config --display --size --rotate --today --visit --record --states --seconds --stats --speech --health --counts --hid -h --help --version'; else _docent_offer -W 'check counts hid pin status'; fi ;;
     'docent check') if [[ $word == -* ]]; then _docent_offer -W '--config -h --help'; else _docent_offer -f; fi ;;
     'docent counts') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -d; fi ;;
     'docent hid') if [[ $word == -* ]]; then _docent_offer -W '-h --help'; else _docent_offer -W 'list decode'; fi ;;

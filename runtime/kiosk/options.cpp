@@ -66,6 +66,8 @@ std::vector<terminal::Option> options_of(Options& options) {
       {"--visit", terminal::file("FILE", options.visit), "Play a scripted visit"},
       {"--record", terminal::folder("DIR", options.record),
        "Write frames as PNG and states.csv into this folder"},
+      {"--states", terminal::file("FILE", options.states),
+       "Write the states.csv of a recording alone, without drawing every frame"},
       {"--seconds", terminal::number("S", terminal::not_negative, options.seconds),
        "End after so many seconds"},
       {"--stats", terminal::file("FILE", options.stats), "Write measurements as JSON at the end"},

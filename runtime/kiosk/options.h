@@ -26,8 +26,8 @@ struct Options {
   std::optional<config::DisplayKind> display;
   std::optional<PixelSize> size;
   std::optional<Rotation> rotation;
-  std::filesystem::path visit, record, stats, speech;  ///< Empty where not asked for.
-  std::filesystem::path health, counts;                ///< Likewise.
+  std::filesystem::path visit, record, states, stats, speech;  ///< Empty where not asked for.
+  std::filesystem::path health, counts;                        ///< Likewise.
   std::optional<std::filesystem::path> today;
   std::optional<double> seconds;
   std::vector<std::string> hid;

@@ -29,7 +29,9 @@ Result<Rehearsal> Rehearsal::open(const Options& options, const std::optional<Vi
   }
   rehearsal.transcript_file_ = options.speech;
   rehearsal.transcript_ = transcript_heading;
+  if (!options.states.empty()) rehearsal.states_files_.push_back(options.states);
   if (options.record.empty()) return rehearsal;
+  rehearsal.states_files_.push_back(options.record / "states.csv");
   auto recorder = Recorder::open(options.record);
   if (!recorder) return std::unexpected(recorder.error());
   rehearsal.recorder_ = std::move(*recorder);
@@ -54,7 +56,7 @@ bool Rehearsal::wants_frame(double time) const noexcept {
 
 Result<void> Rehearsal::record(double time, const guide::Guide& guide,
                                const headless::HeadlessDisplay* screen) {
-  if (recorder_) recorder_->add_states(time, guide);
+  if (!states_files_.empty()) states_.add(time, guide);
   if (const guide::Saying* saying = guide.voice().saying();
       saying != nullptr && !transcript_file_.empty())
     transcript_ += transcript_line(time, *saying);
@@ -80,7 +82,9 @@ Result<void> Rehearsal::finish() {
   if (!transcript_file_.empty())
     if (const Result<void> written = write_whole(transcript_file_, transcript_); !written)
       return written;
-  return recorder_ ? recorder_->finish() : Result<void>();
+  for (const std::filesystem::path& file : states_files_)
+    if (const Result<void> written = write_whole(file, states_.csv()); !written) return written;
+  return {};
 }
 
 }  // namespace docent::kiosk

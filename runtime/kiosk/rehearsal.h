@@ -8,6 +8,7 @@
 #include "platform/headless/headless_display.h"
 #include "runtime/kiosk/options.h"
 #include "runtime/kiosk/recorder.h"
+#include "runtime/kiosk/state_table.h"
 #include "runtime/kiosk/visit_player.h"
 
 namespace docent::kiosk {
@@ -43,6 +44,8 @@ class Rehearsal {
  private:
   std::optional<VisitPlayer> visit_;
   std::optional<Recorder> recorder_;
+  std::vector<std::filesystem::path> states_files_;  ///< None: where everybody is is not written.
+  StateTable states_;
   std::filesystem::path transcript_file_;  ///< Empty: what is spoken is not written down.
   std::string transcript_;
   double last_command_ = 0;

@@ -295,6 +295,14 @@ WallGrid::Nearest WallGrid::nearest_wall(Vec2 p) const noexcept {
   return best;
 }
 
+double WallGrid::distance_within(std::size_t cell, Vec2 p) const noexcept {
+  double squared = infinity;
+  for (const std::uint32_t wall : walls_in(cell))
+    squared =
+        std::min(squared, nearest_on_segment(p, wall_[wall].a, wall_[wall].b).distance_squared);
+  return std::sqrt(squared);
+}
+
 bool WallGrid::is_inside(Vec2 p, const Nearest& nearest) const noexcept {
   if (!std::isfinite(nearest.distance)) return false;
   if (nearest.distance == 0) return true;

@@ -55,6 +55,11 @@ class WallGrid {
   Vec2 centre_of(std::size_t cell) const noexcept;
   /// Does every point of the cell keep the grid's radius from every wall?
   bool is_clear(std::size_t cell) const noexcept { return walls_in(cell).empty(); }
+  /// The side of a cell, metres.
+  double cell_size() const noexcept { return cell_size_; }
+  /// The distance of a point of the cell to the nearest wall, if that is within the grid's radius;
+  /// else more than the radius.
+  double distance_within(std::size_t cell, Vec2 p) const noexcept;
 
   /// The smallest distance from any point of the segment to a wall, metres; at most `at_most`,
   /// which is no more than the clearance of either end.

@@ -131,7 +131,10 @@ double LevelCurve::length_between(std::uint32_t site, double a, double b) const 
 
 void LevelCurve::append_points(std::uint32_t site, double a, double b,
                                std::vector<Vec2>& points) const {
-  if (!is_wall(site)) return append_arc(map_->corner(site), distance_, a, b, points);
+  if (!is_wall(site)) {
+    const ReflexCorner& corner = map_->corner(site);
+    return append_arc(corner.position, corner.begin, distance_, a, b, points);
+  }
   append_point(point_at(site, a), points);
   append_point(point_at(site, b), points);
 }

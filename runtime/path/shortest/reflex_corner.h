@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "runtime/model/geometry/floor_plan.h"
+#include "runtime/path/shortest/arc_angle.h"
 
 namespace docent::path {
 
@@ -37,9 +38,7 @@ struct ReflexCorner {
     return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
   }
   /// The unit direction at an angle from `begin`.
-  Vec2 direction_at(double angle) const noexcept {
-    return std::cos(angle) * begin + std::sin(angle) * left_of(begin);
-  }
+  Vec2 direction_at(double angle) const noexcept { return turned_by(begin, angle); }
   /// The point of the circle of `radius` at an angle from `begin`.
   Vec2 point_at(double angle, double radius) const noexcept {
     return position + radius * direction_at(angle);

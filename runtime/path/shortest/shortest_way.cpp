@@ -11,7 +11,9 @@
 #include "runtime/model/none.h"
 #include "runtime/path/flatten.h"
 #include "runtime/path/index/stamped_array.h"
+#include "runtime/path/shortest/arc_angle.h"
 #include "runtime/path/shortest/make_tangent_graph.h"
+#include "runtime/path/shortest/savings.h"
 
 namespace docent::path {
 /// Inlined where candidates are listed. Where they touch is found for the few that are looked at:
@@ -56,6 +58,7 @@ struct Candidate {
   double length;           ///< Metres of the way between the end and the touch.
   std::int64_t bound = 0;  ///< No way by this tangent is shorter.
   std::uint32_t side;
+  float saved = 0;                    ///< Metres (see savings.h).
   std::uint32_t looked = none;        ///< What is known of it beyond that.
   std::uint32_t also_on_side = none;  ///< The next candidate of the same side.
 };
@@ -63,7 +66,7 @@ struct Candidate {
 /// What is known of a candidate that was looked at.
 struct Looked {
   Vec2 touch{};
-  double angle = 0;       ///< Of the touch on the side's arc.
+  double turn = 0;        ///< How far along its side's arc the touch is, as seen from the end.
   std::int64_t cost = 0;  ///< As far as the end of the side's arc that labels count from: rolling
                           ///< there is taken off again.
   bool is_clear = false;  ///< Known to be clear of walls.
@@ -142,6 +145,9 @@ Workspace& workspace() {
   return work;
 }
 
+/// So many points a roll has room for, before all that there are must be moved.
+constexpr std::size_t points_a_roll = 4;
+
 class Query {
  public:
   Query(const ShortestWayMap& map, Vec2 from, Vec2 to)
@@ -197,7 +203,9 @@ class Query {
     for (const std::uint32_t side : about)
       if (const auto length = map_.length_to(side, end.at)) {
         // Turning along the other side begins where this side ends.
-        end.candidates.push_back({.length = *length, .side = side ^ end.flip});
+        end.candidates.push_back({.length = *length,
+                                  .side = side ^ end.flip,
+                                  .saved = static_cast<float>(map_.saved_at(side))});
         map_.prefetch_landmarks(side);
       }
   }
@@ -207,10 +215,9 @@ class Query {
       candidate.looked = static_cast<std::uint32_t>(work_.looked.size());
       const std::uint32_t side = candidate.side ^ end.flip;
       const Vec2 touch = map_.touch_of(side, end.at, candidate.length);
-      const double angle = map_.angle_at(side, touch);
-      const double turn = map_.turn_along(side, angle);
+      const double turn = map_.turn_at(side, touch);
       work_.looked.push_back({.touch = touch,
-                              .angle = angle,
+                              .turn = turn,
                               .cost = in_units(candidate.length - map_.graph().radius * turn)});
     }
     return work_.looked[candidate.looked];
@@ -218,11 +225,14 @@ class Query {
 
   /// The bounds of some candidates, by what lies between them and any of the others.
   void bound(std::span<Candidate> some, const std::vector<Candidate>& others) const {
-    LandmarkBound between(map_.search().landmarks(), 2 * map_.graph().radius);
-    for (const Candidate& other : others) between.add(map_.sight_corner(other.side), other.length);
+    // What is saved is no more than the radius, so that no length becomes negative.
+    const double radius = map_.graph().radius;
+    LandmarkBound between(map_.search().landmarks(), radius);
+    for (const Candidate& other : others)
+      between.add(map_.sight_corner(other.side), other.length + radius - other.saved);
     for (Candidate& candidate : some)
-      candidate.bound =
-          in_units(candidate.length + between.from(map_.sight_corner(candidate.side)));
+      candidate.bound = in_units(candidate.length - candidate.saved +
+                                 between.from(map_.sight_corner(candidate.side)));
   }
 
   bool drop_unless_clear(End& end, std::uint32_t index) const {
@@ -243,27 +253,26 @@ class Query {
     const Candidate from = end.candidates[index];
     const Looked looked = work_.looked[from.looked];
     const std::uint32_t side = from.side ^ end.flip;
-    const double turned = map_.turn_along(side, looked.angle);
     const std::size_t first_new = end.candidates.size();
     for (std::uint32_t k = graph.side_first[side]; k < graph.side_first[side + 1]; ++k) {
       const Tangent& tangent = graph.tangent[k];
-      const double turn = map_.turn_along(side, tangent.leave_angle) - turned;
+      const double turn = map_.turn_along(side, tangent.leave_angle) - looked.turn;
       if (turn < -same_angle) continue;
       const double length = from.length + graph.radius * std::max(0.0, turn) + tangent.length;
-      const double rolled =
-          graph.radius * map_.turn_along(tangent.arrive_side, tangent.arrive_angle);
+      const double rolled = map_.turn_along(tangent.arrive_side, tangent.arrive_angle);
       end.candidates.push_back({.length = length,
                                 .side = tangent.arrive_side ^ end.flip,
+                                .saved = static_cast<float>(map_.saved_at(tangent.arrive_side)),
                                 .looked = static_cast<std::uint32_t>(work_.looked.size())});
-      work_.looked.push_back({.angle = tangent.arrive_angle,
-                              .cost = in_units(length - rolled),
+      work_.looked.push_back({.turn = rolled,
+                              .cost = in_units(length - graph.radius * rolled),
                               .is_clear = true,
                               .bend = static_cast<std::uint32_t>(work_.bends.size())});
       const Bend bend =
           end.flip == 0
               ? Bend{tangent.leave_angle, tangent.arrive_angle, tangent.length, tangent.arrive_side}
               : Bend{tangent.arrive_angle, tangent.leave_angle, tangent.length, from.side};
-      work_.bends.push_back({bend, first_tangent(from, looked), looked.bend});
+      work_.bends.push_back({bend, first_tangent(end, from, looked), looked.bend});
     }
     bound(std::span(end.candidates).subspan(first_new), other.candidates);
   }
@@ -378,11 +387,11 @@ class Query {
     for (const std::uint32_t k : to_.open) {
       Candidate& last = to_.candidates[k];
       if (!work_.on_side.has(last.side)) continue;
-      const double last_turn = map_.turn_along(last.side, look_at(to_, last).angle);
+      const double last_turn = map_.extent(last.side) - look_at(to_, last).turn;
       for (std::uint32_t i = work_.on_side[last.side]; i != none;
            i = from_.candidates[i].also_on_side) {
         Candidate& first = from_.candidates[i];
-        const double turn = last_turn - map_.turn_along(last.side, look_at(from_, first).angle);
+        const double turn = last_turn - look_at(from_, first).turn;
         if (turn < -same_angle) continue;
         const std::int64_t cost =
             in_units(first.length + radius * std::max(0.0, turn) + last.length);
@@ -439,14 +448,14 @@ class Query {
     if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
     const Tangent& leave = map_.graph().tangent[work_.tangents.front()];
     return map_.turn_along(first.side, leave.leave_angle) >=
-           map_.turn_along(first.side, work_.looked[first.looked].angle) - same_angle;
+           work_.looked[first.looked].turn - same_angle;
   }
   /// Does it arrive where its labels end not after it leaves?
   bool last_turns_forward(const Candidate& last) const {
     if (map_.graph().radius == 0 || work_.tangents.empty()) return true;
     const Tangent& arrive = map_.graph().tangent[work_.tangents.back()];
-    return map_.turn_along(last.side, arrive.arrive_angle) <=
-           map_.turn_along(last.side, work_.looked[last.looked].angle) + same_angle;
+    return map_.turn_along(last.side ^ 1, arrive.arrive_angle) >=
+           work_.looked[last.looked].turn - same_angle;
   }
 
   /// All bends of a way whose labels are unpacked.
@@ -457,6 +466,7 @@ class Query {
     std::ranges::reverse(work_.way);
     for (const std::uint32_t k : work_.tangents) {
       const Tangent& tangent = map_.graph().tangent[k];
+      map_.prefetch_arc(tangent.arrive_side);
       work_.way.push_back(
           {tangent.leave_angle, tangent.arrive_angle, tangent.length, tangent.arrive_side});
     }
@@ -465,8 +475,10 @@ class Query {
   }
 
   /// The tangent of the end where a candidate began.
-  EndTangent first_tangent(const Candidate& candidate, const Looked& looked) const {
-    if (looked.bend == none) return {candidate.length, looked.angle, candidate.side};
+  EndTangent first_tangent(const End& end, const Candidate& candidate, const Looked& looked) const {
+    if (looked.bend == none)
+      return {candidate.length, map_.angle_after(candidate.side ^ end.flip, looked.turn),
+              candidate.side};
     return work_.bends[looked.bend].end;
   }
 
@@ -474,18 +486,18 @@ class Query {
     const Looked &first_looked = work_.looked[first.looked],
                  &last_looked = work_.looked[last.looked];
     list_bends(first_looked, last_looked);
-    const EndTangent begin = first_tangent(first, first_looked);
-    const EndTangent end = first_tangent(last, last_looked);
+    const EndTangent begin = first_tangent(from_, first, first_looked);
+    const EndTangent end = first_tangent(to_, last, last_looked);
     const double radius = map_.graph().radius;
     Way way{RouteStatus::Ok, begin.length + end.length, radius, {}};
-    way.points.reserve(work_.way.size() + 4);
+    way.points.reserve((radius > 0 ? points_a_roll : 1) * (work_.way.size() + 1) + 2);
     way.points.push_back(from_.at);
     std::uint32_t side = begin.side;
     double angle = begin.angle;
     const auto roll = [&](double until) {
-      way.length +=
-          radius * std::max(0.0, map_.turn_along(side, until) - map_.turn_along(side, angle));
-      append_arc(map_.corner(side), radius, angle, until, way.points);
+      const double turn = side % 2 == 0 ? until - angle : angle - until;
+      way.length += radius * std::max(0.0, turn);
+      map_.append_roll(side, angle, until, way.points);
     };
     for (const Bend& bend : work_.way) {
       roll(bend.leave_angle);
@@ -518,12 +530,27 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
       walls_(plan, tangents.radius),
       rolling_(rolling_radius(tangents.radius, walls_.slack())),
       corner_(corners_of_arcs(plan, tangents)) {
-  for (std::size_t cell = 0; cell < walls_.cells(); ++cell)
-    is_room_.push_back(walls_.is_clear(cell) && walls_.is_inside(walls_.centre_of(cell)));
+  const double farthest = walls_.cell_size() * std::numbers::sqrt2 / 2 + walls_.slack();
+  for (std::size_t cell = 0; cell < walls_.cells(); ++cell) {
+    const Vec2 centre = walls_.centre_of(cell);
+    const WallGrid::Nearest nearest = walls_.nearest_wall(centre);
+    is_inside_.push_back((walls_.is_clear(cell) || nearest.distance > farthest) &&
+                         walls_.is_inside(centre, nearest));
+  }
   for (std::size_t a = 0; a < corner_.size(); ++a) {
     const ReflexCorner& corner = corner_[a];
-    arc_.push_back({corner.position, corner.direction_at(graph_.arc[a].begin),
-                    corner.direction_at(graph_.arc[a].end), graph_.arc[a].begin, 0});
+    arc_.push_back({corner.position,
+                    corner.direction_at(graph_.arc[a].begin),
+                    corner.direction_at(graph_.arc[a].end),
+                    graph_.arc[a].begin,
+                    0,
+                    {}});
+  }
+  if (graph_.radius > 0) {
+    const std::vector<double> saved = savings(graph_);
+    for (std::uint32_t side = 0; side < saved.size(); ++side)
+      arc_[side / 2].saved[side % 2] = static_cast<std::uint16_t>(std::min(
+          ArcOfEnds::all_saved, std::ceil(ArcOfEnds::all_saved * saved[side] / graph_.radius) + 1));
   }
   for (const auto* table : {&labels.leaving, &labels.arriving})
     for (const HubCost& hub : table->hub) hubs_ = std::max(hubs_, std::size_t{hub.hub} + 1);
@@ -588,13 +615,18 @@ std::span<const std::uint32_t> ShortestWayMap::sides_about(Vec2 point) const noe
       .subspan(cell_first_[*cell], cell_first_[*cell + 1] - cell_first_[*cell]);
 }
 
-double ShortestWayMap::angle_at(std::uint32_t side, Vec2 touch) const noexcept {
+double ShortestWayMap::turn_at(std::uint32_t side, Vec2 touch) const noexcept {
+  if (graph_.radius == 0) return 0;
   const ArcOfEnds& arc = arc_[side / 2];
-  if (graph_.radius == 0) return arc.begin_angle;
   const Vec2 out = touch - arc.centre;
-  const double turn = std::atan2(cross(arc.begin, out), dot(arc.begin, out));
-  // Just beyond the end of nearly half a turn is not far before its begin.
-  return arc.begin_angle + (turn < -std::numbers::pi / 2 ? turn + 2 * std::numbers::pi : turn);
+  return side % 2 == 0 ? angle_between(arc.begin, out) : angle_between(out, arc.end);
+}
+
+void ShortestWayMap::append_roll(std::uint32_t side, double from, double to,
+                                 std::vector<Vec2>& points) const {
+  const ArcOfEnds& arc = arc_[side / 2];
+  append_arc(arc.centre, arc.begin, graph_.radius, from - arc.begin_angle, to - arc.begin_angle,
+             points);
 }
 
 std::optional<Way> straight_way(const ShortestWayMap& map, Vec2 from, Vec2 to) {

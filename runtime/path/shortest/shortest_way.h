@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,7 +25,6 @@ class ShortestWayMap {
   const HubLabels& labels() const noexcept { return labels_; }
   const WallGrid& walls() const noexcept { return walls_; }  ///< For the graph's radius.
   const TangentSearchMap& search() const noexcept { return search_; }
-  const ReflexCorner& corner(std::uint32_t side) const noexcept { return corner_[side / 2]; }
 
   std::size_t hubs() const noexcept { return hubs_; }
   /// The corner of a side in the sight map.
@@ -50,7 +50,9 @@ class ShortestWayMap {
   /// Does the disc certainly have room here? Quick; may be false where there is room.
   bool surely_has_room(Vec2 point) const noexcept {
     const auto cell = walls_.cell_at(point);
-    return cell && is_room_[*cell];
+    return cell && is_inside_[*cell] &&
+           (walls_.is_clear(*cell) ||
+            walls_.distance_within(*cell, point) >= least_clearance(graph_.radius));
   }
 
   /// The sides that a way from this point may touch first, and perhaps some more.
@@ -60,17 +62,33 @@ class ShortestWayMap {
   /// tested against walls. Walked backwards it is the tangent from the arc's other side to the
   /// point.
   std::optional<double> length_to(std::uint32_t side, Vec2 point) const noexcept;
+  /// What a way saves at an end where it first touches a side (see savings.h). Metres.
+  double saved_at(std::uint32_t side) const noexcept {
+    return graph_.radius * arc_[side / 2].saved[side % 2] / ArcOfEnds::all_saved;
+  }
   /// Where such a tangent of a known length touches.
   Vec2 touch_of(std::uint32_t side, Vec2 point, double length) const noexcept;
-  /// Where on its side's arc that is: an angle, radians. For radius 0, where arcs are points, any
-  /// angle.
-  double angle_at(std::uint32_t side, Vec2 touch) const noexcept;
+  /// How far along its side's arc that is, from where the side is entered. Radians; 0 for radius 0,
+  /// where arcs are points.
+  double turn_at(std::uint32_t side, Vec2 touch) const noexcept;
 
-  /// How far along a side's arc an angle is, from where the side is entered. Radians.
+  /// How far along a side's arc an angle is, from where the side is entered, and back. Radians.
   double turn_along(std::uint32_t side, double angle) const noexcept {
     const TangentArc& arc = graph_.arc[side / 2];
     return side % 2 == 0 ? angle - arc.begin : arc.end - angle;
   }
+  double angle_after(std::uint32_t side, double turn) const noexcept {
+    const TangentArc& arc = graph_.arc[side / 2];
+    return side % 2 == 0 ? arc.begin + turn : arc.end - turn;
+  }
+
+  /// The whole turn of a side's arc.
+  double extent(std::uint32_t side) const noexcept {
+    return graph_.arc[side / 2].end - graph_.arc[side / 2].begin;
+  }
+
+  /// Appends the points of a roll along a side's arc from one angle to another, both included.
+  void append_roll(std::uint32_t side, double from, double to, std::vector<Vec2>& points) const;
 
  private:
   /// What a query's tangents need of an arc, in one cache line.
@@ -78,6 +96,9 @@ class ShortestWayMap {
     Vec2 centre, begin, end;  ///< `begin` and `end` are unit directions from the centre.
     double begin_angle;
     std::uint32_t corner;  ///< In the sight map.
+    /// Of the radius, per side, what its ways save, rounded up.
+    static constexpr double all_saved = 65'535;
+    std::array<std::uint16_t, 2> saved;
   };
   bool may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept;
 
@@ -87,7 +108,7 @@ class ShortestWayMap {
   const TangentSearchMap& search_;
   WallGrid walls_;
   double rolling_;                    ///< Radius of the circles on which ways bend.
-  std::vector<bool> is_room_;         ///< One per cell of the walls.
+  std::vector<bool> is_inside_;       ///< One per cell of the walls: certainly all of it.
   std::vector<ReflexCorner> corner_;  ///< One per arc of the graph.
   std::vector<ArcOfEnds> arc_;        ///< One per arc.
   std::vector<std::uint32_t> cell_first_, cell_side_;

@@ -318,7 +318,8 @@ class Search {
     double leave_angle = *work_.side[work_.tangent[arrival].to_side].goal_angle;
     for (std::uint32_t k = arrival; k != none; k = work_.tangent[k].arrival) {
       const Tangent& tangent = work_.tangent[k];
-      append_arc(map_.corner(tangent.to_side / 2), radius_, leave_angle, arrive_angle(tangent),
+      const ReflexCorner& corner = map_.corner(tangent.to_side / 2);
+      append_arc(corner.position, corner.begin, radius_, leave_angle, arrive_angle(tangent),
                  way.points);
       leave_angle = tangent.leave_angle;
     }

@@ -103,14 +103,14 @@ TEST_F(AHallWithTwoDoors, TellsWhichExhibitsAreClosedAndWhyAndThatTheyAreOpenAga
 /// Plays a visit and gives the places of the guide, frame by frame.
 std::vector<Vec2> places_of_guide(const test::MuseumFolder& hall, const std::string& visit) {
   hall.write("a.visit", visit);
-  const std::filesystem::path records = hall.path() / "records";
+  const std::filesystem::path file = hall.path() / "states.csv";
   const test::ProgramRun run = test::run_program(
       "docent",
       fmt::format("--content '{}' --display headless --size 160x90 --visit '{}' "
-                  "--record '{}' --seconds 16",
-                  hall.database().string(), (hall.path() / "a.visit").string(), records.string()));
+                  "--states '{}' --seconds 16",
+                  hall.database().string(), (hall.path() / "a.visit").string(), file.string()));
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  std::ifstream states(records / "states.csv");
+  std::ifstream states(file);
   std::vector<Vec2> places;
   std::string line;
   std::getline(states, line);
