@@ -259,16 +259,17 @@ inline constexpr std::array door_fields{
                        "rooms, a door opens the wall"},
     Field<DoorSection>{"b", &DoorSection::b, Presence::Required,
                        "The other side of the doorway: [east, north] in metres"},
-    Field<DoorSection>{"opens",
-                       &DoorSection::opens,
-                       Presence::Optional,
-                       "How it opens for who comes from where a is on the left: push (a leaf that "
-                       "swings both ways, pushed by hand from either side), pull (its leaf comes "
-                       "towards them, by itself; from the other side it is pushed) or sliding (by "
-                       "itself); it stands open where neither this nor 'swing' is said",
-                       {},
-                       Form::OneOf,
-                       door_openings},
+    Field<DoorSection>{
+        "opens",
+        &DoorSection::opens,
+        Presence::Optional,
+        "How it opens for who comes from where a is on the left: push (a leaf that "
+        "swings both ways, pushed by hand from either side), pull (its leaf comes "
+        "towards them, drawn by a hand; from the other side it is pushed) or sliding "
+        "(slid by a hand); it stands open where neither this nor 'swing' is said",
+        {},
+        Form::OneOf,
+        door_openings},
     Field<DoorSection>{"swing",
                        &DoorSection::swing,
                        Presence::Optional,

@@ -25,6 +25,8 @@ constexpr double appear_again = 1.0;     // seconds, while somebody stands where
 void stop_wishing(Agent& one) noexcept {
   one.is_here = one.boards = one.is_on_its_way = one.awaits_answer = one.replans = false;
   one.goal.reset();
+  one.stops_at.reset();
+  one.is_diverted = false;
   one.has_arrived = true;
   one.route_summary.reset();
   one.boards_at = 0;
@@ -129,7 +131,8 @@ void Crowd::seek(std::uint32_t who, PlaceKind place, RouteKind kind,
 
 void Crowd::set_out(std::uint32_t who) noexcept {
   Agent& one = members_[who];
-  one.has_arrived = one.is_on_its_way = one.has_ridden = false;
+  one.has_arrived = one.is_on_its_way = one.has_ridden = one.is_diverted = false;
+  one.stops_at.reset();
   one.route_summary.reset();
   one.ask_at = clock_;
   one.boards_at = 0;
@@ -154,8 +157,9 @@ void Crowd::replan() noexcept {
 void Crowd::stop(std::uint32_t who) noexcept {
   Agent& one = members_[who];
   one.goal.reset();
+  one.stops_at.reset();
   one.has_arrived = true;
-  one.is_on_its_way = false;
+  one.is_on_its_way = one.is_diverted = false;
   one.route_summary.reset();
   one.boards_at = 0;
   if (is_between_floors(one)) return;
@@ -167,8 +171,7 @@ void Crowd::stop(std::uint32_t who) noexcept {
 bool Crowd::is_about_to_arrive(std::uint32_t who) const noexcept {
   const Agent& one = members_[who];
   const Avatar& avatar = one.avatar;
-  return one.goal && !one.has_arrived && one.is_on_its_way && !one.awaits_answer && !avatar.next &&
-         !is_between_floors(one) && avatar.plan->is_whole && !avatar.plan->then &&
+  return can_stop_over(who) && avatar.plan->is_whole && !avatar.plan->then &&
          avatar.floor == one.goal_floor && !stands(avatar);
 }
 
@@ -246,7 +249,10 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
     one.goal = plan->order.goal;
     one.goal_floor = plan->order.goal_floor.value_or(plan->order.floor);
   }
-  if (plan->order.goal && (!plan->order.continues || plan->is_new_way)) {
+  if (one.stops_at) return take_stop_over(one, std::move(plan));
+  // Who goes on from a stop goes the way that was told before.
+  const bool goes_on = one.is_diverted && plan->status == path::RouteStatus::Ok;
+  if (plan->order.goal && (!plan->order.continues || plan->is_new_way) && !goes_on) {
     one.is_answered = true;
     // What was told of the whole way stays true on its later floors.
     if (!one.has_ridden || plan->status != path::RouteStatus::Ok)
@@ -279,6 +285,40 @@ void Crowd::take_answer(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
   }
   ++one.commitments;
   one.is_on_its_way = leads_to_goal;
+  one.is_diverted = false;
+}
+
+/// Where there is no way to the stop it does not stop.
+void Crowd::take_stop_over(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
+  const std::uint32_t who = plan->order.avatar;
+  one.made_room_for = plan->order.makes_room_for;
+  if (one.made_room_for) {
+    one.let_first_until = clock_ + plan->seconds() + make_room_pause;
+    one.is_on_its_way = false;
+  }
+  if (plan->status != path::RouteStatus::Ok) {
+    one.stops_at.reset();
+    return;
+  }
+  if (plan->holds) {
+    one.ask_at = clock_ + ask_again + stagger * (who % staggered);
+    one.ask_again_at = clock_ + settle;
+    return;
+  }
+  const bool leads_there = plan->order.goal.has_value();
+  // What is left of its way after the stop, as told by the plan that it leaves for it.
+  const plan::Plan& before = *one.avatar.plan;
+  const double left = before.reach.empty() ? 0 : before.reach.back() - one.avatar.along;
+  const double there = plan->reach.empty() ? 0 : plan->reach.back();
+  plan->beyond = std::max(0.0, left + before.beyond - there);
+  plan->metres_after = before.metres_after;
+  plan->seconds_after = before.seconds_after;
+  if (!take_plan(one.avatar, std::move(plan))) {
+    one.lead = std::min(2 * one.lead, longest_lead);
+    return;
+  }
+  ++one.commitments;
+  one.is_on_its_way = one.is_diverted = leads_there;
 }
 
 void Crowd::take_appearance(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept {
@@ -323,7 +363,7 @@ void Crowd::step(double seconds) noexcept {
     Agent& one = members_[who];
     // It is on its ride, or past it where the step was long, or came too late to get on.
     if (one.boards && !one.awaits_answer && !one.avatar.next) one.boards = false;
-    const bool held = one.goal && !one.has_arrived && stands(one.avatar);
+    const bool held = one.goal && !one.has_arrived && stands(one.avatar) && !stands_over(who);
     one.blocked_seconds = held ? one.blocked_seconds + seconds : 0;
     ask_for_next(who);
   }
@@ -368,6 +408,23 @@ void Crowd::ask_for_next(std::uint32_t who) noexcept {
   go_on(who);
 }
 
+/// To its goal, or to where it stops before.
+plan::WalkOrder Crowd::order_of(const Agent& one) const noexcept {
+  plan::WalkOrder order;
+  order.permissions = one.permissions;
+  if (one.stops_at) {
+    order.goal = one.stops_at;
+    order.goal_floor = one.avatar.floor;
+    return order;
+  }
+  order.goal = one.goal;
+  order.goal_floor = one.goal_floor;
+  order.exhibit = one.exhibit;
+  if (one.place == none) order.seeks = one.seeks;
+  order.kind = one.kind;
+  return order;
+}
+
 /// On the way to its goal.
 void Crowd::go_on(std::uint32_t who) noexcept {
   Agent& one = members_[who];
@@ -376,15 +433,11 @@ void Crowd::go_on(std::uint32_t who) noexcept {
       glm::distance(avatar.body.position, one.goal->position) < close_by)
     one.goal->position = avatar.body.position;  // somebody holds the place itself
   const double lead = stands(avatar) && is_company() ? standing_lead : one.lead;
-  plan::WalkOrder order;
-  order.goal = one.goal;
-  order.goal_floor = one.goal_floor;
-  order.exhibit = one.exhibit;
-  if (one.place == none) order.seeks = one.seeks;
-  order.kind = one.kind;
-  order.permissions = one.permissions;
-  if (!one.is_on_its_way) return ask(who, order, avatar.seconds + lead);
+  plan::WalkOrder order = order_of(one);
+  if (!one.is_on_its_way || one.is_diverted != one.stops_at.has_value())
+    return ask(who, order, avatar.seconds + lead);
   if (avatar.plan->is_whole) {
+    if (one.is_diverted) return;  // until it is to go on
     if (avatar.plan->then) return ask_for_ride(who);
     one.has_arrived = stands(avatar);
     return;

@@ -32,6 +32,8 @@ struct Agent {
   double pace = 1;  ///< Share of the ordinary speed.
   bool has_arrived = true;
   bool is_on_its_way = false;  ///< Its plan leads to its goal, and not aside for somebody else.
+  std::optional<Placement> stops_at{};  ///< On its way it stands there first, until it is to go on.
+  bool is_diverted = false;             ///< Its plan leads there, and not to its goal.
   bool awaits_answer = false;
   bool replans = false;  ///< It was under way when something closed or opened.
   bool boards = false;   ///< It has asked for a ride, or has been given one that it is not yet on.
@@ -106,6 +108,20 @@ class Crowd {
   bool is_about_to_arrive(std::uint32_t who) const noexcept;
   /// Who is about to arrive ends there instead; where that cannot be, at its goal.
   void end_at(std::uint32_t who, const Placement& place) noexcept;
+  /// Who is on its way walks to a place near it first and stands there, until it is to go on or is
+  /// told something else. Its way is still that to its goal, and it has not arrived meanwhile.
+  void stop_over(std::uint32_t who, const Placement& place) noexcept;
+  void go_on_from_stop(std::uint32_t who) noexcept;
+  /// Is it on its way, alone on its plan, and not between floors? Then it can stop over.
+  bool can_stop_over(std::uint32_t who) const noexcept;
+  /// Until it stands where it was to stop over; many where that is not known yet.
+  double seconds_to_stop(std::uint32_t who) const noexcept;
+  /// Does it stand there?
+  bool stands_over(std::uint32_t who) const noexcept;
+  /// Can a disc go straight from there to there, for all that walls do?
+  bool is_clear(std::uint32_t floor, Vec2 from, Vec2 to, double radius) const noexcept;
+  /// Has a disc room among the walls there?
+  bool has_room(std::uint32_t floor, Vec2 place, double radius) const noexcept;
   /// It stops as soon as is natural.
   void stop(std::uint32_t who) noexcept;
   void step(double seconds) noexcept;
@@ -131,6 +147,8 @@ class Crowd {
   void take_appearance(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void ask_for_next(std::uint32_t who) noexcept;
   void go_on(std::uint32_t who) noexcept;
+  plan::WalkOrder order_of(const Agent& one) const noexcept;
+  void take_stop_over(Agent& one, std::unique_ptr<plan::Plan> plan) noexcept;
   void ask_for_ride(std::uint32_t who) noexcept;
   const plan::Nearby& near(std::uint32_t who) const noexcept;
   void ask(std::uint32_t who, plan::WalkOrder order, double takes_over) noexcept;

@@ -7,22 +7,18 @@
 #include <utility>
 
 #include "runtime/model/none.h"
-#include "runtime/scene/leaf_mesh.h"
 
 namespace docent::guide {
 namespace {
 
-constexpr double foreseen = 3.4;       ///< Seconds of its way for which who comes is looked at...
-constexpr int looks = 69;              ///< ... so many times.
-constexpr double near_a_leaf = 3;      ///< Metres from a leaf's middle to who may come to it.
+constexpr std::size_t looks = Foresight::looks;
 constexpr double close_by_leaf = 2.6;  ///< Metres: a leaf does not close on who is nearer.
 constexpr double stays_open = 4;       ///< Seconds.
 constexpr double closing_speed = 0.55, closing_gain = 0.6;  ///< Radians a second, and per second².
-constexpr double opens_early = 1.0;                         ///< Seconds.
-constexpr double nearly_open = 0.03;  ///< Radians short of open, where a hand lets go.
-constexpr double eased = 0.2;         ///< Seconds over which the turning is spread, ahead.
-constexpr double bar_away =
-    scene::bar_surface + 0.01;         ///< Metres from a leaf's middle to the palm on its bar.
+constexpr double opening_speed = 1.3;  ///< Radians or metres a second, by itself.
+constexpr double opens_early = 1.0;    ///< Seconds.
+constexpr double nearly_open = 0.03;   ///< Radians short of open, where a hand lets go.
+constexpr double eased = 0.2;          ///< Seconds over which the turning is spread, ahead.
 constexpr double worth_a_hand = 0.01;  ///< Radians.
 
 /// What of a body must be clear of a leaf: the trunk, and the feet that stride ahead of it.
@@ -35,96 +31,12 @@ Vec2 heading_of(const Placement& place) noexcept {
   return {std::cos(place.heading), std::sin(place.heading)};
 }
 
-/// As seen by who turns it: by positive angles.
-HungLeaf seen(const HungLeaf& leaf, double sign) noexcept {
-  return {leaf.hinge, leaf.along, sign * leaf.across, leaf.width};
-}
-
 double needed(const HungLeaf& leaf, const Placement& place) noexcept {
   double angle = 0;
   for (const Disc& disc : pushing_body)
     angle = std::max(
         angle, angle_clear_of(leaf, place.position + disc.ahead * heading_of(place), disc.radius));
   return angle;
-}
-
-Vec2 middle_of(const Leaf& leaf) noexcept {
-  return leaf.hung.hinge + 0.5 * leaf.hung.width * leaf.hung.along;
-}
-
-bool is_near(const Leaf& leaf, const Agent& one, double metres) noexcept {
-  return one.is_here && one.avatar.floor == leaf.floor && ride_of(one.avatar) == nullptr &&
-         glm::distance(one.avatar.body.position, middle_of(leaf)) < metres;
-}
-
-/// The next moments of somebody on their way.
-struct Foresight {
-  std::array<Placement, looks> place;
-  double apart = 0;  ///< Seconds.
-};
-
-Foresight foresee(const Avatar& avatar, double from) noexcept {
-  Foresight ahead;
-  ahead.apart = foreseen / (looks - 1);
-  for (int i = 0; i < looks; ++i)
-    ahead.place[static_cast<std::size_t>(i)] = place_ahead(avatar, from + i * ahead.apart);
-  return ahead;
-}
-
-/// On which side of the door: 1 to the left of its line from a to b, else -1.
-double side_of(const Leaf& leaf, Vec2 place) noexcept {
-  return dot(place - leaf.hung.hinge, leaf.hung.across) > 0 ? 1 : -1;
-}
-
-/// Radians, or metres of one that slides.
-double opening_of(const Leaf& leaf) noexcept {
-  return leaf.opens == DoorOpens::Sliding ? leaf.slid : std::abs(leaf.angle);
-}
-void set_opening(double opening, Leaf& leaf) noexcept {
-  if (leaf.opens == DoorOpens::Sliding)
-    leaf.slid = opening;
-  else
-    leaf.angle = std::copysign(opening, leaf.opens == DoorOpens::Pull ? -1 : leaf.angle);
-}
-
-/// From there, no hand opens it: it slides, or it would have to be pulled.
-bool opens_by_itself(const Leaf& leaf, Vec2 from) noexcept {
-  return leaf.opens == DoorOpens::Sliding ||
-         (leaf.opens == DoorOpens::Pull && side_of(leaf, from) < 0);
-}
-
-void open_by_itself(double seconds, Leaf& leaf) noexcept {
-  constexpr double angle = 1.5, speed = 1.3, gain = 3;  // radians; radians or metres a second
-  const double full = leaf.opens == DoorOpens::Sliding ? 0.92 * leaf.hung.width : angle;
-  const double open = opening_of(leaf);
-  const double wanted = -std::min(speed, gain * (full - open));  // a rate is of closing
-  leaf.rate += std::clamp(wanted - leaf.rate, -gain * seconds, gain * seconds);
-  leaf.unused = 0;
-  set_opening(std::clamp(open - leaf.rate * seconds, 0.0, full), leaf);
-}
-
-/// Does it pass the leaf, from one side to the other?
-bool passes(const Leaf& leaf, const Foresight& ahead) noexcept {
-  constexpr double body_width = 0.35;
-  for (std::size_t i = 1; i < ahead.place.size(); ++i) {
-    const Vec2 a = ahead.place[i - 1].position, b = ahead.place[i].position;
-    if (side_of(leaf, a) == side_of(leaf, b)) continue;
-    const double along = dot(b - leaf.hung.hinge, leaf.hung.along);
-    if (along > -body_width && along < leaf.hung.width + body_width) return true;
-  }
-  return false;
-}
-
-/// What a hand does on the bar of a leaf, as who turns it sees it.
-motion::Grip grip_on(const HungLeaf& leaf, double angle, const Grasp& grasp,
-                     double floor_height) noexcept {
-  const Vec2 towards = direction_of(leaf, angle);
-  const Vec2 back = direction_of(leaf, angle - std::numbers::pi / 2);
-  const Vec2 inwards = (grasp.side == Side::Right ? 1.0 : -1.0) * Vec2{back.y, -back.x};
-  return {.place = to_world(leaf.hinge + grasp.along * towards + bar_away * back,
-                            floor_height + scene::bar_height),
-          .fingers = glm::normalize(to_world(-0.8 * back, 0.55)),
-          .thumb = to_world(inwards)};
 }
 
 /// A turning leaf as who turns it sees it, moment by moment.
@@ -145,6 +57,25 @@ bool is_out_of_the_way(const Leaf& leaf, double sign, const Foresight& ahead) no
   });
 }
 
+/// A hand has let go of it.
+void swing_open(double seconds, bool is_free, Leaf& leaf) noexcept {
+  constexpr double speed = 0.8, nearly = 0.02;
+  open_on(seconds, is_free ? speed : 0, leaf);
+  if (opening_of(leaf) > full_opening(leaf) - nearly) leaf.swings_open = false;
+}
+
+/// It does not open by itself meanwhile.
+bool is_left_to_a_hand(const Leaf& leaf) noexcept {
+  return leaf.drawing || leaf.search;
+}
+
+/// Of two that slide, the other goes along.
+void follow(const Leaf& leaf, Leaf& other) noexcept {
+  other.slid = std::max(other.slid, std::min(leaf.slid, full_opening(other)));
+  other.rate = leaf.rate;
+  other.unused = leaf.unused;
+}
+
 /// How far who comes will have turned a leaf by then, if they turn it from `now` on: as far as they
 /// need it soon. A leaf that is half open is opened further while the hand still lies before the
 /// body, and it neither starts nor stops with a jerk.
@@ -158,7 +89,7 @@ std::array<double, looks> foresee_angles(const HungLeaf& leaf, double now, const
   for (std::size_t i = 1; i < looks; ++i)
     need[i] = std::max(need[i - 1], needed(leaf, ahead.place[i]));
   const auto at = [&](double index) {
-    const double i = std::min(index, looks - 1.0);
+    const double i = std::min(index, static_cast<double>(looks - 1));
     const auto before = static_cast<std::size_t>(i);
     return std::lerp(need[before], need[std::min<std::size_t>(before + 1, looks - 1)],
                      i - static_cast<double>(before));
@@ -169,7 +100,7 @@ std::array<double, looks> foresee_angles(const HungLeaf& leaf, double now, const
     double sum = 0;
     constexpr int parts = 6;
     for (int k = 0; k < parts; ++k)
-      sum += at(static_cast<double>(i) + (early + eased * k / (parts - 1)) / ahead.apart);
+      sum += at(static_cast<double>(i) + (early + eased * k / (parts - 1)) / Foresight::apart);
     angle[i] = std::max(i > 0 ? angle[i - 1] : now, sum / parts);
   }
   return angle;
@@ -221,7 +152,7 @@ double discomfort(const Skeleton& skeleton, const Avatar& avatar, const Foresigh
   double worst = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const std::size_t at = turning.first + (turning.last - turning.first) * i / (samples - 1);
-    const motion::Grip grip = grip_on(turning.leaf, turning.angle[at], grasp, height);
+    const motion::Grip grip = pushing_grip(turning.leaf, turning.angle[at], grasp, height);
     motion::JointPlace then = trunk_at(avatar.body, ahead.place[at], trunk);
     then.rotation = glm::angleAxis(i % 2 == 0 ? sway : -sway, Vec3(0, 1, 0)) * then.rotation;
     const motion::ArmPosture posture = motion::holding(skeleton, arm, then, grip);
@@ -256,10 +187,11 @@ std::optional<Grasp> choose_grasp(const Skeleton& skeleton, const Avatar& avatar
 }  // namespace
 
 motion::Grip grip_of(const Leaf& leaf, const Leaf::Push& push, double floor_height) noexcept {
-  return grip_on(seen(leaf.hung, push.sign), push.sign * leaf.angle, *push.grasp, floor_height);
+  return pushing_grip(seen(leaf.hung, push.sign), push.sign * leaf.angle, *push.grasp,
+                      floor_height);
 }
 
-Doors::Doors(const Museum& museum) : museum_(museum) {
+Doors::Doors(const Museum& museum) : museum_(museum), standing_(standing(museum)) {
   for (std::uint32_t floor = 0; floor < museum.floors.size(); ++floor) {
     const FloorPlan& plan = museum.floors[floor].plan;
     for (std::uint32_t door = 0; door < plan.doors.size(); ++door)
@@ -272,14 +204,27 @@ Doors::Doors(const Museum& museum) : museum_(museum) {
 
 void Doors::step(double seconds, Crowd& crowd) noexcept {
   for (Leaf& leaf : leaves_) {
-    if (!leaf.push) begin_push(seconds, leaf, crowd);
+    const Leaf* other = other_leaf(leaf);
+    if (!leaf.push && !leaf.drawing && !leaf.search) begin_search(leaf, crowd);
+    if (leaf.search) search(leaf, crowd);
+    if (leaf.drawing) come_to_draw(seconds, leaf, crowd);
+    if (!leaf.push && !(leaf.drawing && leaf.drawing->has_come)) begin_push(seconds, leaf, crowd);
     if (leaf.push)
       turn(seconds, leaf, crowd);
-    else if (is_awaited(seconds, leaf, crowd))
-      open_by_itself(seconds, leaf);
+    else if (leaf.drawing && leaf.drawing->has_come)
+      draw_open(seconds, leaf, crowd);
+    else if (is_left_to_a_hand(leaf) || (other != nullptr && is_left_to_a_hand(*other)))
+      close(seconds, leaf, crowd);
+    else if (is_awaited(leaf, crowd))
+      open_on(seconds, may_open_on(leaf, crowd) ? opening_speed : 0, leaf);
+    else if (leaf.swings_open)
+      swing_open(seconds, may_open_on(leaf, crowd), leaf);
     else
       close(seconds, leaf, crowd);
   }
+  for (Leaf& leaf : leaves_)
+    if (leaf.drawing && leaf.opens == DoorOpens::Sliding)
+      if (Leaf* other = other_leaf(leaf)) follow(leaf, *other);
 }
 
 /// Somebody comes, and will need it further open than it is.
@@ -289,17 +234,19 @@ void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept 
     const Agent& one = crowd[who];
     if (!is_near(leaf, one, near_a_leaf) || stands(one.avatar)) continue;
     const Foresight ahead = foresee(one.avatar, seconds);
-    if (!passes(leaf, ahead) || opens_by_itself(leaf, one.avatar.body.position)) continue;
+    if (!passes(leaf, ahead) || is_drawn(leaf, one.avatar.body.position)) continue;
     Leaf::Push push{.who = who, .sign = -side_of(leaf, one.avatar.body.position)};
     const std::optional<Turning> turning = foresee_turning(leaf, push.sign, ahead);
     if (push.sign * leaf.angle < -worth_a_hand) continue;  // it closes first
-    if (!turning || static_cast<double>(turning->first) * ahead.apart > leads) continue;
+    if (!turning || static_cast<double>(turning->first) * Foresight::apart > leads) continue;
     push.grasp = choose_grasp(museum_.motion.skeleton, one.avatar, ahead, *turning,
                               museum_.floors[leaf.floor].plan.height);
-    const double left = static_cast<double>(turning->first) * ahead.apart;
+    const double left = static_cast<double>(turning->first) * Foresight::apart;
     if (!push.grasp && left > motion::longest_change + 0.02) continue;  // nearer by, perhaps
     leaf.push = push;
+    leaf.search.reset();
     leaf.rate = 0;
+    leaf.swings_open = false;
     return;
   }
 }
@@ -333,11 +280,11 @@ void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
 }
 
 /// Does somebody come before whom it opens by itself?
-bool Doors::is_awaited(double seconds, const Leaf& leaf, const Crowd& crowd) const noexcept {
+bool Doors::is_awaited(const Leaf& leaf, const Crowd& crowd) const noexcept {
   return std::ranges::any_of(crowd.members(), [&](const Agent& one) {
-    return is_near(leaf, one, near_a_leaf) && !stands(one.avatar) &&
-           opens_by_itself(leaf, one.avatar.body.position) &&
-           passes(leaf, foresee(one.avatar, seconds));
+    return is_near(leaf, one, drawn_from) && !stands(one.avatar) &&
+           is_drawn(leaf, one.avatar.body.position) &&
+           passing_within(drawn_ahead, leaf, one.avatar);
   });
 }
 

@@ -5,43 +5,19 @@
 #include <vector>
 
 #include "runtime/guide/crowd.h"
-#include "runtime/model/geometry/hung_leaf.h"
+#include "runtime/guide/leaf.h"
 #include "runtime/model/museum.h"
 #include "runtime/scene/draw_list.h"
 
 namespace docent::guide {
 
-/// Where on a leaf's bar a hand is.
-struct Grasp {
-  Side side = Side::Right;  ///< The hand.
-  double along = 0.5;       ///< Metres from the hinge.
-};
-
-/// A leaf of a door, as it is now.
-struct Leaf {
-  std::uint32_t floor = 0, door = 0;  ///< Indices: of the museum's floors, of the floor's doors.
-  DoorOpens opens = DoorOpens::Push;
-  HungLeaf hung;
-  double angle = 0;     ///< Radians; positive to the left of the door's line from a to b.
-  double slid = 0;      ///< Metres, of a sliding one, towards its hinges.
-  double rate = 0;      ///< Radians a second, of a leaf that closes.
-  double unused = 1e9;  ///< Seconds since somebody was near it.
-
-  /// Who pushes it, if somebody does.
-  struct Push {
-    std::uint32_t who = 0;
-    double sign = 1;               ///< Of the angle to which it is turned.
-    std::optional<Grasp> grasp{};  ///< None where no hand reaches it all the while.
-    double needed = 0;             ///< Radians that who pushes it has needed so far.
-    double since = 0;              ///< Seconds.
-  };
-  std::optional<Push> push{};
-};
-
 /// The leaves of all doors that staff have marked. Whoever goes through one that is closed turns it
-/// with a hand on its bar and walks on; it is always turned far enough for who walks there. Whoever
-/// comes next finds it open; when nobody has been near it for a while it closes by itself. One that
-/// slides, or would have to be pulled, opens by itself before whoever comes.
+/// with a hand on its bar and walks on; it is always turned far enough for who walks there. Before
+/// one that slides, or has to be pulled, they stop, draw it with a hand on its bar as far as that
+/// reaches, let it go on from there, and walk through; two that slide go together. Where there is
+/// no place to stand out of its way, or others come, it opens by itself. A leaf that is pulled, or
+/// opens so, waits some seconds for who is in its way. Whoever comes next finds it open; when
+/// nobody has been near it for a while it closes by itself.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Doors {
@@ -59,11 +35,28 @@ class Doors {
  private:
   void begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept;
   void turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept;
-  bool is_awaited(double seconds, const Leaf& leaf, const Crowd& crowd) const noexcept;
+  void begin_search(Leaf& leaf, const Crowd& crowd) noexcept;
+  std::optional<Vec2> last_bend(const Leaf& leaf, const Agent& one, const LeafPassing& passing,
+                                const Crowd& crowd) const noexcept;
+  void search(Leaf& leaf, Crowd& crowd) const noexcept;
+  void begin_drawing(Leaf& leaf, Crowd& crowd) const noexcept;
+  void come_to_draw(double seconds, Leaf& leaf, Crowd& crowd) noexcept;
+  void draw_open(double seconds, Leaf& leaf, Crowd& crowd) noexcept;
+  void let_go(Leaf& leaf, Crowd& crowd) const noexcept;
+  ClosedLeaf closed(const Leaf& leaf, double sign, double passed_at) const noexcept;
+  Holder holder_of(const Avatar& avatar) const noexcept;
+  static Avatar standing(const Museum& museum);
+  bool is_free_for(std::uint32_t who, Vec2 place, const Leaf& leaf,
+                   const Crowd& crowd) const noexcept;
+  bool is_sweep_free(const Leaf& leaf, double ahead, const Crowd& crowd) const noexcept;
+  bool may_open_on(const Leaf& leaf, const Crowd& crowd) const noexcept;
+  Leaf* other_leaf(const Leaf& leaf) noexcept;
+  bool is_awaited(const Leaf& leaf, const Crowd& crowd) const noexcept;
   void close(double seconds, Leaf& leaf, const Crowd& crowd) noexcept;
 
   const Museum& museum_;
   std::vector<Leaf> leaves_;
+  Avatar standing_;  ///< As one stands: to know how far hands will reach.
 };
 
 /// Where on its bar a leaf is held, and what a hand there does: the palm lies on the bar.

@@ -56,7 +56,8 @@ double Session::remaining() const noexcept {
   const plan::Plan& plan = *avatar.plan;
   if (const plan::Ride* ride = ride_of(avatar))
     return plan.metres_after + (1 - ride_share(context_.museum, avatar)) * ride->metres;
-  return (plan.reach.empty() ? 0 : plan.reach.back() - avatar.along) + plan.metres_after;
+  return (plan.reach.empty() ? 0 : plan.reach.back() - avatar.along) + plan.beyond +
+         plan.metres_after;
 }
 
 // What the visitor does.

@@ -394,10 +394,11 @@ std::optional<Placement> Stage::end_of_way(const interface::InterfaceState& stat
 /// Metres of the way shown that are behind the guide, who may have left it near its end.
 float Stage::walked(const Avatar& leader) const noexcept {
   constexpr double same = 0.3;
-  if (glm::distance(leader.plan->end.position, way_end_) < same || leader.plan->then)
-    return static_cast<float>(leader.along);
-  const auto left = static_cast<float>(glm::distance(leader.body.position, way_end_));
-  return std::clamp(way_length_ - left, 0.0F, way_length_);
+  const plan::Plan& plan = *leader.plan;
+  double left = glm::distance(leader.body.position, way_end_);
+  if (glm::distance(plan.end.position, way_end_) < same || plan.then || plan.beyond > 0)
+    left = (plan.reach.empty() ? 0 : plan.reach.back() - leader.along) + plan.beyond;
+  return std::clamp(way_length_ - static_cast<float>(left), 0.0F, way_length_);
 }
 
 /// Who has arrived steps about there, to touch what it shows; its way is walked all the same.

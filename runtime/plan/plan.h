@@ -103,6 +103,7 @@ struct Plan {
   Placement end;
   std::optional<Ride> then{};                  ///< Taken at the end of the way.
   double metres_after = 0, seconds_after = 0;  ///< From there on, to the goal.
+  double beyond = 0;  ///< Where it ends on the way, to go on: metres left on this floor from there.
   double rests_until = 0;  ///< Seconds from its beginning until it is over, if later than the walk.
   bool is_new_way = false;  ///< `points` are not those of the plan before.
   bool holds = false;       ///< Others are in the way: there is no new walk, the old one goes on.

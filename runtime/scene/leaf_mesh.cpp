@@ -8,7 +8,7 @@ namespace {
 
 constexpr float thickness = 0.04F;  ///< Metres, of the board.
 constexpr float gap = 0.008F;       ///< Between a board and what is about it.
-constexpr float bar = 0.03F;        ///< A bar's thickness.
+constexpr auto bar = static_cast<float>(bar_thickness);
 constexpr float margin = 0.07F;     ///< From the board's edges to the bar's ends.
 constexpr float below_cut = 0.02F;  ///< A leaf is as high as the walls about it, but for that.
 

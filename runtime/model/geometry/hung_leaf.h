@@ -27,6 +27,12 @@ double angle_clear_of(const HungLeaf& leaf, Vec2 middle, double radius) noexcept
 /// The distance between a leaf turned by an angle and a point.
 double distance_to_leaf(const HungLeaf& leaf, double angle, Vec2 point) noexcept;
 
+/// Of two leaves, is one enough to go through?
+inline bool is_wide_enough(const HungLeaf& leaf) noexcept {
+  constexpr double width = 0.8;
+  return leaf.width >= width;
+}
+
 /// The leaves of a door, one or two; none where it has none. A positive angle turns each to the
 /// left of the line from a to b.
 struct HungLeaves {
