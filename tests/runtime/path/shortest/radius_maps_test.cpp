@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "runtime/path/floor_map.h"
+#include "runtime/path/shortest/shortest_way.h"
 #include "tests/runtime/path/floors.h"
 
 namespace docent::test::radius_maps_test {
