@@ -12,6 +12,7 @@
 
 #include "content/content_error.h"
 #include "content/parallel.h"
+#include "content/speech/kana.h"
 #include "content/speech/level.h"
 #include "content/speech/resample.h"
 #include "content/speech/voice.h"
@@ -34,10 +35,12 @@ struct Piece {
   std::string text;
   std::string voice;
   const OwnSpeech* own = nullptr;
+  std::string in_kana{};  ///< Of Japanese; empty where nobody could read it.
 
   [[nodiscard]] bool is_recorded() const { return own != nullptr && !own->digest.empty(); }
   [[nodiscard]] std::string_view read_as() const {
-    return own != nullptr && !own->reading.empty() ? own->reading : std::string_view(text);
+    if (own != nullptr && !own->reading.empty()) return own->reading;
+    return in_kana.empty() ? text : in_kana;
   }
 };
 
@@ -76,7 +79,20 @@ void encode(const Pcm& pcm, const Resampler& voice, SpeechSound& sound) {
 struct SpokenLanguage {
   std::vector<Piece> pieces;
   LanguageSpeech told;
+  std::string no_reader{};  ///< Of Japanese: why it could not be read.
 };
+
+/// Has kanji read that neither a recording nor staff say otherwise.
+void read_kanji(const std::string& reader, SpokenLanguage& language) {
+  std::vector<std::string_view> texts;
+  for (const Piece& piece : language.pieces) texts.push_back(piece.text);
+  try {
+    std::vector<std::string> said = read_in_kana(texts, reader);
+    for (std::size_t i = 0; i < said.size(); ++i) language.pieces[i].in_kana = std::move(said[i]);
+  } catch (const content::ContentError& error) {
+    language.no_reader = fmt::format("{}: {}; {}", error.file, error.what(), error.hint);
+  }
+}
 
 /// Which voice reads it, and does it read it well? A text of all that it is to read.
 std::string fault_of_voice(const Espeak& espeak, const std::string& voice,
@@ -142,6 +158,7 @@ class Maker {
                                  .own = own == own_.end() ? nullptr : own->second});
     }
     language.told.pieces = language.pieces.size();
+    if (wanted.tag.substr(0, wanted.tag.find('-')) == "ja") read_kanji(sources_.reader, language);
     return language;
   }
 
@@ -165,6 +182,7 @@ class Maker {
     if (to_read.empty() || is_known) return;
     std::string& silent = language.told.silent;
     silent = espeak_ ? fault_of_voice(*espeak_, to_read.front()->voice, to_read) : no_program_;
+    if (!silent.empty() && !language.no_reader.empty()) silent += "; " + language.no_reader;
     if (!silent.empty() && language.told.recorded > 0)
       silent += fmt::format("; {} of {} pieces are recorded", language.told.recorded,
                             language.told.pieces);

@@ -32,6 +32,7 @@ struct SpeechSources {
   std::span<const OwnSpeech> own;
   std::span<const SpeechSound> before;  ///< What was made last: taken over where nothing changed.
   std::string program = "espeak-ng";
+  std::string reader = "mecab";  ///< Japanese is said as it reads it.
   unsigned jobs = 1;
 };
 

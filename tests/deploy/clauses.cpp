@@ -115,10 +115,10 @@ const std::array table{
     Clause{"5.1.3.14",
            "Spoken in the language that is shown",
            State::InPart,
-           "Each language by its own voice. Open: no voice of Debian reads Japanese, Hebrew and "
-           "Thai well enough; the compiler says so, and staff's "
+           "Each language by its own voice, Japanese through the kana that MeCab reads. Open: no "
+           "voice of Debian reads Hebrew and Thai well enough; the compiler says so, and staff's "
            "recordings stand in.",
-           {"Speech.NamesEachLanguageInThatLanguage",
+           {"Speech.NamesEachLanguageInThatLanguage", "Kana.OfThisMachinesReaderAreReadByItsVoice",
             "Speech.IsMadeOfPreparedPiecesAloneInEveryLanguage", "Voice.IsKnownByItsPhonemes"}},
     Clause{"5.1.3.15",
            "Errors are told without seeing",
