@@ -44,36 +44,56 @@ std::string below_ten_thousand(std::uint32_t number) {
   return said;
 }
 
-/// What is counted, and how that changes where the number's last sound is short.
+/// What is counted. Before some, the last sound of a number becomes short and theirs hard; before
+/// others, four, seven and nine have other names.
 struct JapaneseCounter {
-  std::string_view written, said, hardened, after_three;
+  std::string_view written, said, hardened, after_three{};
+  std::string_view four{}, seven{}, nine{};
 };
-constexpr std::array<JapaneseCounter, 6> counters{{{"分", "フン", "プン", "プン"},
-                                                   {"階", "カイ", "カイ", "ガイ"},
-                                                   {"回", "カイ", "カイ", "カイ"},
-                                                   {"か所", "カショ", "カショ", "カショ"},
-                                                   {"ヶ所", "カショ", "カショ", "カショ"},
-                                                   {"箇所", "カショ", "カショ", "カショ"}}};
+constexpr std::array<JapaneseCounter, 9> counters{
+    {{"分", "フン", "プン", "プン"},
+     {"階", "カイ", "カイ", "ガイ"},
+     {"回", "カイ", "カイ"},
+     {"か所", "カショ", "カショ"},
+     {"ヶ所", "カショ", "カショ"},
+     {"箇所", "カショ", "カショ"},
+     {.written = "月", .said = "ガツ", .hardened = {}, .four = "シ", .seven = "シチ", .nine = "ク"},
+     {.written = "時", .said = "ジ", .hardened = {}, .four = "ヨ", .seven = "シチ", .nine = "ク"},
+     {.written = "年", .said = "ネン", .hardened = {}, .four = "ヨ"}}};
 
-/// Do the last sounds of a number become short before such a counter, and into what?
-struct Shortened {
+struct Sounds {
   std::string_view from, to;
 };
-constexpr std::array<Shortened, 5> shortened{{{"イチ", "イッ"},
-                                              {"ロク", "ロッ"},
-                                              {"ハチ", "ハッ"},
-                                              {"ジュウ", "ジュッ"},
-                                              {"ヒャク", "ヒャッ"}}};
+constexpr std::array<Sounds, 5> shortened{{{"イチ", "イッ"},
+                                           {"ロク", "ロッ"},
+                                           {"ハチ", "ハッ"},
+                                           {"ジュウ", "ジュッ"},
+                                           {"ヒャク", "ヒャッ"}}};
+
+/// Replaces the end of a number; false where it has another.
+bool replace_end(const Sounds& sounds, std::string& said) {
+  if (sounds.to.empty() || !said.ends_with(sounds.from)) return false;
+  said.replace(said.size() - sounds.from.size(), sounds.from.size(), sounds.to);
+  return true;
+}
 
 std::string counted(std::uint32_t number, const JapaneseCounter& counter) {
   std::string said = number_in_kana(number);
-  for (const auto& [from, to] : shortened)
-    if (said.ends_with(from))
-      return said.replace(said.size() - from.size(), from.size(), to).append(counter.hardened);
-  const bool is_four_minutes = counter.written == "分" && said.ends_with("ヨン");
-  if (said.ends_with("サン") || is_four_minutes) return said.append(counter.after_three);
-  return said.append(counter.said);
+  const std::array<Sounds, 3> names{
+      {{"ヨン", counter.four}, {"ナナ", counter.seven}, {"キュウ", counter.nine}}};
+  for (const Sounds& name : names)
+    if (replace_end(name, said)) return said.append(counter.said);
+  if (!counter.hardened.empty())
+    for (const Sounds& sounds : shortened)
+      if (replace_end(sounds, said)) return said.append(counter.hardened);
+  const bool is_after_three =
+      said.ends_with("サン") || (counter.written == "分" && said.ends_with("ヨン"));
+  return said.append(is_after_three && !counter.after_three.empty() ? counter.after_three
+                                                                    : counter.said);
 }
+
+/// What the dictionary says otherwise than people do.
+constexpr std::array<Sounds, 1> corrections{{{"出口", "デグチ"}}};
 
 /// A word as MeCab tells it.
 struct Word {
@@ -121,7 +141,11 @@ class Reading {
       number_ = number;
       return;
     }
-    put(word.said.empty() || word.said == "*" ? word.written : word.said,
+    const auto* const other = std::ranges::find(corrections, word.written, &Sounds::from);
+    const bool is_read = !word.said.empty() && word.said != "*";
+    put(other != corrections.end() ? other->to
+        : is_read                  ? word.said
+                                   : word.written,
         leans_on_the_one_before(word) || is_punctuation(word));
   }
   std::string take() {

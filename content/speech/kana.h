@@ -18,7 +18,7 @@ std::string number_in_kana(std::uint32_t number);
 /// Japanese as it is said, in kana, for a voice that reads no kanji. `analysis`: MeCab's, for each
 /// word a line of what is written, its part of speech, the kind of that, and how it is said, with
 /// tabs between, and after each text a line "EOS". Words that lean on the one before are joined to
-/// it; numbers are read, with the sounds that some counters change (分, 回, 階, か所). What has no
+/// it; numbers are read, with the sounds that some counters change (分, 階, 月, 時). What has no
 /// reading stays as it is written.
 std::vector<std::string> kana_of(std::string_view analysis);
 

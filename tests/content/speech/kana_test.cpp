@@ -33,6 +33,10 @@ TEST(Kana, LeaveWhatHasNoReadingAsItIs) {
   EXPECT_THAT(kana_of("docent\t\t\t\n龘\t名詞\t一般\t*\nEOS\n"), ElementsAre("docent 龘"));
 }
 
+TEST(Kana, CallAWayOutAsPeopleDo) {
+  EXPECT_THAT(kana_of("出口\t名詞\t一般\tイデグチ\nEOS\n"), ElementsAre("デグチ"));
+}
+
 TEST(Kana, AreDefinedForAnyText) {
   rc::check([](const std::string& text) { kana_of(text); });
 }
@@ -63,6 +67,12 @@ TEST(Kana, ChangeTheSoundsOfCountersAsTheirNumbersDo) {
   EXPECT_EQ(counted("3", "階"), "サンガイ");
   EXPECT_EQ(counted("4", "階"), "ヨンカイ");
   EXPECT_EQ(counted("8", "か所"), "ハッカショ");
+  EXPECT_EQ(counted("3", "回"), "サンカイ");
+  EXPECT_EQ(counted("7", "月"), "シチガツ");
+  EXPECT_EQ(counted("6", "月"), "ロクガツ");
+  EXPECT_EQ(counted("14", "時"), "ジュウヨジ");
+  EXPECT_EQ(counted("9", "時"), "クジ");
+  EXPECT_EQ(counted("2024", "年"), "ニセンニジュウヨネン");
   EXPECT_EQ(counted("19", "メートル"), "ジュウキュウX");
 }
 
