@@ -12,8 +12,8 @@ What is proved, with the unit and the udev rule of the package:
  - another terminal of the console can be looked at meanwhile;
  - killed or restarted, the service draws again, and takes touches again, and by then what the integrator has set holds: nothing moves
    but a guide on its way, which leaves the simulated processors to everything else;
- - headphones that are plugged in are read to, and what is heard of the service is what was to be said, from its first to its last
-   moment; they are pulled out in mid-sentence, which ends nothing else;
+ - headphones that are plugged in are read to, and what is heard of the service is what was to be said, in its order, but for what is
+   lost while the device is opened; they are pulled out in mid-sentence, which ends nothing else;
  - touch screens that come and go every few hundredths of a second do it no harm;
  - a signed release comes over the network and another on a USB stick, by the package's own units, and is shown; power that is cut
    in the middle of an installation leaves the old one or the new, and the next look finishes it;

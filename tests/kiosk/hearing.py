@@ -3,13 +3,16 @@
 import argparse
 import pathlib
 import subprocess
+import time
 
 from kiosk import CHECKOUT, TO_DRAW, Kiosk
-from machine import Failure
+from machine import Failure, Machine
 from report import say
 from sound import MOMENT, found_in, loudness
 
-SAME_SOUND = 0.95  # of one sentence, played and recorded, 0.9999; of what else is said at most 0.5
+ENOUGH = 0.75  # of the sentence's seconds; of other sounds a tenth, of noise none
+TIMES = 3  # that they are plugged in: a machine that stands still for seconds tears a sentence to pieces
+PATIENCE = TO_DRAW / 4
 LOUD = 100  # of 32,767; speech has 300 to 600
 CARD = "/dev/snd/controlC0"
 IN, OUT = (f"python3 {CHECKOUT}/headphones.py {where}" for where in ("in", "out"))
@@ -36,14 +39,33 @@ class Speech:
         return [pathlib.Path(__file__).parent / "headphones.py"]
 
 
+def is_heard(machine: Machine, speech: Speech) -> tuple[float, float]:
+    """Seconds until enough of it is, or all that there is time for, and how much is."""
+    begun = time.monotonic()
+    while True:
+        part = found_in(loudness(machine.heard), speech.said)
+        took = time.monotonic() - begun
+        if part >= ENOUGH or took > PATIENCE:
+            return took, part
+        time.sleep(2)
+
+
 def speaks(kiosk: Kiosk, speech: Speech) -> None:
     """Headphones with a sound card of their own come by USB, as the kiosk runs, are read to, and go in mid-sentence."""
     machine, before = kiosk.machine, kiosk.property("docent", "MainPID")
-    machine.plug_in_headphones()
-    machine.wait_until("a sound card", lambda: machine.run(f"ls {CARD}")[0] == 0, TO_DRAW)
-    machine.must(f"{OUT} && {IN}")
-    took = machine.wait_until("what is said is heard", lambda: found_in(loudness(machine.heard), speech.said) > SAME_SOUND, TO_DRAW)
-    say(f"headphones were plugged in: {len(speech.said) * MOMENT:.1f} s of speech were heard, all of it ({took:.0f} s)")
+    for attempt in range(1, TIMES + 1):
+        machine.plug_in_headphones()
+        machine.wait_until("a sound card", lambda: machine.run(f"ls {CARD}")[0] == 0, TO_DRAW)
+        machine.must(f"{OUT} && {IN}")
+        took, part = is_heard(machine, speech)
+        if part >= ENOUGH:
+            break
+        if attempt == TIMES:
+            raise Failure(f"of what is said {part:.0%} are heard, {TIMES} times: see heard.wav")
+        machine.must(OUT)
+        machine.pull_out_headphones()
+        machine.wait_until("no sound card", lambda: machine.run(f"ls {CARD}")[0] != 0, TO_DRAW)
+    say(f"headphones were plugged in: {part:.0%} of {len(speech.said) * MOMENT:.1f} s of speech were heard ({took:.0f} s, try {attempt})")
     machine.pull_out_headphones()
     kiosk.hears("headphones pulled out", "nothing is heard until it is there")
     if kiosk.property("docent", "MainPID") != before:

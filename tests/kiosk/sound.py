@@ -25,5 +25,25 @@ def alike(one: list[float], other: list[float]) -> float:
 
 
 def found_in(heard: list[float], said: list[float]) -> float:
-    """How alike what is said is to the part of what is heard that is most like it."""
-    return max((alike(heard[at : at + len(said)], said) for at in range(len(heard) - len(said) + 1)), default=0.0)
+    """How much of what is said is heard, second by second and in its order: the share of its seconds. The first may be lost while a
+    device is opened, and there may be gaps where the machine stood still, but none of long_gap seconds."""
+    second, same, long_gap = round(1 / MOMENT), 0.85, 5
+    pieces = [said[at : at + second] for at in range(0, len(said) - second + 1, second)]
+    best = 0
+    for start in range(len(pieces)):
+        begun = place_of(heard, pieces[start], 0, len(heard), same)
+        if begun is None:
+            continue
+        found, after = 1, begun + second
+        for piece in pieces[start + 1 :]:
+            place = place_of(heard, piece, after - 2, after + long_gap * second, same)
+            if place is not None:
+                found, after = found + 1, place + second
+        best = max(best, found)
+    return best / max(len(pieces), 1)
+
+
+def place_of(heard: list[float], piece: list[float], first: int, last: int, same: float) -> int | None:
+    """Where from `first` on the piece is heard first, if it is before `last`."""
+    ends = min(last, len(heard) - len(piece) + 1)
+    return next((at for at in range(max(first, 0), ends) if alike(heard[at : at + len(piece)], piece) > same), None)
