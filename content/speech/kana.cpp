@@ -124,8 +124,9 @@ bool is_punctuation(const Word& word) {
 std::optional<std::uint32_t> number_in(std::string_view written) {
   constexpr std::size_t most_digits = 8;
   std::uint32_t number = 0;
-  const char* const end = written.data() + written.size();
-  const auto read = std::from_chars(written.data(), end, number);
+  const char* const begin = written.data();
+  const char* const end = begin + written.size();
+  const auto read = std::from_chars(begin, end, number);
   if (written.empty() || written.size() > most_digits || read.ptr != end) return {};
   return number;
 }

@@ -209,15 +209,14 @@ void Doors::step(double seconds, Crowd& crowd) noexcept {
     if (leaf.search) search(leaf, crowd);
     if (leaf.drawing) come_to_draw(seconds, leaf, crowd);
     if (!leaf.push && !(leaf.drawing && leaf.drawing->has_come)) begin_push(seconds, leaf, crowd);
+    const bool is_left = is_left_to_a_hand(leaf) || (other != nullptr && is_left_to_a_hand(*other));
     if (leaf.push)
       turn(seconds, leaf, crowd);
     else if (leaf.drawing && leaf.drawing->has_come)
       draw_open(seconds, leaf, crowd);
-    else if (is_left_to_a_hand(leaf) || (other != nullptr && is_left_to_a_hand(*other)))
-      close(seconds, leaf, crowd);
-    else if (is_awaited(leaf, crowd))
+    else if (!is_left && is_awaited(leaf, crowd))
       open_on(seconds, may_open_on(leaf, crowd) ? opening_speed : 0, leaf);
-    else if (leaf.swings_open)
+    else if (!is_left && leaf.swings_open)
       swing_open(seconds, may_open_on(leaf, crowd), leaf);
     else
       close(seconds, leaf, crowd);
