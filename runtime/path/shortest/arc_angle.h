@@ -39,7 +39,7 @@ constexpr Vec2 turned_by(Vec2 begin, double angle) noexcept {
   return -rest.sine * begin + (1 - rest.versine) * left_of(begin);
 }
 
-/// The angle from a unit direction to another one of any length, counter-clockwise; for angles from
+/// The angle from one direction to another, of any lengths, counter-clockwise; for angles from
 /// -pi/2 to 3 pi/2, both left out, with errors of 1e-14 between -0.01 and pi + 0.01.
 inline double angle_between(Vec2 begin, Vec2 direction) noexcept {
   const double left = cross(begin, direction);

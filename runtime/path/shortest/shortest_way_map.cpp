@@ -19,8 +19,7 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
       sight_(sight),
       search_(search),
       walls_(plan, tangents.radius),
-      rolling_(rolling_radius(tangents.radius, walls_.slack())),
-      corner_(corners_of_arcs(plan, tangents)) {
+      rolling_(rolling_radius(tangents.radius, walls_.slack())) {
   const double farthest = walls_.cell_size() * std::numbers::sqrt2 / 2 + walls_.slack();
   for (std::size_t cell = 0; cell < walls_.cells(); ++cell) {
     const Vec2 centre = walls_.centre_of(cell);
@@ -28,8 +27,9 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
     is_inside_.push_back((walls_.is_clear(cell) || nearest.distance > farthest) &&
                          walls_.is_inside(centre, nearest));
   }
-  for (std::size_t a = 0; a < corner_.size(); ++a) {
-    const ReflexCorner& corner = corner_[a];
+  const std::vector<ReflexCorner> corners = corners_of_arcs(plan, tangents);
+  for (std::size_t a = 0; a < corners.size(); ++a) {
+    const ReflexCorner& corner = corners[a];
     arc_.push_back({corner.position,
                     corner.direction_at(graph_.arc[a].begin),
                     corner.direction_at(graph_.arc[a].end),
@@ -76,7 +76,7 @@ ShortestWayMap::ShortestWayMap(const FloorPlan& plan, const SightMap& sight,
 }
 
 bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) const noexcept {
-  const double distance = glm::length(centre - corner_[side / 2].position);
+  const double distance = glm::length(centre - arc_[side / 2].centre);
   const double nearest = distance - reach;
   if (nearest <= rolling_) return true;
   const double tangent = std::sqrt(nearest * nearest - rolling_ * rolling_);
@@ -84,7 +84,7 @@ bool ShortestWayMap::may_touch(std::uint32_t side, Vec2 centre, double reach) co
   const double slack = reach / tangent + same_angle;
   if (slack > 1) return true;
   const double left = rolling_ * (side % 2 == 0 ? 1 : -1);
-  const auto line = tangent_line(centre, 0, corner_[side / 2].position, left, 2 * walls_.slack());
+  const auto line = tangent_line(centre, 0, arc_[side / 2].centre, left, 2 * walls_.slack());
   if (!line) return true;
   const Vec2 direction = (side % 2 == 0 ? -1.0 : 1.0) * line->left;
   // Is the direction within the slack of the arc? Measured from the arc's middle, so that neither

@@ -108,10 +108,9 @@ class ShortestWayMap {
   const SightMap& sight_;
   const TangentSearchMap& search_;
   WallGrid walls_;
-  double rolling_;                    ///< Radius of the circles on which ways bend.
-  std::vector<bool> is_inside_;       ///< One per cell of the walls: certainly all of it.
-  std::vector<ReflexCorner> corner_;  ///< One per arc of the graph.
-  std::vector<ArcOfEnds> arc_;        ///< One per arc.
+  double rolling_;               ///< Radius of the circles on which ways bend.
+  std::vector<bool> is_inside_;  ///< One per cell of the walls: certainly all of it.
+  std::vector<ArcOfEnds> arc_;   ///< One per arc.
   std::vector<std::uint32_t> cell_first_, cell_side_;
   std::size_t hubs_ = 0;
 };
