@@ -42,6 +42,12 @@ void Speaker::heed(guide::Guide& guide, const Museum& museum,
   while (player_->is_speaking()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+std::optional<bool> Speaker::headphones() noexcept {
+  const std::optional<bool> changed = jacks_ ? jacks_->changed() : std::nullopt;
+  if (changed == true) player_->expect_device();
+  return changed;
+}
+
 void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
   if (saying.utterance == nullptr) return player_->say({});
   player_->say(std::span(parts_).first(parts_of(*saying.utterance, museum, parts_)));

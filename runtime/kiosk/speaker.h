@@ -31,7 +31,7 @@ class Speaker {
             const std::shared_ptr<BlobArchive>& archive) noexcept;
 
   /// Headphones that went in or out since the last call.
-  std::optional<bool> headphones() noexcept { return jacks_ ? jacks_->changed() : std::nullopt; }
+  std::optional<bool> headphones() noexcept;
 
  private:
   void say(const guide::Saying& saying, const Museum& museum) noexcept;
