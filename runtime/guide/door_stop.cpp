@@ -7,7 +7,7 @@
 namespace docent::guide {
 namespace {
 
-constexpr double most_pulled = 1.15, most_slid = 0.9;         ///< Radians; metres.
+constexpr double most_pulled = 1.15, most_slid = 0.9;        ///< Radians; metres.
 constexpr double worth_pulling = 0.3, worth_sliding = 0.35;  ///< Radians; metres.
 constexpr float to_spare = 0.02F;  ///< Metres that a hand must reach farther: who stands breathes.
 constexpr int parts_of_way = 10;
@@ -92,8 +92,8 @@ bool holds_with(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp
 bool comes_away(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp,
                 double amount) noexcept {
   constexpr int parts = 16;
-  constexpr float led_off = 0.03F;     // metres that it may be elsewhere
-  constexpr float farthest = 0.045F;   // metres that wrist and elbow go in one part
+  constexpr float led_off = 0.03F;    // metres that it may be elsewhere
+  constexpr float farthest = 0.045F;  // metres that wrist and elbow go in one part
   const motion::Arm& arm = *holder.arms[grasp.side];
   const motion::JointPlace& trunk = holder.trunk[index_of(grasp.side)];
   Reach before;
