@@ -262,7 +262,6 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   const Measures measures = measures_of(request.shape);
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
-  view->is_night = request.shape.is_night;
 
   Sheet sheet(museum, request, pieces, closed, *view, way);
   view->accent = request.state.look ? sheet.on_paper(scene::trail_colour(*request.state.look))
