@@ -35,14 +35,15 @@ std::uint32_t nearest_to_middle(const SkinnedMesh& mesh,
 /// For each vertex of the triangles the one that stands for it.
 std::vector<std::uint32_t> clustered(const SkinnedMesh& mesh,
                                      std::span<const std::uint32_t> indices, float side) {
-  std::vector<std::pair<Cell, std::uint32_t>> sorted;
-  sorted.reserve(indices.size());
-  for (const std::uint32_t v : indices) sorted.emplace_back(cell_of(mesh.vertices[v], side), v);
-  std::ranges::sort(sorted);
-  const auto again = std::ranges::unique(sorted);
-  sorted.erase(again.begin(), again.end());
-
   std::vector<std::uint32_t> stands_for(mesh.vertices.size());
+  std::vector<std::uint8_t> is_taken(mesh.vertices.size());  // some six triangles share a vertex
+  std::vector<std::pair<Cell, std::uint32_t>> sorted;
+  sorted.reserve(std::min(indices.size(), mesh.vertices.size()));
+  for (const std::uint32_t v : indices)
+    if (std::exchange(is_taken[v], std::uint8_t{1}) == 0)
+      sorted.emplace_back(cell_of(mesh.vertices[v], side), v);
+  std::ranges::sort(sorted);
+
   for (auto first = sorted.begin(); first != sorted.end();) {
     const auto last =
         std::find_if(first, sorted.end(), [&](const auto& it) { return it.first != first->first; });

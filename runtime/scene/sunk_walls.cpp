@@ -50,6 +50,7 @@ static_assert((side & (side - 1)) == 0);
 SunkWalls::SunkWalls(std::size_t most_walls)
     : wanted_(std::size_t{side} * side), level_(wanted_.size()) {
   near_.reserve(most_walls);
+  beside_.reserve(most_walls);
   levels_.level.resize(wanted_.size());
 }
 
@@ -105,11 +106,23 @@ void SunkWalls::sink(Vec2 a, Vec2 b) noexcept {
     }
 }
 
+/// Which walls may lines cross that run up to `half_width` beside the one `from` a sight `to`?
+void SunkWalls::keep_beside(Vec2 from, Vec2 to, double half_width) noexcept {
+  const Vec2 low = glm::min(from, to) - half_width, high = glm::max(from, to) + half_width;
+  beside_.clear();
+  for (const std::uint32_t wall : near_) {
+    const Vec2 a = wall_start(*plan_, wall), b = wall_end(*plan_, wall);
+    if (std::max(a.x, b.x) >= low.x && std::min(a.x, b.x) <= high.x &&
+        std::max(a.y, b.y) >= low.y && std::min(a.y, b.y) <= high.y)
+      beside_.push_back(wall);
+  }
+}
+
 /// What stands on the line `from` a sight towards the camera sinks, all through each wall.
 void SunkWalls::clear(Vec2 from, Vec2 to) noexcept {
   std::array<Crossing, 12> crossings;
   std::size_t count = 0;
-  for (const std::uint32_t wall : near_) {
+  for (const std::uint32_t wall : beside_) {
     const Vec2 a = wall_start(*plan_, wall), b = wall_end(*plan_, wall);
     const double along = crossing(from, to, a, b);
     if (along < 0 || count == crossings.size()) continue;
@@ -145,6 +158,7 @@ void SunkWalls::advance(Vec2 centre, Vec3 eye, std::span<const Sight> sights,
     // A wall hides the floor at a sight as far from it as a ray takes to rise to the cut.
     const Vec2 towards = (camera - sight.place) / off;
     const Vec2 to = sight.place + towards * (cut_height / eye_height * off + 0.2);
+    keep_beside(sight.place, to, sight.half_width + 0.001);  // and what is rounded
     const int rays = static_cast<int>(std::ceil(sight.half_width / thinnest_wall));
     for (int ray = -rays; ray <= rays; ++ray) {
       const Vec2 beside = left_of(towards) * (sight.half_width * ray / std::max(rays, 1));
@@ -157,6 +171,10 @@ void SunkWalls::advance(Vec2 centre, Vec3 eye, std::span<const Sight> sights,
   levels_.any = false;
   for (std::size_t i = 0; i < level_.size(); ++i) {
     constexpr float near_enough = 0.002F;
+    if (wanted_[i] == 0 && level_[i] == 0) {  // nearly everywhere
+      levels_.level[i] = 0;
+      continue;
+    }
     const float off = wanted_[i] - level_[i];
     level_[i] = std::abs(off) < near_enough ? wanted_[i] : level_[i] + off * share;
     levels_.level[i] = static_cast<std::uint8_t>(std::lround(level_[i] * 255));

@@ -43,11 +43,13 @@ class SunkWalls {
 
   void go_along(Vec2 centre) noexcept;
   void gather_walls(Vec2 centre) noexcept;
+  void keep_beside(Vec2 from, Vec2 to, double half_width) noexcept;
   void clear(Vec2 from, Vec2 to) noexcept;
   void sink(Vec2 a, Vec2 b) noexcept;
 
   const FloorPlan* plan_ = nullptr;
-  std::vector<std::uint32_t> near_;  ///< Walls about `gathered_`.
+  std::vector<std::uint32_t> near_;    ///< Walls about `gathered_`.
+  std::vector<std::uint32_t> beside_;  ///< Those of them that a sight's rays can cross.
   Vec2 gathered_{1e9, 1e9};
   std::vector<float> wanted_, level_;
   WallLevels levels_;

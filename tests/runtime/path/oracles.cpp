@@ -79,16 +79,21 @@ double sampled_clearance(const FloorPlan& plan, const std::vector<Vec2>& points)
 
 bool crosses_a_wall(const FloorPlan& plan, const std::vector<Vec2>& points) {
   constexpr double clearly = 1e-9;  // square metres: touching is not crossing
-  for (std::size_t i = 1; i < points.size(); ++i)
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vec2 p = points[i - 1], q = points[i];
+    const Vec2 low = glm::min(p, q), high = glm::max(p, q);
     for (std::uint32_t w = 0; w < plan.vertex.size(); ++w) {
-      const Vec2 p = points[i - 1], q = points[i];
       const Vec2 a = wall_start(plan, w), b = wall_end(plan, w);
+      if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y ||
+          std::min(a.y, b.y) > high.y)
+        continue;  // far apart, as nearly all are
       const double a_side = cross(q - p, a - p), b_side = cross(q - p, b - p);
       const double p_side = cross(b - a, p - a), q_side = cross(b - a, q - a);
       if (std::min(a_side, b_side) < -clearly && std::max(a_side, b_side) > clearly &&
           std::min(p_side, q_side) < -clearly && std::max(p_side, q_side) > clearly)
         return true;
     }
+  }
   return false;
 }
 
