@@ -186,6 +186,10 @@ bool Session::has_turned(const input::Finger& finger) const noexcept {
 /// Help begins to read to whoever is not read to.
 bool Session::press_key_of_voice(input::Key key) noexcept {
   if (state_.glass != interface::Glass::Whole) return false;
+  if (sound_ && (key == input::Key::VolumeUp || key == input::Key::VolumeDown)) {
+    voice_.turn_volume(key);
+    return true;
+  }
   if (voice_.press_key(key)) return true;
   if (key != input::Key::Help) return false;
   if (state_.speaks)
@@ -276,6 +280,7 @@ void Session::resume() noexcept {
   left_.reset();
   before.arrived = false;
   before.plays = false;  // whoever comes back begins it
+  before.sound.reset();
   if (before.screen == interface::Screen::Arrived) before.screen = interface::Screen::Walking;
   show(before);
   set_out();
@@ -414,6 +419,60 @@ void Session::play_video(float seconds) noexcept {
   overlay_.watch(is_begun ? std::optional(video_seconds_) : std::nullopt);
 }
 
+// What the visitor listens to.
+
+std::optional<PlayedSound> Session::sound() const noexcept {
+  if (!sound_) return std::nullopt;
+  return PlayedSound{.recording = recording_,
+                     .sound = *sound_,
+                     .number = sounds_begun_,
+                     .seconds = sound_seconds_};
+}
+
+void Session::can_sound(bool is_there) noexcept {
+  if (sound_ || state_.can_sound == is_there) return;
+  interface::InterfaceState state = state_;
+  state.can_sound = is_there;
+  show(state);
+}
+
+void Session::stop_sound() noexcept {
+  interface::InterfaceState state = state_;
+  state.sound.reset();
+  show(state);
+}
+
+/// What is said comes first: whoever asks for it has heard enough of a sound.
+void Session::play_sound(float seconds) noexcept {
+  constexpr float after_it = 0.2F;  // the loudspeaker is that much behind
+  if (sound_ && voice_.saying() != nullptr && voice_.saying()->utterance != nullptr) stop_sound();
+  const auto before = std::exchange(sound_, interface::shown_sound(context_.museum, state_));
+  bool has_ended = false;
+  if (sound_ && sound_ != before) {
+    recording_ = recording_of(context_.museum, *sound_, state_.language);
+    if (recording_ == nullptr) {
+      sound_.reset();
+      stop_sound();
+    }
+    ++sounds_begun_;
+    sound_seconds_ = 0;
+  } else if (sound_) {
+    sound_seconds_ += seconds;
+    const auto length = static_cast<float>(recording_->samples) / SpeechSound::rate;
+    has_ended = sound_seconds_ > length + after_it;
+    if (has_ended) {
+      sound_.reset();
+      stop_sound();
+    }
+  }
+  voice_.listens(sound_.has_value(), has_ended, overlay_.focus());
+  if (view() == nullptr || !view()->state.sound) return overlay_.listen(std::nullopt);
+  const bool is_seen = sound_ && interface::shown_sound(context_.museum, view()->state) == sound_;
+  const auto length = recording_ == nullptr ? 0.0F : static_cast<float>(recording_->samples);
+  overlay_.watch(is_seen ? std::optional(sound_seconds_) : std::nullopt);
+  overlay_.listen(is_seen ? sound_seconds_ * SpeechSound::rate / length : 0.0F);
+}
+
 // What the planner answers.
 
 void Session::request_view() noexcept {
@@ -469,6 +528,7 @@ void Session::step(float seconds, float absent_after, float liveliness) noexcept
   overlay_.advance(seconds);
   play_video(seconds);
   speak(seconds);
+  play_sound(seconds);
 }
 
 /// Until the plan of the way to its goal is walked, what is left of a plan is the meeting's.
@@ -523,7 +583,8 @@ void Session::notice_arrival() noexcept {
 void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
-  if (voice_.is_busy() || (state_.plays && video())) return;  // who listens or watches does nothing
+  if (voice_.is_busy() || sound_ || (state_.plays && video()))
+    return;  // who listens or watches does nothing
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);
@@ -537,6 +598,7 @@ void Session::notice_absence(float seconds, float absent_after) noexcept {
   vacant.seat = state_.seat;
   vacant.taken = state_.taken;
   vacant.speaks = has_headphones_;
+  vacant.can_sound = state_.can_sound;
   if (state_ == vacant) return;
   act({interface::Action::Kind::Home});
   left_.reset();

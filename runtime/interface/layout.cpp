@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/interface/cues.h"
 #include "runtime/interface/face.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/scroll.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
@@ -263,6 +265,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
   view->is_night = request.shape.is_night;
+  view->is_right_to_left = runs_right_to_left(museum, request.state.language);
 
   Sheet sheet(museum, request, pieces, closed, *view, way);
   view->accent = request.state.look ? sheet.on_paper(scene::trail_colour(*request.state.look))
@@ -296,6 +299,10 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
     view->free.width -= column;
     if (runs_right_to_left(museum, request.state.language)) view->free.x += column;
     leave_to_model(*view, strip);
+  }
+  if (const auto sound = shown_sound(museum, request.state)) {
+    view->cues.clear();  // of a video that stands still
+    draw_sound_cues(sheet, free, *sound);
   }
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();
