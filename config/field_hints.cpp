@@ -36,6 +36,8 @@ std::string manual_of(Form form, std::span<const std::string_view> choices) {
       return "use letters, digits and hyphens, without spaces";
     case Form::OneOf:
       return fmt::format("write \"{}\"", fmt::join(choices, "\" or \""));
+    case Form::Colour:
+      return "write it as the web does: \"#D2452D\"";
     case Form::Free:
     case Form::Keys:
     case Form::Name:
@@ -273,6 +275,9 @@ std::string form_hint(std::string_view key, Form form, std::span<const std::stri
   if (form == Form::Identifier)
     if (const std::string meant = identifier_meant(text); !meant.empty())
       return fmt::format("{}: {} = \"{}\"", manual_of(form, choices), key, meant);
+  if (form == Form::Colour)
+    if (const std::string meant = colour_meant(text); !meant.empty())
+      return fmt::format("write {} = \"{}\"", key, meant);
   if (form == Form::File || form == Form::Name)
     return fmt::format("write {} = \"...\", or remove the line", key);
   return manual_of(form, choices);

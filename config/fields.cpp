@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "config/colour.h"
 #include "config/field_hints.h"
 #include "config/museum_fields.h"
 #include "platform/terminal/suggest.h"
@@ -22,6 +23,8 @@ bool has_form(Form form, std::span<const std::string_view> choices, std::string_
       return !text.empty();
     case Form::Identifier:
       return is_identifier(text);
+    case Form::Colour:
+      return parse_colour(text).has_value();
     case Form::OneOf:
       return std::ranges::find(choices, text) != choices.end();
   }

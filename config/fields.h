@@ -32,6 +32,7 @@ enum class Form : std::uint8_t {
   File,        ///< A path relative to the museum's folder.
   OneOf,       ///< One of the field's choices.
   Keys,        ///< Texts by key rather than by language.
+  Colour,      ///< "#RRGGBB".
 };
 
 /// The range that a number has to lie in, ends included. Where `most` is infinite, the

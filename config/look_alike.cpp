@@ -18,7 +18,7 @@ struct Letters {
 };
 
 constexpr std::string_view figures = "0123456789", nothing;
-constexpr std::array<Letters, 43> letters{{
+constexpr std::array<Letters, 43> blocks_of_letters{{
     {0x00A0, 0x00A0, " ", "a no-break space"},
     {0x1680, 0x1680, " ", "a blank of another width"},
     {0x2000, 0x200A, " ", "a blank of another width"},
@@ -96,7 +96,7 @@ char32_t letter_of(std::string_view character) noexcept {
 std::optional<LookAlike> look_alike(std::string_view character) {
   if (character.size() < 2) return {};
   const char32_t letter = letter_of(character);
-  for (const Letters& block : letters)
+  for (const Letters& block : blocks_of_letters)
     if (letter >= block.first && letter <= block.last) return found(block, letter, character);
   for (const Letters& block : brackets)
     if (letter == block.first) return found(block, letter, character);

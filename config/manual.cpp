@@ -44,6 +44,8 @@ std::string kind_of_text(Form form, std::span<const std::string_view> choices) {
       return "identifier";
     case Form::File:
       return "file";
+    case Form::Colour:
+      return "colour";
     case Form::OneOf:
       return fmt::format("{}", fmt::join(choices, " or "));
     case Form::Free:

@@ -486,6 +486,10 @@ class MuseumLoader {
     check_file(config_.motion.clips, Wanted::FileOrFolder);
     check_file(config_.avatar.model);
     for (SpeechSection& speech : config_.speech) check_file(speech.recording);
+    for (Located<std::string>* logo : {&config_.look.logo, &config_.look.logo_at_night})
+      check_file(*logo);
+    for (Located<LocatedList>* fonts : {&config_.look.title_font, &config_.look.text_font})
+      for (Located<std::string>& font : fonts->value) check_file(font);
   }
 
   /// A file that cannot be taken is told, and nobody opens it.

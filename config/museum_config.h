@@ -61,6 +61,12 @@ struct AvatarSection {
   Located<double> radius{0.25, {}, false};  ///< Metres.
   Located<std::string> model;               ///< A file: the museum's own character.
 };
+/// The museum's own look.
+struct LookSection {
+  Located<std::string> logo, logo_at_night;        ///< Files.
+  Located<std::string> paper, ink, accent, focus;  ///< Colours, as they are written.
+  Located<LocatedList> title_font, text_font;      ///< Files.
+};
 struct AmbientSection {
   Located<std::int64_t> count;
   Located<LocatedPoints> from;
@@ -188,6 +194,7 @@ struct MuseumConfig {
   KioskSection kiosk;                ///< The first of `kiosks`, else one of which nothing is said.
   std::vector<KioskSection> kiosks;  ///< [kiosk], or several [[kiosk]], which then have ids.
   AvatarSection avatar;
+  LookSection look;
   AmbientSection ambient;
   MotionSection motion;
   std::vector<RoomSection> rooms;

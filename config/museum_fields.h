@@ -186,6 +186,57 @@ inline constexpr std::array avatar_fields{
                          Form::File},
 };
 
+inline constexpr std::array look_fields{
+    Field<LookSection>{
+        "logo",
+        &LookSection::logo,
+        Presence::Optional,
+        "The museum's sign, above its name on the welcome screen: a picture, best an "
+        "SVG or a PNG without a ground",
+        {},
+        Form::File},
+    Field<LookSection>{"logo_at_night",
+                       &LookSection::logo_at_night,
+                       Presence::Optional,
+                       "The same for dark paper",
+                       {},
+                       Form::File},
+    Field<LookSection>{"accent",
+                       &LookSection::accent,
+                       Presence::Optional,
+                       "The colour of what invites to touch, 4:1 against the paper or more; "
+                       "\"#D2452D\" where it is not said",
+                       {},
+                       Form::Colour},
+    Field<LookSection>{"focus",
+                       &LookSection::focus,
+                       Presence::Optional,
+                       "The colour of the keypad's frame, 3:1 against the paper or more; "
+                       "\"#1D7874\" where it is not said",
+                       {},
+                       Form::Colour},
+    Field<LookSection>{"paper",
+                       &LookSection::paper,
+                       Presence::Optional,
+                       "The colour of panels and of all round the model: a light one; \"#F5F1E8\" "
+                       "where it is not said",
+                       {},
+                       Form::Colour},
+    Field<LookSection>{"ink",
+                       &LookSection::ink,
+                       Presence::Optional,
+                       "The colour of letters, 7:1 against the paper or more; \"#1E1C1A\" where it "
+                       "is not said",
+                       {},
+                       Form::Colour},
+    Field<LookSection>{"title_font", &LookSection::title_font, Presence::Optional,
+                       "Font files (TTF, OTF) of one family, for titles: regular and, if there is "
+                       "one, semibold"},
+    Field<LookSection>{"text_font", &LookSection::text_font, Presence::Optional,
+                       "Font files (TTF, OTF) of one family, for all else: regular, medium, "
+                       "semibold"},
+};
+
 inline constexpr std::array ambient_fields{
     Field<AmbientSection>{"count",
                           &AmbientSection::count,
@@ -579,6 +630,7 @@ void museum_sections(auto& visit, auto& config) {
   visit.one_or_many("kiosk", "Where the kiosk stands; [[kiosk]] for each of several", kiosk_fields,
                     config.kiosks);
   visit.one("avatar", "The guide", avatar_fields, config.avatar);
+  visit.one("look", "The museum's own look: logo, colours, letters", look_fields, config.look);
   visit.one("ambient", "Other visitors on the screen", ambient_fields, config.ambient);
   visit.one("motion", "How the guide moves", motion_fields, config.motion);
   visit.many("room", "A gallery: a name for a part of a floor", room_fields, config.rooms);

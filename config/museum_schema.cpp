@@ -35,6 +35,7 @@ Json text(Form form, std::span<const std::string_view> choices) {
   Json schema = {{"type", "string"}};
   if (form == Form::Name || form == Form::File) schema["minLength"] = 1;
   if (form == Form::Identifier) schema["pattern"] = "^[A-Za-z0-9._-]+$";
+  if (form == Form::Colour) schema["pattern"] = "^#[0-9A-Fa-f]{6}$";
   if (form == Form::OneOf) schema["enum"] = choices;
   return schema;
 }

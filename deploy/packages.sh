@@ -3,17 +3,17 @@
 
 packages_build=(
   cmake g++ ninja-build pkg-config
-  libasound2-dev libcli11-dev libcurl4-openssl-dev libdrm-dev libegl-dev libfmt-dev libgbm-dev libgles-dev libglm-dev libhidapi-dev
+  libasound2-dev libcli11-dev libcurl4-openssl-dev libdrm-dev libegl-dev libfmt-dev libfontconfig-dev libgbm-dev libgles-dev libglm-dev libhidapi-dev
   libjpeg62-turbo-dev libopus-dev libpango1.0-dev libsodium-dev libspng-dev libsqlite3-dev libssl-dev libtomlplusplus-dev libvpx-dev
   nlohmann-json3-dev
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
-packages_content=(espeak-ng libboost-dev libcgal-dev libdraco-dev libexpat1-dev libgeos-dev libgif-dev libheif-dev libicu-dev libmeshoptimizer-dev libprotozero-dev libpugixml-dev librsvg2-dev libsndfile1-dev libwebp-dev libzip-dev mecab mecab-ipadic-utf8 zlib1g-dev)
+packages_content=(espeak-ng libboost-dev libcgal-dev libdraco-dev libexpat1-dev libfreetype-dev libgeos-dev libgif-dev libheif-dev libicu-dev libmeshoptimizer-dev libprotozero-dev libpugixml-dev librsvg2-dev libsndfile1-dev libwebp-dev libzip-dev mecab mecab-ipadic-utf8 zlib1g-dev)
 # All that a docent which was built elsewhere needs to run.
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core
-  ca-certificates libasound2 libcairo2 libcurl4 libdrm2 libegl-mesa0 libegl1 libfmt9 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
-  libjpeg62-turbo libopus0 libpango-1.0-0 libpangocairo-1.0-0 libsodium23 libspng0 libsqlite3-0 libssl3 libstdc++6 libvpx7
+  ca-certificates libasound2 libcairo2 libcurl4 libdrm2 libegl-mesa0 libegl1 libfmt9 libfontconfig1 libgbm1 libgl1-mesa-dri libgles2 libglib2.0-0 libhidapi-hidraw0
+  libjpeg62-turbo libopus0 libpango-1.0-0 libpangocairo-1.0-0 libpangoft2-1.0-0 libsodium23 libspng0 libsqlite3-0 libssl3 libstdc++6 libvpx7
   libxcb-icccm4 libxcb-keysyms1 libxcb1 zchunk
 )
 packages_test=(

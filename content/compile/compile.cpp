@@ -17,6 +17,7 @@
 #include "content/compile/compile_exhibits.h"
 #include "content/compile/compile_floor.h"
 #include "content/compile/compile_images.h"
+#include "content/compile/compile_livery.h"
 #include "content/compile/compile_objects.h"
 #include "content/compile/compile_readings.h"
 #include "content/compile/compile_scenery.h"
@@ -257,6 +258,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
     compile_images(config, options.only_check ? Images::Check : Images::Make, options.jobs, museum,
                    report);
     compile_captions(config, museum, report);
+    compile_livery(config, museum, report);
   }
   {
     const auto stage = progress.start("objects");

@@ -90,12 +90,13 @@ void WayPass::draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip,
   glDrawArrays(GL_TRIANGLE_STRIP, strip.first, strip.count);
 }
 
-void WayPass::draw_marker(const scene::MarkerDraw& marker, float least) const noexcept {
+void WayPass::draw_marker(const scene::MarkerDraw& marker,
+                          const scene::Light& light) const noexcept {
   using Kind = scene::MarkerDraw::Kind;
   const bool is_exhibit = marker.kind == Kind::Exhibit;
-  scene::Colour tone = is_exhibit ? theme_.quiet_ink : theme_.invitation;
+  scene::Colour tone = is_exhibit ? theme_.quiet_ink : light.mark;
   if (marker.look) tone = scene::trail_colour(*marker.look);
-  if (!is_exhibit) tone = scene::lifted(tone, least);
+  if (!is_exhibit) tone = scene::lifted(tone, light.least_way);
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float reach =
@@ -131,7 +132,7 @@ void WayPass::draw(const scene::DrawList& list) const noexcept {
   marker_.use();
   glBindVertexArray(no_attributes_.get());
   for (const scene::MarkerDraw& marker : list.markers)
-    if (marker.opacity > 0) draw_marker(marker, list.light.least_way);
+    if (marker.opacity > 0) draw_marker(marker, list.light);
 }
 
 }  // namespace docent::gles

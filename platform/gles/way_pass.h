@@ -32,7 +32,7 @@ class WayPass {
   };
   bool is_current(const scene::DrawList& list) const noexcept;
   void draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip, float least) const noexcept;
-  void draw_marker(const scene::MarkerDraw& marker, float least) const noexcept;
+  void draw_marker(const scene::MarkerDraw& marker, const scene::Light& light) const noexcept;
 
   GlBuffer vertices_;
   GlVertexArray array_, no_attributes_;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "platform/kms/file_descriptor.h"
+#include "platform/file_descriptor.h"
 
 namespace docent::kms {
 

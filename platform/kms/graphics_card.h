@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "platform/display.h"
+#include "platform/file_descriptor.h"
 #include "platform/handle.h"
-#include "platform/kms/file_descriptor.h"
 #include "platform/kms/outputs.h"
 #include "runtime/model/result.h"
 

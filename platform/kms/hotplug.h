@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "platform/kms/file_descriptor.h"
+#include "platform/file_descriptor.h"
 
 namespace docent::kms {
 

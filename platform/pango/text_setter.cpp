@@ -1,18 +1,24 @@
 #include "platform/pango/text_setter.h"
 
 #include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "platform/handle.h"
+#include "platform/pango/own_fonts.h"
 
 namespace docent::pango {
 namespace {
@@ -53,6 +59,27 @@ const char* families(const interface::TextStyle& style) {
   return serif ? "Noto Serif" : "Inter, Noto Sans";
 }
 
+/// Which letters a museum brings along, by language.
+struct OwnFamilies {
+  std::map<std::string, std::string, std::less<>> titles, text;
+
+  /// The house's families, after the museum's own where it has one.
+  std::string before(const interface::TextStyle& style) const {
+    const auto& own = style.family == interface::Family::Serif ? titles : text;
+    const auto found = own.find(style.language);
+    return found == own.end() ? families(style) : found->second + ", " + families(style);
+  }
+};
+
+std::map<std::string, std::string, std::less<>> families_of(const Typeface& typeface,
+                                                            const Museum& museum) {
+  std::map<std::string, std::string, std::less<>> families;
+  for (const std::uint32_t language : typeface.languages)
+    if (language < museum.languages.size())
+      families.emplace(museum.languages[language].tag, typeface.family);
+  return families;
+}
+
 /// How many font maps there are: Pango looks for fonts on a thread of its own, which keeps a map
 /// for as long as it looks.
 std::atomic<int> font_maps;
@@ -90,11 +117,17 @@ class TextSetter {
     return count > 0;
   }
 
-  interface::TextBitmap set(const interface::TextStyle& style, std::string_view text,
-                            std::uint32_t width) {
+  /// Sets with a museum's fonts from now on.
+  void take(std::span<const FontFile> files) {
+    const std::lock_guard lock(one_at_a_time_);
+    if (own_.take(files)) open_anew();
+  }
+
+  interface::TextBitmap set(const interface::TextStyle& style, const std::string& families,
+                            std::string_view text, std::uint32_t width) {
     const std::lock_guard lock(one_at_a_time_);
     ++texts_;
-    const Layout layout = lay_out(style, text, width);
+    const Layout layout = lay_out(style, families, text, width);
     return style.line_count == 0 ? draw(layout.get())
                                  : draw_lines(layout.get(), style.first_line, style.line_count);
   }
@@ -103,7 +136,11 @@ class TextSetter {
   /// pixel, 1.6 KB each, up to 16,384) only where nothing of it is in use.
   void forget() {
     const std::lock_guard lock(one_at_a_time_);
-    if (texts_ < many_texts) return;
+    if (texts_ >= many_texts) open_anew();
+  }
+
+ private:
+  void open_anew() {
     texts_ = 0;
     context_.reset();
     fonts_.reset();
@@ -111,10 +148,11 @@ class TextSetter {
     open_fonts();
   }
 
- private:
   void open_fonts() {
     fonts_ = open_font_map();
     if (!fonts_) return;
+    if (own_.config() != nullptr)
+      pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(fonts_.get()), own_.config());
     context_.reset(pango_font_map_create_context(fonts_.get()));
     // Letters are placed and drawn as designed, so that a text looks the same on every machine.
     const FontOptions options(cairo_font_options_create());
@@ -125,14 +163,15 @@ class TextSetter {
     pango_context_set_round_glyph_positions(context_.get(), FALSE);
   }
 
-  Layout lay_out(const interface::TextStyle& style, std::string_view text,
-                 std::uint32_t width) const {
+  Layout lay_out(const interface::TextStyle& style, const std::string& families,
+                 std::string_view text, std::uint32_t width) const {
     const std::string language(style.language);
     pango_context_set_language(context_.get(), pango_language_from_string(language.c_str()));
     pango_context_set_base_dir(context_.get(),
                                style.right_to_left ? PANGO_DIRECTION_RTL : PANGO_DIRECTION_LTR);
 
-    const Font font(pango_font_description_from_string(families(style)));
+    const Font font(pango_font_description_new());
+    pango_font_description_set_family(font.get(), families.c_str());
     pango_font_description_set_weight(font.get(), static_cast<PangoWeight>(style.weight));
     pango_font_description_set_absolute_size(font.get(), style.size * PANGO_SCALE);
 
@@ -238,6 +277,7 @@ class TextSetter {
   static constexpr std::size_t many_texts = 25;
 
   std::mutex one_at_a_time_;
+  OwnFonts own_;
   FontMap fonts_;
   Context context_;
   std::size_t texts_ = 0;  ///< Set since the fonts were opened.
@@ -255,14 +295,20 @@ std::shared_ptr<TextSetter> text_setter(bool make) {
 
 }  // namespace
 
-Result<interface::SetText> make_text_setter() {
+Result<interface::SetText> make_text_setter(const Museum* museum) {
   const std::shared_ptr<TextSetter> setter = text_setter(true);
+  OwnFamilies own;
+  if (museum != nullptr) {
+    setter->take(museum->fonts);
+    own = {families_of(museum->livery.titles, *museum), families_of(museum->livery.text, *museum)};
+  }
   if (!setter->has_fonts())
     return std::unexpected(Error{Errc::Environment,
                                  "no fonts are installed: install fonts-inter, fonts-noto-core and "
                                  "fonts-noto-cjk"});
-  return [setter](const interface::TextStyle& style, std::string_view text, std::uint32_t width) {
-    return setter->set(style, text, width);
+  return [setter, own = std::move(own)](const interface::TextStyle& style, std::string_view text,
+                                        std::uint32_t width) {
+    return setter->set(style, own.before(style), text, width);
   };
 }
 

@@ -50,6 +50,7 @@ scene::Light evening(const scene::Light& usual) noexcept {
           .sky = times(usual.sky, 0.46F, 0.50F, 0.62F),
           .bounce = times(usual.bounce, 0.50F, 0.46F, 0.46F),
           .paper = times(usual.paper, 0.36F, 0.34F, 0.35F),
+          .mark = usual.mark,
           .lamp = usual.lamp,
           .least_way = usual.least_way};
 }
@@ -200,8 +201,7 @@ void Attract::draw_welcome(const interface::View& view, scene::DrawList& list) c
   scene::Quad board;
   board.rect = {inside(place.x, across + wide) - 0.5F * across,
                 inside(place.y, down + high) - 0.5F * down, across, down};
-  board.colour =
-      scene::with_opacity(scene::theme_of(view.state.high_contrast, view.is_night).paper, opacity);
+  board.colour = scene::with_opacity(view.theme.paper, opacity);
   board.corner = 1.5F / 135;
   list.quads.push_back(board);
   for (const interface::Element& element : view.elements) {

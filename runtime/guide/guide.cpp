@@ -61,6 +61,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
   else
     strollers_.enter(crowd_);
   take_seats();
+  light_ = scene::light_of(museum.livery, settings_.shape.is_night);
   if (!settings.reduced_motion) touches_.emplace(museum);
   list_.walls = stage_.walls();
   list_.leaves.reserve(std::min(doors_.leaves().size(), scene::most_leaves));
@@ -340,6 +341,7 @@ void Guide::resize(const interface::ScreenShape& shape) noexcept {
   asked.shape.sides = settings_.shape.sides;  // its seats stay
   if (asked.shape == settings_.shape) return;
   settings_.shape = asked.shape;
+  light_ = scene::light_of(museum_.livery, settings_.shape.is_night);
   for (Session& session : sessions_) session.request_view();
 }
 
@@ -484,7 +486,7 @@ const scene::DrawList& Guide::draw_list() noexcept {
   list_.joint.clear();
   list_.quads.clear();
   list_.leaves.clear();
-  list_.light = attract_.light(scene::light_of(settings_.shape.is_night));
+  list_.light = attract_.light(light_);
   draw_bodies();
   doors_.draw(stage_.floor(), list_);
   stage_.draw(seen(), crowd_, led_visitors(), list_);

@@ -199,6 +199,7 @@ class Guide {
   const Museum& museum_;
   plan::Planner& planner_;
   GuideSettings settings_;
+  scene::Light light_;  ///< In which the model is while somebody is there.
   Crowd crowd_;
   Strollers strollers_;
   Doors doors_;

@@ -20,10 +20,6 @@ constexpr float press_depth_share = 0.02F;  ///< A pressed control is this much 
 constexpr float release_seconds = 0.15F;
 constexpr float cluster_seconds = 20;  ///< After which nobody looks at it any more.
 
-const scene::Theme& theme_of(const interface::View& view) noexcept {
-  return scene::theme_of(view.state.high_contrast, view.is_night);
-}
-
 bool same(const scene::Rect& a, const scene::Rect& b) noexcept {
   return a.x == b.x && a.y == b.y && a.width == b.width && a.height == b.height;
 }
@@ -237,7 +233,7 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
 void Overlay::draw_cluster(const interface::View& view, float opacity,
                            scene::DrawList& list) const noexcept {
   if (view.cluster.width <= 0) return;
-  const scene::Theme& theme = theme_of(view);
+  const scene::Theme& theme = view.theme;
   scene::Quad board;
   board.rect = view.cluster;
   board.corner = 1.5F * view.unit_px / shorter_px(view);
@@ -385,13 +381,13 @@ void Overlay::draw_thumb(float opacity, scene::DrawList& list) const noexcept {
     quad.colour = scene::with_opacity(colour, opacity);
     list.quads.push_back(quad);
   };
-  bar(area.rail.y, area.rail.height, theme_of(*view_).plaster);
-  bar(y, height, theme_of(*view_).quiet_ink);
+  bar(area.rail.y, area.rail.height, view_->theme.plaster);
+  bar(y, height, view_->theme.quiet_ink);
 }
 
 /// A dot for each second, of which those that are over are pale.
 void Overlay::draw_countdown(float opacity, scene::DrawList& list) const noexcept {
-  const scene::Theme& theme = theme_of(*view_);
+  const scene::Theme& theme = view_->theme;
   const scene::Rect& at = view_->countdown;
   if (at.width <= 0) return;
   constexpr int dots = static_cast<int>(countdown_seconds);
@@ -412,7 +408,7 @@ void Overlay::draw_countdown(float opacity, scene::DrawList& list) const noexcep
 
 void Overlay::draw_focus(scene::DrawList& list) const noexcept {
   if (focus_ < 0 || !view_) return;
-  const scene::Theme& theme = theme_of(*view_);
+  const scene::Theme& theme = view_->theme;
   const scene::Rect& rect = view_->controls[static_cast<std::size_t>(focus_)].rect;
   if (rect.width <= 0) return;
   // An outline, which leaves what it is about as it is: dark beside light is seen on every ground.
@@ -432,7 +428,7 @@ void Overlay::draw_focus(scene::DrawList& list) const noexcept {
 /// Dots from what a label marks to where it has made way to.
 void Overlay::draw_leader(const interface::View& view, const interface::FloorLabel& label,
                           float opacity, scene::DrawList& list) const noexcept {
-  const scene::Theme& theme = theme_of(view);
+  const scene::Theme& theme = view.theme;
   constexpr float step = 1.2F, dot = 0.45F;  // units
   const auto [from, to] = leader_of(view, label);
   const float across = (to.x - from.x) * view.pixel_width,
@@ -454,7 +450,7 @@ void Overlay::draw_leader(const interface::View& view, const interface::FloorLab
 
 void Overlay::draw_labels(const interface::View& view, float opacity,
                           scene::DrawList& list) const noexcept {
-  const scene::Theme& theme = theme_of(view);
+  const scene::Theme& theme = view.theme;
   if (opacity <= 0.002F) return;
   const float shorter = shorter_px(view);
   // Lines lie below all labels. A name that has not left its gallery needs none.
@@ -508,7 +504,7 @@ void Overlay::draw_labels(const interface::View& view, float opacity,
 
 void Overlay::draw_inset(const interface::View& view, float opacity, const GuideSpot& guide,
                          scene::DrawList& list) const noexcept {
-  const scene::Theme& theme = theme_of(view);
+  const scene::Theme& theme = view.theme;
   const interface::InsetPlan& inset = view.inset;
   if (inset.board.width <= 0 || inset.way.empty()) return;
   const auto disc = [&](Vec2 at, float side, float lift, scene::Colour colour) {

@@ -53,7 +53,7 @@ void Overlay::draw_listened(float opacity, scene::DrawList& list) const noexcept
     return one.action.kind == interface::Action::Kind::StopSound;
   });
   if (playing == view_->controls.end() || playing->rect.height <= 0) return;
-  const scene::Theme& theme = theme_of(*view_);
+  const scene::Theme& theme = view_->theme;
   const float unit_x = view_->unit_px / view_->pixel_width,
               unit_y = view_->unit_px / view_->pixel_height;
   constexpr float inset = 2, thick = 0.5F;

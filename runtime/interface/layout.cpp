@@ -264,7 +264,6 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   const Measures measures = measures_of(request.shape);
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
-  view->is_night = request.shape.is_night;
   view->is_right_to_left = runs_right_to_left(museum, request.state.language);
 
   Sheet sheet(museum, request, pieces, closed, *view, way);

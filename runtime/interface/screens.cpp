@@ -9,6 +9,7 @@
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/cues.h"
 #include "runtime/interface/goal.h"
+#include "runtime/interface/logo.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/pictures.h"
@@ -342,6 +343,11 @@ void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
                                          {sheet.control("resume"), Sheet::Emphasis::Soft}},
                                         2 * m.gap, std::round(m.touch * 1.35F)),
                           languages_block(sheet, 0)};
+  if (auto logo = logo_block(sheet)) {  // rather than that one has to scroll for what is said
+    const float all = height_of(body, content.width) + height_of(foot, content.width) +
+                      logo->height(content.width) + logo->gap;
+    if (all <= content.height) body.insert(body.end() - 3, std::move(*logo));
+  }
   lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 

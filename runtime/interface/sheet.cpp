@@ -83,11 +83,12 @@ Sheet::Sheet(const Museum& museum, const ViewRequest& request, PieceCache& piece
       view_(view),
       way_(way),
       measures_(measures_of(request.shape)),
-      theme_(scene::theme_of(request.state.high_contrast, request.shape.is_night)),
       width_(static_cast<float>(request.shape.width)),
       height_(static_cast<float>(request.shape.height)),
       shorter_(std::min(width_, height_)),
-      right_to_left_(runs_right_to_left(museum, request.state.language)) {}
+      right_to_left_(runs_right_to_left(museum, request.state.language)) {
+  view_.theme = scene::theme_of(museum.livery, request.state.high_contrast, request.shape.is_night);
+}
 
 std::int32_t Sheet::control(std::string_view name) const noexcept {
   const auto found = std::ranges::find(view_.controls, name, &Control::name);
@@ -236,14 +237,14 @@ void Sheet::fill(const PixelBox& box, scene::Colour colour, float corner, std::i
 }
 
 void Sheet::mark_selected(const PixelBox& box, std::int32_t control) {
-  fill(box, theme_.plaster, measures_.corner, control);
+  fill(box, view_.theme.plaster, measures_.corner, control);
   outline(box, control);
 }
 
 void Sheet::outline(const PixelBox& box, std::int32_t control) {
   add({.rect = share_of(box),
        .fill = scene::QuadFill::Frame,
-       .colour = theme_.quiet_ink,
+       .colour = view_.theme.quiet_ink,
        .corner = measures_.corner / shorter_,
        .softness = std::max(1.0F, 0.25F * measures_.unit) / shorter_},
       control);
@@ -252,7 +253,7 @@ void Sheet::outline(const PixelBox& box, std::int32_t control) {
 void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
   add({.rect = share_of(box),
        .fill = scene::QuadFill::Shadow,
-       .colour = scene::with_opacity(theme_.shade, opacity),
+       .colour = scene::with_opacity(view_.theme.shade, opacity),
        .corner = measures_.corner / shorter_,
        .softness = reach / shorter_},
       -1);
@@ -343,9 +344,9 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
   const bool strong = emphasis == Emphasis::Strong;
   const bool plain = emphasis == Emphasis::Plain;
   if (!plain && it.enabled)
-    fill(box, strong ? theme_.ink : theme_.quiet_ink, measures_.corner, control);
-  scene::Colour colour = plain ? theme_.ink : theme_.paper;
-  if (!it.enabled) colour = scene::with_opacity(theme_.quiet_ink, 0.35F);
+    fill(box, strong ? view_.theme.ink : view_.theme.quiet_ink, measures_.corner, control);
+  scene::Colour colour = plain ? view_.theme.ink : view_.theme.paper;
+  if (!it.enabled) colour = scene::with_opacity(view_.theme.quiet_ink, 0.35F);
   const float pad = button_pad();
   control_word(control, {box.x + pad, box.y, box.width - 2 * pad, box.height}, Align::Centre,
                colour);
@@ -353,7 +354,7 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
 
 scene::Colour Sheet::quiet_colour(std::int32_t control) const noexcept {
   const Control& it = at(control);
-  const scene::Colour ink = it.selected ? theme_.ink : theme_.quiet_ink;
+  const scene::Colour ink = it.selected ? view_.theme.ink : view_.theme.quiet_ink;
   return it.enabled ? ink : scene::with_opacity(ink, 0.35F);
 }
 
@@ -389,7 +390,7 @@ void Sheet::draw_panel(const PixelBox& box) {
   view_.panel = share_of(box);
   const std::size_t first = view_.elements.size();
   shadow(box, 4 * measures_.unit, 0.16F);
-  fill(box, theme_.paper, 0);
+  fill(box, view_.theme.paper, 0);
   for (std::size_t i = first; i < view_.elements.size(); ++i) view_.elements[i].is_panel = true;
 }
 

@@ -49,10 +49,10 @@ class Sheet {
         const Closures& closed, View& view, const ShownWay* way = nullptr);
 
   const Measures& measures() const noexcept { return measures_; }
-  const scene::Theme& theme() const noexcept { return theme_; }
+  const scene::Theme& theme() const noexcept { return view_.theme; }
   /// The colour of a way or of a guide, as it is seen on this theme's paper.
   scene::Colour on_paper(const scene::Colour& own) const noexcept {
-    return scene::lifted(own, theme_.least_way);
+    return scene::lifted(own, view_.theme.least_way);
   }
   const Museum& museum() const noexcept { return museum_; }
   const ViewRequest& request() const noexcept { return request_; }
@@ -186,7 +186,6 @@ class Sheet {
   View& view_;
   const ShownWay* way_;
   Measures measures_;
-  scene::Theme theme_;
   float width_, height_, shorter_;
   bool right_to_left_;
   scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.

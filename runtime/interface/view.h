@@ -13,6 +13,7 @@
 #include "runtime/model/pixels.h"
 #include "runtime/scene/draw_list.h"
 #include "runtime/scene/side.h"
+#include "runtime/scene/theme.h"
 
 namespace docent::interface {
 
@@ -154,7 +155,7 @@ struct View {
   float unit_px = 8;                        ///< 1/135 of the shorter side.
   scene::Colour accent;                     ///< Of the rings that answer touches.
   bool is_right_to_left = false;            ///< Lines begin on the right.
-  bool is_night = false;                    ///< It has the colours of the night.
+  scene::Theme theme;                       ///< In whose colours it is.
 };
 
 }  // namespace docent::interface

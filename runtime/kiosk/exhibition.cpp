@@ -235,7 +235,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   ContentFacts content;
   Result<Museum> museum = read_museum(database, selection, &content);
   if (!museum) return std::unexpected(museum.error());
-  Result<interface::SetText> set_text = pango::make_text_setter();
+  Result<interface::SetText> set_text = pango::make_text_setter(&*museum);
   if (!set_text) return std::unexpected(set_text.error());
 
   auto exhibition = std::make_unique<Exhibition>();
@@ -272,6 +272,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   exhibition->details = details_of(*exhibition);
   exhibition->videos = videos_of(*exhibition);
   for (std::future<void>& made : pictures_made) made.get();
+  exhibition->museum.fonts.clear();  // the setter has them
   if (pictures)
     for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
   give_back_freed_memory();  // What the making took, as long as another museum is shown beside it.

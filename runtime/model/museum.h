@@ -14,6 +14,7 @@
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/exhibit/exhibit_sound.h"
 #include "runtime/model/geometry/floor.h"
+#include "runtime/model/livery.h"
 #include "runtime/model/motion/motion_graph.h"
 #include "runtime/model/motion/skinned_mesh.h"
 #include "runtime/model/place.h"
@@ -65,6 +66,8 @@ struct Museum {
   std::string time_zone;  ///< Of all hours, as time_zone.h reads it; empty: the kiosk's own.
   std::string holidays;   ///< Public ones, as parse_dates reads them; empty: none.
   std::vector<Language> languages;  ///< The first is the default.
+  Livery livery;
+  std::vector<FontFile> fonts;  ///< Of the livery's typefaces.
   std::vector<Floor> floors;
   std::vector<Connection> connections;
   std::vector<Place> places;

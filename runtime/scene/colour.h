@@ -59,6 +59,9 @@ inline float luminance(const Colour& colour) noexcept {
 inline float contrast(float a, float b) noexcept {
   return (std::max(a, b) + 0.05F) / (std::min(a, b) + 0.05F);
 }
+inline float contrast(const Colour& a, const Colour& b) noexcept {
+  return contrast(luminance(a), luminance(b));
+}
 
 /// The colour in more of its own light, until it is so bright; what no channel can hold comes as
 /// white.
@@ -71,6 +74,24 @@ inline Colour lifted(const Colour& colour, float least) noexcept {
   const float reached = luminance(bright);
   if (reached >= least) return bright;
   return mixed(bright, {1, 1, 1, colour.a}, (least - reached) / (1 - reached));
+}
+
+/// The colour in less of its own light, until it is so dark.
+inline Colour deepened(const Colour& colour, float most) noexcept {
+  const float now = luminance(colour);
+  return now <= most ? colour : with_opacity(mixed({0, 0, 0, 1}, colour, most / now), colour.a);
+}
+
+/// As far from `from` towards `to` as it `holds` of what one gets; on the way that ends once.
+/// `from` where it never holds.
+inline Colour furthest_mix(const Colour& from, const Colour& to, auto holds) noexcept {
+  constexpr int halvings = 12;  // finer than a step of eight bits
+  float within = 0, beyond = 1;
+  for (int i = 0; i < halvings; ++i) {
+    const float share = (within + beyond) / 2;
+    (holds(mixed(from, to, share)) ? within : beyond) = share;
+  }
+  return mixed(from, to, within);
 }
 
 }  // namespace docent::scene

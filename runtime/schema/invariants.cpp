@@ -341,6 +341,28 @@ bool keeps(const Ambient& ambient) {
          ambient.look_most <= Ambient::longest_look;
 }
 
+bool keeps(const Typeface& typeface, std::size_t languages) {
+  return !typeface.family.contains(',') && std::ranges::is_sorted(typeface.languages) &&
+         std::ranges::adjacent_find(typeface.languages) == typeface.languages.end() &&
+         (typeface.languages.empty() ||
+          (typeface.languages.back() < languages && !typeface.family.empty()));
+}
+
+bool keeps(const Livery& livery, const Museum& museum) {
+  const auto is_colour = [](std::uint32_t colour) { return colour <= 0xFFFFFF; };
+  const auto is_logo = [&](std::uint32_t image) {
+    return image == none || (image >= scenery_images(museum) && image < museum.images.size() &&
+                             museum.images[image].width > 0 && museum.images[image].height > 0);
+  };
+  return is_colour(livery.paper) && is_colour(livery.ink) && is_colour(livery.accent) &&
+         is_colour(livery.focus) && keeps(livery.titles, museum.languages.size()) &&
+         keeps(livery.text, museum.languages.size()) && is_logo(livery.logo) &&
+         is_logo(livery.logo_at_night) && museum.fonts.size() <= Typeface::most_files &&
+         std::ranges::all_of(museum.fonts, [](const FontFile& font) {
+           return !font.bytes.empty() && font.bytes.size() <= FontFile::largest;
+         });
+}
+
 bool keeps(const Skeleton& skeleton) {
   const auto joints = static_cast<std::int32_t>(skeleton.joint.size());
   for (std::int32_t i = 0; i < joints; ++i) {
@@ -536,6 +558,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(connection, museum)) return "connection '" + connection.id + "'";
   for (const Place& place : museum.places)
     if (!keeps(place, museum)) return "place '" + place.id + "'";
+  if (!keeps(museum.livery, museum)) return "its own look";
   if (!keeps_hours(museum)) return "its hours";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   for (const KioskPlace& kiosk : museum.kiosks)

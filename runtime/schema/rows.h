@@ -26,6 +26,25 @@ void columns(auto& row, MaybeConst<Museum> auto& museum) {
   row("ambient_look_most", museum.ambient.look_most);
 }
 
+void columns(auto& row, MaybeConst<Livery> auto& livery) {
+  row("paper", livery.paper);
+  row("ink", livery.ink);
+  row("accent", livery.accent);
+  row("focus", livery.focus);
+  row("title_family", livery.titles.family);
+  row("title_language", livery.titles.languages);
+  row("text_family", livery.text.family);
+  row("text_language", livery.text.languages);
+  row("logo", livery.logo);
+  row("logo_at_night", livery.logo_at_night);
+  row("logo_shows_at_night", livery.logo_shows_at_night);
+}
+
+void columns(auto& row, MaybeConst<FontFile> auto& font) {
+  row("name", font.name);
+  row("bytes", font.bytes);
+}
+
 void columns(auto& row, MaybeConst<KioskPlace> auto& kiosk) {
   row("name", kiosk.id);
   row("floor", kiosk.floor);
@@ -290,6 +309,8 @@ void columns(auto& row, MaybeConst<SkinnedMesh> auto& mesh) {
 void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.row("museum", 0, museum);
   store.rows("kiosk", museum.kiosks);
+  store.row("livery", 0, museum.livery);
+  store.rows("font", museum.fonts);
   store.texts("museum.title", 0, museum.title);
   store.texts("museum.welcome", 0, museum.welcome);
   store.texts("museum.reading", 0, museum.readings);

@@ -34,6 +34,27 @@ CREATE TABLE kiosk (         -- where several share the museum: all, the first b
   heading REAL NOT NULL
 );
 
+CREATE TABLE livery (        -- one row: the museum's own look; colours are sRGB, 0xRRGGBB
+  id INTEGER PRIMARY KEY,
+  paper INTEGER NOT NULL,
+  ink INTEGER NOT NULL,
+  accent INTEGER NOT NULL,   -- what invites to touch
+  focus INTEGER NOT NULL,    -- what the keypad would press
+  title_family TEXT NOT NULL,   -- of letters; empty: docent's own
+  title_language BLOB NOT NULL, -- u32, ascending: in which it leads
+  text_family TEXT NOT NULL,
+  text_language BLOB NOT NULL,
+  logo INTEGER NOT NULL,     -- an image, or 4294967295 for none
+  logo_at_night INTEGER NOT NULL,
+  logo_shows_at_night INTEGER NOT NULL  -- 1: the first is told from dark paper, too
+);
+
+CREATE TABLE font (          -- files of those families, TrueType or OpenType
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  bytes BLOB NOT NULL
+);
+
 CREATE TABLE language (      -- the first is the default
   id INTEGER PRIMARY KEY,
   tag TEXT NOT NULL,         -- BCP 47

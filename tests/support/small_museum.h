@@ -126,6 +126,14 @@ inline Museum small_museum() {
   museum.scenery.push_back(museum.scenery.front());
   museum.images.push_back(
       {.name = "images/disc.png", .width = 2, .height = 3, .bytes = {std::byte{0x89}}});
+  museum.images.push_back(
+      {.name = "images/logo.png", .width = 4, .height = 3, .bytes = {std::byte{0x89}}});
+  museum.livery = {.accent = 0x00539B,
+                   .titles = {.family = "House", .languages = {0, 1}},
+                   .text = {},
+                   .logo = 1,
+                   .logo_shows_at_night = true};
+  museum.fonts = {{.name = "house.ttf", .bytes = {std::byte{0}, std::byte{1}}}};
   // Two frames of 20 ms of silence, less what the encoder looks ahead.
   const std::byte contents{0x48}, quiet{0xff}, none{};
   museum.speech.push_back(

@@ -154,7 +154,7 @@ TEST(Cues, HaveLettersOfFiveMillimetresAndTheContrastOfText) {
       request.state.high_contrast = is_high;
       request.shape.is_night = is_night;
       const auto view = view_of(museum, request);
-      const scene::Theme& theme = scene::theme_of(is_high, is_night);
+      const scene::Theme theme = scene::theme_of(museum.livery, is_high, is_night);
 
       ASSERT_FALSE(view->cues.empty());
       EXPECT_EQ(view->cues[0].ground.colour, theme.ink) << "theme_test.cpp: 7:1 on paper";

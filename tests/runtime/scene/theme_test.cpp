@@ -1,6 +1,7 @@
 #include "runtime/scene/theme.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <array>
 
@@ -9,22 +10,72 @@
 namespace docent::scene::theme_test {
 namespace {
 
-constexpr float of_text = 7, of_what_is_touched = 3;
+constexpr float of_what_is_touched = 3;
 
 constexpr std::array nights{false, true}, contrasts{false, true};
 
-TEST(AThemesLetters, AreToldFromItsPaperAndItsFills) {
+void expect_to_be_read(const Livery& livery) {
   for (const bool is_night : nights)
     for (const bool is_high : contrasts) {
-      const Theme& theme = theme_of(is_high, is_night);
-      const float paper = luminance(theme.paper);
-      EXPECT_GE(contrast(luminance(theme.ink), paper), of_text);
-      EXPECT_GE(contrast(luminance(theme.quiet_ink), paper), of_text);
-      EXPECT_GE(contrast(luminance(theme.ink), luminance(theme.plaster)), of_text)
-          << "what is chosen";
-      EXPECT_GE(contrast(luminance(theme.invitation), paper), of_what_is_touched);
-      EXPECT_GE(contrast(luminance(theme.focus), paper), of_what_is_touched);
+      const Theme theme = theme_of(livery, is_high, is_night);
+      EXPECT_GE(contrast(theme.ink, theme.paper), least_of_text);
+      EXPECT_GE(contrast(theme.quiet_ink, theme.paper), least_of_text);
+      EXPECT_GE(contrast(theme.ink, theme.plaster), least_of_text) << "what is chosen";
+      EXPECT_GE(contrast(theme.invitation, theme.paper), least_of_invitation);
+      EXPECT_GE(contrast(theme.focus, theme.paper), least_of_focus);
     }
+}
+
+TEST(AThemesLetters, AreToldFromItsPaperAndItsFills) {
+  expect_to_be_read({});
+}
+
+/// A colour that content/compile/compile_livery.cpp takes.
+std::uint32_t any_colour(const Colour& paper, float least) {
+  const auto colour = *rc::gen::inRange<std::uint32_t>(0, 0x1000000);
+  const float most = 0.97F * ((luminance(paper) + 0.05F) / least - 0.05F);
+  return hex_of(deepened(srgb(colour), most));
+}
+
+RC_GTEST_PROP(AThemesLetters, AreToldInEveryMuseumsOwnColours, ()) {
+  Livery livery;
+  const auto colour = *rc::gen::inRange<std::uint32_t>(0, 0x1000000);
+  livery.paper = hex_of(lifted(srgb(colour), 1.02F * least_paper));
+  const Colour paper = srgb(livery.paper);
+  livery.ink = any_colour(paper, least_of_text);
+  livery.accent = any_colour(paper, least_of_invitation);
+  livery.focus = any_colour(paper, least_of_focus);
+
+  expect_to_be_read(livery);
+  RC_ASSERT(!testing::Test::HasFailure());
+}
+
+Livery in_colours(std::uint32_t paper, std::uint32_t ink) {
+  Livery livery;
+  livery.paper = paper;
+  livery.ink = ink;
+  return livery;
+}
+
+TEST(ALightPaper, IsOneOnWhichWaysAndGuidesAreTold) {
+  const Colour darkest{least_paper, least_paper, least_paper};
+  for (const RouteKindInfo& kind : route_kinds)
+    if (kind.kind != RouteKind::Offset) {  // which has an edge: way_panel.cpp
+      EXPECT_GE(contrast(srgb(kind.colour), darkest), of_what_is_touched) << kind.name;
+    }
+}
+
+TEST(AMuseumsColours, AreLeftToWhoSeesLittleAsBlackOnWhite) {
+  const Theme theme = theme_of(in_colours(0xFFE0E0, 0x400000), true, false);
+  EXPECT_EQ(theme.paper, srgb(0xFFFFFF));
+  EXPECT_EQ(theme.ink, srgb(0x000000));
+}
+
+TEST(AMuseumsColours, ChangePlacesAtNight) {
+  const Theme night = theme_of(in_colours(0xE0ECFF, 0x0A1A4A), false, true);
+  EXPECT_GT(night.paper.b, 2 * night.paper.r) << "the blue of its ink";
+  EXPECT_GT(night.ink.b, night.ink.r) << "and of its paper";
+  EXPECT_LT(luminance(night.paper), 0.02F);
 }
 
 /// gles/shaders/light.glsl: what level ground shows. `sky` and `sun` are the shares that arrive.
@@ -42,7 +93,7 @@ float shown_floor(const Colour& albedo, const Light& light, float sky, float sun
 TEST(AWayAtNight, IsToldFromEveryFloorInLightAndInShade) {
   constexpr float darkest = 0.78F;  // of its own light, in the shade: ribbon.frag
   constexpr float soap = 0.08F, lightest_plank = 1.12F;
-  const Light& night = light_of(true);
+  const Light& night = light_of({}, true);
   const Theme house;
   const Colour oak = mixed(house.oak, house.plaster, soap);
   for (const Colour& floor : {oak, house.stone})
@@ -57,12 +108,13 @@ TEST(AWayAtNight, IsToldFromEveryFloorInLightAndInShade) {
 
 TEST(AWayAtNight, HasOnThePanelTheColourThatItHasOnTheFloor) {
   for (std::size_t look = 0; look < guide_look_count; ++look)
-    EXPECT_EQ(lifted(trail_colour(look), theme_of(false, true).least_way),
-              lifted(trail_colour(look), light_of(true).least_way));
+    EXPECT_EQ(lifted(trail_colour(look), theme_of({}, false, true).least_way),
+              lifted(trail_colour(look), light_of({}, true).least_way));
   for (const RouteKindInfo& kind : route_kinds) {
-    const Colour way = lifted(route_colour(kind.kind), theme_of(false, true).least_way);
-    EXPECT_GE(contrast(luminance(way), luminance(theme_of(false, true).paper)), of_what_is_touched);
-    EXPECT_GE(contrast(luminance(way), luminance(theme_of(false, true).plaster)),
+    const Colour way = lifted(route_colour(kind.kind), theme_of({}, false, true).least_way);
+    EXPECT_GE(contrast(luminance(way), luminance(theme_of({}, false, true).paper)),
+              of_what_is_touched);
+    EXPECT_GE(contrast(luminance(way), luminance(theme_of({}, false, true).plaster)),
               of_what_is_touched);
   }
 }
@@ -77,7 +129,7 @@ TEST(AColourThatIsLifted, IsAsBrightAsItIsWantedAndKeepsItsHueWhereItCan) {
 }
 
 TEST(ALight, IsBetweenTwoOthersWhereItIsAskedFor) {
-  const Light &day = light_of(false), &night = light_of(true);
+  const Light &day = light_of({}, false), &night = light_of({}, true);
 
   EXPECT_EQ(mixed(day, night, 0), day);
   EXPECT_EQ(mixed(day, night, 1), night);

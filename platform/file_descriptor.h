@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace docent::kms {
+namespace docent {
 
 /// Owns a file descriptor; -1 is none.
 class FileDescriptor {
@@ -24,4 +24,4 @@ class FileDescriptor {
   int fd_;
 };
 
-}  // namespace docent::kms
+}  // namespace docent
