@@ -18,33 +18,34 @@ namespace docent::speech {
 
 namespace {
 
-[[noreturn]] void unusable(const std::string& file, const std::string& what) {
+[[noreturn]] void unusable_sound(const std::string& file, const std::string& what) {
   throw content::ContentError(file, 0, 0, "unreadable-recording", what,
                               "save it anew, as FLAC or WAV: Audacity's File > Export does");
 }
 
 /// Bytes that libsndfile reads as a file.
-struct Reading {
+struct SourceBytes {
   std::string_view bytes;
   std::size_t at = 0;
 };
 
-sf_count_t length_of(void* user) {
-  return static_cast<sf_count_t>(static_cast<Reading*>(user)->bytes.size());
+sf_count_t length_of_source(void* user) {
+  return static_cast<sf_count_t>(static_cast<SourceBytes*>(user)->bytes.size());
 }
 
-sf_count_t seek(sf_count_t offset, int whence, void* user) {
-  Reading& it = *static_cast<Reading*>(user);
+sf_count_t seek_source(sf_count_t offset, int whence, void* user) {
+  SourceBytes& it = *static_cast<SourceBytes*>(user);
   const auto size = static_cast<sf_count_t>(it.bytes.size());
   const sf_count_t from = whence == SEEK_CUR   ? static_cast<sf_count_t>(it.at)
                           : whence == SEEK_END ? size
                                                : 0;
-  it.at = static_cast<std::size_t>(std::clamp<sf_count_t>(from + offset, 0, size));
+  const sf_count_t by = std::clamp<sf_count_t>(offset, -size, size);  // a file may say anything
+  it.at = static_cast<std::size_t>(std::clamp<sf_count_t>(from + by, 0, size));
   return static_cast<sf_count_t>(it.at);
 }
 
-sf_count_t read(void* to, sf_count_t count, void* user) {
-  Reading& it = *static_cast<Reading*>(user);
+sf_count_t read_source_part(void* to, sf_count_t count, void* user) {
+  SourceBytes& it = *static_cast<SourceBytes*>(user);
   const std::size_t taken =
       std::min(it.bytes.size() - it.at, static_cast<std::size_t>(std::max<sf_count_t>(count, 0)));
   std::memcpy(to, it.bytes.data() + it.at, taken);
@@ -52,8 +53,8 @@ sf_count_t read(void* to, sf_count_t count, void* user) {
   return static_cast<sf_count_t>(taken);
 }
 
-sf_count_t tell(void* user) {
-  return static_cast<sf_count_t>(static_cast<Reading*>(user)->at);
+sf_count_t tell_source(void* user) {
+  return static_cast<sf_count_t>(static_cast<SourceBytes*>(user)->at);
 }
 
 void append_mixed(std::span<const float> frames, std::size_t channels, std::vector<float>& to) {
@@ -71,29 +72,29 @@ bool is_library_sound(std::string_view bytes) noexcept {
   const auto holds = [&](std::size_t at, std::string_view what) {
     return bytes.size() > at && bytes.substr(at).starts_with(what);
   };
-  if (holds(0, "OggS"))
-    return holds(28, "\x01vorbis") || holds(28,
-                                            "\x7f"
-                                            "FLAC");
+  if (holds(0, "OggS")) return holds(28, "\x01vorbis") || holds(29, "FLAC");
   const bool is_mpeg = bytes.size() > 1 && bytes[0] == '\xff' &&
                        (static_cast<unsigned char>(bytes[1]) & 0xE6U) == 0xE2U;  // layer III
   return holds(0, "fLaC") || holds(0, "ID3") || is_mpeg || (holds(0, "FORM") && holds(8, "AIF"));
 }
 
 Pcm read_library_sound(std::string_view bytes, const std::string& file) {
-  Reading reading{bytes};
-  SF_VIRTUAL_IO io{
-      .get_filelen = length_of, .seek = seek, .read = read, .write = nullptr, .tell = tell};
+  SourceBytes source{bytes};
+  SF_VIRTUAL_IO io{.get_filelen = length_of_source,
+                   .seek = seek_source,
+                   .read = read_source_part,
+                   .write = nullptr,
+                   .tell = tell_source};
   SF_INFO info{};
   const std::unique_ptr<SNDFILE, CloseWith<sf_close>> sound(
-      sf_open_virtual(&io, SFM_READ, &info, &reading));
-  if (!sound) unusable(file, fmt::format("it cannot be read: {}", sf_strerror(nullptr)));
+      sf_open_virtual(&io, SFM_READ, &info, &source));
+  if (!sound) unusable_sound(file, fmt::format("it cannot be read: {}", sf_strerror(nullptr)));
   if (info.channels < 1 || info.channels > 16)
-    unusable(file, fmt::format("it says that it has {} channels", info.channels));
+    unusable_sound(file, fmt::format("it says that it has {} channels", info.channels));
   if (info.samplerate < static_cast<int>(least_rate) ||
       info.samplerate > static_cast<int>(most_rate))
-    unusable(file, fmt::format("it has {} samples a second; {} to {} are read", info.samplerate,
-                               least_rate, most_rate));
+    unusable_sound(file, fmt::format("it has {} samples a second; {} to {} are read",
+                                     info.samplerate, least_rate, most_rate));
   Pcm pcm{.rate = static_cast<std::uint32_t>(info.samplerate), .samples = {}};
   const auto channels = static_cast<std::size_t>(info.channels);
   std::array<float, 16 * 1024> block{};
@@ -105,11 +106,11 @@ Pcm read_library_sound(std::string_view bytes, const std::string& file) {
     append_mixed(std::span(block).first(static_cast<std::size_t>(got) * channels), channels,
                  pcm.samples);
     if (pcm.samples.size() > std::size_t{pcm.rate} * longest_seconds)
-      unusable(file, fmt::format("it is longer than {} minutes", longest_seconds / 60));
+      unusable_sound(file, fmt::format("it is longer than {} minutes", longest_seconds / 60));
   }
   if (sf_error(sound.get()) != SF_ERR_NO_ERROR)
-    unusable(file, fmt::format("it is damaged: {}", sf_strerror(sound.get())));
-  if (pcm.samples.empty()) unusable(file, "it holds no sound");
+    unusable_sound(file, fmt::format("it is damaged: {}", sf_strerror(sound.get())));
+  if (pcm.samples.empty()) unusable_sound(file, "it holds no sound");
   return pcm;
 }
 

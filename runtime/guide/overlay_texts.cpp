@@ -59,7 +59,7 @@ void Overlay::draw_listened(float opacity, scene::DrawList& list) const noexcept
   constexpr float inset = 2, thick = 0.5F;
   scene::Quad rail;
   rail.rect = {playing->rect.x + inset * unit_x,
-               playing->rect.y + playing->rect.height - 3 * thick * unit_y,
+               playing->rect.y + playing->rect.height - 2 * thick * unit_y,
                playing->rect.width - 2 * inset * unit_x, thick * unit_y};
   rail.colour = scene::with_opacity(theme.paper, opacity);
   list.quads.push_back(rail);

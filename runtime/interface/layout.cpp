@@ -301,6 +301,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   }
   if (const auto sound = shown_sound(museum, request.state)) {
     view->cues.clear();  // of a video that stands still
+    view->cues_scroll = false;
     draw_sound_cues(sheet, free, *sound);
   }
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));

@@ -59,7 +59,7 @@ class Composer {
     return utterance;
   }
   std::string said_key(std::uint32_t letter) const;
-  std::string said_of_sound(const Action& action) const;
+  void add_sound(Utterance& out, const Action& action) const;
   bool is_on_keyboard(char16_t letter) const;
   std::string_view say(std::string_view key) const { return word(museum_, language_, key); }
 
@@ -174,13 +174,15 @@ void Composer::add_search(Utterance& out) const {
   append_spoken(out, filled_in(say("search_found"), "n", apart(fmt::format("{}", total))));
 }
 
-/// "Listen: the bell is struck", in pieces.
-std::string Composer::said_of_sound(const Action& action) const {
+/// "Listen", and what to.
+void Composer::add_sound(Utterance& out, const Action& action) const {
   const std::string_view key = action.kind == Action::Kind::PlaySound ? "sound_play" : "sound_stop";
-  if (!state_.exhibit || *state_.exhibit >= museum_.exhibits.size()) return {};
+  if (!state_.exhibit || *state_.exhibit >= museum_.exhibits.size()) return;
   const auto sounds = sounds_of(museum_, *state_.exhibit);
-  if (action.argument >= sounds.size()) return {};
-  return filled_in(say(key), "title", apart(local(sounds[action.argument].title)));
+  if (action.argument >= sounds.size()) return;
+  std::string text = filled_in(say(key), "title", apart(local(sounds[action.argument].title)));
+  std::ranges::replace(text, between_pieces, '\n');
+  append_paragraphs(out, text);
 }
 
 /// Who cannot read a language's name hears it in that language.
@@ -195,7 +197,7 @@ Utterance Composer::control(const Control& control) const {
   if (control.action.kind == Action::Kind::Type)
     append_spoken(out, said_key(control.action.argument));
   else if (is_of_sound(control.action))
-    append_spoken(out, said_of_sound(control.action));
+    add_sound(out, control.action);
   else
     append_spoken(out, label);
   if (names_language) {
