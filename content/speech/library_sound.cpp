@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "content/content_error.h"
-#include "platform/handle.h"
 
 namespace docent::speech {
 
@@ -22,6 +21,10 @@ namespace {
   throw content::ContentError(file, 0, 0, "unreadable-recording", what,
                               "save it anew, as FLAC or WAV: Audacity's File > Export does");
 }
+
+struct CloseSound {
+  void operator()(SNDFILE* sound) const noexcept { sf_close(sound); }
+};
 
 /// Bytes that libsndfile reads as a file.
 struct SourceBytes {
@@ -86,8 +89,7 @@ Pcm read_library_sound(std::string_view bytes, const std::string& file) {
                    .write = nullptr,
                    .tell = tell_source};
   SF_INFO info{};
-  const std::unique_ptr<SNDFILE, CloseWith<sf_close>> sound(
-      sf_open_virtual(&io, SFM_READ, &info, &source));
+  const std::unique_ptr<SNDFILE, CloseSound> sound(sf_open_virtual(&io, SFM_READ, &info, &source));
   if (!sound) unusable_sound(file, fmt::format("it cannot be read: {}", sf_strerror(nullptr)));
   if (info.channels < 1 || info.channels > 16)
     unusable_sound(file, fmt::format("it says that it has {} channels", info.channels));

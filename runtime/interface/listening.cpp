@@ -11,6 +11,17 @@
 namespace docent::interface {
 namespace {
 
+void draw_listen_button(Sheet& sheet, std::int32_t control, const PixelBox& box) {
+  const Measures& m = sheet.measures();
+  const scene::Colour ink = sheet.theme().ink;
+  const float side = std::round(0.62F * m.touch), aside = side + 2 * m.unit;
+  sheet.place(control, box);
+  sheet.fill(box, sheet.theme().plaster, m.corner, control);
+  sheet.pictogram(Pictogram::Speak, {box.x + m.unit, box.y, side, box.height}, ink, control);
+  sheet.control_word(control, {box.x + aside, box.y, box.width - aside - m.unit, box.height},
+                     Align::Start, ink);
+}
+
 /// Its button, across the column.
 Block listen_block(Sheet& sheet, std::int32_t control, float gap) {
   const auto grid = [&sheet, control](float width) {
@@ -21,10 +32,10 @@ Block listen_block(Sheet& sheet, std::int32_t control, float gap) {
                     .fills = true,
                     .least = 0});
   };
-  return {.height = [grid](float width) { return grid(width).height(); },
-          .draw = [&sheet, control](
-                      const PixelBox& box) { sheet.signed_button(control, Pictogram::Speak, box); },
-          .gap = gap};
+  return {
+      .height = [grid](float width) { return grid(width).height(); },
+      .draw = [&sheet, control](const PixelBox& box) { draw_listen_button(sheet, control, box); },
+      .gap = gap};
 }
 
 /// What is said in it, for who cannot hear it.
