@@ -20,7 +20,8 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto retry = 2s;
-constexpr auto nap = 50ms;          // how long a thread may overlook that it should stop
+constexpr auto longest_wait = 1500ms;  // for a device that is expected
+constexpr auto nap = 50ms;  // how long a thread may overlook that it should stop, or a device
 constexpr std::size_t block = 960;  // samples that are written at one go: 20 ms
 
 }  // namespace
@@ -41,9 +42,13 @@ struct Player::Work {
   std::array<float, block> part{};
   std::array<std::int16_t, 2 * block> frames{};
 
+  [[nodiscard]] bool is_device_expected() const {
+    return !device && Clock::now() < player.expected_until_.load();
+  }
+
   /// Opens the device where there is none, now and then.
   void look_for_device() {
-    if (device || Clock::now() < next_try) return;
+    if (device || (Clock::now() < next_try && !is_device_expected())) return;
     next_try = Clock::now() + retry;
     auto opened = player.open_();
     if (!opened) {
@@ -187,6 +192,11 @@ void Player::say(std::span<const sound::SpeechPart> parts) noexcept {
   awake_.release();
 }
 
+void Player::expect_device() noexcept {
+  if (!has_device_) expected_until_ = Clock::now() + longest_wait;
+  awake_.release();
+}
+
 void Player::play(const std::stop_token& stop) {
   auto decoder = opus::Decoder::open();
   if (!decoder) {
@@ -197,6 +207,10 @@ void Player::play(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     work->look_for_device();
     if (work->is_interrupted()) work->change_over();
+    if (work->is_device_expected()) {
+      static_cast<void>(awake_.try_acquire_for(nap));
+      continue;
+    }
     const bool is_whole = queue_.is_whole();  // before the pop: what follows it is not yet known
     sound::SpeechQueue::Item item;
     if (queue_.pop(item)) {

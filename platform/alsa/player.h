@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -41,6 +42,9 @@ class Player {
   /// From 0 to 1, and how many times as fast as usual: from now on, in mid-sentence too.
   void set_volume(float volume) noexcept { volume_ = volume; }
   void set_speed(float speed) noexcept { speed_ = speed; }
+  /// Headphones have come: where there is no device yet it is looked for again and again, and for a
+  /// second and a half what is to be said waits for it.
+  void expect_device() noexcept;
   [[nodiscard]] bool is_speaking() const noexcept { return ended_ != queue_.sentence(); }
   [[nodiscard]] bool has_device() const noexcept { return has_device_; }
 
@@ -52,6 +56,7 @@ class Player {
   std::atomic<float> volume_{0.5F}, speed_{1};
   std::atomic<std::uint32_t> ended_{0};  ///< The last sentence that was said to its end.
   std::atomic<bool> has_device_{false};
+  std::atomic<std::chrono::steady_clock::time_point> expected_until_{};
   std::atomic<std::shared_ptr<BlobArchive>> archive_{};
   std::counting_semaphore<> awake_{0};
   Open open_;

@@ -8,7 +8,7 @@ namespace docent::guide {
 namespace {
 
 constexpr double most_pulled = 1.15, most_slid = 0.9;         ///< Radians; metres.
-constexpr double worth_pulling = 0.45, worth_sliding = 0.35;  ///< Radians; metres.
+constexpr double worth_pulling = 0.3, worth_sliding = 0.35;  ///< Radians; metres.
 constexpr float to_spare = 0.02F;  ///< Metres that a hand must reach farther: who stands breathes.
 constexpr int parts_of_way = 10;
 /// Metres by which a palm may miss the bar, as planned and in the end.
@@ -94,7 +94,6 @@ bool comes_away(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp
   constexpr int parts = 16;
   constexpr float led_off = 0.03F;     // metres that it may be elsewhere
   constexpr float farthest = 0.045F;   // metres that wrist and elbow go in one part
-  constexpr double hanging_for = 0.5;  // seconds until it is out of the leaf's way
   const motion::Arm& arm = *holder.arms[grasp.side];
   const motion::JointPlace& trunk = holder.trunk[index_of(grasp.side)];
   Reach before;
@@ -112,7 +111,7 @@ bool comes_away(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp
   }
   for (int i = 1; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
-    const double now = amount + parting_speed * (parting_seconds + hanging_for * share);
+    const double now = amount + parting_speed * (parting_seconds + hanging_seconds * share);
     const motion::ArmPosture posture = hanging_after(before.posture, share);
     if (!is_clear_of(leaf.hung, now, motion::places_of(holder.skeleton, arm, trunk, posture)))
       return false;

@@ -60,7 +60,9 @@ bool is_out_of_the_way(const Leaf& leaf, double sign, const Foresight& ahead) no
 /// A hand has let go of it.
 void swing_open(double seconds, bool is_free, Leaf& leaf) noexcept {
   constexpr double speed = 0.8, nearly = 0.02;
-  open_on(seconds, is_free ? speed : 0, leaf);
+  const double most = leaf.waits > 0 ? parting_speed : speed;
+  leaf.waits -= seconds;
+  open_on(seconds, is_free ? most : 0, leaf);
   if (opening_of(leaf) > full_opening(leaf) - nearly) leaf.swings_open = false;
 }
 

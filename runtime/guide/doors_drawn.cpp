@@ -290,6 +290,7 @@ void Doors::let_go(Leaf& leaf, Crowd& crowd) const noexcept {
   if (it.has_come) crowd.hold(it.who, it.stop.grasp.side, {});
   crowd.go_on_from_stop(it.who);
   leaf.swings_open = opening_of(leaf) > far_enough;
+  leaf.waits = leaf.opens == DoorOpens::Sliding ? 0 : hanging_seconds;
   leaf.drawing.reset();
 }
 

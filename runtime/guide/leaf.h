@@ -55,7 +55,8 @@ struct Leaf {
     double parts = 0;  ///< Seconds since the hand has begun to come away from it.
   };
   std::optional<Drawing> drawing{};
-  bool swings_open = false;             ///< A hand has let go of it, and it goes on.
+  bool swings_open = false;  ///< A hand has let go of it, and it goes on, ...
+  double waits = 0;          ///< ... after so many seconds, when the arm is out of its way.
   std::optional<std::uint32_t> lets{};  ///< Before whom it opens by itself.
 };
 

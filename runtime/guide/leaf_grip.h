@@ -39,6 +39,7 @@ motion::Grip drawing_grip(const HungLeaf& leaf, const Opening& opening, const Gr
 motion::Grip parting_grip(const HungLeaf& leaf, const Opening& opening, const Grasp& grasp,
                           double floor_height, Vec2 from, double share) noexcept;
 inline constexpr double parting_seconds = 0.4;  ///< In which a hand comes away, ...
-inline constexpr double parting_speed = 0.3;  ///< ... and the leaf waits for it: radians a second.
+inline constexpr double parting_speed = 0.15;  ///< ... and the leaf waits for it: radians a second, ...
+inline constexpr double hanging_seconds = 0.5;  ///< ... until the arm hangs.
 
 }  // namespace docent::guide

@@ -67,6 +67,12 @@ void Speaker::play(const guide::Guide& guide) noexcept {
   player_->say(std::span(parts_).first(1));
 }
 
+std::optional<bool> Speaker::headphones() noexcept {
+  const std::optional<bool> changed = jacks_ ? jacks_->changed() : std::nullopt;
+  if (changed == true) player_->expect_device();
+  return changed;
+}
+
 void Speaker::say(const guide::Saying& saying, const Museum& museum) noexcept {
   if (saying.utterance == nullptr) return player_->say({});
   player_->say(std::span(parts_).first(parts_of(*saying.utterance, museum, parts_)));

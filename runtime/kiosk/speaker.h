@@ -34,7 +34,7 @@ class Speaker {
   static bool is_wanted(const config::KioskConfig& config) noexcept;
 
   /// Headphones that went in or out since the last call.
-  std::optional<bool> headphones() noexcept { return jacks_ ? jacks_->changed() : std::nullopt; }
+  std::optional<bool> headphones() noexcept;
 
  private:
   void play(const guide::Guide& guide) noexcept;

@@ -16,7 +16,6 @@
 #include "runtime/kiosk/options.h"
 #include "runtime/kiosk/statistics.h"
 #include "runtime/model/last_catch.h"
-#include "runtime/scene/theme.h"
 
 namespace docent::kiosk {
 namespace {
@@ -27,8 +26,6 @@ constexpr double confirm_seconds = 15;
 /// The last that the renderer keeps: far above the building's pictures and the planner's pieces.
 constexpr std::uint32_t first_texture = gles::Textures::most - 2 * most_staff_texts;
 constexpr std::string_view calibration_file = "glass.calibration";
-
-const scene::Theme house;
 
 std::string whole_seconds(double seconds) {
   return fmt::format("{:.0f}", std::ceil(seconds));
@@ -351,7 +348,7 @@ void Staff::draw_entry() noexcept {
     scene::Quad dot;
     dot.rect = {x, page_->entry.y + (page_->entry.height - size / page_->height) / 2,
                 size / page_->width, size / page_->height};
-    dot.colour = house.ink;
+    dot.colour = page_->theme.ink;
     dot.corner = size / 2 / std::min(page_->width, page_->height);
     list_.quads.push_back(dot);
     x += (size + gap) / page_->width;
@@ -366,7 +363,7 @@ void Staff::draw_focus() noexcept {
   const float x = bar / page_->width, y = bar / page_->height;
   scene::Quad frame;
   frame.rect = {rect.x - x, rect.y - y, rect.width + 2 * x, rect.height + 2 * y};
-  frame.colour = house.focus;
+  frame.colour = page_->theme.focus;
   frame.corner = (1.5F * page_->unit_px + bar) / std::min(page_->width, page_->height);
   list_.quads.push_back(frame);
 }
@@ -380,7 +377,7 @@ void Staff::draw_fingers() noexcept {
     ring.rect = {finger.at.x - size / 2 / page_->width, finger.at.y - size / 2 / page_->height,
                  size / page_->width, size / page_->height};
     ring.softness = 0.5F * page_->unit_px / std::min(page_->width, page_->height);
-    ring.colour = house.invitation;
+    ring.colour = page_->theme.invitation;
     list_.quads.push_back(ring);
   }
 }

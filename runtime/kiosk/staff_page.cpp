@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "runtime/input/calibration.h"
-#include "runtime/scene/theme.h"
 
 namespace docent::kiosk {
 namespace {
 
-const scene::Theme theme;
+using scene::Theme;
 
 /// Height of the capitals, as a share of the em square, in the families of the house.
 constexpr float capitals = 0.72F;
@@ -30,7 +29,8 @@ class Layout {
     page_.width = static_cast<float>(request.shape.width);
     page_.height = static_cast<float>(request.shape.height);
     page_.unit_px = m_.unit;
-    fill({0, 0, page_.width, page_.height}, theme.paper, 0);
+    page_.theme = scene::theme_of({}, false, request.shape.is_night);
+    fill({0, 0, page_.width, page_.height}, page_.theme.paper, 0);
   }
 
   const interface::Measures& m() const noexcept { return m_; }
@@ -73,7 +73,7 @@ class Layout {
 
   struct Letters {
     float capitals_mm = 5;
-    scene::Colour colour = theme.ink;
+    scene::Colour Theme::* colour = &Theme::ink;
     Align align = Align::Centre;
     interface::Family family = interface::Family::Sans;
     std::uint16_t weight = 400;
@@ -107,7 +107,7 @@ class Layout {
     quad.texture = static_cast<scene::TextureId>(request_.first_texture +
                                                  static_cast<std::uint32_t>(page_.uploads.size()));
     quad.rect = share({std::round(x), std::round(box.y + (box.height - h) / 2), w, h});
-    quad.colour = letters.colour;
+    quad.colour = page_.theme.*letters.colour;
     page_.quads.push_back(quad);
     page_.uploads.push_back({.texture = quad.texture, .text = std::move(bitmap), .picture = {}});
   }
@@ -116,9 +116,11 @@ class Layout {
   void button(StaffAction action, const Box& box, std::string_view label, float capitals_mm = 5.4F,
               Emphasis emphasis = Emphasis::Plain) {
     const bool strong = emphasis == Emphasis::Strong;
-    fill(box, strong ? theme.ink : theme.plaster, m_.corner);
+    fill(box, strong ? page_.theme.ink : page_.theme.plaster, m_.corner);
     text({box.x + m_.gap / 2, box.y, box.width - m_.gap, box.height}, label,
-         {.capitals_mm = capitals_mm, .colour = strong ? theme.paper : theme.ink, .weight = 500});
+         {.capitals_mm = capitals_mm,
+          .colour = strong ? &Theme::paper : &Theme::ink,
+          .weight = 500});
     page_.buttons.push_back({action, share(box)});
   }
 
@@ -130,7 +132,7 @@ class Layout {
          {.capitals_mm = 9, .family = interface::Family::Serif});
     const float message_height = 5 * m_.mm * 2.6F;
     text({m_.margin, column.y + title_height, wide, message_height}, request_.message,
-         {.colour = theme.quiet_ink});
+         {.colour = &Theme::quiet_ink});
     const float used = title_height + message_height + m_.gap;
     return {column.x, column.y + used, column.width, column.height - used};
   }
@@ -202,8 +204,8 @@ void lay_out_calibrate(Layout& layout, std::size_t mark) {
   const auto& [x, y] = input::calibration_marks[mark % input::calibration_marks.size()];
   const float cx = x * layout.width(), cy = y * layout.height();
   const auto around = [&](float size) { return Box{cx - size / 2, cy - size / 2, size, size}; };
-  layout.ring(around(2 * m.touch), theme.focus, 0.6F * m.unit);
-  layout.fill(around(1.5F * m.unit), theme.invitation, 0.75F * m.unit);
+  layout.ring(around(2 * m.touch), layout.page().theme.focus, 0.6F * m.unit);
+  layout.fill(around(1.5F * m.unit), layout.page().theme.invitation, 0.75F * m.unit);
 }
 
 void lay_out_confirm(Layout& layout) {
@@ -229,7 +231,7 @@ void lay_out_diagnose(Layout& layout, const std::vector<StaffFact>& facts) {
   for (const StaffFact& fact : facts) {
     if (rest.y + row > bottom + 1) break;
     layout.text(layout.mirrored({rest.x, rest.y, label_width - m.gap, row}), fact.label,
-                {.capitals_mm = 4, .colour = theme.quiet_ink, .align = Align::Start});
+                {.capitals_mm = 4, .colour = &Theme::quiet_ink, .align = Align::Start});
     layout.text(layout.mirrored({rest.x + label_width, rest.y, rest.width - label_width, row}),
                 fact.value,
                 {.capitals_mm = 4, .align = Align::Start, .is_of_machine = fact.is_of_machine});

@@ -10,6 +10,7 @@
 #include "runtime/interface/view.h"
 #include "runtime/kiosk/staff_words.h"
 #include "runtime/scene/draw_list.h"
+#include "runtime/scene/theme.h"
 
 namespace docent::kiosk {
 
@@ -53,8 +54,8 @@ struct StaffPageRequest {
   std::uint32_t first_texture = 0;  ///< Its texts take the numbers from there.
 };
 
-/// One of the staff's pages, laid out: over the whole glass, in the colours and letters of the
-/// house. Screen frame.
+/// One of the staff's pages, laid out: over the whole glass, in docent's own colours, of the day
+/// or the night, and letters. Screen frame.
 struct StaffPage {
   struct Button {
     StaffAction action = StaffAction::Close;
@@ -64,6 +65,7 @@ struct StaffPage {
   std::vector<Button> buttons;  ///< In focus order.
   std::vector<scene::Quad> quads;
   scene::Rect entry;            ///< Pad: where the figures that were typed are shown, as dots.
+  scene::Theme theme;           ///< Docent's own: staff know it in every museum.
   float unit_px = 8;            ///< 1/135 of the shorter side.
   float width = 1, height = 1;  ///< Pixels of the screen.
   std::vector<interface::PieceUpload> uploads;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double straight = 0.5;  ///< Metres before a door that are walked straight, ...
 /// ... by who has stood beside it to pull it open, ...
-constexpr double short_straight = 0.05, longer_straight = 0.15;
+constexpr double short_straight = 0.05, longer_straight = 0.15, longest_of_these = 0.3;
 constexpr double beside_it = 1.5;         ///< ... so many metres of the way before it.
 constexpr double beside_free_end = 0.06;  ///< ... and leaves so much room beside its free end.
 constexpr double past_leaf = 0.2;         ///< ... and beyond the end of an open leaf behind it.
@@ -106,9 +106,11 @@ std::vector<Vec2> lead_through_doors(const Museum& museum, const path::FloorMap&
     const double swept = passing->is_pulled ? passing->width + past_leaf : straight;
     const double before = begins_beside ? short_straight : swept;
     const double farther = begins_beside ? longer_straight : straight;
+    const double farthest = begins_beside ? longest_of_these : straight;
     const double behind = pushes ? passing->width + past_leaf : straight;
-    for (const auto& [in, out] : {std::pair{before, behind}, std::pair{farther, behind},
-                                  std::pair{straight, behind}, std::pair{straight, straight}}) {
+    for (const auto& [in, out] :
+         {std::pair{before, behind}, std::pair{farther, behind}, std::pair{farthest, behind},
+          std::pair{straight, behind}, std::pair{straight, straight}}) {
       auto other = led_through(led, map, *passing, in, out, museum.body_radius);
       if (!other) continue;
       led = std::move(*other);

@@ -125,6 +125,16 @@ TEST_F(StaffPictures, LookAsTheyWereSeenAndApproved) {
   }
 }
 
+TEST_F(StaffPictures, AreDarkInHallsThatAre) {
+  kiosk::StaffPageRequest request;
+  request.shape = {.width = size.width, .height = size.height, .diagonal_inches = 24};
+  request.shape.is_night = true;
+  request.words = kiosk::staff_words(speaking_museum(), 0);
+  request.first_texture = 1;
+  request.screen = StaffScreen::Menu;
+  expect_page(request, "staff-menu-night.png");
+}
+
 TEST_F(StaffPictures, OfAKioskWithoutAMuseumSayWhatToDo) {
   kiosk::SetupScreen screen(set_text_, size, "/var/lib/docent/museum.db: there is no such file");
   screen.draw(*renderer_, target());

@@ -110,6 +110,36 @@ TEST(Player, SaysASentenceToItsEnd) {
   EXPECT_TRUE(player.has_device());
 }
 
+TEST(Player, WaitsForADeviceThatIsExpectedSoThatNothingIsLost) {
+  Heard heard;
+  heard.is_busy = true;
+  Player player(opening(heard));
+  ASSERT_TRUE(becomes([&] {
+    const std::scoped_lock lock(heard.mutex);
+    return heard.openings > 0;  // the next try would be seconds later
+  }));
+  player.expect_device();
+  say(player, tone(200, 0.5));
+  std::this_thread::sleep_for(300ms);
+  {
+    const std::scoped_lock lock(heard.mutex);
+    heard.is_busy = false;
+  }
+
+  ASSERT_TRUE(becomes([&] { return !player.is_speaking(); }));
+  EXPECT_EQ(heard.count(), 2U * 48'000 / 2) << "the whole sentence";
+}
+
+TEST(Player, DoesNotWaitLongForADeviceThatDoesNotCome) {
+  Heard heard;
+  heard.is_busy = true;
+  Player player(opening(heard), false);
+  player.expect_device();
+  say(player, tone(200, 0.5));
+  EXPECT_TRUE(becomes([&] { return !player.is_speaking(); }));
+  EXPECT_EQ(heard.count(), 0U);
+}
+
 /// Holds one sound, whatever number is asked for.
 class OneSound : public BlobArchive {
  public:

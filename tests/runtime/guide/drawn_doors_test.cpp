@@ -91,6 +91,15 @@ TEST(ADoorToPull, OfTwoLeavesOpensOneOfThem) {
   EXPECT_LT(seen.turned_by_itself + seen.by_hand, 1.6);
 }
 
+/// Among exhibits and other walls, on a way that goes on to one side.
+TEST(ADoorToPull, IsPulledByHandInTheSampleMuseum) {
+  const Doorway it = test::doorway(DoorOpens::Pull);
+  Walker walker(it);
+  const std::uint32_t who = walker.enters(it.place(-6, -0.8, 1));
+  const Passage seen = walker.walk(who, it.place(4.5, -2.6, 1));
+  expect_drawn_by_hand(seen, 0.25);
+}
+
 TEST(ADoorToPull, OpensByItselfWhereThereIsNoRoomBesideIt) {
   for (const DoorHinge hinge : {DoorHinge::A, DoorHinge::B}) {
     const Doorway it = walled_doorway(DoorOpens::Pull, hinge, 1, Beside{.a = 0.1, .b = 0.1});
