@@ -9,6 +9,7 @@
 
 #include "platform/file/read_file.h"
 #include "platform/file/text_encoding.h"
+#include "runtime/model/exhibit/exhibit_sound.h"
 #include "runtime/model/exhibit/longer_text.h"
 
 namespace docent::config {
@@ -44,6 +45,32 @@ class MediaReader {
           {}, fmt::format("visitors leaf through at most {}", FurtherPicture::most));
   }
 
+  /// Each is one recording for everybody, or one by language.
+  void check_sounds(const ExhibitSection& exhibit) {
+    const std::vector<ExhibitSoundSection>& sounds = exhibit.sounds.value;
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+      const ExhibitSoundSection& sound = sounds[i];
+      const std::string which = fmt::format("sound {} of exhibit '{}'", i + 1, exhibit.id.value);
+      if (sound.recording.given && sound.spoken.given)
+        error(sound.spoken.place, "bad-value",
+              which + " has both a recording for everybody and some by language", {},
+              "keep 'recording', or 'spoken' by language");
+      else if (sound.recording.place.range == sound.place.range &&
+               sound.spoken.place.range == sound.place.range)  // neither is written
+        error(sound.place, "missing-field", which + " has no recording", {},
+              "write recording = \"sounds/...\", or spoken.en = \"sounds/...\" for each language");
+      else if (sound.spoken.given && sound.spoken.value.empty())
+        error(sound.spoken.place, "missing-field", which + " is spoken in no language", {},
+              "write spoken.en = \"sounds/...\"");
+      check_files(sound.spoken, "a recording is");
+      check_files(sound.captions, "captions are");
+    }
+    if (sounds.size() > ExhibitSound::most)
+      error(exhibit.sounds.place, "out-of-range",
+            fmt::format("exhibit '{}' has {} sounds", exhibit.id.value, sounds.size()), {},
+            fmt::format("visitors choose among at most {}", ExhibitSound::most));
+  }
+
   /// Puts what the files of `more_file` hold among the texts of `more`.
   void read_more(ExhibitSection& exhibit) {
     for (auto& [tag, name] : exhibit.more_file.value) {
@@ -77,11 +104,16 @@ class MediaReader {
       error(picture.captions.place, "bad-value",
             fmt::format("'{}' is no video, and has no time for captions", picture.image.value), {},
             "what is read below a picture is its 'caption'");
-    for (const auto& [tag, name] : picture.captions.value) {
+    check_files(picture.captions, "captions are");
+  }
+
+  /// Files by language: `these_are` says what they are.
+  void check_files(const Located<LocatedTexts>& files, std::string_view these_are) {
+    for (const auto& [tag, name] : files.value) {
       if (!name.given) continue;
       if (std::ranges::find(config_.languages, tag) == config_.languages.end())
         error({name.place.file, name.key}, "unknown-language",
-              fmt::format("captions are given in '{}', which the museum does not speak", tag), {},
+              fmt::format("{} given in '{}', which the museum does not speak", these_are, tag), {},
               fmt::format("the languages are: {}", fmt::join(config_.languages, ", ")));
       else if (auto fault = paths_.fault(name.value))
         error(name.place, std::move(fault->code), std::move(fault->message),
@@ -140,6 +172,7 @@ void read_exhibit_media(MuseumConfig& config, MuseumPaths& paths,
   MediaReader reader(config, paths, diagnostics);
   for (ExhibitSection& exhibit : config.exhibits) {
     reader.check_pictures(exhibit);
+    reader.check_sounds(exhibit);
     reader.read_more(exhibit);
   }
 }

@@ -205,6 +205,20 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
 }
 
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
+                               std::vector<ExhibitSoundSection>& value) {
+  if (!is_list_of_tables(node))
+    return wrong_type(node, rules.key,
+                      "a list of sounds: [{recording = \"sounds/...\", title.en = \"...\"}, ...]");
+  for (const TomlNode& item : node.items) {
+    ExhibitSoundSection& sound = value.emplace_back();
+    sound.place = place(item.range);
+    read<ExhibitSoundSection>(item, fmt::format("an item of '{}'", rules.key), exhibit_sound_fields,
+                              sound);
+  }
+  return true;
+}
+
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
                                std::vector<StopSection>& value) {
   if (!is_list_of_tables(node))
     return wrong_type(node, rules.key,

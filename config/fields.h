@@ -43,6 +43,7 @@ struct FieldLimits {
 
 struct StopSection;
 struct PictureSection;
+struct ExhibitSoundSection;
 
 /// A field of the section T. The type of `member`, where its value goes, is the field's type.
 template <typename T>
@@ -52,7 +53,8 @@ struct Field {
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
                Located<LocatedPoints> T::*, Located<Range> T::*, Located<Size> T::*,
                Located<LocatedList> T::*, Located<std::vector<StopSection>> T::*,
-               Located<std::vector<PictureSection>> T::*, Located<LocatedTexts> T::*>
+               Located<std::vector<PictureSection>> T::*,
+               Located<std::vector<ExhibitSoundSection>> T::*, Located<LocatedTexts> T::*>
       member;
   Presence presence = Presence::Optional;
   std::string_view manual;  ///< For staff and their editors.
@@ -103,6 +105,8 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, LocatedList& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<StopSection>& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<PictureSection>& value);
+  bool read_value(const TomlNode& node, const Rules& rules,
+                  std::vector<ExhibitSoundSection>& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value);
   bool in_range(const TomlNode& node, const Rules& rules);
   void report(SourceRange range, std::string code, std::string message, std::string label = {},
@@ -179,6 +183,8 @@ std::string example_of(const Field<T>& field) {
              "4.0]}]";
     else if constexpr (std::is_same_v<Value, std::vector<PictureSection>>)
       return "= [{image = \"images/...\"}]";
+    else if constexpr (std::is_same_v<Value, std::vector<ExhibitSoundSection>>)
+      return "= [{recording = \"sounds/...\"}]";
     else
       return field.form == Form::Keys ? ".begin = \"...\"" : ".en = \"...\"";
   };

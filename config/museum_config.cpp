@@ -479,6 +479,7 @@ class MuseumLoader {
     for (ExhibitSection& exhibit : config_.exhibits) {
       check_file(exhibit.image);
       for (PictureSection& picture : exhibit.pictures.value) check_file(picture.image);
+      for (ExhibitSoundSection& sound : exhibit.sounds.value) check_file(sound.recording);
       check_file(exhibit.model);
     }
     for (SourceSection& source : config_.sources) check_file(source.file, Wanted::FileOrFolder);
@@ -586,6 +587,12 @@ class MuseumLoader {
             fmt::format("picture {} of exhibit '{}'", i + 2, exhibit.id.value);
         check_texts("the caption of " + which, picture.caption, room_for_text);
         check_texts("the description of " + which, picture.description, room_for_text);
+      }
+      for (std::size_t i = 0; i < exhibit.sounds.value.size(); ++i) {
+        const ExhibitSoundSection& sound = exhibit.sounds.value[i];
+        const std::string which = fmt::format("sound {} of exhibit '{}'", i + 1, exhibit.id.value);
+        check_texts("the title of " + which, sound.title);
+        check_texts("the description of " + which, sound.description, room_for_text);
       }
       // A name or a tag may be the same in several languages: it need not be written in each.
       for (const auto& [name, texts] :

@@ -119,6 +119,14 @@ struct PictureSection {
   Located<LocatedTexts> caption, description;
   Located<LocatedTexts> captions;  ///< Files: what is read while a video plays.
 };
+/// What one may listen to at an exhibit.
+struct ExhibitSoundSection {
+  Place place;
+  Located<std::string> recording;  ///< A file for everybody; or else ...
+  Located<LocatedTexts> spoken;    ///< ... files by language.
+  Located<LocatedTexts> title, description;
+  Located<LocatedTexts> captions;  ///< Files: what is read while it plays.
+};
 struct ExhibitSection {
   Place place;
   /// `in` names the case that it stands in; the loader has then made its other fields those of the
@@ -130,6 +138,7 @@ struct ExhibitSection {
   Located<Vec2> view;
   Located<std::string> image;
   Located<std::vector<PictureSection>> pictures;
+  Located<std::vector<ExhibitSoundSection>> sounds;
   /// `more` has what the files of `more_file` hold, too, once the museum is loaded.
   Located<LocatedTexts> title, text, description, more, more_file, artist, subject, period;
   Located<bool> closed;

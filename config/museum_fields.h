@@ -377,6 +377,28 @@ inline constexpr std::array picture_fields{
                           "language; it is read while the video plays"},
 };
 
+inline constexpr std::array exhibit_sound_fields{
+    Field<ExhibitSoundSection>{
+        "recording",
+        &ExhibitSoundSection::recording,
+        Presence::Optional,
+        "What is heard: a WAV, FLAC, AIFF, MP3, Opus or Vorbis file of at most 5 minutes; for "
+        "what is spoken, 'spoken' by language instead",
+        {},
+        Form::File},
+    Field<ExhibitSoundSection>{
+        "spoken", &ExhibitSoundSection::spoken, Presence::Optional,
+        "The same by language; visitors of a language without one hear another's"},
+    Field<ExhibitSoundSection>{"title", &ExhibitSoundSection::title, Presence::Required,
+                               "What one listens to, by language: it is written on its button"},
+    Field<ExhibitSoundSection>{"description", &ExhibitSoundSection::description, Presence::Required,
+                               "What is heard, by language, for those who do not hear it"},
+    Field<ExhibitSoundSection>{
+        "captions", &ExhibitSoundSection::captions, Presence::Optional,
+        "What is said and heard, as a WebVTT file, by language; it is read while "
+        "the sound plays"},
+};
+
 inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{"id",
                           &ExhibitSection::id,
@@ -418,6 +440,9 @@ inline constexpr std::array exhibit_fields{
         "pictures", &ExhibitSection::pictures, Presence::Optional,
         "Further pictures, which visitors leaf through in this order; at most 19; a video is "
         "named here, never in image, and stands still on a glass that visitors share"},
+    Field<ExhibitSection>{"sounds", &ExhibitSection::sounds, Presence::Optional,
+                          "What visitors may listen to at it, at most 4; on a glass that visitors "
+                          "share it is read"},
     Field<ExhibitSection>{"title", &ExhibitSection::title, Presence::UnlessSource,
                           "What it is called, by language"},
     Field<ExhibitSection>{"text", &ExhibitSection::text, Presence::Optional,

@@ -72,6 +72,10 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"type", "array"},
             {"items", section_schema("", picture_fields)},
             {"maxItems", FurtherPicture::most - 1}};
+  else if constexpr (std::is_same_v<Value, std::vector<ExhibitSoundSection>>)
+    return {{"type", "array"},
+            {"items", section_schema("", exhibit_sound_fields)},
+            {"maxItems", ExhibitSound::most}};
   else
     return texts_by_language();
 }

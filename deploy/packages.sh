@@ -8,7 +8,7 @@ packages_build=(
   nlohmann-json3-dev
   libxcb-icccm4-dev libxcb-keysyms1-dev libxcb1-dev
 )
-packages_content=(espeak-ng libboost-dev libcgal-dev libdraco-dev libexpat1-dev libfreetype-dev libgeos-dev libgif-dev libheif-dev libicu-dev libmeshoptimizer-dev libprotozero-dev libpugixml-dev librsvg2-dev libwebp-dev libzip-dev mecab mecab-ipadic-utf8 zlib1g-dev)
+packages_content=(espeak-ng libboost-dev libcgal-dev libdraco-dev libexpat1-dev libfreetype-dev libgeos-dev libgif-dev libheif-dev libicu-dev libmeshoptimizer-dev libprotozero-dev libpugixml-dev librsvg2-dev libsndfile1-dev libwebp-dev libzip-dev mecab mecab-ipadic-utf8 zlib1g-dev)
 # All that a docent which was built elsewhere needs to run.
 packages_kiosk=(
   fonts-inter fonts-noto-cjk fonts-noto-core

@@ -79,14 +79,14 @@ room(content/avatar USES ${model} content LIBRARIES glm/ meshoptimizer.h)
 room(content/character USES ${model} runtime/motion content content/import content/avatar LIBRARIES fmt/ glm/ meshoptimizer.h)
 room(content/object USES ${model} runtime/schema platform/image content content/import LIBRARIES fmt/ glm/ meshoptimizer.h)
 room(content/reading USES content LIBRARIES unicode/)
-room(content/speech USES ${model} platform/opus platform/signature content LIBRARIES fmt/ spawn.h ${posix})
+room(content/speech USES ${model} platform/opus platform/signature content LIBRARIES fmt/ sndfile.h spawn.h ${posix})
 room(content/scenery USES ${model} content LIBRARIES CGAL/)
 room(content/draw USES ${model} content LIBRARIES fmt/ cairo.h librsvg/)
 room(content/film
   USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image content/scenery LIBRARIES fmt/ webp/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
-  USES ${model} runtime/path runtime/motion runtime/video runtime/interface config platform platform/file platform/image platform/signature platform/terminal platform/vpx content content/import content/floor
+  USES ${model} runtime/path runtime/motion runtime/video runtime/interface config platform platform/file platform/image platform/opus platform/signature platform/terminal platform/vpx content content/import content/floor
        content/motion content/avatar content/character content/object content/reading content/scenery content/speech
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command

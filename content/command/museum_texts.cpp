@@ -31,6 +31,12 @@ std::vector<MuseumText> museum_texts(const config::MuseumConfig& config) {
       add(id + ".caption", "caption", {}, picture.place, picture.caption);
       add(id + ".description", "description", {}, picture.place, picture.description);
     }
+    for (std::size_t i = 0; i < exhibit.sounds.value.size(); ++i) {
+      const config::ExhibitSoundSection& sound = exhibit.sounds.value[i];
+      const std::string id = exhibit.id.value + ".sounds." + std::to_string(i + 1);
+      add(id + ".title", "title", {}, sound.place, sound.title);
+      add(id + ".description", "description", {}, sound.place, sound.description);
+    }
   }
   return all;
 }

@@ -21,6 +21,7 @@
 #include "content/compile/compile_objects.h"
 #include "content/compile/compile_readings.h"
 #include "content/compile/compile_scenery.h"
+#include "content/compile/compile_sounds.h"
 #include "content/compile/compile_speech.h"
 #include "content/compile/compile_touch.h"
 #include "content/compile/shipped_files.h"
@@ -274,6 +275,8 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
   if (!report.has_errors()) compile_touch(config, museum, report);
   attempt(report, config.folder.string(), [&] { compile_readings(config, museum); });
   speak(config, options, museum, report, progress);
+  compile_sounds(config, options.only_check ? Sounds::Check : Sounds::Make, options.speech_before,
+                 museum, report);
 }
 
 bool is_museum_folder(const CompileOptions& options) {

@@ -379,6 +379,10 @@ class ExhibitCompiler {
       museum_.pictures.push_back({.exhibit = static_cast<std::uint32_t>(museum_.exhibits.size()),
                                   .caption = plain_texts(picture.caption.value),
                                   .description = plain_texts(picture.description.value)});
+    for (const config::ExhibitSoundSection& sound : section.sounds.value)
+      museum_.sounds.push_back({.exhibit = static_cast<std::uint32_t>(museum_.exhibits.size()),
+                                .title = plain_texts(sound.title.value),
+                                .description = plain_texts(sound.description.value)});
     exhibit.artist = plain_texts(section.artist.value);
     exhibit.subject = plain_texts(section.subject.value);
     exhibit.period = plain_texts(section.period.value);

@@ -18,7 +18,7 @@ namespace docent::compile {
 
 namespace {
 
-Diagnostic as_warning(Diagnostic diagnostic) {
+Diagnostic with_warning(Diagnostic diagnostic) {
   diagnostic.severity = Severity::Warning;
   return diagnostic;
 }
@@ -55,7 +55,7 @@ class OwnSpeechReader {
   bool is_a_piece(const config::SpeechSection& section, const speech::WantedSpeech& language) {
     if (std::ranges::find(language.pieces, section.text.value) != language.pieces.end())
       return true;
-    report_.add(as_warning(config::diagnostic_at(
+    report_.add(with_warning(config::diagnostic_at(
         config_, section.text.place, "never-said",
         fmt::format("the kiosk never says '{}' by itself", section.text.value), {},
         "write a title, a text or a word of the interface as a whole, letter by letter")));
@@ -114,7 +114,7 @@ void tell(const config::MuseumConfig& config, const std::vector<speech::Language
             : fmt::format("'{}' is not spoken: {}", language.tag, language.silent);
     if (std::ranges::find(told, what) != told.end()) continue;
     told.push_back(what);
-    report.add(as_warning(config::diagnostic_at(
+    report.add(with_warning(config::diagnostic_at(
         config, config.museum.languages.place, "not-spoken", what, {},
         "who cannot see the screen needs it: give recordings, or how it is read, in [[speech]]")));
   }

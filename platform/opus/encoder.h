@@ -23,6 +23,10 @@ inline constexpr std::uint32_t encoder_rate = 24'000;
 /// memory is out.
 Result<Encoded> encode(std::span<const float> samples, int bits_per_second);
 
+/// The same of any other sound, in `SpeechSound::rate` samples a second, at `sound_bits`.
+Result<Encoded> encode_sound(std::span<const float> samples);
+inline constexpr int sound_bits = 40'000;  ///< A second.
+
 /// libopus and its version, as it says itself.
 const char* encoder_version() noexcept;
 

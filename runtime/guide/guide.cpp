@@ -114,6 +114,7 @@ void Guide::take_seats() {
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
   state.can_lower = !shared && interface::can_be_lowered(settings_.shape);
+  state.can_sound = !shared && settings_.can_sound;
   state.glass = shared ? interface::Glass::Quiet : interface::Glass::Whole;
   state.seats = shared ? static_cast<std::uint8_t>(seats) : 0;
   sessions_.emplace_back(context, 0, state,

@@ -39,6 +39,7 @@ struct GuideSettings {
   /// Nothing moves but a guide on its way: nobody breathes or strolls, the camera cuts, cards are
   /// there at once; and nothing happens while nobody is there.
   bool reduced_motion = false;
+  bool can_sound = false;  ///< There is something to hear a sound with, to begin with.
 };
 
 /// How many avatars and parts of the glass a planner has to serve.
@@ -107,7 +108,15 @@ class Guide {
   std::optional<ShownVideo> video() const noexcept {
     return is_shared() ? std::nullopt : sessions_[0].video();
   }
-  /// Whoever plays it has come to its end, or cannot play it.
+  /// What the visitor of a glass of their own listens to; nothing while it is no sound.
+  std::optional<PlayedSound> sound() const noexcept {
+    return is_shared() ? std::nullopt : sessions_[0].sound();
+  }
+  /// Is there something to hear a sound with? Else it is read.
+  void can_sound(bool is_there) noexcept {
+    if (!is_shared()) sessions_[0].can_sound(is_there);
+  }
+  /// Whoever plays the video has come to its end, or cannot play it.
   void video_ended() noexcept { sessions_[0].video_ended(); }
   /// There is no time to draw a model that moves beside a video: while one plays, it keeps still.
   void spare_videos(bool are_spared) noexcept { spares_videos_ = are_spared; }

@@ -549,6 +549,7 @@ void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide
     if (view_->remaining.empty()) draw_remaining(*leaving_, remaining, 1 - t, list);
   }
   draw_remaining(*view_, remaining, leaving_ && leaving_->remaining.empty() ? t : 1, list);
+  draw_listened(t, list);
   draw_cue(t, list);
   draw_thumb(t, list);
   draw_countdown(t, list);

@@ -73,7 +73,10 @@ class Overlay {
   void count_down(float seconds_left) noexcept { seconds_left_ = seconds_left; }
   static constexpr float countdown_seconds = 20;
 
-  /// How far the video of the view has come, whose captions are shown; nothing: none is watched.
+  /// Which share of a sound has been heard, on its button; nothing: none plays.
+  void listen(std::optional<float> share) noexcept { listened_ = share; }
+  /// How far the video or the sound of the view has come, whose captions are shown; nothing: none
+  /// plays.
   void watch(std::optional<float> seconds) noexcept { video_seconds_ = seconds; }
 
   /// Where the guide is, for the inset plan.
@@ -122,6 +125,7 @@ class Overlay {
   void draw_remaining(const interface::View& view, float metres, float opacity,
                       scene::DrawList& list) const noexcept;
   void draw_cue(float opacity, scene::DrawList& list) const noexcept;
+  void draw_listened(float opacity, scene::DrawList& list) const noexcept;
 
   bool reduced_motion_;
   Scroller scroller_, leaving_scroller_;
@@ -131,7 +135,7 @@ class Overlay {
   interface::Sides readers_{};
   float age_ = 1;  ///< Seconds since view_ was entered.
   float seconds_left_ = 0;
-  std::optional<float> video_seconds_{};
+  std::optional<float> video_seconds_{}, listened_{};
   float open_seconds_ = 0;  ///< Since a cluster was opened.
   float run_ = 0;           ///< Seconds since the figure on the inset plan set out.
   std::int32_t focus_ = -1;

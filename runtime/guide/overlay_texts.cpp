@@ -1,5 +1,6 @@
 /// What an overlay reads off as time passes.
 #include <algorithm>
+#include <cmath>
 
 #include "runtime/guide/overlay.h"
 #include "runtime/interface/scroll.h"
@@ -42,6 +43,33 @@ void Overlay::draw_cue(float opacity, scene::DrawList& list) const noexcept {
     quad.colour = scene::with_opacity(quad.colour, opacity);
     list.quads.push_back(quad);
   }
+}
+
+/// A line along the lower edge of the button that stops the sound, which fills from where lines
+/// begin, pixel by pixel.
+void Overlay::draw_listened(float opacity, scene::DrawList& list) const noexcept {
+  if (!listened_) return;
+  const auto playing = std::ranges::find_if(view_->controls, [](const interface::Control& one) {
+    return one.action.kind == interface::Action::Kind::StopSound;
+  });
+  if (playing == view_->controls.end() || playing->rect.height <= 0) return;
+  const scene::Theme& theme = view_->theme;
+  const float unit_x = view_->unit_px / view_->pixel_width,
+              unit_y = view_->unit_px / view_->pixel_height;
+  constexpr float inset = 2, thick = 0.5F;
+  scene::Quad rail;
+  rail.rect = {playing->rect.x + inset * unit_x,
+               playing->rect.y + playing->rect.height - 2 * thick * unit_y,
+               playing->rect.width - 2 * inset * unit_x, thick * unit_y};
+  rail.colour = scene::with_opacity(theme.paper, opacity);
+  list.quads.push_back(rail);
+  scene::Quad heard = rail;
+  const float pixels =
+      std::floor(std::clamp(*listened_, 0.0F, 1.0F) * rail.rect.width * view_->pixel_width);
+  heard.rect.width = pixels / view_->pixel_width;
+  if (view_->is_right_to_left) heard.rect.x += rail.rect.width - heard.rect.width;
+  heard.colour = scene::with_opacity(theme.quiet_ink, opacity);
+  list.quads.push_back(heard);
 }
 
 }  // namespace docent::guide

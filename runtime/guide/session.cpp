@@ -186,6 +186,10 @@ bool Session::has_turned(const input::Finger& finger) const noexcept {
 /// Help begins to read to whoever is not read to.
 bool Session::press_key_of_voice(input::Key key) noexcept {
   if (state_.glass != interface::Glass::Whole) return false;
+  if (sound_ && (key == input::Key::VolumeUp || key == input::Key::VolumeDown)) {
+    voice_.turn_volume(key);
+    return true;
+  }
   if (voice_.press_key(key)) return true;
   if (key != input::Key::Help) return false;
   if (state_.speaks)
@@ -276,6 +280,7 @@ void Session::resume() noexcept {
   left_.reset();
   before.arrived = false;
   before.plays = false;  // whoever comes back begins it
+  before.sound.reset();
   if (before.screen == interface::Screen::Arrived) before.screen = interface::Screen::Walking;
   show(before);
   set_out();
@@ -469,6 +474,7 @@ void Session::step(float seconds, float absent_after, float liveliness) noexcept
   overlay_.advance(seconds);
   play_video(seconds);
   speak(seconds);
+  play_sound(seconds);
 }
 
 /// Until the plan of the way to its goal is walked, what is left of a plan is the meeting's.
@@ -523,7 +529,8 @@ void Session::notice_arrival() noexcept {
 void Session::notice_absence(float seconds, float absent_after) noexcept {
   const bool follows =
       state_.screen == interface::Screen::Walking && guide_ && !stands(agent().avatar);
-  if (voice_.is_busy() || (state_.plays && video())) return;  // who listens or watches does nothing
+  if (voice_.is_busy() || sound_ || (state_.plays && video()))
+    return;  // who listens or watches does nothing
   idle_seconds_ = follows ? 0 : idle_seconds_ + seconds;
   if (state_.screen == interface::Screen::Picking)
     absent_after = std::min(absent_after, undecided_for);
@@ -537,6 +544,7 @@ void Session::notice_absence(float seconds, float absent_after) noexcept {
   vacant.seat = state_.seat;
   vacant.taken = state_.taken;
   vacant.speaks = has_headphones_;
+  vacant.can_sound = state_.can_sound;
   if (state_ == vacant) return;
   act({interface::Action::Kind::Home});
   left_.reset();

@@ -39,6 +39,14 @@ struct ShownVideo {
   bool plays = false;
 };
 
+/// A sound that a visitor listens to, and how far it has come. Borrows from the museum.
+struct PlayedSound {
+  const SpeechSound* recording = nullptr;  ///< Never null.
+  std::uint32_t sound = 0;                 ///< Index into Museum::sounds.
+  std::uint32_t number = 0;                ///< Grows each time that one begins.
+  float seconds = 0;                       ///< Of it.
+};
+
 /// What the sessions of a kiosk have in common. Borrowed.
 struct SessionContext {
   const Museum& museum;
@@ -93,6 +101,10 @@ class Session {
   std::optional<ShownVideo> video() const noexcept;
   /// The video is over: its first frame is seen again.
   void video_ended() noexcept;
+  /// Nothing while the visitor listens to none.
+  std::optional<PlayedSound> sound() const noexcept;
+  /// Is there something to hear a sound with? What plays goes on meanwhile, unheard.
+  void can_sound(bool is_there) noexcept;
   Overlay& overlay() noexcept { return overlay_; }
   const Overlay& overlay() const noexcept { return overlay_; }
   const interface::View* view() const noexcept { return overlay_.view(); }
@@ -148,6 +160,8 @@ class Session {
   void move_focus(int step) noexcept;
   void speak(float seconds) noexcept;
   void play_video(float seconds) noexcept;
+  void play_sound(float seconds) noexcept;
+  void stop_sound() noexcept;
   void keep_to_resume(float seconds) noexcept;
 
   const Agent& agent() const noexcept { return context_.crowd[*guide_]; }
@@ -170,6 +184,10 @@ class Session {
   TurnTable table_;
   std::optional<std::uint32_t> video_{};  ///< The image, while it is before the visitor.
   float video_seconds_ = 0;
+  std::optional<std::uint32_t> sound_{};  ///< That plays.
+  const SpeechSound* recording_ = nullptr;
+  std::uint32_t sounds_begun_ = 0;
+  float sound_seconds_ = 0;
   bool has_headphones_ = false;
   std::optional<interface::InterfaceState> left_{};  ///< What starting over can be taken back to.
   float left_seconds_ = 0;                           ///< Since then.

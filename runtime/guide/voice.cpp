@@ -46,7 +46,7 @@ bool Voice::enter(const interface::View& view, std::int32_t focus) noexcept {
       return false;
     }
     read_on();
-  } else if (was_pressed && focus >= 0) {
+  } else if (was_pressed && focus >= 0 && !view.state.sound) {  // else that is heard
     say({What::Kind::Control, static_cast<std::size_t>(focus)});
   }
   return is_new;
@@ -62,15 +62,23 @@ void Voice::read_on() noexcept {
   rounds_ = rounds;
 }
 
+void Voice::listens(bool does_listen, bool has_ended, std::int32_t focus) noexcept {
+  if (!std::exchange(listens_, does_listen) || does_listen || !is_on_) return;
+  silence_ = 0;
+  if (has_ended && focus >= 0) say({What::Kind::Control, static_cast<std::size_t>(focus)});
+}
+
+void Voice::turn_volume(input::Key key) noexcept {
+  if (key == input::Key::VolumeUp) volume_ = std::min(volume_ + 1, interface::loudest);
+  if (key == input::Key::VolumeDown) volume_ -= volume_ > 0 ? 1 : 0;
+}
+
 bool Voice::press_key(input::Key key) noexcept {
   if (!is_on_) return false;
   switch (key) {
     case input::Key::VolumeUp:
-      volume_ = std::min(volume_ + 1, interface::loudest);
-      say({What::Kind::Volume, volume_});
-      return true;
     case input::Key::VolumeDown:
-      volume_ -= volume_ > 0 ? 1 : 0;
+      turn_volume(key);
       say({What::Kind::Volume, volume_});
       return true;
     case input::Key::Left:
@@ -144,7 +152,7 @@ bool Voice::step(float seconds, const interface::View* view,
     if (!waits_ || !is_speaking()) begin(*view, std::exchange(next_, {}));
     return false;
   }
-  if (!is_on_ || is_speaking()) return false;
+  if (!is_on_ || is_speaking() || listens_) return false;
   silence_ += seconds;
   if (remaining) {
     if (const std::optional<What> what = milestone(*view, *remaining)) {

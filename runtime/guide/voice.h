@@ -32,6 +32,11 @@ class Voice {
   /// A key that is the voice's own: volume, again, speed. False where it is not.
   bool press_key(input::Key key) noexcept;
   void help() noexcept;
+  /// The visitor listens to a sound, or no longer: meanwhile nothing is read on by itself. Where it
+  /// `has_ended` by itself, they are told where they are.
+  void listens(bool does_listen, bool has_ended, std::int32_t focus) noexcept;
+  /// Louder or quieter without a word: what plays is heard to be so.
+  void turn_volume(input::Key key) noexcept;
   /// A control has been pressed: whatever is being said, it has been heard.
   void pressed() noexcept;
   /// The visitor has moved the focus by themselves.
@@ -76,6 +81,7 @@ class Voice {
   Saying saying_;
   bool is_new_ = false;
   bool reads_on_ = false, was_pressed_ = false;
+  bool listens_ = false;       ///< To a sound.
   int rounds_ = 0;             ///< How often the controls are still read from first to last.
   std::uint64_t opening_ = 0;  ///< Tells what was said last of a view from what is new.
   What now_;                   ///< What was begun last.

@@ -108,8 +108,25 @@ InterfaceState vacated(const InterfaceState& state) noexcept {
 
 }  // namespace
 
+/// Who does that goes on listening.
+constexpr bool goes_on_listening(Action::Kind kind) noexcept {
+  switch (kind) {
+    case Action::Kind::Stay:
+    case Action::Kind::Scroll:
+    case Action::Kind::EnlargeLetters:
+    case Action::Kind::RaiseContrast:
+    case Action::Kind::Lower:
+    case Action::Kind::Collect:
+    case Action::Kind::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
 InterfaceState after(InterfaceState state, Action action) noexcept {
   state.asks_to_stay = state.can_resume = false;
+  if (!goes_on_listening(action.kind)) state.sound.reset();
   switch (action.kind) {
     case Action::Kind::Begin:
       show_list(state, Listed::Exhibits);
@@ -185,6 +202,13 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::PlayVideo:
       state.plays = action.argument != 0;
       break;
+    case Action::Kind::PlaySound:
+      state.sound = static_cast<std::uint8_t>(
+          std::min<std::uint32_t>(action.argument, ExhibitSound::most - 1));
+      state.plays = false;  // what moves and sounds at once is neither seen nor heard
+      break;
+    case Action::Kind::StopSound:
+      break;
     case Action::Kind::TellMore:
       state.tells_more = action.argument != 0;
       state.plays = false;
@@ -258,6 +282,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::Resume:
       break;
   }
+  if (state.screen != Screen::Arrived) state.sound.reset();
   if (state.screen != Screen::Arrived) state.plays = false;  // nor does it begin on the way back
   return state;
 }

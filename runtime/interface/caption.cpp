@@ -46,7 +46,8 @@ class Timing {
   std::vector<std::size_t> ends_, lengths_;  ///< Bytes of the text.
 };
 
-/// Below the model's middle, above all that lies there.
+}  // namespace
+
 PixelBox box_above(const View& view, const scene::Rect& free, float width, float height,
                    float gap) noexcept {
   const float x = (free.x + free.width / 2) * view.pixel_width - width / 2;
@@ -60,8 +61,6 @@ PixelBox box_above(const View& view, const scene::Rect& free, float width, float
   }
   return {std::round(x), std::round(bottom - height), width, height};
 }
-
-}  // namespace
 
 std::unique_ptr<View> make_caption(const Museum& museum, const ViewRequest& asked,
                                    PieceCache& pieces, const Closures& closed,

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "runtime/interface/layout.h"
+#include "runtime/interface/sheet.h"
 
 namespace docent::interface {
 
@@ -13,5 +14,10 @@ namespace docent::interface {
 std::unique_ptr<View> make_caption(const Museum& museum, const ViewRequest& request,
                                    PieceCache& pieces, const Closures& closed = {},
                                    const ShownWay* way = nullptr);
+
+/// Where what is heard is read: in the middle of `free`, a part of the screen, below its middle and
+/// above all that can be touched there.
+PixelBox box_above(const View& view, const scene::Rect& free, float width, float height,
+                   float gap) noexcept;
 
 }  // namespace docent::interface

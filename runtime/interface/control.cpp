@@ -1,13 +1,17 @@
 #include "runtime/interface/control.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 #include "runtime/interface/face.h"
 #include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
 #include "runtime/interface/parts.h"
+#include "runtime/interface/phrases.h"
 #include "runtime/interface/pictures.h"
 #include "runtime/interface/places.h"
 #include "runtime/scene/look.h"
@@ -373,6 +377,24 @@ void add_walking(const ControlRequest& request, std::vector<Control>& out) {
   if (!to_next_stop(request.museum, request.state)) add_collect(request, out);
   add_home(request, "home", out);
 }
+/// What one may listen to: a button for each, which stops it while it plays.
+void add_sounds(const ControlRequest& request, std::vector<Control>& out) {
+  const auto& [museum, state, per_page] = request;
+  if (!can_listen(museum, state)) return;
+  const std::span<const ExhibitSound> sounds = sounds_of(museum, *state.exhibit);
+  for (std::uint32_t i = 0; i < sounds.size(); ++i) {
+    const bool plays = state.sound == i;
+    Control control =
+        button(museum, fmt::format("sound:{}", i + 1), plays ? "sound_stop" : "sound_play",
+               plays ? Action{Action::Kind::StopSound, i} : Action{Action::Kind::PlaySound, i});
+    for (std::uint32_t language = 0; language < museum.languages.size(); ++language) {
+      std::string& label = control.label[museum.languages[language].tag];
+      label = filled_in(label, "title", in_language(museum, language, sounds[i].title));
+    }
+    out.push_back(std::move(control));
+  }
+}
+
 /// Round and round through the exhibit's pictures, and to its longer text or back from that.
 void add_closer_look(const ControlRequest& request, std::vector<Control>& out) {
   const auto& [museum, state, per_page] = request;
@@ -394,6 +416,7 @@ void add_closer_look(const ControlRequest& request, std::vector<Control>& out) {
     out.push_back(state.plays
                       ? button(museum, "video:stop", "video_stop", {Action::Kind::PlayVideo, 0})
                       : button(museum, "video:play", "video_play", {Action::Kind::PlayVideo, 1}));
+  add_sounds(request, out);
   if (!museum.exhibits[*state.exhibit].more.empty())
     out.push_back(button(museum, "more", "more", {Action::Kind::TellMore, 1}));
 }

@@ -66,6 +66,9 @@ struct InterfaceState {
   std::optional<std::uint8_t> picture{};
   bool plays = false;       ///< That picture, which is a video.
   bool tells_more = false;  ///< Its longer text is read.
+  /// Which of the exhibit's sounds they listen to.
+  std::optional<std::uint8_t> sound{};
+  bool can_sound = false;  ///< There is something to hear it with.
   RouteKind kind = RouteKind::Shortest;
   path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
   bool arrived = false;      ///< The guide stands there.
@@ -110,6 +113,8 @@ struct Action {
     ShowFloor,        ///< Show floor `argument` from above.
     ShowPicture,      ///< Picture `argument` of the exhibit, from 0.
     PlayVideo,        ///< That picture, where `argument` is 1; 0: it stands still.
+    PlaySound,        ///< Sound `argument` of the exhibit, from 0.
+    StopSound,        ///< It is heard no more.
     TellMore,         ///< The exhibit's longer text, where `argument` is 1; 0: what one saw before.
     Speak,            ///< Language `argument`.
     TakeRoute,        ///< RouteKind `argument`.
@@ -161,8 +166,8 @@ struct Control {
   /// Stable, the same in every language: `exhibit:ID`, `collect:ID`, `place:KIND`, `tour:ID`,
   /// `search`, `key:LETTER`, `gallery:ID`,
   /// `subject:ID` and `period:ID` (of the first exhibit that has it), `next`, `route:shortest`,
-  /// `language:TAG`, `home`... A spot bears its exhibit's name; a list item of that name, where
-  /// there is one, comes first. A place on the model is `spot:ID`.
+  /// `sound:NUMBER` (from 1), `language:TAG`, `home`... A spot bears its exhibit's name; a list
+  /// item of that name, where there is one, comes first. A place on the model is `spot:ID`.
   std::string name;
   Role role = Role::Button;
   LocalText label;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "runtime/interface/caption.h"
 #include "runtime/interface/pages.h"
 #include "runtime/model/museum.h"
 
@@ -54,12 +56,12 @@ TimedText page_of(Sheet& sheet, const PixelBox& picture, const CueLook& look, st
           .words = sheet.words_of(piece)};
 }
 
-}  // namespace
-
-void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index) {
-  const Museum& museum = sheet.museum();
-  for (const Cue& cue : cues_of(museum, index, sheet.request().state.language)) {
-    const CueLook look = look_of(sheet, picture, museum.languages[cue.language]);
+/// Sets those of a video or a sound, a page at a time.
+template <typename Timed>
+void set_cues(Sheet& sheet, const PixelBox& on, std::span<const Timed> cues,
+              const auto& look_in_language) {
+  for (const Timed& cue : cues) {
+    const CueLook look = look_in_language(sheet.museum().languages[cue.language]);
     if (look.width < look.style.size) return;
     const auto pages = pages_of(sheet, look.style, cue.text, look.width, look.most_lines);
     float begin = 1e-3F * static_cast<float>(cue.begin);
@@ -67,10 +69,37 @@ void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index) {
                            static_cast<float>(std::max<std::size_t>(1, cue.text.size()));
     for (const std::string_view page : pages) {
       const float end = begin + a_letter * static_cast<float>(page.size());
-      sheet.view().cues.push_back(page_of(sheet, picture, look, page, begin, end));
+      sheet.view().cues.push_back(page_of(sheet, on, look, page, begin, end));
       begin = end;
     }
   }
+}
+
+}  // namespace
+
+void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index) {
+  set_cues(sheet, picture, cues_of(sheet.museum(), index, sheet.request().state.language),
+           [&](const Language& language) { return look_of(sheet, picture, language); });
+}
+
+void draw_sound_cues(Sheet& sheet, const PixelBox& free, std::uint32_t sound) {
+  constexpr float widest = 90, lines = 2;  // units
+  const Measures& m = sheet.measures();
+  CueLook look{.style = sheet.style(Letters::Body), .pad = m.unit, .most_lines = lines};
+  look.style.centred = true;
+  look.width = std::floor(std::min(free.width - 2 * m.gap,
+                                   widest * m.unit * sheet.request().shape.text_scale)) -
+               4 * look.pad;
+  const float height = lines * std::round(look.style.size * look.style.line_height) + 2 * look.pad;
+  PixelBox on =
+      box_above(sheet.view(), sheet.share_of(free), look.width + 4 * look.pad, height, m.gap);
+  on.height += 2 * look.pad;  // which page_of() leaves below it
+  set_cues(sheet, on, cues_of_sound(sheet.museum(), sound, sheet.request().state.language),
+           [&](const Language& language) {
+             look.style.language = language.tag;
+             look.style.right_to_left = language.right_to_left;
+             return look;
+           });
 }
 
 }  // namespace docent::interface

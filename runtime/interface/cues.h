@@ -12,4 +12,9 @@ namespace docent::interface {
 /// again, down to the usual. They become View::cues.
 void draw_cues(Sheet& sheet, const PixelBox& picture, std::uint32_t index);
 
+/// The captions of a sound that plays, an index into Museum::sounds: below the middle of what is
+/// left to the model, where also what is spoken is read, above all that lies there. They become
+/// View::cues in place of a video's.
+void draw_sound_cues(Sheet& sheet, const PixelBox& free, std::uint32_t sound);
+
 }  // namespace docent::interface

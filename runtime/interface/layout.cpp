@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "runtime/interface/cues.h"
 #include "runtime/interface/face.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/pictures.h"
 #include "runtime/interface/scroll.h"
 #include "runtime/interface/seats.h"
 #include "runtime/scene/look.h"
@@ -262,6 +264,7 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
   const Measures measures = measures_of(request.shape);
   view->spot_px = measures.touch;
   view->unit_px = measures.unit;
+  view->is_right_to_left = runs_right_to_left(museum, request.state.language);
 
   Sheet sheet(museum, request, pieces, closed, *view, way);
   view->accent = request.state.look ? sheet.on_paper(scene::trail_colour(*request.state.look))
@@ -295,6 +298,11 @@ std::unique_ptr<View> make_view(const Museum& museum, const ViewRequest& asked, 
     view->free.width -= column;
     if (runs_right_to_left(museum, request.state.language)) view->free.x += column;
     leave_to_model(*view, strip);
+  }
+  if (const auto sound = shown_sound(museum, request.state)) {
+    view->cues.clear();  // of a video that stands still
+    view->cues_scroll = false;
+    draw_sound_cues(sheet, free, *sound);
   }
   if (request.state.asks_to_stay) draw_still_here(sheet, free_box(request.shape));
   sheet.finish();

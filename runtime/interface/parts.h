@@ -51,6 +51,9 @@ Block picture_block(Sheet& sheet, float least, float worthwhile, float gap);
 /// The same where one leafs through an exhibit's pictures: between two buttons, and below them
 /// which one this is, and its caption. As high for all of them, so that the buttons stay in place.
 std::vector<Block> picture_blocks(Sheet& sheet, float least, float worthwhile, float gap);
+/// What one may listen to at the exhibit: a button for each and what is heard. Where nothing can be
+/// heard, that is read, and what is said in it.
+std::vector<Block> sound_blocks(Sheet& sheet);
 /// The exhibit's name and its longer text.
 std::vector<Block> more_blocks(Sheet& sheet, Letters title);
 /// The small plan with the way, on the model's upper corner.

@@ -38,6 +38,20 @@ std::optional<std::uint32_t> shown_video(const Museum& museum,
   return image;
 }
 
+bool can_listen(const Museum& museum, const InterfaceState& state) noexcept {
+  return state.can_sound && state.screen == Screen::Arrived && state.glass == Glass::Whole &&
+         state.exhibit && *state.exhibit < museum.exhibits.size() && !reads_more(museum, state) &&
+         !sounds_of(museum, *state.exhibit).empty();
+}
+
+std::optional<std::uint32_t> shown_sound(const Museum& museum,
+                                         const InterfaceState& state) noexcept {
+  if (!state.sound || !can_listen(museum, state)) return std::nullopt;
+  const std::span<const ExhibitSound> all = sounds_of(museum, *state.exhibit);
+  if (*state.sound >= all.size()) return std::nullopt;
+  return static_cast<std::uint32_t>(&all[*state.sound] - museum.sounds.data());
+}
+
 bool reads_more(const Museum& museum, const InterfaceState& state) noexcept {
   return state.tells_more && state.exhibit && *state.exhibit < museum.exhibits.size() &&
          !museum.exhibits[*state.exhibit].more.empty();

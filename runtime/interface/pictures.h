@@ -30,6 +30,13 @@ std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept;
 std::optional<std::uint32_t> shown_video(const Museum& museum,
                                          const InterfaceState& state) noexcept;
 
+/// The sound, an index into Museum::sounds, that a visitor in this state listens to; on a shared
+/// glass nobody does.
+std::optional<std::uint32_t> shown_sound(const Museum& museum,
+                                         const InterfaceState& state) noexcept;
+/// May they listen to what there is at the exhibit that they stand before?
+bool can_listen(const Museum& museum, const InterfaceState& state) noexcept;
+
 /// Does the visitor read the longer text of the exhibit that they are at?
 bool reads_more(const Museum& museum, const InterfaceState& state) noexcept;
 

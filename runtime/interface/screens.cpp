@@ -313,8 +313,12 @@ std::vector<Block> invitation_blocks(Sheet& sheet, Letters title) {
 
 std::vector<Block> goal_blocks(Sheet& sheet, Letters title) {
   const Measures& m = sheet.measures();
-  return {heading_block(sheet, title, goal_title(sheet), sheet.theme().ink, m.unit),
-          text_block(sheet, sheet.style(Letters::Body), goal_text(sheet), sheet.theme().ink, 0)};
+  std::vector<Block> blocks{
+      heading_block(sheet, title, goal_title(sheet), sheet.theme().ink, m.unit)};
+  append(blocks, sound_blocks(sheet));
+  blocks.push_back(
+      text_block(sheet, sheet.style(Letters::Body), goal_text(sheet), sheet.theme().ink, 0));
+  return blocks;
 }
 
 void lay_out_welcome(Sheet& sheet, const PixelBox& content) {

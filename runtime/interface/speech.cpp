@@ -33,6 +33,10 @@ std::string_view role_word(Role role) noexcept {
   return "role_button";
 }
 
+bool is_of_sound(const Action& action) noexcept {
+  return action.kind == Action::Kind::PlaySound || action.kind == Action::Kind::StopSound;
+}
+
 /// Composes what is said of one view.
 class Composer {
  public:
@@ -55,6 +59,7 @@ class Composer {
     return utterance;
   }
   std::string said_key(std::uint32_t letter) const;
+  void add_sound(Utterance& out, const Action& action) const;
   bool is_on_keyboard(char16_t letter) const;
   std::string_view say(std::string_view key) const { return word(museum_, language_, key); }
 
@@ -169,6 +174,17 @@ void Composer::add_search(Utterance& out) const {
   append_spoken(out, filled_in(say("search_found"), "n", apart(fmt::format("{}", total))));
 }
 
+/// "Listen", and what to.
+void Composer::add_sound(Utterance& out, const Action& action) const {
+  const std::string_view key = action.kind == Action::Kind::PlaySound ? "sound_play" : "sound_stop";
+  if (!state_.exhibit || *state_.exhibit >= museum_.exhibits.size()) return;
+  const auto sounds = sounds_of(museum_, *state_.exhibit);
+  if (action.argument >= sounds.size()) return;
+  std::string text = filled_in(say(key), "title", apart(local(sounds[action.argument].title)));
+  std::ranges::replace(text, between_pieces, '\n');
+  append_paragraphs(out, text);
+}
+
 /// Who cannot read a language's name hears it in that language.
 Utterance Composer::control(const Control& control) const {
   const bool names_language = control.action.kind == Action::Kind::Speak;
@@ -180,6 +196,8 @@ Utterance Composer::control(const Control& control) const {
                                                                : local(control.label);
   if (control.action.kind == Action::Kind::Type)
     append_spoken(out, said_key(control.action.argument));
+  else if (is_of_sound(control.action))
+    add_sound(out, control.action);
   else
     append_spoken(out, label);
   if (names_language) {

@@ -1,4 +1,6 @@
 /// Which controls lead where: what scripted visits and tests go by.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 
@@ -130,6 +132,9 @@ bool is_control_name(const Museum& museum, std::string_view name) {
   if (name == "picture:previous" || name == "picture:next") return !museum.pictures.empty();
   if (name == "video:play" || name == "video:stop")
     return std::ranges::any_of(museum.images, is_video);
+  for (const ExhibitSound& sound : museum.sounds)
+    if (name == fmt::format("sound:{}", &sound - sounds_of(museum, sound.exhibit).data() + 1))
+      return true;
   if (name == "more" || name == "less")
     return std::ranges::any_of(museum.exhibits, [](const Exhibit& e) { return !e.more.empty(); });
   if (name == "languages") return museum.languages.size() > most_languages_beside;

@@ -149,6 +149,7 @@ void Gatherer::add_names() {
     add(exhibit.subject);
     add(exhibit.period);
   }
+  for (const ExhibitSound& sound : museum_.sounds) add(sound.title);
   for (const FurtherPicture& picture : museum_.pictures) {
     add(picture.caption);
     add(picture.description);

@@ -102,7 +102,8 @@ struct CountedText {
   std::int32_t words = -1;  ///< Index into View::words.
 };
 
-/// A caption of a video: shown on its ground from `begin` on, before `end`; seconds of the video.
+/// A caption of a video or a sound: shown on its ground from `begin` on, before `end`; seconds of
+/// that.
 struct TimedText {
   float begin = 0, end = 0;
   scene::Quad ground, quad;
@@ -136,8 +137,9 @@ struct View {
   std::vector<Words> words;
   std::vector<CountedText> remaining;  ///< Ascending metres; empty where no distance is shown.
   bool remaining_scrolls = false;      ///< They lie in the part that scrolls.
-  std::vector<TimedText> cues;         ///< Of the video, by time, one at a time.
-  bool cues_scroll = false;            ///< They lie in the part that scrolls.
+  /// Of the sound that plays, else of the video: by time, one at a time.
+  std::vector<TimedText> cues;
+  bool cues_scroll = false;  ///< They lie in the part that scrolls.
   ScrollArea scroll;
   Speech speech;  ///< For who does not see it.
   InsetPlan inset;
@@ -152,6 +154,7 @@ struct View {
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.
   scene::Colour accent;                     ///< Of the rings that answer touches.
+  bool is_right_to_left = false;            ///< Lines begin on the right.
   scene::Theme theme;                       ///< In whose colours it is.
 };
 

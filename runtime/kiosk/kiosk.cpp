@@ -125,7 +125,8 @@ class Kiosk {
     return {.shape = shape(presenter_.target()),
             .idle_reset = config_.idle_reset,
             .visitors = static_cast<std::uint32_t>(wanted_visitors()),
-            .reduced_motion = config_.reduced_motion};
+            .reduced_motion = config_.reduced_motion,
+            .can_sound = simulated_ && Speaker::is_wanted(config_)};
   }
   double inches() const noexcept {
     return config::screen_inches(config_, edges_.display->diagonal_inches());

@@ -60,6 +60,10 @@ Result<void> Rehearsal::record(double time, const guide::Guide& guide,
   if (const guide::Saying* saying = guide.voice().saying();
       saying != nullptr && !transcript_file_.empty())
     transcript_ += transcript_line(time, *saying);
+  const std::optional<guide::PlayedSound> sound = guide.sound();
+  const std::uint32_t number = sound ? sound->number : 0;
+  if (std::exchange(sound_, number) != number && sound && !transcript_file_.empty())
+    transcript_ += transcript_line(time, *sound, guide.museum(), guide.state().language);
   if (visit_)
     for (const std::filesystem::path& list : visit_->take_lists())
       if (const Result<void> written = write_whole(list, to_json(guide.on_glass())); !written)

@@ -48,6 +48,7 @@ class Rehearsal {
   StateTable states_;
   std::filesystem::path transcript_file_;  ///< Empty: what is spoken is not written down.
   std::string transcript_;
+  std::uint32_t sound_ = 0;  ///< The number of the sound that plays; 0: none.
   double last_command_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "runtime/interface/speech.h"
 #include "runtime/sound/speech_queue.h"
@@ -29,17 +30,41 @@ Speaker::Speaker(const config::KioskConfig& config, bool is_simulated)
   if (!is_simulated) jacks_ = std::make_unique<alsa::JackWatch>();
 }
 
+bool Speaker::is_wanted(const config::KioskConfig& config) noexcept {
+  return config.sound_device != "none";
+}
+
 void Speaker::heed(guide::Guide& guide, const Museum& museum,
                    const std::shared_ptr<BlobArchive>& archive) noexcept {
   if (!player_) return;
   if (archive.get() != archive_) player_->use(archive);
   archive_ = archive.get();
   const guide::Voice& voice = guide.voice();
+  const bool plays = guide.sound().has_value();
   player_->set_volume(loudest_ * static_cast<float>(voice.volume()) / interface::loudest);
-  player_->set_speed(voice.speed());
+  player_->set_speed(plays ? 1 : voice.speed());  // an instrument has its own
   if (const guide::Saying* saying = voice.saying()) say(*saying, museum);
-  if (!is_simulated_) return guide.heard(player_->is_speaking());
+  play(guide);
+  if (!is_simulated_) {
+    guide.can_sound(player_->has_device());
+    return guide.heard(player_->is_speaking() && !plays);
+  }
   while (player_->is_speaking()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+/// Begins what the visitor has begun to listen to, and ends it where they do before its end.
+void Speaker::play(const guide::Guide& guide) noexcept {
+  constexpr float nothing = 0.3F;  // seconds that nobody misses
+  const std::optional<guide::PlayedSound> sound = guide.sound();
+  if (!sound) {
+    const bool is_cut = std::exchange(sound_, 0) != 0 && left_ > nothing;
+    if (is_cut && guide.voice().saying() == nullptr) player_->say({});
+    return;
+  }
+  left_ = static_cast<float>(sound->recording->samples) / SpeechSound::rate - sound->seconds;
+  if (std::exchange(sound_, sound->number) == sound->number) return;
+  parts_.front() = {.sound = sound->recording, .pauses = 0};
+  player_->say(std::span(parts_).first(1));
 }
 
 std::optional<bool> Speaker::headphones() noexcept {

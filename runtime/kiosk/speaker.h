@@ -30,15 +30,21 @@ class Speaker {
   void heed(guide::Guide& guide, const Museum& museum,
             const std::shared_ptr<BlobArchive>& archive) noexcept;
 
+  /// Can anything be heard, as far as settings say? Simulated time is heard as a device would.
+  static bool is_wanted(const config::KioskConfig& config) noexcept;
+
   /// Headphones that went in or out since the last call.
   std::optional<bool> headphones() noexcept;
 
  private:
+  void play(const guide::Guide& guide) noexcept;
   void say(const guide::Saying& saying, const Museum& museum) noexcept;
 
   std::unique_ptr<alsa::Player> player_;    ///< Null: nothing is heard.
   std::unique_ptr<alsa::JackWatch> jacks_;  ///< Null: nobody watches.
   const BlobArchive* archive_ = nullptr;    ///< That the player has.
+  std::uint32_t sound_ = 0;  ///< The number of the sound that was begun last; 0: none.
+  float left_ = 0;           ///< Seconds that it still takes.
   bool is_simulated_;
   float loudest_;
   std::array<sound::SpeechPart, 512> parts_{};

@@ -21,4 +21,14 @@ std::string transcript_line(double time, const guide::Saying& saying) {
                      field(interface::text_of(*saying.utterance)));
 }
 
+std::string transcript_line(double time, const guide::PlayedSound& sound, const Museum& museum,
+                            std::uint32_t language) {
+  const ExhibitSound& played = museum.sounds[sound.sound];
+  const auto first = sounds_of(museum, played.exhibit).data();
+  const std::string text =
+      fmt::format("[{}]", interface::in_language(museum, language, played.title));
+  return fmt::format("{:.3f},sound:{},{},{}\n", time, &played - first + 1,
+                     field(museum.languages[language].tag), field(text));
+}
+
 }  // namespace docent::kiosk

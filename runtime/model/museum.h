@@ -12,6 +12,7 @@
 #include "runtime/model/connection.h"
 #include "runtime/model/exhibit/cue.h"
 #include "runtime/model/exhibit/exhibit.h"
+#include "runtime/model/exhibit/exhibit_sound.h"
 #include "runtime/model/geometry/floor.h"
 #include "runtime/model/livery.h"
 #include "runtime/model/motion/motion_graph.h"
@@ -75,13 +76,17 @@ struct Museum {
   std::vector<Exhibit> exhibits;
   std::vector<FurtherPicture> pictures;  ///< In the order of their exhibits.
   std::vector<Cue> cues;  ///< By picture, language and time; of a video never two at once.
+  std::vector<ExhibitSound> sounds;  ///< In the order of their exhibits.
+  std::vector<SoundCue> sound_cues;  ///< By sound, language and time; never two at once.
   std::vector<Tour> tours;
   /// How titles and names are read that are not typed as they are written: Chinese in Pinyin,
   /// Japanese in kana, syllables with spaces between them. By the text.
   std::map<std::string, std::string, std::less<>> readings;
   std::vector<EncodedImage> images;
   std::vector<ExhibitObject> objects;
-  std::vector<SpeechSound> speech;  ///< By language and text, each once; none: it is silent.
+  /// By language and text, each once; none: it is silent. Also the recordings of `sounds`, by
+  /// recording_key().
+  std::vector<SpeechSound> speech;
   std::uint32_t kiosk_floor = 0;
   Placement kiosk;  ///< "You are here"; the heading is where the visitor looks.
   /// Where they have names: all of them, the first being the one above. stand_at() changes that.
@@ -117,6 +122,38 @@ struct Museum {
   auto in_it = std::ranges::equal_range(all, language, {}, &Cue::language);
   if (in_it.empty())
     in_it = std::ranges::equal_range(all, all.front().language, {}, &Cue::language);
+  return {in_it.begin(), in_it.end()};
+}
+
+/// What one may listen to at an exhibit, in that order.
+[[nodiscard]] inline std::span<const ExhibitSound> sounds_of(const Museum& museum,
+                                                             std::uint32_t exhibit) noexcept {
+  const auto of_it = std::ranges::equal_range(museum.sounds, exhibit, {}, &ExhibitSound::exhibit);
+  return {of_it.begin(), of_it.end()};
+}
+
+/// That sound as it is heard in a language: its recording in that language, else in the first of
+/// the museum's in which there is one. One that is for everybody is in the first. Null where there
+/// is none.
+[[nodiscard]] inline const SpeechSound* recording_of(const Museum& museum, std::uint32_t sound,
+                                                     std::uint32_t language) noexcept {
+  const RecordingKey key(sound);
+  const SpeechSound* found = find_sound(museum.speech, language, key.text());
+  for (std::uint32_t other = 0; found == nullptr && other < museum.languages.size(); ++other)
+    found = find_sound(museum.speech, other, key.text());
+  return found;
+}
+
+/// What is read while that sound plays, in a language: its own, else the first of the museum's in
+/// which there is any.
+[[nodiscard]] inline std::span<const SoundCue> cues_of_sound(const Museum& museum,
+                                                             std::uint32_t sound,
+                                                             std::uint32_t language) noexcept {
+  const auto all = std::ranges::equal_range(museum.sound_cues, sound, {}, &SoundCue::sound);
+  if (all.empty()) return {};
+  auto in_it = std::ranges::equal_range(all, language, {}, &SoundCue::language);
+  if (in_it.empty())
+    in_it = std::ranges::equal_range(all, all.front().language, {}, &SoundCue::language);
   return {in_it.begin(), in_it.end()};
 }
 

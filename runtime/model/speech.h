@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,7 +12,8 @@
 
 namespace docent {
 
-/// A piece of what the kiosk says, as sound. Sentences are said by pieces, one after another.
+/// A piece of what the kiosk says, as sound, or a recording that it plays. Sentences are said by
+/// pieces, one after another.
 ///
 /// `packets` are Opus packets (RFC 6716) of one frame and one channel each, every one after its
 /// length in two bytes, the lower first. Decoded one after another they give `skip` samples that
@@ -64,6 +67,30 @@ constexpr std::optional<std::uint64_t> samples_of_packets(
     samples += more;
   }
   return samples;
+}
+
+/// Under which text a museum's sound of that index is kept among what is said: no text of the
+/// museum has its first character.
+class RecordingKey {
+ public:
+  static constexpr char first = '\x1f';
+
+  explicit RecordingKey(std::uint32_t sound) noexcept {
+    text_.front() = first;
+    end_ = std::to_chars(text_.data() + 1, text_.data() + text_.size(), sound).ptr;
+  }
+  std::string_view text() const noexcept { return {text_.data(), end_}; }
+  RecordingKey(const RecordingKey&) = delete;
+  RecordingKey& operator=(const RecordingKey&) = delete;
+
+ private:
+  std::array<char, 12> text_{};
+  const char* end_ = nullptr;
+};
+
+/// Is it no piece of speech, but the recording of one of the museum's sounds?
+constexpr bool is_recording(const SpeechSound& sound) noexcept {
+  return sound.text.starts_with(RecordingKey::first);
 }
 
 /// The piece that says `text` in a language; null where there is none. `speech` is sorted by

@@ -16,6 +16,7 @@
 #include "runtime/model/hours/opening_hours.h"
 #include "runtime/model/hours/time_zone.h"
 #include "runtime/model/scenery_images.h"
+#include "runtime/schema/media_invariants.h"
 #include "runtime/schema/object_blob.h"
 
 namespace docent::schema {
@@ -282,38 +283,6 @@ bool keeps(const Exhibit& exhibit, const Museum& museum) {
          stands(exhibit, museum) && keep_touches(exhibit, museum);
 }
 
-/// Those of an exhibit lie together, and are not too many to leaf through.
-bool keep(const std::vector<FurtherPicture>& pictures, const Museum& museum) {
-  const auto is_there = [&](const FurtherPicture& picture) {
-    return picture.exhibit < museum.exhibits.size() && picture.image < museum.images.size() &&
-           further_pictures(museum, picture.exhibit).size() < FurtherPicture::most;
-  };
-  return std::ranges::is_sorted(pictures, {}, &FurtherPicture::exhibit) &&
-         std::ranges::all_of(pictures, is_there);
-}
-
-/// Those of a video in a language follow each other, and are no more than a kiosk sets.
-bool keep(const std::vector<Cue>& cues, const Museum& museum) {
-  const auto is_sound = [&](const Cue& cue) {
-    return cue.picture < museum.pictures.size() && cue.language < museum.languages.size() &&
-           cue.begin < cue.end && cue.end <= Cue::latest && !cue.text.empty() &&
-           count_letters(cue.text) <= Cue::most_letters;
-  };
-  const auto comes_before = [](const Cue& a, const Cue& b) {
-    const bool are_together = a.picture == b.picture && a.language == b.language;
-    return are_together ? a.end <= b.begin
-                        : std::tie(a.picture, a.language) < std::tie(b.picture, b.language);
-  };
-  if (!std::ranges::all_of(cues, is_sound) ||
-      std::ranges::adjacent_find(cues, std::not_fn(comes_before)) != cues.end())
-    return false;
-  for (std::size_t i = Cue::most; i < cues.size(); ++i)
-    if (cues[i].picture == cues[i - Cue::most].picture &&
-        cues[i].language == cues[i - Cue::most].language)
-      return false;
-  return true;
-}
-
 bool keeps(const Tour& tour, std::size_t exhibits) {
   std::vector<std::uint32_t> all = tour.exhibits;
   std::ranges::sort(all);
@@ -553,20 +522,6 @@ bool keeps(const SkinnedMesh& mesh, std::size_t joints) {
          are_triangles(mesh.indices, mesh.vertices.size());
 }
 
-/// Can each piece be found and played to its end?
-bool keeps_speech(const std::vector<SpeechSound>& speech, std::size_t languages) {
-  const auto sound = [=](const SpeechSound& piece) {
-    const auto held = samples_of_packets(piece.packets);
-    return piece.language < languages && piece.samples > 0 && held &&
-           *held >= std::uint64_t{piece.skip} + piece.samples;
-  };
-  const auto in_order = [](const SpeechSound& a, const SpeechSound& b) {
-    return std::tie(a.language, a.text) < std::tie(b.language, b.text);
-  };
-  return std::ranges::all_of(speech, sound) &&
-         std::ranges::adjacent_find(speech, std::not_fn(in_order)) == speech.end();
-}
-
 std::string broken_floor(const Floor& floor) {
   if (!keeps(floor.plan)) return "its walls";
   if (!keeps(floor.diagram, floor.plan.vertex.size())) return "its Voronoi diagram";
@@ -596,8 +551,7 @@ std::string broken_invariant(const Museum& museum) {
   for (const Exhibit& exhibit : museum.exhibits)
     if (!keeps(exhibit, museum)) return "exhibit '" + exhibit.id + "'";
   if (scenery_images(museum) > most_scenery_images) return "the number of exhibits' pictures";
-  if (!keep(museum.pictures, museum)) return "the exhibits' further pictures";
-  if (!keep(museum.cues, museum)) return "the captions of its videos";
+  if (const std::string part = broken_media(museum); !part.empty()) return part;
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
   for (const Connection& connection : museum.connections)
@@ -605,7 +559,6 @@ std::string broken_invariant(const Museum& museum) {
   for (const Place& place : museum.places)
     if (!keeps(place, museum)) return "place '" + place.id + "'";
   if (!keeps(museum.livery, museum)) return "its own look";
-  if (!keeps_speech(museum.speech, museum.languages.size())) return "its speech";
   if (!keeps_hours(museum)) return "its hours";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";
   for (const KioskPlace& kiosk : museum.kiosks)

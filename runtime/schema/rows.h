@@ -192,6 +192,18 @@ void columns(auto& row, MaybeConst<FurtherPicture> auto& picture) {
   row("image", picture.image);
 }
 
+void columns(auto& row, MaybeConst<ExhibitSound> auto& sound) {
+  row("exhibit", sound.exhibit);
+}
+
+void columns(auto& row, MaybeConst<SoundCue> auto& cue) {
+  row("sound", cue.sound);
+  row("language", cue.language);
+  row("begin_ms", cue.begin);
+  row("end_ms", cue.end);
+  row("text", cue.text);
+}
+
 void columns(auto& row, MaybeConst<Cue> auto& cue) {
   row("picture", cue.picture);
   row("language", cue.language);
@@ -339,6 +351,12 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
     store.texts("picture.description", i, museum.pictures[i].description);
   }
   store.rows("cue", museum.cues);
+  store.rows("sound", museum.sounds);
+  for (std::size_t i = 0; i < museum.sounds.size(); ++i) {
+    store.texts("sound.title", i, museum.sounds[i].title);
+    store.texts("sound.description", i, museum.sounds[i].description);
+  }
+  store.rows("sound_cue", museum.sound_cues);
   store.rows("place", museum.places);
   for (std::size_t i = 0; i < museum.places.size(); ++i)
     store.texts("place.title", i, museum.places[i].title);

@@ -63,7 +63,7 @@ CREATE TABLE language (      -- the first is the default
 );
 
 CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
-  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.more exhibit.artist exhibit.subject exhibit.period picture.caption picture.description place.title tour.title language.word museum.reading
+  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.more exhibit.artist exhibit.subject exhibit.period picture.caption picture.description sound.title sound.description place.title tour.title language.word museum.reading
   owner INTEGER NOT NULL,    -- id in the subject's table
   key TEXT NOT NULL,         -- language tag; for language.word the word's key, for museum.reading what is read so
   text TEXT NOT NULL,
@@ -230,6 +230,20 @@ CREATE TABLE cue (              -- what is read for a part of a video: by pictur
   text TEXT NOT NULL
 );
 
+CREATE TABLE sound (            -- what one may listen to at an exhibit
+  id INTEGER PRIMARY KEY,
+  exhibit INTEGER NOT NULL
+);
+
+CREATE TABLE sound_cue (        -- what is read for a part of a sound: by sound, language, begin
+  id INTEGER PRIMARY KEY,
+  sound INTEGER NOT NULL,
+  language INTEGER NOT NULL,
+  begin_ms INTEGER NOT NULL,    -- of the sound
+  end_ms INTEGER NOT NULL,
+  text TEXT NOT NULL
+);
+
 CREATE TABLE place (            -- what visitors ask for besides exhibits
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL,           -- its id in museum.toml
@@ -273,7 +287,7 @@ CREATE TABLE object (           -- an exhibit's own shape
 CREATE TABLE speech (           -- what the kiosk says, by pieces, sorted by language and text
   id INTEGER PRIMARY KEY,
   language INTEGER NOT NULL,
-  text TEXT NOT NULL,
+  text TEXT NOT NULL,           -- or the character U+001F and the id of the sound that it is of
   made_of TEXT NOT NULL,        -- a digest of all that its sound depends on
   skip INTEGER NOT NULL,        -- samples at 48 kHz that are left out at the beginning
   samples INTEGER NOT NULL,     -- and how many follow

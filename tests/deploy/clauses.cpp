@@ -94,13 +94,17 @@ const std::array table{
     Clause{"5.1.3.10",
            "No sound that interferes",
            State::Met,
-           "Nothing sounds until somebody wants to hear, and then one voice alone.",
-           {"Voice.IsSilentUntilSomebodyWantsToHear"}},
+           "Nothing sounds until somebody wants to hear, and then one voice or one sound alone: "
+           "what is spoken ends a sound.",
+           {"Voice.IsSilentUntilSomebodyWantsToHear",
+            "Listening.WithClosedEyesIsToTheSoundAloneUntilItEnds",
+            "Listening.WithClosedEyesEndsForWhateverIsSaid"}},
     Clause{"5.1.3.11",
            "Volume of private listening",
            State::Met,
-           "By two keys, without seeing.",
-           {"Voice.IsLouderFasterAndSaysItAgainByKeys"}},
+           "By two keys, without seeing; of a sound, too.",
+           {"Voice.IsLouderFasterAndSaysItAgainByKeys",
+            "Listening.IsLouderAndSofterByTheKeysWithoutAWord"}},
     Clause{"5.1.3.12",
            "Volume of a loudspeaker",
            State::TheMuseums,
@@ -138,11 +142,15 @@ const std::array table{
         "5.1.5",
         "What is heard can be seen",
         State::InPart,
-        "What is said and heard in a video is read on its lower edge, as staff have captioned it. "
+        "What is said and heard in a video is read on its lower edge, as staff have captioned it; "
+        "what a sound is like stands beside its button, and its captions are read while it plays, "
+        "or all at once where nothing can be heard. "
         "While something is said to one visitor, the glass shows it as a caption, page by page, "
         "each for as long as it sounds. Open: recordings of staff that say something else are "
-        "captioned with what they stand for.",
-        {"Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
+        "captioned with what they stand for; captions of a sound are staff's to write.",
+        {"Listening.BeginsByATouchAndEndsBySelfWithItsCaptionsReadMeanwhile",
+         "Listening.IsOfferedNowhereWhereNothingCanBeHeardAndIsReadInstead",
+         "Captions.ShowWhatIsSaidWhileItSounds", "Caption.ShowsAllThatIsSaidPageByPage",
          "Caption.TurnsItsPagesAsLongAsTheSpeechThatWasPreparedTakes",
          "Caption.CoversNothingThatCanBeTouched", "Watching.HasTheCaptionsReadAtTheirTimes",
          "Cues.LieInTheLowerHalfOfTheVideoInAnyLanguageAndSizeOfLetters",

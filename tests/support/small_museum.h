@@ -145,6 +145,17 @@ inline Museum small_museum() {
        .packets = {std::byte{2}, none, contents, quiet, std::byte{2}, none, contents, quiet}});
   museum.speech.push_back(museum.speech.front());
   museum.speech.back().language = 1;
+  museum.sounds = {{.exhibit = 0,
+                    .title = {{"en", "The disc rings"}},
+                    .description = {{"en", "A clear note."}}}};
+  SpeechSound rings = museum.speech.back();
+  rings.text = RecordingKey(0).text();
+  rings.made_of = "5b";
+  museum.speech.insert(museum.speech.end() - 1, rings);
+  museum.sound_cues = {
+      {.sound = 0, .language = 0, .begin = 0, .end = 1000, .text = "[It rings]"},
+      {.sound = 0, .language = 0, .begin = 1000, .end = 300'500, .text = "[Silence]"},
+      {.sound = 0, .language = 1, .begin = 0, .end = 1000, .text = "[رنين]"}};
   museum.kiosk = {{1, 1}, 0.5};
   museum.kiosks = {{.id = "foyer", .floor = 0, .placement = {{1, 1}, 0.5}},
                    {.id = "cafe", .floor = 0, .placement = {{9, 4}, -1.5}}};

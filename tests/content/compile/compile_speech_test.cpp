@@ -83,8 +83,8 @@ TEST(CompileSpeech, SaysOnceThatThereIsNoVoiceAndGoesOn) {
 
 TEST(CompileSpeech, TellsWhatIsWrongWithARecording) {
   Staff staff;
-  std::ofstream(staff.folder.path() / "hello.mp3") << "ID3 and so on";
-  staff.write("en", "Jade disc", "hello.mp3");
+  std::ofstream(staff.folder.path() / "hello.amr") << "#!AMR and so on";
+  staff.write("en", "Jade disc", "hello.amr");
   staff.write("tlh", "Jade disc", {}, "baj");
   staff.write("en", "Jade dish", {}, "jade dish");
 
@@ -92,7 +92,7 @@ TEST(CompileSpeech, TellsWhatIsWrongWithARecording) {
 
   const auto told = staff.report.in_order();
   ASSERT_EQ(told.size(), 3U);
-  EXPECT_THAT(told[0].message, HasSubstr("'hello.mp3': this is an MP3 file"));
+  EXPECT_THAT(told[0].message, HasSubstr("'hello.amr': this is an AMR file"));
   EXPECT_EQ(told[0].severity, Severity::Error);
   EXPECT_THAT(told[1].message, HasSubstr("the museum does not speak 'tlh'"));
   EXPECT_THAT(told[2].message, HasSubstr("never says 'Jade dish' by itself"));

@@ -3,9 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sndfile.h>
+
+#include <span>
+#include <string>
 
 #include "content/content_error.h"
 #include "tests/content/speech/made_recordings.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace docent::speech::recording_test {
 namespace {
@@ -27,6 +33,23 @@ std::string refusal(std::string_view bytes) {
     EXPECT_FALSE(error.hint.empty());
     return error.what();
   }
+}
+
+/// A file of one channel as libsndfile writes it.
+std::string written_by_library(std::span<const float> samples, int rate, int format) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder.path() / "sound").string();
+  SF_INFO info{.frames = 0,
+               .samplerate = rate,
+               .channels = 1,
+               .format = format,
+               .sections = 0,
+               .seekable = 0};
+  SNDFILE* out = sf_open(file.c_str(), SFM_WRITE, &info);
+  EXPECT_NE(out, nullptr) << sf_strerror(nullptr);
+  sf_write_float(out, samples.data(), static_cast<sf_count_t>(samples.size()));
+  sf_close(out);
+  return test::text_of(file);
 }
 
 RC_GTEST_PROP(RecordingProperty, AWavFileIsReadAsItWasWritten, ()) {
@@ -69,16 +92,58 @@ TEST(Recording, OfOpusHasItsLengthAndLoudness) {
 }
 
 TEST(Recording, ThatIsNotReadIsCalledByItsName) {
-  EXPECT_THAT(refusal("ID3\x04 and so on"), HasSubstr("an MP3 file; WAV and Opus"));
-  EXPECT_THAT(refusal("fLaC and so on"), HasSubstr("a FLAC file"));
+  EXPECT_THAT(refusal("#!AMR and so on"), HasSubstr("an AMR file; WAV, FLAC"));
   EXPECT_THAT(refusal(std::string("\0\0\0\x20"
                                   "ftypM4A ",
                                   12)),
               HasSubstr("M4A"));
   EXPECT_THAT(refusal(""), HasSubstr("no sound that docent knows"));
+}
+
+/// What libsndfile reads; bytes that only begin like that are refused with its sentence.
+TEST(Recording, OfALibrarysKindHasItsLengthAndLoudness) {
+  const auto samples = tone(440, 44'100, 44'100);
+  for (const int format : {SF_FORMAT_FLAC | SF_FORMAT_PCM_16, SF_FORMAT_AIFF | SF_FORMAT_PCM_16,
+                           SF_FORMAT_OGG | SF_FORMAT_VORBIS, SF_FORMAT_OGG | SF_FORMAT_OPUS,
+                           SF_FORMAT_MPEG | SF_FORMAT_MPEG_LAYER_III}) {
+    const bool is_opus = format == (SF_FORMAT_OGG | SF_FORMAT_OPUS);
+    const auto given = is_opus ? tone(440, 48'000, 48'000) : samples;
+    const std::string bytes = written_by_library(given, is_opus ? 48'000 : 44'100, format);
+    const Pcm read = read_sound(bytes, "hello");
+
+    EXPECT_EQ(read.rate, is_opus ? 48'000U : 44'100U) << format;
+    EXPECT_NEAR(static_cast<double>(read.samples.size()), static_cast<double>(given.size()), 2'400)
+        << format;
+    EXPECT_NEAR(power(read.samples) / power(given), 1, 0.2) << format;
+  }
+}
+
+TEST(Recording, ThatOnlyBeginsLikeALibrarysKindIsRefused) {
+  for (const char* begins : {"ID3\x04 and so on", "fLaC and so on", "\xff\xfb and so on"})
+    EXPECT_THAT(refusal(begins),
+                testing::AnyOf(HasSubstr("it cannot be read: "), HasSubstr("it holds no sound"),
+                               HasSubstr("it is damaged")));
   const std::string vorbis = "\x01vorbis and so on";
   const std::uint8_t lacing[] = {static_cast<std::uint8_t>(vorbis.size())};
-  EXPECT_THAT(refusal(test::ogg_page(vorbis, lacing, 0, 0)), HasSubstr("Vorbis"));
+  EXPECT_THAT(refusal(test::ogg_page(vorbis, lacing, 0, 0)), HasSubstr("it cannot be read: "));
+}
+
+/// Whatever is cut off or spoilt: a sentence, or what is left.
+TEST(Recording, OfALibrarysKindIsReadOrRefusedHoweverItIsSpoilt) {
+  const std::string flac =
+      written_by_library(tone(440, 44'100, 8'820), 44'100, SF_FORMAT_FLAC | SF_FORMAT_PCM_16);
+  for (std::size_t at = 0; at < flac.size(); at += 97) {
+    std::string spoilt = flac;
+    spoilt[at] = static_cast<char>(spoilt[at] ^ 0x55);
+    for (const std::string& bytes : {spoilt, flac.substr(0, at)}) {
+      try {
+        EXPECT_FALSE(read_sound(bytes, "hello").samples.empty());
+      } catch (const content::ContentError& error) {
+        EXPECT_EQ(error.code, "unreadable-recording");
+        EXPECT_FALSE(error.hint.empty());
+      }
+    }
+  }
 }
 
 TEST(Recording, ThatIsCutShortIsRefused) {

@@ -54,6 +54,21 @@ RC_GTEST_PROP(EncoderProperty, WhatIsEncodedHasItsLengthAndKeepsToTheFormat, ())
   RC_ASSERT(*held < encoded->skip + encoded->samples + SpeechSound::longest_frame);
 }
 
+/// A cymbal is above what speech keeps.
+TEST(Encoder, KeepsOfAnySoundWhatIsHigh) {
+  std::vector<float> high(SpeechSound::rate);
+  for (std::size_t i = 0; i < high.size(); ++i)
+    high[i] = 0.3F * static_cast<float>(std::sin(2 * std::numbers::pi * 15'000 *
+                                                 static_cast<double>(i) / SpeechSound::rate));
+
+  const auto encoded = encode_sound(high);
+
+  ASSERT_TRUE(encoded.has_value());
+  EXPECT_EQ(encoded->samples, high.size());
+  EXPECT_NEAR(energy(decoded(*encoded)) / energy(high), 1, 0.2);
+  EXPECT_NEAR(static_cast<double>(encoded->packets.size()), sound_bits / 8.0, 1500);
+}
+
 TEST(Encoder, GivesBackTheSoundWithItsLoudnessAndInItsPlace) {
   const std::vector<float> sound = hum(encoder_rate);
   const auto encoded = encode(sound, 24'000);

@@ -240,6 +240,22 @@ TEST(ContentReader, RefusesIndicesThatLeadNowhereAndSoDoesTheWriter) {
          for (std::uint32_t i = 0; i <= Cue::most; ++i)
            m.cues.push_back({.begin = i, .end = i + 1, .text = "a"});
        }},
+      {"its sounds", [](Museum& m) { m.sounds[0].exhibit = 1; }},
+      {"its sounds", [](Museum& m) { m.sounds.resize(ExhibitSound::most + 1); }},
+      {"its sounds", [](Museum& m) { m.sounds.push_back(m.sounds.front()); }},
+      {"its sounds", [](Museum& m) { m.speech.erase(m.speech.begin() + 1); }},
+      {"speech", [](Museum& m) { m.speech[1].samples = 1 + 300 * SpeechSound::rate; }},
+      {"captions of its sounds", [](Museum& m) { m.sound_cues[2].sound = 1; }},
+      {"captions of its sounds", [](Museum& m) { m.sound_cues[2].language = 2; }},
+      {"captions of its sounds", [](Museum& m) { m.sound_cues[0].end = 1001; }},
+      {"captions of its sounds", [](Museum& m) { m.sound_cues[1].end = SoundCue::latest + 1; }},
+      {"captions of its sounds", [](Museum& m) { m.sound_cues[1].text.clear(); }},
+      {"captions of its sounds",
+       [](Museum& m) {
+         m.sound_cues.clear();
+         for (std::uint32_t i = 0; i <= SoundCue::most; ++i)
+           m.sound_cues.push_back({.begin = i, .end = i + 1, .text = "a"});
+       }},
       {"exhibit", [](Museum& m) { m.exhibits[0].viewing_point.heading = INFINITY; }},
       {"exhibit", [](Museum& m) { m.exhibits[0].more["en"] = std::string(longest_more + 1, 'a'); }},
       {"exhibit",
@@ -413,7 +429,7 @@ TEST(ContentReader, ReadsWhatIsSaidWithoutTheRest) {
   const auto speech = read_speech(*open_database(file), file);
 
   ASSERT_TRUE(speech.has_value()) << speech.error().what;
-  ASSERT_EQ(speech->size(), 2U);
+  ASSERT_EQ(speech->size(), 3U);
   EXPECT_EQ(speech->back().text, "Jade disc");
   EXPECT_EQ(speech->back().packets, small_museum().speech.back().packets);
 }

@@ -5,7 +5,34 @@
 
 namespace docent::interface {
 
+namespace {
+
+/// One exhibit in two has something to listen to, some of it in many words.
+void add_sounds(Museum& museum) {
+  museum.sounds.clear();
+  museum.sound_cues.clear();
+  const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
+  for (std::uint32_t i = 0; i < count; i += 2)
+    for (std::uint32_t n = 0; n <= i % ExhibitSound::most; ++n) {
+      const auto sound = static_cast<std::uint32_t>(museum.sounds.size());
+      museum.sounds.push_back({.exhibit = i,
+                               .title = museum.exhibits[(i + n) % count].title,
+                               .description = museum.exhibits[(i + n) % count].description});
+      for (std::uint32_t language = 0; language < museum.languages.size(); ++language)
+        for (const std::uint32_t second : {0U, 5U})
+          museum.sound_cues.push_back(
+              {.sound = sound,
+               .language = language,
+               .begin = 1000 * second,
+               .end = 1000 * second + 4000,
+               .text = std::string(in_language(museum, language, museum.exhibits[i].title))});
+    }
+}
+
+}  // namespace
+
 void add_pictures_and_more(Museum& museum) {
+  add_sounds(museum);
   museum.pictures.clear();
   const auto count = static_cast<std::uint32_t>(museum.exhibits.size());
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -25,6 +52,10 @@ void add_pictures_and_more(Museum& museum) {
 }
 
 void look_closer(InterfaceState& state) {
+  state.can_sound = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::inRange(0, 3) == 0)
+    state.sound = static_cast<std::uint8_t>(*rc::gen::inRange<std::size_t>(0, ExhibitSound::most));
+
   if (*rc::gen::arbitrary<bool>())
     state.picture = static_cast<std::uint8_t>(*rc::gen::inRange<std::size_t>(0, 20));
   state.tells_more = *rc::gen::arbitrary<bool>();

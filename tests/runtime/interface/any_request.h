@@ -9,7 +9,7 @@ namespace docent::interface {
 ViewRequest any_request(const Museum& museum);
 
 /// Gives two exhibits of three further pictures, few or as many as there may be, some with captions
-/// and some described, and every other one a longer text.
+/// and some described, and every other one a longer text and something to listen to.
 void add_pictures_and_more(Museum& museum);
 /// Any picture and text of the exhibit that one is at; for properties.
 void look_closer(InterfaceState& state);

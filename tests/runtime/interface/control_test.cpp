@@ -6,6 +6,7 @@
 #include <set>
 
 #include "runtime/interface/face.h"
+#include "runtime/interface/pictures.h"
 #include "tests/runtime/interface/any_request.h"
 #include "tests/support/sample_museum.h"
 
@@ -402,6 +403,54 @@ TEST(ControlGraph, AVideoIsPlayedAndStoppedWhereItIsSeen) {
   ASSERT_TRUE(press("video:play"));
   ASSERT_TRUE(press("picture:next"));
   EXPECT_FALSE(press("video:stop"));
+}
+
+TEST(ControlGraph, ASoundIsPlayedAndStoppedAtItsExhibitAlone) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.sounds.clear();
+  EXPECT_FALSE(is_control_name(museum, "sound:1"));
+  museum.sounds = {{.exhibit = 2, .title = {{"en", "A bell"}}, .description = {}}};
+  EXPECT_TRUE(is_control_name(museum, "sound:1"));
+  EXPECT_FALSE(is_control_name(museum, "sound:2"));
+  InterfaceState state;
+  state.screen = Screen::Arrived;
+  state.arrived = true;
+  const auto press = [&](std::string_view name) {
+    for (const Control& control : controls_of(museum, state, 6))
+      if (control.name == name) {
+        state = after(state, control.action);
+        return true;
+      }
+    return false;
+  };
+
+  state.exhibit = 2;
+  EXPECT_FALSE(press("sound:1")) << "nothing can be heard";
+  state.can_sound = true;
+  ASSERT_TRUE(press("sound:1"));
+  EXPECT_EQ(state.sound, 0);
+  EXPECT_EQ(shown_sound(museum, state), 0U);
+  ASSERT_TRUE(press("sound:1"));
+  EXPECT_FALSE(state.sound);
+  ASSERT_TRUE(press("sound:1"));
+  ASSERT_TRUE(press("choose"));
+  EXPECT_FALSE(state.sound) << "who leaves listens no more";
+  state = {};
+  state.can_sound = true;
+  state.screen = Screen::Arrived;
+  state.exhibit = 1;
+  EXPECT_FALSE(press("sound:1"));
+}
+
+TEST(ControlGraph, AVideoStandsStillForWhoListens) {
+  InterfaceState watching;
+  watching.screen = Screen::Arrived;
+  watching.plays = true;
+
+  const InterfaceState listening = after(watching, {Action::Kind::PlaySound, 0});
+  EXPECT_FALSE(listening.plays);
+  EXPECT_FALSE(after(listening, {Action::Kind::PlayVideo, 1}).sound);
+  EXPECT_FALSE(after(listening, {Action::Kind::ShowPicture, 1}).sound);
 }
 
 TEST(ControlGraph, AVideoDoesNotGoOnForWhoWasElsewhereMeanwhile) {

@@ -23,7 +23,7 @@ Pixels plain(std::uint32_t /*image*/, std::uint32_t width, std::uint32_t height)
 /// With a logo of that shape.
 Museum museum_with_logo(std::uint32_t width, std::uint32_t height) {
   Museum museum = test::sample_museum_without_walls();
-  museum.livery = {.logo = static_cast<std::uint32_t>(museum.images.size())};
+  museum.livery.logo = static_cast<std::uint32_t>(museum.images.size());
   museum.images.push_back({.name = "logo.png", .width = width, .height = height, .bytes = {}});
   return museum;
 }
@@ -53,7 +53,8 @@ std::vector<scene::Quad> pictures(const View& view) {
 
 /// In pixels.
 double shape_of(const scene::Quad& quad, const ViewRequest& request) {
-  return quad.rect.width * request.shape.width / (quad.rect.height * request.shape.height);
+  return quad.rect.width * static_cast<float>(request.shape.width) /
+         (quad.rect.height * static_cast<float>(request.shape.height));
 }
 
 bool overlap(const scene::Rect& a, const scene::Rect& b) {
@@ -120,7 +121,8 @@ TEST(AMuseumsColours, AreThoseOfEveryScreen) {
     request.state.screen = screen;
     request.state.exhibit = 3;
     bool has_own = false;
-    for (const Element& element : view_of(museum, request)->elements) {
+    const auto view = view_of(museum, request);
+    for (const Element& element : view->elements) {
       const std::uint32_t colour = scene::hex_of(element.quad.colour);
       EXPECT_NE(colour, house.paper);
       EXPECT_NE(colour, house.ink);

@@ -38,6 +38,17 @@ TEST(Transcript, IsWrittenOfAVisitWithHeadphonesAndAFrameAllocatesNothing) {
   EXPECT_EQ(test::number_in(test::text_of(run.file("stats.json")), "allocations_in_frames"), 0);
 }
 
+TEST(Transcript, HasASoundInBracketsWhereAVisitorListensToIt) {
+  Museum museum;
+  museum.languages.emplace_back().tag = "en";
+  museum.exhibits.resize(1);
+  museum.sounds = {{.exhibit = 0, .title = {{"en", "A lute"}}, .description = {}},
+                   {.exhibit = 0, .title = {{"en", "The bell, struck"}}, .description = {}}};
+
+  EXPECT_EQ(transcript_line(2, {.sound = 1}, museum, 0),
+            "2.000,sound:2,en,\"[The bell, struck]\"\n");
+}
+
 TEST(Transcript, IsOfAVisitorWhoLeafsThroughPicturesAndReadsMoreByKeysAlone) {
   const test::VisitRun run(
       "0.5 tap @exhibit:owl-vessel\n60 headphones in\n61 key DOWN\n62 key ENTER\n66 key ENTER\n"
