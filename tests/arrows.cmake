@@ -46,7 +46,7 @@ room(runtime/update
   LIBRARIES fmt/ grp.h nlohmann/ spawn.h ${posix})
 
 # The edges: one system interface each.
-room(platform)
+room(platform LIBRARIES unistd.h)
 room(platform/clock LIBRARIES ${posix})
 room(platform/file USES ${model} LIBRARIES fmt/ ${posix})
 room(platform/signature USES ${model} platform/file LIBRARIES fmt/ sodium/)
@@ -63,7 +63,7 @@ room(platform/kms USES ${model} platform platform/egl platform/journal LIBRARIES
 room(platform/alsa USES ${model} runtime/sound platform platform/journal platform/opus LIBRARIES alsa/)
 room(platform/opus USES ${model} platform LIBRARIES opus/)
 room(platform/vpx USES ${model} runtime/video LIBRARIES fmt/ vpx/)
-room(platform/pango USES ${model} runtime/interface platform LIBRARIES pango/)
+room(platform/pango USES ${model} runtime/interface platform LIBRARIES fmt/ fontconfig/ pango/ ${posix})
 room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
@@ -71,7 +71,7 @@ room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohman
 
 # The compiler. CGAL is a private matter of the rooms that build diagrams and triangulations.
 room(content USES ${model} platform/file)
-room(content/import USES ${model} platform platform/file platform/image content LIBRARIES draco/ expat.h fmt/ geos_c.h gif_lib.h glm/ iconv.h libheif/ meshoptimizer.h nlohmann/ protozero/ pugixml toml++/ webp/ zip.h zlib.h)
+room(content/import USES ${model} platform platform/file platform/image content LIBRARIES draco/ expat.h fmt/ freetype/ geos_c.h gif_lib.h glm/ iconv.h libheif/ meshoptimizer.h nlohmann/ protozero/ pugixml toml++/ webp/ zip.h zlib.h)
 room(content/floor USES ${model} content content/import LIBRARIES fmt/ CGAL/)
 room(content/motion USES ${model} runtime/motion content content/import LIBRARIES fmt/)
 room(content/gait USES ${model} content content/import LIBRARIES fmt/ glm/)
@@ -86,7 +86,7 @@ room(content/film
   USES ${model} runtime/motion runtime/plan runtime/guide runtime/scene platform platform/gles platform/headless platform/image content/scenery LIBRARIES fmt/ webp/)
 room(content/write USES ${model} runtime/schema platform/file platform/sqlite content LIBRARIES unistd.h fmt/ spawn.h sqlite3.h sys/)
 room(content/compile
-  USES ${model} runtime/path runtime/motion runtime/video runtime/interface config platform platform/file platform/image platform/opus platform/signature platform/terminal platform/vpx content content/import content/floor
+  USES ${model} runtime/path runtime/motion runtime/scene runtime/schema runtime/search runtime/video runtime/interface config platform platform/file platform/image platform/opus platform/signature platform/terminal platform/vpx content content/import content/floor
        content/motion content/avatar content/character content/object content/reading content/scenery content/speech
   LIBRARIES fmt/ cairo.h librsvg/ ${posix})
 room(content/command

@@ -1,7 +1,6 @@
 #include "content/import/font/read_font.h"
 
-#include <ft2build.h>
-#include FT_FREETYPE_H
+#include <freetype/freetype.h>
 
 #include <memory>
 #include <string_view>
