@@ -97,9 +97,13 @@ class TypefaceReader {
         warn(file.place, "font-licence",
              fmt::format("'{}' says that its licence forbids passing it on", file.value),
              "ask who made it, or take one under the SIL Open Font License");
+      if (is_first) {
+        letters = font->letters;
+        continue;
+      }
       std::vector<char32_t> both;
       std::ranges::set_intersection(letters, font->letters, std::back_inserter(both));
-      letters = is_first ? font->letters : std::move(both);
+      letters = std::move(both);
     }
     if (!typeface.family.empty()) find_languages(files.place, letters, typeface);
   }
