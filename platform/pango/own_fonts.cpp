@@ -44,16 +44,16 @@ bool OwnFonts::take(std::span<const FontFile> files) {
   std::vector<std::size_t> asked = hashes_of(files);
   if (asked == taken_) return false;
   taken_ = std::move(asked);
-  config_.reset(files.empty() ? nullptr : FcInitLoadConfigAndFonts());
-  std::vector<FileDescriptor> memory;
-  for (const FontFile& file : files) {
-    if (!config_) break;
-    const FileDescriptor& kept = memory.emplace_back(in_memory(file.bytes));
-    const std::string name = fmt::format("/proc/self/fd/{}", kept.get());
-    if (kept.get() >= 0)
-      FcConfigAppFontAddFile(config_.get(), reinterpret_cast<const FcChar8*>(name.c_str()));
-  }
-  memory_ = std::move(memory);
+  before_ = std::exchange(memory_, {});
+  for (const FontFile& file : files) memory_.push_back(in_memory(file.bytes));
+  const bool is_any = !memory_.empty() || !before_.empty();
+  config_.reset(is_any ? FcInitLoadConfigAndFonts() : nullptr);
+  for (const std::vector<FileDescriptor>* set : {&memory_, &before_})
+    for (const FileDescriptor& file : *set) {
+      const std::string name = fmt::format("/proc/self/fd/{}", file.get());
+      if (config_ && file.get() >= 0)
+        FcConfigAppFontAddFile(config_.get(), reinterpret_cast<const FcChar8*>(name.c_str()));
+    }
   return true;
 }
 

@@ -19,15 +19,15 @@ namespace docent::pango {
 /// thread of its own.
 class OwnFonts {
  public:
-  /// Takes these files in place of those before; one that cannot be read is left out. False where
-  /// they are the same.
+  /// Takes these files besides those before, whose museum may still be shown for some minutes, and
+  /// in place of older ones. One that cannot be read is left out. False where they are the same.
   bool take(std::span<const FontFile> files);
   /// Null: there are none, and this machine's are enough.
   FcConfig* config() const noexcept { return config_.get(); }
 
  private:
   std::vector<std::size_t> taken_;  ///< A hash of each file.
-  std::vector<FileDescriptor> memory_;
+  std::vector<FileDescriptor> memory_, before_;
   std::unique_ptr<FcConfig, CloseWith<FcConfigDestroy>> config_;
 };
 
