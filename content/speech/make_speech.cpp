@@ -23,9 +23,9 @@ namespace docent::speech {
 
 namespace {
 
-constexpr int bits_per_second = 20'000;
+constexpr int bits_per_second = 24'000;
 /// Raise it where the same text and voice are to sound otherwise: all is made anew then.
-constexpr std::string_view manner = "2";
+constexpr std::string_view manner = "3";
 
 using Key = std::tuple<std::uint32_t, std::string_view>;
 

@@ -92,20 +92,45 @@ class SamePlaces {
   int before_;
 };
 
+/// As C takes them: with a null pointer after the last.
+std::vector<char*> pointers_to(const std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Our own environment, in which a folder of libraries comes first.
+std::vector<std::string> environment_with(const std::string& libraries) {
+  constexpr std::string_view name = "LD_LIBRARY_PATH=";
+  std::vector<std::string> environment;
+  std::string path = std::string(name) + libraries;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view value = *entry;
+    if (value.starts_with(name))
+      path.append(":").append(value.substr(name.size()));
+    else
+      environment.emplace_back(value);
+  }
+  environment.push_back(std::move(path));
+  return environment;
+}
+
 /// Starts it; the error number where it cannot be.
-int start(const std::vector<std::string>& words, int input, int output, int errors,
-          pid_t& process) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
+int start(const std::vector<std::string>& words, const std::string& libraries, int input,
+          int output, int errors, pid_t& process) {
+  const std::vector<char*> arguments = pointers_to(words);
+  const std::vector<std::string> environment =
+      libraries.empty() ? std::vector<std::string>{} : environment_with(libraries);
+  const std::vector<char*> with_libraries = pointers_to(environment);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
   const SamePlaces same;
-  const int failed =
-      ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+  const int failed = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(),
+                                    libraries.empty() ? environ : with_libraries.data());
   posix_spawn_file_actions_destroy(&actions);
   return failed;
 }
@@ -147,12 +172,14 @@ bool ends_before(pid_t process, Clock::time_point end) {
 }  // namespace
 
 Outcome run_program(const std::vector<std::string>& words, std::string_view input,
-                    std::chrono::milliseconds patience, std::size_t most) {
+                    std::chrono::milliseconds patience, std::size_t most,
+                    const std::string& libraries) {
   const Descriptor text(file_of(input));
   Pipe output, errors;
   Outcome outcome;
   pid_t process = -1;
-  if (const int failed = start(words, text.get(), output.write.get(), errors.write.get(), process);
+  if (const int failed =
+          start(words, libraries, text.get(), output.write.get(), errors.write.get(), process);
       failed != 0) {
     outcome.kind = Outcome::Kind::Missing;
     outcome.errors = std::strerror(failed);

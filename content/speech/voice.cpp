@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <set>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -94,6 +96,14 @@ std::string plain(std::string_view text) {
   throw content::ContentError(Errc::Environment, program, "no-voice", what, hint);
 }
 
+/// Where our library for players that play nothing lies (no_player.cpp): beside the folder of this
+/// program.
+std::string folder_of_no_player() {
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  return (program.parent_path().parent_path() / "lib" / "docent" / "no_player").string();
+}
+
 std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find('\n')));
 }
@@ -153,7 +163,12 @@ std::map<std::string, std::string> voice_files(std::string_view listed) {
 }
 
 Espeak Espeak::find(const std::string& program) {
-  const Outcome outcome = run_program({program, "--version"}, {}, patience);
+  std::string libraries = folder_of_no_player();
+  Outcome outcome = run_program({program, "--version"}, {}, patience, most_output, libraries);
+  if (outcome.kind == Outcome::Kind::Ended && outcome.status != 0) {
+    libraries.clear();  // one that asks more of its player
+    outcome = run_program({program, "--version"}, {}, patience);
+  }
   const std::string line = first_line(outcome.output);
   constexpr std::string_view before = "text-to-speech: ";
   const std::size_t at = line.find(before);
@@ -163,7 +178,7 @@ Espeak Espeak::find(const std::string& program) {
     no_voice(program, "the program does not say its version", "install the package espeak-ng anew");
   const std::string rest = line.substr(at + before.size());
   const Outcome listed = run_program({program, "--voices"}, {}, patience);
-  return {program, rest.substr(0, rest.find(' ')), voice_files(listed.output)};
+  return {program, libraries, rest.substr(0, rest.find(' ')), voice_files(listed.output)};
 }
 
 const std::string& Espeak::file_of(const std::string& voice) const {
@@ -173,7 +188,7 @@ const std::string& Espeak::file_of(const std::string& voice) const {
 
 std::string Espeak::run(std::vector<std::string> arguments, std::string_view text) const {
   arguments.insert(arguments.begin(), program_);
-  Outcome outcome = run_program(arguments, plain(text), patience);
+  Outcome outcome = run_program(arguments, plain(text), patience, most_output, libraries_);
   switch (outcome.kind) {
     case Outcome::Kind::Missing:
       no_voice(program_, "the program is not there", "install the package espeak-ng");

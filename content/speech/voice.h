@@ -40,12 +40,16 @@ class Espeak {
   Pcm say(const std::string& voice, std::string_view text) const;
 
  private:
-  Espeak(std::string program, std::string version, std::map<std::string, std::string> files)
-      : program_(std::move(program)), version_(std::move(version)), files_(std::move(files)) {}
+  Espeak(std::string program, std::string libraries, std::string version,
+         std::map<std::string, std::string> files)
+      : program_(std::move(program)),
+        libraries_(std::move(libraries)),
+        version_(std::move(version)),
+        files_(std::move(files)) {}
   const std::string& file_of(const std::string& voice) const;
   std::string run(std::vector<std::string> arguments, std::string_view text) const;
 
-  std::string program_, version_;
+  std::string program_, libraries_, version_;
   std::map<std::string, std::string> files_;
 };
 

@@ -4,6 +4,10 @@
 
 #include <sys/personality.h>
 
+#include <cstdlib>
+#include <string>
+#include <vector>
+
 namespace docent::speech::run_program_test {
 namespace {
 
@@ -37,6 +41,27 @@ TEST(RunProgram, LaysProgramsWhereTheyLayAndItselfWhereItLies) {
   const std::string first = run_program(look, {}, 20s).output;
   for (int i = 0; i < 8; ++i) EXPECT_EQ(run_program(look, {}, 20s).output, first);
   EXPECT_EQ(::personality(0xffffffff) & ADDR_NO_RANDOMIZE, 0) << "of this program nothing changes";
+}
+
+std::string home_of_this_program() {
+  const char* const home = std::getenv("HOME");
+  return home == nullptr ? "" : home;
+}
+
+TEST(RunProgram, LetsAProgramLookForItsLibrariesInOurFolderFirst) {
+  const auto said = [](const std::string& libraries) {
+    return run_program({"sh", "-c", "echo \"$LD_LIBRARY_PATH $HOME\""}, {}, 20s, most_output,
+                       libraries)
+        .output;
+  };
+  const char* const path = std::getenv("LD_LIBRARY_PATH");
+  const std::string before = path == nullptr ? "" : path, home = home_of_this_program();
+  setenv("LD_LIBRARY_PATH", "/theirs", 1);
+  EXPECT_EQ(said("/ours"), "/ours:/theirs " + home + "\n");
+  EXPECT_EQ(said({}), "/theirs " + home + "\n");
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(said("/ours"), "/ours " + home + "\n");
+  if (path != nullptr) setenv("LD_LIBRARY_PATH", before.c_str(), 1);
 }
 
 TEST(RunProgram, TellsThatAProgramIsMissing) {

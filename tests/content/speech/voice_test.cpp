@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "content/content_error.h"
 #include "content/speech/run_program.h"
@@ -161,6 +165,40 @@ TEST(Espeak, OfThisMachineSaysTheSameByAVoicesNameAndByItsFile) {
     ASSERT_TRUE(files.contains(voice)) << voice;
     EXPECT_EQ(said(files.at(voice)), said(voice)) << voice;
   }
+}
+
+TEST(Espeak, IsGivenAPlayerThatPlaysNothing) {
+  const FakeEspeak asking("echo \"$LD_LIBRARY_PATH\"");
+  const std::string folder = Espeak::find(asking.file()).phonemes("en", "hello");
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(folder.substr(0, folder.find('\n'))) /
+                                      "libpcaudio.so.0"))
+      << folder;
+}
+
+TEST(Espeak, ThatAsksMoreOfItsPlayerGetsItsOwn) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "espeak-ng";
+  std::ofstream(file) << "#!/bin/sh\n[ -z \"$LD_LIBRARY_PATH\" ] || exit 127\n"
+                         "echo 'eSpeak NG text-to-speech: 2.0  Data at: /'\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  const char* const before = std::getenv("LD_LIBRARY_PATH");
+  const std::string kept = before == nullptr ? "" : before;
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(Espeak::find(file.string()).version(), "2.0");
+  if (before != nullptr) setenv("LD_LIBRARY_PATH", kept.c_str(), 1);
+}
+
+TEST(Espeak, OfThisMachineSaysTheSameWithoutAPlayer) {
+  const std::vector<std::string> say{"espeak-ng", "-v", "en", "--stdin", "--stdout"};
+  const Outcome with_player = run_program(say, "12 museums\n", std::chrono::seconds(20));
+  if (with_player.kind != Outcome::Kind::Ended) GTEST_SKIP() << "no espeak-ng";
+  const FakeEspeak asking("echo \"$LD_LIBRARY_PATH\"");
+  std::string folder = Espeak::find(asking.file()).phonemes("en", "hello");
+  folder.resize(folder.find('\n'));
+  const Outcome without =
+      run_program(say, "12 museums\n", std::chrono::seconds(20), most_output, folder);
+  EXPECT_EQ(without.status, 0) << without.errors;
+  EXPECT_EQ(without.output, with_player.output);
 }
 
 TEST(Espeak, OfThisMachineSpeaks) {
