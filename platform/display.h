@@ -63,6 +63,9 @@ class Display {
   virtual bool has_shown() const noexcept { return !wants_frame(); }
   /// Where to draw the next frame; ask again each frame, since a window may have been resized.
   virtual RenderTarget target() const noexcept = 0;
+  /// What is drawn next is drawn over the picture that was presented so many times ago: 1 is the
+  /// last one. 0: over nothing that is known. Ask before anything of it is drawn.
+  virtual std::uint32_t age() const noexcept { return 0; }
   /// Shows what was drawn: queues the next page flip.
   virtual void present() noexcept = 0;
   /// Turns the screen on or off, where it can be.

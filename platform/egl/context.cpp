@@ -105,4 +105,10 @@ Result<void> make_current(EGLDisplay display, EGLSurface surface, EGLContext con
   return {};
 }
 
+std::uint32_t age_of(EGLDisplay display, EGLSurface surface) noexcept {
+  EGLint age = 0;
+  const bool is_told = eglQuerySurface(display, surface, EGL_BUFFER_AGE_EXT, &age) == EGL_TRUE;
+  return is_told && age > 0 ? static_cast<std::uint32_t>(age) : 0;
+}
+
 }  // namespace docent::egl

@@ -57,4 +57,8 @@ Result<EglSurface> make_window_surface(EGLDisplay display, EGLConfig config, voi
 /// objects only). OpenGL calls are made on this thread alone from then on.
 Result<void> make_current(EGLDisplay display, EGLSurface surface, EGLContext context);
 
+/// What a window surface's next frame is drawn over: as Display::age() (EGL_EXT_buffer_age). The
+/// surface is current.
+std::uint32_t age_of(EGLDisplay display, EGLSurface surface) noexcept;
+
 }  // namespace docent::egl

@@ -18,4 +18,8 @@ bool can_shaders_encode() noexcept {
   return has_extension("GL_EXT_sRGB_write_control");
 }
 
+bool can_read_encoded() noexcept {
+  return has_extension("GL_EXT_texture_sRGB_decode");
+}
+
 }  // namespace docent::gles

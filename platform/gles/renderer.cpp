@@ -8,8 +8,10 @@
 
 #include "platform/gles/avatar_pass.h"
 #include "platform/gles/extension.h"
+#include "platform/gles/extent.h"
 #include "platform/gles/holdings_parts.h"
 #include "platform/gles/object_pass.h"
+#include "platform/gles/panel_pass.h"
 #include "platform/gles/program.h"
 #include "platform/gles/quad_pass.h"
 #include "platform/gles/scene_buffer.h"
@@ -92,7 +94,8 @@ struct Renderer::Parts {
   Result<void> compile();
   /// Draws what differs; all of the model, where that is asked for, with this share of the
   /// picture's lines and columns.
-  void draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
+  /// Returns where the picture is another one now.
+  Region draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
   /// `pixels`: of the model as it is drawn.
   void prepare(const Shot& shot, PixelSize pixels) noexcept;
   /// Where the picture has to be drawn anew: of the model, and of the interface, which often lie
@@ -102,6 +105,7 @@ struct Renderer::Parts {
                                           const Region& seen) noexcept;
   /// The next rows of what was drawn coarsely; empty where nothing was.
   Region take_coarse_rows() noexcept;
+  void forget_coarse_picture() noexcept;
   void draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept;
   void draw_coarsely(const Shot& shot, const Region& part, PixelSize pixels) noexcept;
   /// Draws a part of the model, so many pixels large, into a framebuffer of that size.
@@ -110,10 +114,8 @@ struct Renderer::Parts {
   void draw_strip(const Shot& shot, PixelSize pixels, std::uint32_t strip,
                   const Region& part) noexcept;
   void draw_interface(const Shot& shot, const Region& part) noexcept;
-  void copy_to_panel(const RenderTarget& target) noexcept;
 
   SceneBuffer buffer;
-  Picture picture{GL_NEAREST};
   Picture coarse_picture{GL_LINEAR};
   Region coarse;  ///< Where that is what is seen.
   SceneryPass scenery;
@@ -121,9 +123,9 @@ struct Renderer::Parts {
   AvatarPass avatars;
   WayPass way;
   QuadPass quads;
-  bool shaders_encode = false;
-  Program copy, enlarge;
-  GLint quarter_turns = -1, shift = -1;
+  bool shaders_encode = false, enlarges_encoded = false;
+  PanelPass panel;
+  Program enlarge;
   GlBuffer frame;
   GlVertexArray array;
   /// What there is a picture of, and where.
@@ -138,15 +140,12 @@ struct Renderer::Parts {
 
 Result<void> Renderer::Parts::compile() {
   shaders_encode = can_shaders_encode();
-  for (auto made :
-       {scenery.compile(), objects.compile(), avatars.compile(), way.compile(), quads.compile()})
+  for (auto made : {scenery.compile(), objects.compile(), avatars.compile(), way.compile(),
+                    quads.compile(), panel.compile()})
     if (!made) return made;
-  auto copier = link_program("copy", {shaders::copy_vert}, {shaders::copy_frag});
-  if (!copier) return std::unexpected(copier.error());
-  copy = std::move(*copier);
-  quarter_turns = copy["quarter_turns"];
-  shift = copy["shift"];
-  auto enlarger = link_program("enlarge", {shaders::copy_vert}, {shaders::enlarge_frag});
+  enlarges_encoded = shaders_encode && can_read_encoded();
+  forget_coarse_picture();
+  auto enlarger = link_program("enlarge", {shaders::copy_vert}, {shaders::as_it_is_frag});
   if (!enlarger) return std::unexpected(enlarger.error());
   enlarge = std::move(*enlarger);
   glReleaseShaderCompiler();  // nothing is compiled from source any more
@@ -219,7 +218,9 @@ void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& part,
   enlarge.use();
   bind_texture(static_cast<GLuint>(Unit::Image), coarse_picture.texture());
   glBindVertexArray(array.get());
+  if (enlarges_encoded) glDisable(framebuffer_encodes);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  if (enlarges_encoded) glEnable(framebuffer_encodes);
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -282,7 +283,14 @@ Region Renderer::Parts::take_coarse_rows() noexcept {
   return rows;
 }
 
-void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float fineness) noexcept {
+/// It takes memory only where it is needed.
+void Renderer::Parts::forget_coarse_picture() noexcept {
+  coarse_picture =
+      Picture(GL_LINEAR, enlarges_encoded ? Picture::Read::Encoded : Picture::Read::Decoded);
+}
+
+Region Renderer::Parts::draw(const Shot& shot, const scene::Change& change,
+                             float fineness) noexcept {
   const bool is_all_drawn = change.everything || change.model;
   const bool is_coarse = is_all_drawn && fineness < 1;
   const PixelSize pixels = is_coarse ? scaled(shot.size, fineness) : shot.size;
@@ -294,12 +302,13 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
   if (is_all_drawn) coarse = is_coarse ? common(region, seen) : Region{};
   if (is_coarse) {
     draw_coarsely(shot, coarse, pixels);
-    return draw_interface(shot, region);
+    draw_interface(shot, region);
+    return region;
   }
   const Region finer = take_coarse_rows();
   if (finer.is_empty()) {
     for (const Region& part : regions) draw_part(shot, part, seen);
-    return;
+    return region;
   }
   // Nothing is drawn twice: the interface is blended with what is there.
   const GLint left = 0, right = static_cast<GLint>(shot.size.width);
@@ -309,24 +318,8 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
   draw_part(shot, common(region, {left, 0, right, finer.low}), seen);
   draw_part(shot, among, seen);
   draw_part(shot, common(region, {left, finer.high, right, height}), seen);
-}
-
-void Renderer::Parts::copy_to_panel(const RenderTarget& target) noexcept {
-  const bool sideways =
-      target.rotation == Rotation::Quarter || target.rotation == Rotation::ThreeQuarters;
-  const auto width = static_cast<GLsizei>(sideways ? target.size.height : target.size.width);
-  const auto height = static_cast<GLsizei>(sideways ? target.size.width : target.size.height);
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-  glViewport(0, 0, width, height);
-  glDisable(GL_BLEND);
-  copy.use();
-  glUniform1i(quarter_turns, static_cast<GLint>(target.rotation));
-  // The picture's y runs up.
-  glUniform2f(shift, static_cast<float>(target.shift_x) / static_cast<float>(target.size.width),
-              -static_cast<float>(target.shift_y) / static_cast<float>(target.size.height));
-  bind_texture(static_cast<GLuint>(Unit::Image), picture.texture());
-  glBindVertexArray(array.get());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  region.include(finer);
+  return region;
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
@@ -335,12 +328,11 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
-                    const RenderTarget& target, const scene::Change& change,
-                    float fineness) noexcept {
+                    const RenderTarget& target, const scene::Change& change, float fineness,
+                    std::uint32_t age) noexcept {
   if (target.size.width == 0 || target.size.height == 0) return;
   const bool direct = target.encoding == Encoding::Srgb;
-  if (!direct) parts_->picture.fit(target.size);
-  const GLuint framebuffer = direct ? target.framebuffer : parts_->picture.framebuffer();
+  const GLuint framebuffer = direct ? target.framebuffer : parts_->panel.picture(target.size);
   const Parts::Drawn now{&holdings, framebuffer, target.size};
   const bool is_there = std::exchange(parts_->drawn, now) == now;
   const Held& held = holdings.parts();
@@ -351,8 +343,8 @@ void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
                   .sun = building ? Vec3(building->scenery.sun) : Vec3(0, 1, 0),
                   .framebuffer = framebuffer,
                   .size = target.size};
-  parts_->draw(shot, is_there ? change : scene::Change{}, fineness);
-  if (!direct) parts_->copy_to_panel(target);
+  const Region drawn = parts_->draw(shot, is_there ? change : scene::Change{}, fineness);
+  if (!direct) parts_->panel.copy(target, drawn, age);
 }
 
 bool Renderer::is_coarse() const noexcept {
@@ -393,7 +385,8 @@ void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
   draw(list, holdings, target);
   glFinish();
   parts_->drawn = {};
-  parts_->coarse_picture = Picture{GL_LINEAR};  // takes memory only where it is needed
+  parts_->panel.forget();
+  parts_->forget_coarse_picture();
   holdings.release(image);
   holdings.release(text);
 }

@@ -40,8 +40,11 @@ class Renderer {
   /// Where that is all of the model it is drawn with `fineness` of the picture's lines and columns,
   /// in (0, 1], and enlarged. Each list that leaves it as it is then draws some rows of it anew
   /// with all of them.
+  ///
+  /// A Plain target is given the parts of the picture that it lacks: `age` is as Display::age()
+  /// says, where each of these calls is presented.
   void draw(const scene::DrawList& list, const Holdings& holdings, const RenderTarget& target,
-            const scene::Change& change = {}, float fineness = 1) noexcept;
+            const scene::Change& change = {}, float fineness = 1, std::uint32_t age = 0) noexcept;
   /// Is any of the picture still one that was enlarged?
   bool is_coarse() const noexcept;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "platform/gles/extension.h"
+
 namespace docent::gles {
 
 SceneBuffer::SceneBuffer(std::uint32_t samples, std::size_t most_bytes) noexcept
@@ -110,6 +112,7 @@ void Picture::fit(PixelSize size) noexcept {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter_);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  if (read_ == Read::Encoded) glTexParameteri(GL_TEXTURE_2D, texture_decodes, reads_encoded);
   framebuffer_ = make_framebuffer();
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.get(), 0);

@@ -50,14 +50,17 @@ class SceneBuffer {
 /// A picture that encodes sRGB and can be read as a texture, for targets that can do neither.
 class Picture {
  public:
-  /// `filter`: between its pixels.
-  explicit Picture(GLint filter) noexcept : filter_(filter) {}
+  enum class Read : std::uint8_t { Decoded, Encoded };
+  /// `filter`: between its pixels. `read`: what the texture gives; Encoded is an extension.
+  explicit Picture(GLint filter, Read read = Read::Decoded) noexcept
+      : filter_(filter), read_(read) {}
   void fit(PixelSize size) noexcept;
   GLuint framebuffer() const noexcept { return framebuffer_.get(); }
   GLuint texture() const noexcept { return texture_.get(); }
 
  private:
   GLint filter_;
+  Read read_;
   PixelSize size_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;

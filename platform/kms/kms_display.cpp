@@ -138,6 +138,8 @@ class Kms final : public KmsDisplay {
     return {0, chain_.size, Encoding::Plain, outputs_.panel};
   }
 
+  std::uint32_t age() const noexcept override { return egl::age_of(egl_.get(), chain_.egl.get()); }
+
   void present() noexcept override {
     if (!eglSwapBuffers(egl_.get(), chain_.egl.get())) {
       state_ = DisplayState::Lost;

@@ -90,6 +90,8 @@ class Window final : public WindowDisplay {
     return {0, size_, Encoding::Plain, Rotation::None};
   }
   bool wants_frame() const noexcept override { return is_exposed_; }
+  std::uint32_t age() const noexcept override { return egl::age_of(egl_.get(), surface_.get()); }
+
   void present() noexcept override {
     is_exposed_ = false;
     if (is_lost() || !eglSwapBuffers(egl_.get(), surface_.get())) state_ = DisplayState::Lost;

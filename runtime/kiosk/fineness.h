@@ -14,7 +14,7 @@ namespace docent::kiosk {
 class Fineness {
  public:
   /// Shares of the screen's lines and columns, finest first.
-  static constexpr std::array shares{1.0F, 0.75F, 0.5F, 0.375F, 0.25F};
+  static constexpr std::array shares{1.0F, 0.75F, 0.5F, 0.375F, 0.25F, 0.1875F};
 
   float share() const noexcept { return shares[step_]; }
   /// A frame of all of the model, drawn with share(), was followed by the next after so many

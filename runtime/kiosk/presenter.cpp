@@ -58,7 +58,7 @@ bool Presenter::show(const scene::DrawList& list, const gles::Holdings& holdings
   if (!has_drawn_) return false;
   has_poster_ = false;
   gpu_timer_.begin();
-  renderer_.draw(list, holdings, target, different, fineness);
+  renderer_.draw(list, holdings, target, different, fineness, edges_.display->age());
   gpu_timer_.end();
   poster_.drawn(frame.is_first_picture && !renderer_.is_coarse(), target);
   edges_.display->present();

@@ -21,8 +21,6 @@
 namespace docent::bench {
 namespace {
 
-constexpr PixelSize full_hd{1920, 1080};
-
 void run(kiosk::Exhibition& exhibition, double seconds) {
   for (int frame = 0; frame < std::lround(60 * seconds); ++frame) {
     exhibition.planner->wait();
@@ -71,6 +69,26 @@ struct Contender {
   std::vector<double> wall{}, processor{};
 };
 
+/// What a screen's own framebuffer is: it keeps what it is given. There is one.
+class Panel {
+ public:
+  explicit Panel(PixelSize size)
+      : target_{.size = size, .encoding = Encoding::Plain, .rotation = Rotation::None} {
+    glGenRenderbuffers(1, &pixels_);
+    glBindRenderbuffer(GL_RENDERBUFFER, pixels_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, static_cast<GLsizei>(size.width),
+                          static_cast<GLsizei>(size.height));
+    glGenFramebuffers(1, &target_.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixels_);
+  }
+  const RenderTarget& target() const { return target_; }
+
+ private:
+  RenderTarget target_;
+  GLuint pixels_ = 0;
+};
+
 constexpr int rounds = 5;
 
 /// In turn, some frames each, so that whatever else the machine does is shared by all. The first
@@ -98,12 +116,12 @@ struct Sequence {
   std::size_t next = 0;
 };
 
-int measure(const std::string& database, int frames) {
-  auto display = headless::open_headless(full_hd);
+int measure(const std::string& database, PixelSize size, bool on_panel, int frames) {
+  auto display = headless::open_headless(size);
   auto renderer = gles::make_renderer();
   auto loaded = kiosk::load_exhibition(database, kiosk::Selection{},
-                                       {.shape = {.width = 1920, .height = 1080}});
-  auto jagged = ReferenceScene::make(full_hd, 1), smooth = ReferenceScene::make(full_hd, 4);
+                                       {.shape = {.width = size.width, .height = size.height}});
+  auto jagged = ReferenceScene::make(size, 1), smooth = ReferenceScene::make(size, 4);
   if (!display || !renderer || !loaded || !jagged || !smooth) {
     const Error& error = !display    ? display.error()
                          : !renderer ? renderer.error()
@@ -115,7 +133,9 @@ int measure(const std::string& database, int frames) {
   }
   kiosk::Exhibition& exhibition = **loaded;
   kiosk::upload(exhibition);
-  renderer->warm_up(exhibition.holdings, (*display)->target());
+  const Panel panel(size);
+  const RenderTarget target = on_panel ? panel.target() : (*display)->target();
+  renderer->warm_up(exhibition.holdings, target);
   std::deque<Sequence> sequences;
   const auto record = [&]() -> Sequence& {
     Sequence& sequence = sequences.emplace_back();
@@ -128,16 +148,16 @@ int measure(const std::string& database, int frames) {
   const auto shown = [&](std::string name, Sequence& sequence, float fineness = 1) -> Contender {
     const auto draw = [&, fineness] {
       const scene::DrawList& list = sequence.frames[sequence.next++ % sequence.frames.size()];
-      const scene::Change change = sequence.shown.change(list, static_cast<float>(full_hd.height));
+      const scene::Change change = sequence.shown.change(list, static_cast<float>(size.height));
       if (change.nothing()) return;
-      renderer->draw(list, exhibition.holdings, (*display)->target(), change, fineness);
+      renderer->draw(list, exhibition.holdings, target, change, fineness, 1);
       sequence.shown.keep(list, change);
     };
     return {std::move(name), draw, [&sequence] { sequence.shown.forget(); }};
   };
   const auto whole = [&](std::string name) -> Contender {
     return {std::move(name), [&, list = exhibition.guide->draw_list()] {
-              renderer->draw(list, exhibition.holdings, (*display)->target());
+              renderer->draw(list, exhibition.holdings, target);
             }};
   };
   std::vector<Contender> all{{"reference, 1 sample", [&] { jagged->draw(); }},
@@ -160,6 +180,7 @@ int measure(const std::string& database, int frames) {
   all.push_back(shown("walking, three quarters", walk, 0.75F));
   all.push_back(shown("walking, half", walk, 0.5F));
   all.push_back(shown("walking, quarter", walk, 0.25F));
+  all.push_back(shown("walking, a fifth", walk, 0.1875F));
   for (int second = 0; second < 200 && !exhibition.guide->state().arrived; ++second)
     run(exhibition, 1);
   run(exhibition, 3);
@@ -170,9 +191,9 @@ int measure(const std::string& database, int frames) {
 
   const auto worked = [](const Contender& one) { return quantile(one.processor, 0.25); };
   std::printf(
-      "%d triangles; milliseconds a frame at 1920 x 1080, of %d: the median on the clock, and the "
+      "%d triangles; milliseconds a frame at %u x %u, of %d: the median on the clock, and the "
       "lower quartile of processor time, which other work disturbs less\n",
-      smooth->triangles(), frames);
+      smooth->triangles(), size.width, size.height, frames);
   std::printf("%-24s %9s %9s  beside the reference: 1 sample  4 samples\n", "", "wall",
               "processor");
   for (const Contender& one : all)
@@ -190,8 +211,12 @@ int main(int argc, char** argv) {
       "shadow map, in one run, on this machine's graphics driver.");
   std::string database;
   int frames = 40;
+  std::pair<unsigned, unsigned> size{1920, 1080};
   app.add_option("database", database, "A museum, compiled")->required();
   app.add_option("--frames", frames, "Frames of each picture")->check(CLI::Range(1, 10000));
+  app.add_option("--size", size, "Of the picture, such as 3840x2160")->delimiter('x');
+  bool on_panel = false;
+  app.add_flag("--panel", on_panel, "Onto a screen, to which each picture is copied");
   CLI11_PARSE(app, argc, argv);
-  return docent::bench::measure(database, frames);
+  return docent::bench::measure(database, {size.first, size.second}, on_panel, frames);
 }

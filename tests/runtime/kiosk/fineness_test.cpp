@@ -49,7 +49,7 @@ TEST(Fineness, KeepsFourHundredLines) {
   draw(smaller, 1000, 9000, {1024, 768});
   EXPECT_EQ(smaller.share(), 0.75F);
   draw(larger, 1000, 9000, four_k);
-  EXPECT_EQ(larger.share(), 0.25F);
+  EXPECT_EQ(larger.share(), 0.1875F);
   draw(turned, 1000, 9000, {1080, 1920});
   EXPECT_EQ(turned.share(), 0.375F);
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/gles/panel_pass.h"
 #include "platform/gles/renderer.h"
 #include "platform/headless/headless_display.h"
 #include "runtime/kiosk/exhibition.h"
@@ -22,6 +24,54 @@ namespace docent::kiosk::presenter_test {
 namespace {
 
 constexpr PixelSize small{480, 270};
+
+/// A screen whose buffers take turns, as those of a graphics card do. Each has been filled with
+/// nonsense.
+class Panel {
+ public:
+  explicit Panel(const RenderTarget& target) : target_(target), size_(gles::panel_size(target)) {
+    glGenFramebuffers(1, &target_.framebuffer);
+    glGenRenderbuffers(buffers, pixels_.data());
+    for (std::uint32_t i = 0; i < buffers; ++i) {
+      glBindRenderbuffer(GL_RENDERBUFFER, pixels_[i]);
+      glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, static_cast<GLsizei>(size_.width),
+                            static_cast<GLsizei>(size_.height));
+      flip();
+      glClearColor(1, 0, 1, 1);
+      glClear(GL_COLOR_BUFFER_BIT);
+    }
+    frames_ = 0;
+  }
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+  ~Panel() {
+    glDeleteRenderbuffers(buffers, pixels_.data());
+    glDeleteFramebuffers(1, &target_.framebuffer);
+  }
+
+  const RenderTarget& target() const { return target_; }
+  std::uint32_t age() const { return frames_ < buffers ? 0 : buffers; }
+  void flip() {
+    ++frames_;
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              pixels_[frames_ % buffers]);
+  }
+  std::vector<std::uint8_t> pixels() const {
+    std::vector<std::uint8_t> rgba(std::size_t{4} * size_.width * size_.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer);
+    glReadPixels(0, 0, static_cast<GLsizei>(size_.width), static_cast<GLsizei>(size_.height),
+                 GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    return rgba;
+  }
+
+ private:
+  static constexpr std::uint32_t buffers = 3;
+  RenderTarget target_;
+  PixelSize size_;
+  std::array<GLuint, buffers> pixels_{};
+  std::uint32_t frames_ = 0;
+};
 
 /// A visit whose frames are drawn twice: as far as they differ from the one before, and all of
 /// them.
@@ -137,6 +187,27 @@ class DrawnTwice {
   }
 
   bool has_arrived() const { return exhibition_->guide->state().arrived; }
+  /// The same on a screen that is turned and shifted, and whose buffers are of three frames ago:
+  /// each is copied what it lacks.
+  void watch_on_panel(int frames, Rotation rotation, int shift_x, int shift_y, const char* what) {
+    RenderTarget target = target_;
+    target.rotation = rotation;
+    target.shift_x = shift_x;
+    target.shift_y = shift_y;
+    Panel panel(target), as_a_whole(target);
+    shown_ = {};
+    for (int frame = 0; frame < frames; ++frame) {
+      run(0.05);
+      const scene::DrawList& list = exhibition_->guide->draw_list();
+      const scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
+      whole_->draw(list, exhibition_->holdings, as_a_whole.target());
+      in_parts_->draw(list, exhibition_->holdings, panel.target(), change, 1, panel.age());
+      shown_.keep(list, change);
+      EXPECT_EQ(differing(panel.pixels(), as_a_whole.pixels()), 0) << what << ", frame " << frame;
+      panel.flip();
+    }
+  }
+
   int parts() const { return parts_; }
 
  private:
@@ -175,6 +246,24 @@ TEST(ACoarsePicture, BecomesTheOneThatIsDrawnWholeAFewRowsAtATime) {
   for (int second = 0; second < 120 && !visit.has_arrived(); ++second) visit.run(1);
   visit.run(4);
   visit.refine_among_others(12, "arrived");
+}
+
+/// A screen that is turned; the pixels move now and then so that none burns in.
+TEST(AScreenWhoseBuffersTakeTurns, IsGivenWhatItsBufferLacks) {
+  NEEDS_SPEED();
+  DrawnTwice visit;
+
+  visit.run(1);
+  visit.watch_on_panel(8, Rotation::None, 0, 0, "welcome");
+  visit.watch_on_panel(8, Rotation::Quarter, 2, -1, "welcome, turned");
+  visit.touch("begin");
+  visit.run(3);
+  visit.watch_on_panel(8, Rotation::Half, -2, 2, "choosing, upside down");
+  visit.touch("exhibit:fish-mosaic");
+  visit.run(1.5);
+  visit.watch_on_panel(12, Rotation::ThreeQuarters, 0, 3, "the whole way, turned back");
+  visit.touch("walk");
+  visit.watch_on_panel(8, Rotation::None, 3, 3, "walking, shifted");
 }
 
 TEST(APicture, IsOpaqueWhereTheInterfaceCoversTheModel) {

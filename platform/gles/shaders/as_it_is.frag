@@ -1,4 +1,4 @@
-// A picture that was drawn smaller, between its pixels.
+// A picture as it is read, and between its pixels where it is enlarged.
 in vec2 uv;
 out vec4 colour;
 uniform sampler2D image;
