@@ -247,7 +247,7 @@ Result<void> Kiosk::run(FrameGuard& guard) {
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
-  if (exhibition_->videos) statistics_.video = exhibition_->videos->counters();
+  statistics_.video = video_counters(*exhibition_);
   if (const Result<void> finished = rehearsal_.finish(); !finished) return finished;
   if (!options_.stats.empty()) return write_whole(options_.stats, to_json(statistics_));
   return {};
@@ -355,7 +355,8 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   staff_.step(time_, glass, exhibition_->holdings);
   const scene::DrawList& drawn = guide().draw_list();
   if (look_at_object(*exhibition_, drawn.near_object, simulated_)) presenter_.forget();
-  presenter_.forget(play_video(*exhibition_, simulated_));
+  for (const scene::TextureId changed : play_videos(*exhibition_, simulated_))
+    presenter_.forget(changed);
   const scene::DrawList& list = staff_.over(drawn);
   watch.listed();
   const FrameFacts facts = facts_of_frame(passed);
