@@ -133,9 +133,10 @@ class Kiosk {
   }
   interface::ScreenShape shape(const RenderTarget& target) const noexcept {
     interface::ScreenShape shape = shape_of(target.size, inches(), config_);
-    shape.is_night = config_.is_night || is_in_night_hours();
+    shape.is_night = is_night();
     return shape;
   }
+  bool is_night() const noexcept { return config_.is_night || is_in_night_hours(); }
   bool is_in_night_hours() const noexcept {
     if (!config_.night) return false;
     const LocalMinute now = local_minute();
@@ -198,8 +199,9 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   notice_.starts("reads the database");
   auto exhibition = loader()();
   if (!exhibition && waits_for_content())
-    exhibition = wait_for_content(edges_, presenter_.renderer(), notice_, database_,
-                                  exhibition.error(), loader());
+    exhibition = wait_for_content(
+        edges_, presenter_.renderer(), notice_, database_, exhibition.error(),
+        [this] { return is_night(); }, loader());
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
   if (!exhibition_) return {};  // it was told to end
