@@ -244,6 +244,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
   exhibition->content = std::move(content);
+  exhibition->set_text = *set_text;
   keep_what_is_walked(exhibition->museum);
   exhibition->sounds = leave_sounds_on_disk(exhibition->content, exhibition->museum.speech);
   const Museum& kept = exhibition->museum;

@@ -27,6 +27,7 @@ namespace docent::kiosk {
 struct Exhibition {
   Museum museum;
   ContentFacts content;
+  interface::SetText set_text;          ///< In the museum's letters.
   std::shared_ptr<BlobArchive> sounds;  ///< Null: all of the museum's are in memory.
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;

@@ -105,6 +105,7 @@ class Kiosk {
         staff_(
             {.pin = config.staff_pin, .folder = staff_folder(), .repeats_exactly = simulated_},
             [this] { return staff_words(exhibition_->museum, guide().language()); },
+            [this] { return StaffLook{exhibition_->museum.livery, exhibition_->set_text}; },
             [this](const StaffWords& words) { return staff_facts(words); },
             [keypads = named_keypads(config)](const StaffWords& words) {
               return device_facts(keypads, words);
