@@ -439,7 +439,7 @@ inline constexpr std::array exhibit_fields{
     Field<ExhibitSection>{
         "pictures", &ExhibitSection::pictures, Presence::Optional,
         "Further pictures, which visitors leaf through in this order; at most 19; a video is "
-        "named here, never in image, and stands still on a glass that visitors share"},
+        "named here, never in image"},
     Field<ExhibitSection>{"sounds", &ExhibitSection::sounds, Presence::Optional,
                           "What visitors may listen to at it, at most 4; on a glass that visitors "
                           "share it is read"},

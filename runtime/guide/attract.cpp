@@ -61,8 +61,9 @@ bool may_be_shown(const Museum& museum, std::uint32_t exhibit) noexcept {
   return is_near(museum.exhibits[exhibit]) || std::ranges::none_of(museum.exhibits, is_near);
 }
 
+/// What the panel says before anything can be pressed, and the museum's sign above it.
 bool is_heading(const interface::View& view, const interface::Element& element) noexcept {
-  return element.words >= 0 && element.control < 0 && !element.scrolls &&
+  return (element.words >= 0 || element.is_logo) && element.control < 0 && !element.scrolls &&
          scene::contains(view.panel, element.quad.rect.x, element.quad.rect.y);
 }
 

@@ -42,7 +42,7 @@ class Attract {
   double further() const noexcept;
   /// How much is to be seen of the interface.
   float interface_opacity() const noexcept;
-  /// Appends the museum's welcome, now here and now there.
+  /// Appends the museum's welcome and its sign, now here and now there.
   void draw_welcome(const interface::View& view, scene::DrawList& list) const noexcept;
 
  private:

@@ -385,6 +385,7 @@ void Guide::step(Seconds dt) noexcept {
     session.step(seconds, settings_.idle_reset.count(), repose_.share());
     counters_.routes += session.routes();
   }
+  video_turns_.share(sessions_);
   if (!is_shared()) captions_.step(sessions_[0], settings_.shape, planner_, seconds);
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
@@ -412,7 +413,7 @@ DrawnSize Guide::drawn_size() const noexcept {
 
 /// How much of these seconds passes on the model.
 float Guide::keep_still(float seconds) noexcept {
-  const std::optional<ShownVideo> watched = video();
+  const std::optional<ShownVideo> watched = is_shared() ? std::nullopt : video();
   const bool is_asked = spares_videos_ && watched && watched->plays;
   return seconds * repose_.step(is_asked, leader(), seconds);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "runtime/guide/stage.h"
 #include "runtime/guide/strollers.h"
 #include "runtime/guide/touches.h"
+#include "runtime/guide/video_turns.h"
 #include "runtime/input/contact.h"
 #include "runtime/interface/layout.h"
 #include "runtime/interface/on_glass.h"
@@ -104,9 +106,12 @@ class Guide {
   /// What is said to the visitor of a glass of their own.
   const Voice& voice() const noexcept { return sessions_[0].voice(); }
 
-  /// What the visitor of a glass of their own watches; nothing while it is no video.
-  std::optional<ShownVideo> video() const noexcept {
-    return is_shared() ? std::nullopt : sessions_[0].video();
+  /// How many videos may be shown at once, each by a player of its own.
+  std::size_t players() const noexcept { return std::min(seats(), VideoTurns::most); }
+  /// What one of them shows; nothing while it is free.
+  std::optional<ShownVideo> video(std::size_t player = 0) const noexcept {
+    const std::optional<std::size_t> watcher = video_turns_.watcher(player);
+    return watcher ? sessions_[*watcher].video() : std::nullopt;
   }
   /// What the visitor of a glass of their own listens to; nothing while it is no sound.
   std::optional<PlayedSound> sound() const noexcept {
@@ -116,9 +121,12 @@ class Guide {
   void can_sound(bool is_there) noexcept {
     if (!is_shared()) sessions_[0].can_sound(is_there);
   }
-  /// Whoever plays the video has come to its end, or cannot play it.
-  void video_ended() noexcept { sessions_[0].video_ended(); }
-  /// There is no time to draw a model that moves beside a video: while one plays, it keeps still.
+  /// It has come to its end, or cannot be played.
+  void video_ended(std::size_t player = 0) noexcept {
+    if (const auto watcher = video_turns_.watcher(player)) sessions_[*watcher].video_ended();
+  }
+  /// There is no time to draw a model that moves beside a video: while one plays, it keeps still;
+  /// but not the model that visitors share.
   void spare_videos(bool are_spared) noexcept { spares_videos_ = are_spared; }
 
   const Museum& museum() const noexcept { return museum_; }
@@ -210,6 +218,7 @@ class Guide {
   Attract attract_;
   Chapters chapters_;
   Repose repose_;
+  VideoTurns video_turns_;
   bool spares_videos_ = false;
   std::vector<Placement> homes_;    ///< Of the guides.
   std::vector<Session> sessions_;   ///< By part.

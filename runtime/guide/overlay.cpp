@@ -569,7 +569,11 @@ void Overlay::draw(float remaining, float labels_opacity, const GuideSpot& guide
   }
   if (view_->side == scene::Side::Bottom) return;
   for (scene::Quad& quad : std::span(list.quads).subspan(first)) {
-    quad.rect = scene::to_screen(view_->side, quad.rect);
+    const scene::ScreenPoint corner{quad.rect.x, quad.rect.y};
+    const scene::ScreenPoint at = scene::to_screen(view_->side, corner);
+    // What is hidden is turned, too: it differs where it will be seen.
+    quad.rect = quad.rect.width > 0 ? scene::to_screen(view_->side, quad.rect)
+                                    : scene::Rect{at.x, at.y, 0, 0};
     quad.side = view_->side;
   }
 }

@@ -7,6 +7,15 @@
 #include "runtime/scene/theme.h"
 
 namespace docent::guide {
+namespace {
+
+/// It stays in the list and is not to be seen: letters are as large as their texture's part.
+void hide(scene::Quad& quad) noexcept {
+  quad.rect.width = quad.rect.height = 0;
+  quad.uv = {};
+}
+
+}  // namespace
 
 void Overlay::draw_remaining(const interface::View& view, float metres, float opacity,
                              scene::DrawList& list) const noexcept {
@@ -37,9 +46,9 @@ void Overlay::draw_cue(float opacity, scene::DrawList& list) const noexcept {
   for (scene::Quad quad : {cue.ground, cue.quad}) {
     if (view_->cues_scroll) {
       quad = interface::moved(view_->scroll, quad, pixels_of(*view_, scroller_));
-      if (!interface::is_seen(view_->scroll, quad)) quad.rect.width = 0;
+      if (!interface::is_seen(view_->scroll, quad)) hide(quad);
     }
-    if (!is_read) quad.rect.width = 0;
+    if (!is_read) hide(quad);
     quad.colour = scene::with_opacity(quad.colour, opacity);
     list.quads.push_back(quad);
   }

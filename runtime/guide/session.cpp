@@ -240,6 +240,10 @@ void Session::act(interface::Action action) noexcept {
   show(next);
   if (was_vacant && !is_vacant()) begin_visit();
   switch (action.kind) {
+    case interface::Action::Kind::PlayVideo:
+    case interface::Action::Kind::ShowPicture:
+      has_asked_for_video_ = action.kind == interface::Action::Kind::PlayVideo;
+      break;
     case interface::Action::Kind::ReadAloud:
       voice_.reset();
       break;
@@ -398,12 +402,19 @@ std::optional<ShownVideo> Session::video() const noexcept {
   if (!video_ || view() == nullptr || view()->video == scene::TextureId::None ||
       interface::shown_video(context_.museum, view()->state) != video_)
     return std::nullopt;
-  return ShownVideo{
-      .image = *video_, .texture = view()->video, .seconds = video_seconds_, .plays = state_.plays};
+  return ShownVideo{.image = *video_,
+                    .texture = view()->video,
+                    .seconds = video_seconds_,
+                    .plays = state_.plays,
+                    .is_asked_for = has_asked_for_video_};
 }
 
 void Session::video_ended() noexcept {
   video_seconds_ = 0;
+  stop_video();
+}
+
+void Session::stop_video() noexcept {
   interface::InterfaceState state = state_;
   state.plays = false;
   show(state);

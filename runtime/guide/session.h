@@ -37,6 +37,7 @@ struct ShownVideo {
   scene::TextureId texture = scene::TextureId::None;  ///< In which it is played.
   float seconds = 0;                                  ///< Of it.
   bool plays = false;
+  bool is_asked_for = false;  ///< Its visitor has touched it to be played; else they leafed to it.
 };
 
 /// A sound that a visitor listens to, and how far it has come. Borrows from the museum.
@@ -101,6 +102,8 @@ class Session {
   std::optional<ShownVideo> video() const noexcept;
   /// The video is over: its first frame is seen again.
   void video_ended() noexcept;
+  /// It stands still where it is.
+  void stop_video() noexcept;
   /// Nothing while the visitor listens to none.
   std::optional<PlayedSound> sound() const noexcept;
   /// Is there something to hear a sound with? What plays goes on meanwhile, unheard.
@@ -184,6 +187,7 @@ class Session {
   TurnTable table_;
   std::optional<std::uint32_t> video_{};  ///< The image, while it is before the visitor.
   float video_seconds_ = 0;
+  bool has_asked_for_video_ = false;
   std::optional<std::uint32_t> sound_{};  ///< That plays.
   const SpeechSound* recording_ = nullptr;
   std::uint32_t sounds_begun_ = 0;

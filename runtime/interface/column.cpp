@@ -75,7 +75,7 @@ float height_of(const std::vector<Block>& blocks, float width) {
 }
 
 void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
-                    std::vector<Block> foot) {
+                    std::vector<Block> foot, std::size_t lead) {
   const Measures& m = sheet.measures();
   const float between = body.empty() || foot.empty() ? 0 : m.gap;
   const float foot_height = height_of(foot, box.width);
@@ -86,12 +86,16 @@ void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
     return draw_blocks(foot, {box.x, box.bottom() - foot_height, box.width, foot_height}, 0);
   }
   // The last blocks of the foot stay, as many as leave enough to read.
-  const float least = std::max(2 * m.touch + m.unit, std::min(4 * m.touch, 0.4F * box.height));
+  const std::vector<Block> first_seen(
+      body.begin(), body.begin() + static_cast<std::ptrdiff_t>(std::min(lead, body.size())));
+  const float leading = height_of(first_seen, box.width - m.touch - std::round(m.unit));
+  const float enough = std::max(2 * m.touch + m.unit, std::min(4 * m.touch, 0.4F * box.height));
   std::size_t staying = 0;
   float height = 0;
   for (std::size_t i = foot.size(); i-- > 0; ++staying) {
     const std::vector<Block> last(foot.begin() + static_cast<std::ptrdiff_t>(i), foot.end());
     const float higher = height_of(last, box.width);
+    const float least = staying == 0 ? enough : std::max(enough, leading);
     if (box.height - higher - m.gap < least) break;
     height = higher;
   }

@@ -87,4 +87,20 @@ std::vector<Block> picture_blocks(Sheet& sheet, float least, float worthwhile, f
   return blocks;
 }
 
+std::size_t add_pictures(Sheet& sheet, const PixelBox& content, const std::vector<Block>& foot,
+                         std::vector<Block>& told) {
+  const Measures& m = sheet.measures();
+  const std::vector<Block> seen = picture_blocks(sheet, 24 * m.unit, 1, m.gap);
+  const std::vector<Block> before = told;
+  told.insert(told.begin() + 1, seen.begin(), seen.end());
+  const float needed = height_of(told, content.width) + m.gap + height_of(foot, content.width);
+  if (needed <= content.height || sheet.control("sound:1") < 0) return 0;
+  const std::size_t sounds = sounds_of(sheet.museum(), *sheet.request().state.exhibit).size();
+  const std::size_t name_and_sounds = std::min(before.size(), 2 + 2 * sounds);
+  told = before;
+  told.insert(told.begin() + static_cast<std::ptrdiff_t>(name_and_sounds), seen.begin(),
+              seen.end());
+  return 3;  // the tour, the name and the first button
+}
+
 }  // namespace docent::interface

@@ -1,4 +1,5 @@
 /// What one may listen to at an exhibit.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -11,6 +12,9 @@
 namespace docent::interface {
 namespace {
 
+/// Units below the words, for the line that shows how much has been heard (overlay_texts.cpp).
+constexpr float room_of_line = 1.75F;
+
 void draw_listen_button(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   const Measures& m = sheet.measures();
   const scene::Colour ink = sheet.theme().ink;
@@ -18,7 +22,11 @@ void draw_listen_button(Sheet& sheet, std::int32_t control, const PixelBox& box)
   sheet.place(control, box);
   sheet.fill(box, sheet.theme().plaster, m.corner, control);
   sheet.pictogram(Pictogram::Speak, {box.x + m.unit, box.y, side, box.height}, ink, control);
-  sheet.control_word(control, {box.x + aside, box.y, box.width - aside - m.unit, box.height},
+  const float width = box.width - aside - m.unit;
+  const float words =
+      sheet.extent(sheet.word_style(control, width), sheet.label_of(control), width).height;
+  const float up = std::max(0.0F, room_of_line * m.unit - (box.height - words) / 2);
+  sheet.control_word(control, {box.x + aside, box.y, width, std::floor(box.height - 2 * up)},
                      Align::Start, ink);
 }
 
@@ -29,6 +37,7 @@ Block listen_block(Sheet& sheet, std::int32_t control, float gap) {
                    {.width = width,
                     .margin = sheet.signed_margin(),
                     .gap = sheet.measures().gap,
+                    .above = std::ceil(room_of_line * sheet.measures().unit),
                     .fills = true,
                     .least = 0});
   };

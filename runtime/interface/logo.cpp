@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace docent::interface {
 namespace {
@@ -38,12 +39,15 @@ std::optional<Block> logo_block(Sheet& sheet) {
   return Block{.height = [=](float width) { return size(width).height + 2 * pad; },
                .draw =
                    [=, &sheet, image = logo.image](const PixelBox& box) {
+                     const std::size_t first = sheet.view().elements.size();
                      const PixelBox is = size(box.width);
                      const PixelBox ground{box.x, box.y, is.width + 2 * pad, is.height + 2 * pad};
                      if (pad > 0)
                        sheet.fill(ground, scene::srgb(sheet.museum().livery.paper),
                                   sheet.measures().corner);
                      sheet.image(ground.inset(pad), image, 0);
+                     for (Element& element : std::span(sheet.view().elements).subspan(first))
+                       element.is_logo = true;
                    },
                .gap = 2 * sheet.measures().gap};
 }

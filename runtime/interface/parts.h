@@ -51,6 +51,11 @@ Block picture_block(Sheet& sheet, float least, float worthwhile, float gap);
 /// The same where one leafs through an exhibit's pictures: between two buttons, and below them
 /// which one this is, and its caption. As high for all of them, so that the buttons stay in place.
 std::vector<Block> picture_blocks(Sheet& sheet, float least, float worthwhile, float gap);
+/// Adds them to what is told of an exhibit: above its name. Where not all of it has room above the
+/// foot and there is something to listen to, below that, so that its button is seen before anything
+/// scrolls. Returns how many blocks have to be seen then.
+std::size_t add_pictures(Sheet& sheet, const PixelBox& content, const std::vector<Block>& foot,
+                         std::vector<Block>& told);
 /// What one may listen to at the exhibit: a button for each and what is heard. Where nothing can be
 /// heard, that is read, and what is said in it.
 std::vector<Block> sound_blocks(Sheet& sheet);

@@ -30,8 +30,8 @@ ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
 
 std::optional<std::uint32_t> shown_video(const Museum& museum,
                                          const InterfaceState& state) noexcept {
-  if (state.screen != Screen::Arrived || state.glass != Glass::Whole || !state.exhibit ||
-      *state.exhibit >= museum.exhibits.size() || reads_more(museum, state))
+  if (state.screen != Screen::Arrived || (state.glass != Glass::Whole && !state.seat) ||
+      !state.exhibit || *state.exhibit >= museum.exhibits.size() || reads_more(museum, state))
     return std::nullopt;
   const std::uint32_t image = shown_picture(museum, state, *state.exhibit).image;
   if (image >= museum.images.size() || !is_video(museum.images[image])) return std::nullopt;

@@ -25,8 +25,8 @@ ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
 /// How many there are to leaf through; at least 1.
 std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept;
 
-/// The image that is a video and is seen by a visitor who has the whole glass and stands before its
-/// exhibit; on a shared glass videos stand still.
+/// The image that is a video and is seen by a visitor who stands before its exhibit, on a glass of
+/// their own or on a card.
 std::optional<std::uint32_t> shown_video(const Museum& museum,
                                          const InterfaceState& state) noexcept;
 

@@ -17,8 +17,9 @@ std::string key_of(const TextStyle& s, std::string_view text, std::uint32_t widt
                      s.tabular ? 't' : 'p', s.language, width, text);
 }
 
-std::string key_of(std::uint32_t image, std::uint32_t width, std::uint32_t height) {
-  return fmt::format("picture|{}|{}|{}", image, width, height);
+std::string key_of(std::uint32_t image, std::uint32_t width, std::uint32_t height,
+                   std::uint32_t apart) {
+  return fmt::format("picture|{}|{}|{}|{}", image, width, height, apart);
 }
 
 /// What a piece takes in texture memory: rows of whole cache lines, and the texture that has them.
@@ -102,9 +103,9 @@ TextPiece PieceCache::pictogram(Pictogram what, std::uint32_t side) {
   return piece;
 }
 
-scene::TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width,
-                                     std::uint32_t height) {
-  std::string key = key_of(image, width, height);
+scene::TextureId PieceCache::picture(std::uint32_t image, std::uint32_t width, std::uint32_t height,
+                                     std::uint32_t apart) {
+  std::string key = key_of(image, width, height, apart);
   if (const TextPiece* known = find(key)) return known->texture;
   if (!makers_.set_picture) return scene::TextureId::None;
   Pixels pixels = makers_.set_picture(image, width, height);

@@ -54,8 +54,10 @@ class PieceCache {
   TextPiece pictogram(Pictogram what, std::uint32_t side);
   /// Nobody waits for a piece now: the makers may tidy up.
   void rest() const;
-  /// An image of the museum, `width` by `height` pixels, as SetPicture makes it.
-  scene::TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height);
+  /// An image of the museum, `width` by `height` pixels, as SetPicture makes it. What is played in
+  /// one part of the glass is not what another part sees: `apart` tells their textures apart.
+  scene::TextureId picture(std::uint32_t image, std::uint32_t width, std::uint32_t height,
+                           std::uint32_t apart = 0);
 
   /// Ends a view of a part of the glass. Returns what changed since the last view; null: nothing.
   std::unique_ptr<PieceChanges> end_view(std::uint32_t part = 0);

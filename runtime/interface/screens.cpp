@@ -589,12 +589,9 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
                     m.gap));
   all.foot = foot_blocks(sheet, "home");
   if (lay_out_in_two(sheet, content, all, 0.42F)) return;
-  if (!is_longer) {
-    const std::vector<Block> seen = picture_blocks(sheet, 24 * m.unit, 1, m.gap);
-    all.right.insert(all.right.begin() + 1, seen.begin(), seen.end());
-  }
   append(all.right_foot, std::move(all.foot));
-  lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot));
+  const std::size_t lead = is_longer ? 0 : add_pictures(sheet, content, all.right_foot, all.right);
+  lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot), lead);
 }
 
 }  // namespace docent::interface

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/interface/scroll.h"
+#include "runtime/model/moving_picture.h"
 
 namespace docent::interface {
 namespace {
@@ -260,13 +261,13 @@ void Sheet::shadow(const PixelBox& box, float reach, float opacity) {
 }
 
 scene::TextureId Sheet::image(const PixelBox& box, std::uint32_t image, float corner,
-                              std::int32_t control) {
+                              std::int32_t control, std::uint32_t apart) {
   if (image >= museum_.images.size() || box.width < 1 || box.height < 1)
     return scene::TextureId::None;
   const float x = std::round(box.x), y = std::round(box.y);
   const PixelBox whole{x, y, std::round(box.right()) - x, std::round(box.bottom()) - y};
   const scene::TextureId texture = pieces_.picture(image, static_cast<std::uint32_t>(whole.width),
-                                                   static_cast<std::uint32_t>(whole.height));
+                                                   static_cast<std::uint32_t>(whole.height), apart);
   if (texture == scene::TextureId::None) return texture;
   add({.rect = share_of(whole),
        .fill = scene::QuadFill::Image,
@@ -289,7 +290,8 @@ Sheet::DrawnImage Sheet::whole_image(const PixelBox& box, std::uint32_t image, f
   const float aside = align == Align::Centre ? std::floor((box.width - width) / 2) : 0,
               above = align == Align::Centre ? std::floor((box.height - height) / 2) : 0;
   const PixelBox lies{box.x + aside, box.y + above, width, height};
-  return {height, this->image(lies, image, corner), lies};
+  const std::uint32_t apart = is_video(picture) ? request_.part : 0;
+  return {height, this->image(lies, image, corner, -1, apart), lies};
 }
 
 scene::Quad Sheet::quad_of(const TextPiece& piece, float x, float y, float width, Align align,

@@ -88,9 +88,9 @@ class Sheet {
   void mark_selected(const PixelBox& box, std::int32_t control);
   void shadow(const PixelBox& box, float reach, float opacity);
   /// Fills the box, moved to whole pixels, with the middle of the picture, texel for pixel. Returns
-  /// the texture that it is in; None where nothing is drawn.
+  /// the texture that it is in; None where nothing is drawn. `apart`: as PieceCache::picture.
   scene::TextureId image(const PixelBox& box, std::uint32_t image, float corner,
-                         std::int32_t control = -1);
+                         std::int32_t control = -1, std::uint32_t apart = 0);
   /// How high it is, drawn or not yet, and its texture as above.
   struct DrawnImage {
     float height = 0;

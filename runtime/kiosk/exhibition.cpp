@@ -221,10 +221,13 @@ std::unique_ptr<ObjectDetails> details_of(Exhibition& exhibition) {
       [archive](std::uint32_t object) { return archive->read(object); });
 }
 
-std::unique_ptr<VideoPlayer> videos_of(const Exhibition& exhibition) {
-  if (std::ranges::none_of(exhibition.museum.images, is_video)) return {};
-  return std::make_unique<VideoPlayer>(sqlite::open_archive(
-      exhibition.content.path, sqlite::Archived::Images, exhibition.content.checksum));
+std::vector<std::unique_ptr<VideoPlayer>> video_players(const Exhibition& exhibition) {
+  std::vector<std::unique_ptr<VideoPlayer>> players;
+  if (std::ranges::none_of(exhibition.museum.images, is_video)) return players;
+  for (std::size_t i = 0; i < exhibition.guide->players(); ++i)
+    players.push_back(std::make_unique<VideoPlayer>(sqlite::open_archive(
+        exhibition.content.path, sqlite::Archived::Images, exhibition.content.checksum)));
+  return players;
 }
 
 }  // namespace
@@ -241,6 +244,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
   auto exhibition = std::make_unique<Exhibition>();
   exhibition->museum = std::move(*museum);
   exhibition->content = std::move(content);
+  exhibition->set_text = *set_text;
   keep_what_is_walked(exhibition->museum);
   exhibition->sounds = leave_sounds_on_disk(exhibition->content, exhibition->museum.speech);
   const Museum& kept = exhibition->museum;
@@ -270,7 +274,7 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
       selection.today, selection.is_simulated);
   exhibition->body_levels = scene::levels_of(kept.avatar);
   exhibition->details = details_of(*exhibition);
-  exhibition->videos = videos_of(*exhibition);
+  exhibition->videos = video_players(*exhibition);
   for (std::future<void>& made : pictures_made) made.get();
   exhibition->museum.fonts.clear();  // the setter has them
   if (pictures)
@@ -316,21 +320,41 @@ bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
   return exhibition.details->upload_next(exhibition.holdings);
 }
 
-scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept {
+namespace {
+
+scene::TextureId play_video(Exhibition& exhibition, std::size_t player, bool waits) noexcept {
   constexpr auto none = scene::TextureId::None;
-  if (!exhibition.videos) return none;
-  const std::optional<guide::ShownVideo> shown = exhibition.guide->video();
+  VideoPlayer& video = *exhibition.videos[player];
+  const std::optional<guide::ShownVideo> shown = exhibition.guide->video(player);
   const auto size = shown ? exhibition.holdings.size_of(shown->texture) : gles::Holdings::Size{};
   if (size == gles::Holdings::Size{}) {
-    exhibition.videos->want({});
+    video.want({});
     return none;
   }
-  exhibition.videos->want(VideoPlayer::Wish{
-      .image = shown->image, .size = size, .seconds = shown->seconds, .plays = shown->plays});
-  if (waits) exhibition.videos->wait();
-  const bool has_changed = exhibition.videos->upload_next(exhibition.holdings, shown->texture);
-  if (exhibition.videos->has_ended()) exhibition.guide->video_ended();
+  video.want(VideoPlayer::Wish{.image = shown->image,
+                               .texture = shown->texture,
+                               .size = size,
+                               .seconds = shown->seconds,
+                               .plays = shown->plays});
+  if (waits) video.wait();
+  const bool has_changed = video.upload_next(exhibition.holdings);
+  if (video.has_ended()) exhibition.guide->video_ended(player);
   return has_changed ? shown->texture : none;
+}
+
+}  // namespace
+
+PlayedIn play_videos(Exhibition& exhibition, bool waits) noexcept {
+  PlayedIn changed{};
+  for (std::size_t i = 0; i < exhibition.videos.size(); ++i)
+    changed[i] = play_video(exhibition, i, waits);
+  return changed;
+}
+
+VideoCounters video_counters(const Exhibition& exhibition) noexcept {
+  VideoCounters all;
+  for (const auto& player : exhibition.videos) all += player->counters();
+  return all;
 }
 
 bool apply_pieces(Exhibition& exhibition) noexcept {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -26,13 +27,15 @@ namespace docent::kiosk {
 struct Exhibition {
   Museum museum;
   ContentFacts content;
+  interface::SetText set_text;          ///< In the museum's letters.
   std::shared_ptr<BlobArchive> sounds;  ///< Null: all of the museum's are in memory.
   std::unique_ptr<plan::Planner> planner;
   std::unique_ptr<guide::Guide> guide;
   std::unique_ptr<TodayWatch> today;
   gles::Holdings holdings;
   std::unique_ptr<ObjectDetails> details;  ///< Null where no exhibit is a shape of its own.
-  std::unique_ptr<VideoPlayer> videos;     ///< Null where no exhibit has one.
+  /// As many as the guide has players; none where no exhibit has a video.
+  std::vector<std::unique_ptr<VideoPlayer>> videos;
   /// By image, with their smaller ones, until they are in texture memory.
   std::vector<std::vector<Pixels>> scenery_pictures;
   scene::BodyLevels body_levels;  ///< Likewise.
@@ -78,9 +81,14 @@ void upload(Exhibition& exhibition);
 bool look_at_object(Exhibition& exhibition, std::optional<std::uint32_t> object,
                     bool waits) noexcept;
 
-/// Shows the frame of the video that is due, where a visitor watches one, in this texture; None
-/// where nothing changed. Frame thread; does not allocate. `waits`: until it has been decoded.
-scene::TextureId play_video(Exhibition& exhibition, bool waits) noexcept;
+/// By player of the guide: the texture in which the frame that is due of a video is shown; None
+/// where nothing changed.
+using PlayedIn = std::array<scene::TextureId, guide::VideoTurns::most>;
+/// Shows what is due of the videos that visitors watch. Frame thread; does not allocate. `waits`:
+/// until it has been decoded.
+PlayedIn play_videos(Exhibition& exhibition, bool waits) noexcept;
+/// What all of its players have counted.
+VideoCounters video_counters(const Exhibition& exhibition) noexcept;
 
 /// Applies what the worker's cache of pieces changed; false where that is nothing. Frame thread;
 /// does not allocate.

@@ -105,6 +105,7 @@ class Kiosk {
         staff_(
             {.pin = config.staff_pin, .folder = staff_folder(), .repeats_exactly = simulated_},
             [this] { return staff_words(exhibition_->museum, guide().language()); },
+            [this] { return StaffLook{exhibition_->museum.livery, exhibition_->set_text}; },
             [this](const StaffWords& words) { return staff_facts(words); },
             [keypads = named_keypads(config)](const StaffWords& words) {
               return device_facts(keypads, words);
@@ -133,9 +134,10 @@ class Kiosk {
   }
   interface::ScreenShape shape(const RenderTarget& target) const noexcept {
     interface::ScreenShape shape = shape_of(target.size, inches(), config_);
-    shape.is_night = config_.is_night || is_in_night_hours();
+    shape.is_night = is_night();
     return shape;
   }
+  bool is_night() const noexcept { return config_.is_night || is_in_night_hours(); }
   bool is_in_night_hours() const noexcept {
     if (!config_.night) return false;
     const LocalMinute now = local_minute();
@@ -198,8 +200,9 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   notice_.starts("reads the database");
   auto exhibition = loader()();
   if (!exhibition && waits_for_content())
-    exhibition = wait_for_content(edges_, presenter_.renderer(), notice_, database_,
-                                  exhibition.error(), loader());
+    exhibition = wait_for_content(
+        edges_, presenter_.renderer(), notice_, database_, exhibition.error(),
+        [this] { return is_night(); }, loader());
   if (!exhibition) return std::unexpected(exhibition.error());
   exhibition_ = std::move(*exhibition);
   if (!exhibition_) return {};  // it was told to end
@@ -247,7 +250,7 @@ Result<void> Kiosk::run(FrameGuard& guard) {
   statistics_.touches = counters.touches;
   statistics_.routes = counters.routes;
   statistics_.collisions = counters.collisions;
-  if (exhibition_->videos) statistics_.video = exhibition_->videos->counters();
+  statistics_.video = video_counters(*exhibition_);
   if (const Result<void> finished = rehearsal_.finish(); !finished) return finished;
   if (!options_.stats.empty()) return write_whole(options_.stats, to_json(statistics_));
   return {};
@@ -355,7 +358,8 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   staff_.step(time_, glass, exhibition_->holdings);
   const scene::DrawList& drawn = guide().draw_list();
   if (look_at_object(*exhibition_, drawn.near_object, simulated_)) presenter_.forget();
-  presenter_.forget(play_video(*exhibition_, simulated_));
+  for (const scene::TextureId changed : play_videos(*exhibition_, simulated_))
+    presenter_.forget(changed);
   const scene::DrawList& list = staff_.over(drawn);
   watch.listed();
   const FrameFacts facts = facts_of_frame(passed);

@@ -44,8 +44,9 @@ constexpr float reason_size = 0.026F, reason_gap = 0.06F, margin = 0.1F;
 
 }  // namespace
 
-SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why) {
-  const scene::Theme theme;
+SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why,
+                         bool is_night) {
+  const scene::Theme theme = scene::theme_of({}, false, is_night);
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   const float side = std::min(width, height);
   list_.quads.push_back({.rect = {0, 0, 1, 1}, .colour = theme.paper});
@@ -76,13 +77,14 @@ SetupScreen::SetupScreen(const interface::SetText& set_text, PixelSize size, std
 
 Result<std::unique_ptr<Exhibition>> wait_for_content(
     Edges& edges, gles::Renderer& renderer, ServiceNotice& notice,
-    const std::filesystem::path& database, Error why,
+    const std::filesystem::path& database, Error why, const std::function<bool()>& is_night,
     const std::function<Result<std::unique_ptr<Exhibition>>()>& load) {
   const Result<interface::SetText> set_text = pango::make_text_setter();
   if (!set_text) return std::unexpected(set_text.error());
   FileWatch watch(database);
   say(why, journal::Message::Refused);
   PixelSize size{};
+  bool is_dark = false;
   std::unique_ptr<SetupScreen> screen;
   for (int frame = 0; !take_signal(SIGTERM) && !take_signal(SIGINT); ++frame) {
     const DisplayState state = edges.display->wait_for_page_flip();
@@ -90,10 +92,11 @@ Result<std::unique_ptr<Exhibition>> wait_for_content(
     if (state == DisplayState::Lost)
       return std::unexpected(Error{Errc::Environment, std::string(edges.display->loss())});
     const RenderTarget target = target_of(edges);
-    const bool is_new = !screen || target.size != size;
+    const bool is_new = !screen || target.size != size || is_dark != is_night();
     if (is_new) {
       size = target.size;
-      screen = std::make_unique<SetupScreen>(*set_text, size, why.what);
+      is_dark = is_night();
+      screen = std::make_unique<SetupScreen>(*set_text, size, why.what, is_dark);
     }
     const bool is_due = is_new || frame % frames_between_drawings == 0;
     if (edges.display->can_show() && (is_due || edges.display->wants_frame())) {

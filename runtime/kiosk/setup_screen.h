@@ -22,8 +22,10 @@ namespace docent::kiosk {
 class SetupScreen {
  public:
   /// Sets its texts for a screen of this size and carries them into texture memory. `why`: the
-  /// sentence about the database that cannot be shown.
-  SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why);
+  /// sentence about the database that cannot be shown. Docent's own colours, by night its dark
+  /// ones.
+  SetupScreen(const interface::SetText& set_text, PixelSize size, std::string_view why,
+              bool is_night);
 
   void draw(gles::Renderer& renderer, const RenderTarget& target) const noexcept {
     renderer.draw(list_, holdings_, target);
@@ -51,11 +53,11 @@ class FileWatch {
 
 /// Shows the setup screen until the database can be shown, which is looked for twice a second, or
 /// until the program is told to end, with nothing then. `why`: why it cannot be shown yet; each new
-/// reason is told the journal once. For the service manager this is a kiosk that works. Fails where
-/// the display is lost.
+/// reason is told the journal once. `is_night`: is it to be dark just now? For the service manager
+/// this is a kiosk that works. Fails where the display is lost.
 Result<std::unique_ptr<Exhibition>> wait_for_content(
     Edges& edges, gles::Renderer& renderer, ServiceNotice& notice,
-    const std::filesystem::path& database, Error why,
+    const std::filesystem::path& database, Error why, const std::function<bool()>& is_night,
     const std::function<Result<std::unique_ptr<Exhibition>>()>& load);
 
 }  // namespace docent::kiosk

@@ -11,7 +11,6 @@
 
 #include "platform/file/read_file.h"
 #include "platform/gles/textures.h"
-#include "platform/pango/text_setter.h"
 #include "platform/pin/pin.h"
 #include "runtime/kiosk/options.h"
 #include "runtime/kiosk/statistics.h"
@@ -62,14 +61,14 @@ input::Calibration load_calibration(const std::filesystem::path& folder) {
   return {};
 }
 
-Staff::Staff(StaffSettings settings, Words words, Facts facts, Facts slow_facts)
+Staff::Staff(StaffSettings settings, Words words, Look look, Facts facts, Facts slow_facts)
     : settings_(std::move(settings)),
       words_in_use_(std::move(words)),
+      look_(std::move(look)),
       facts_(std::move(facts)),
       slow_facts_(std::move(slow_facts)),
       lock_(settings_.pin),
-      calibration_(load_calibration(settings_.folder)),
-      set_text_(std::make_shared<interface::SetText>()) {
+      calibration_(load_calibration(settings_.folder)) {
   fingers_.reserve(most_fingers);
   touched_.reserve(input::calibration_marks.size());
 }
@@ -287,26 +286,28 @@ void Staff::step(double time, const interface::ScreenShape& shape, gles::Holding
 void Staff::make_page(const interface::ScreenShape& shape) {
   page_wanted_ = false;
   shape_ = shape;
+  StaffLook look = look_();
   StaffPageRequest request{.screen = *open_,
                            .shape = shape,
                            .words = words_,
+                           .livery = std::move(look.livery),
                            .message = message_,
                            .facts = {},
                            .mark = touched_.size(),
                            .first_texture = first_texture + (1 - bank_) * most_staff_texts};
   if (open_ == StaffScreen::Diagnose) request.facts = facts_(words_);
-  making_ = std::async(std::launch::async, [request = std::move(request), setter = set_text_,
-                                            slow_facts = slow_facts_]() mutable {
-    StaffPage page;
-    guarded("laying out a page for staff", [&] {
-      if (request.screen == StaffScreen::Diagnose)
-        for (StaffFact& fact : slow_facts(request.words)) request.facts.push_back(std::move(fact));
-      if (!*setter)
-        if (auto made = pango::make_text_setter()) *setter = std::move(*made);
-      if (*setter) page = make_staff_page(request, *setter);
-    });
-    return page;
-  });
+  making_ = std::async(std::launch::async,
+                       [request = std::move(request), set_text = std::move(look.set_text),
+                        slow_facts = slow_facts_]() mutable {
+                         StaffPage page;
+                         guarded("laying out a page for staff", [&] {
+                           if (request.screen == StaffScreen::Diagnose)
+                             for (StaffFact& fact : slow_facts(request.words))
+                               request.facts.push_back(std::move(fact));
+                           page = make_staff_page(request, set_text);
+                         });
+                         return page;
+                       });
 }
 
 void Staff::take_page(gles::Holdings& holdings) {

@@ -24,6 +24,12 @@ struct StaffSettings {
   bool repeats_exactly = false;  ///< A simulated run: waits for what is worked out beside it.
 };
 
+/// Colours, and who sets letters.
+struct StaffLook {
+  Livery livery;
+  interface::SetText set_text;
+};
+
 /// The staff's screens over the guide: opened by a gesture and a PIN, they end the program,
 /// calibrate the glass, and tell what is running. While they are open, new touches and all keys are
 /// theirs; fingers that were down before stay the guide's until they leave.
@@ -37,8 +43,11 @@ class Staff {
   /// Facts for the page that tells what is running; asked when it is opened.
   using Facts = std::function<std::vector<StaffFact>(const StaffWords&)>;
 
+  /// What the pages wear: that of the museum that is shown; asked for each of them.
+  using Look = std::function<StaffLook()>;
+
   /// `slow_facts` are asked on another thread.
-  Staff(StaffSettings settings, Words words, Facts facts, Facts slow_facts);
+  Staff(StaffSettings settings, Words words, Look look, Facts facts, Facts slow_facts);
   ~Staff();
   Staff(const Staff&) = delete;
   Staff& operator=(const Staff&) = delete;
@@ -88,6 +97,7 @@ class Staff {
   StaffSettings settings_;
   Words words_in_use_;
   StaffWords words_;  ///< While the screens are open.
+  Look look_;
   Facts facts_, slow_facts_;
   input::StaffGesture gesture_;
   StaffLock lock_;
@@ -103,7 +113,6 @@ class Staff {
   bool page_wanted_ = false;
   interface::ScreenShape shape_;
   std::future<StaffPage> making_;
-  std::shared_ptr<interface::SetText> set_text_;  ///< Made by the first page's thread.
   std::optional<StaffPage> page_;
   std::uint32_t bank_ = 0;  ///< Which of the two ranges of texture numbers page_ has.
   int focus_ = -1;

@@ -29,7 +29,7 @@ class Layout {
     page_.width = static_cast<float>(request.shape.width);
     page_.height = static_cast<float>(request.shape.height);
     page_.unit_px = m_.unit;
-    page_.theme = scene::theme_of({}, false, request.shape.is_night);
+    page_.theme = staff_theme(request.livery, request.shape.is_night);
     fill({0, 0, page_.width, page_.height}, page_.theme.paper, 0);
   }
 
@@ -245,6 +245,19 @@ void lay_out_diagnose(Layout& layout, const std::vector<StaffFact>& facts) {
 }
 
 }  // namespace
+
+scene::Theme staff_theme(const Livery& livery, bool is_night) noexcept {
+  const Theme theme = scene::theme_of(livery, false, is_night);
+  const auto is_told = [&](const scene::Colour& colour, const scene::Colour& ground, float least) {
+    return scene::contrast(colour, ground) >= least;
+  };
+  const bool is_read = is_told(theme.ink, theme.paper, scene::least_of_text) &&
+                       is_told(theme.ink, theme.plaster, scene::least_of_text) &&
+                       is_told(theme.quiet_ink, theme.paper, scene::least_of_text) &&
+                       is_told(theme.invitation, theme.paper, scene::least_of_focus) &&
+                       is_told(theme.focus, theme.paper, scene::least_of_focus);
+  return is_read ? theme : scene::theme_of({}, false, is_night);
+}
 
 StaffPage make_staff_page(const StaffPageRequest& request, const interface::SetText& set_text) {
   Layout layout(request, set_text);

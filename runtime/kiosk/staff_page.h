@@ -48,14 +48,15 @@ struct StaffPageRequest {
   StaffScreen screen = StaffScreen::Pad;
   interface::ScreenShape shape;
   StaffWords words;
+  Livery livery{};                  ///< What the museum wears.
   std::string message;              ///< Below the heading; may be empty.
   std::vector<StaffFact> facts;     ///< Diagnose.
   std::size_t mark = 0;             ///< Calibrate: of input::calibration_marks.
   std::uint32_t first_texture = 0;  ///< Its texts take the numbers from there.
 };
 
-/// One of the staff's pages, laid out: over the whole glass, in docent's own colours, of the day
-/// or the night, and letters. Screen frame.
+/// One of the staff's pages, laid out: over the whole glass, in the museum's colours, of the day or
+/// the night. Screen frame.
 struct StaffPage {
   struct Button {
     StaffAction action = StaffAction::Close;
@@ -65,11 +66,15 @@ struct StaffPage {
   std::vector<Button> buttons;  ///< In focus order.
   std::vector<scene::Quad> quads;
   scene::Rect entry;            ///< Pad: where the figures that were typed are shown, as dots.
-  scene::Theme theme;           ///< Docent's own: staff know it in every museum.
+  scene::Theme theme;           ///< As staff_theme.
   float unit_px = 8;            ///< 1/135 of the shorter side.
   float width = 1, height = 1;  ///< Pixels of the screen.
   std::vector<interface::PieceUpload> uploads;
 };
+
+/// The museum's colours, or docent's own where what is written in them could not be read: a page
+/// by which a kiosk is mended has to be readable, whatever is in its database.
+scene::Theme staff_theme(const Livery& livery, bool is_night) noexcept;
 
 /// Lays a page out. Takes milliseconds: not for the frame thread.
 StaffPage make_staff_page(const StaffPageRequest& request, const interface::SetText& set_text);

@@ -31,6 +31,14 @@ struct VideoCounters {
   std::uint64_t dropped = 0;             ///< Frames that came too late.
   std::chrono::nanoseconds decoding{0};  ///< Of all frames: processor time of the thread.
   std::uint64_t decoded = 0;
+
+  VideoCounters& operator+=(const VideoCounters& other) noexcept {
+    shown += other.shown;
+    dropped += other.dropped;
+    decoding += other.decoding;
+    decoded += other.decoded;
+    return *this;
+  }
 };
 
 /// What --stats writes: the keys of docent(1).

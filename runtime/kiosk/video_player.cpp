@@ -177,19 +177,22 @@ void VideoPlayer::decode_next(std::unique_lock<std::mutex>& lock) {
 void VideoPlayer::want(const std::optional<Wish>& wish) noexcept {
   const std::scoped_lock lock(mutex_);
   if (!wish && !wish_) return;
-  const bool begins = wish && (!wish_ || wish_->image != wish->image || wish_->size != wish->size ||
-                               wish->seconds < wish_->seconds);
+  const bool begins =
+      wish && (!wish_ || wish_->image != wish->image || wish_->texture != wish->texture ||
+               wish_->size != wish->size || wish->seconds < wish_->seconds);
   const bool goes_on = wish && wish_ && wish->plays != wish_->plays;
   wish_ = wish;
   if (begins) ++run_;
   if (begins || goes_on || !wish) changed_.notify_all();
 }
 
-bool VideoPlayer::upload_next(gles::Holdings& holdings, scene::TextureId texture) noexcept {
+bool VideoPlayer::upload_next(gles::Holdings& holdings) noexcept {
   Slot* newest = nullptr;
+  scene::TextureId texture{};
   {
     const std::scoped_lock lock(mutex_);
     if (!fits_wish()) return false;
+    texture = wish_->texture;
     for (Slot& slot : slots_) {
       if (slot.state != SlotState::Ready || slot.milliseconds > due()) continue;
       Slot* older = newest;

@@ -37,6 +37,7 @@ class VideoPlayer {
   /// A video of which a frame is to be seen, as large as its texture.
   struct Wish {
     std::uint32_t image = 0;
+    scene::TextureId texture = scene::TextureId::None;
     gles::Holdings::Size size;
     float seconds = 0;  ///< Of the video. Less than before: it begins again.
     bool plays = true;  ///< Else it stands still.
@@ -44,7 +45,7 @@ class VideoPlayer {
   /// Frame thread; these do not allocate. What is to be seen from now on.
   void want(const std::optional<Wish>& wish) noexcept;
   /// Puts the frame that is due into the texture; false where nothing changed.
-  bool upload_next(gles::Holdings& holdings, scene::TextureId texture) noexcept;
+  bool upload_next(gles::Holdings& holdings) noexcept;
   /// Is what is wanted at its end, or not to be played at all?
   bool has_ended() noexcept;
   /// Waits until what is due has been decoded: for runs that repeat exactly.

@@ -130,7 +130,7 @@ class Kiosk {
     exhibition_->guide->spare_videos(when == KeepsStill::Always);
   }
   const guide::Guide& guide() const { return *exhibition_->guide; }
-  kiosk::VideoCounters counters() { return exhibition_->videos->counters(); }
+  kiosk::VideoCounters counters() { return kiosk::video_counters(*exhibition_); }
 
   /// In real time, sixty frames a second or as many as there is time for.
   Measured play(double seconds) {
@@ -171,11 +171,11 @@ class Kiosk {
       exhibition_->planner->wait();
       exhibition_->guide->step(guide::Seconds{1 / a_second});
       if (kiosk::apply_pieces(*exhibition_)) shown_.forget();
-      exhibition_->videos->wait();
+      for (const auto& player : exhibition_->videos) player->wait();
       const double began = processor_milliseconds(CLOCK_THREAD_CPUTIME_ID);
-      shown_.forget(kiosk::play_video(*exhibition_, true));
+      shown_.forget(kiosk::play_videos(*exhibition_, true).front());
       all.upload.push_back(processor_milliseconds(CLOCK_THREAD_CPUTIME_ID) - began);
-      exhibition_->videos->wait();
+      for (const auto& player : exhibition_->videos) player->wait();
       const scene::DrawList& list = exhibition_->guide->draw_list();
       const scene::Change change = shown_.change(list, static_cast<float>(full_hd.height));
       if (change.nothing()) continue;
@@ -200,7 +200,7 @@ class Kiosk {
     if (kiosk::apply_pieces(*exhibition_)) shown_.forget();
     const scene::DrawList& list = exhibition_->guide->draw_list();
     lap(all.step);
-    const scene::TextureId changed = kiosk::play_video(*exhibition_, false);
+    const scene::TextureId changed = kiosk::play_videos(*exhibition_, false).front();
     shown_.forget(changed);
     if (changed != scene::TextureId::None) lap(all.upload);
     began = now();

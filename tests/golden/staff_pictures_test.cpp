@@ -136,9 +136,12 @@ TEST_F(StaffPictures, AreDarkInHallsThatAre) {
 }
 
 TEST_F(StaffPictures, OfAKioskWithoutAMuseumSayWhatToDo) {
-  kiosk::SetupScreen screen(set_text_, size, "/var/lib/docent/museum.db: there is no such file");
-  screen.draw(*renderer_, target());
-  expect("setup.png");
+  for (const bool is_night : {false, true}) {
+    const kiosk::SetupScreen screen(set_text_, size,
+                                    "/var/lib/docent/museum.db: there is no such file", is_night);
+    screen.draw(*renderer_, target());
+    expect(is_night ? "setup-night.png" : "setup.png");
+  }
 }
 
 }  // namespace

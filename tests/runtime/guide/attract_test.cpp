@@ -87,6 +87,42 @@ TEST(TheMuseum, ShowsAWayToAnExhibitThatTheGuideWalksAndComesHome) {
   EXPECT_EQ(kiosk.guide.counters().collisions, 0U);
 }
 
+/// Who passes by sees whose museum it is.
+TEST(TheMuseum, HasItsSignOnTheBoardOfItsWelcome) {
+  Museum museum = test::sample_museum();
+  museum.livery.logo = static_cast<std::uint32_t>(museum.images.size());
+  museum.images.push_back({.name = "logo.png", .width = 120, .height = 108, .bytes = {}});
+  plan::Planner planner(museum,
+                        {test::boxes,
+                         [](std::uint32_t, std::uint32_t width, std::uint32_t height) {
+                           return Pixels{width, height,
+                                         std::vector<std::byte>(std::size_t{4} * width * height)};
+                         }},
+                        planner_size(museum, {}).avatars, planner_size(museum, {}).parts);
+  Guide guide(museum, planner, {.shape = {.width = 1920, .height = 1080}});
+  test::run(planner, guide, 1);
+  const auto logo = std::ranges::find(guide.view()->elements, true, &interface::Element::is_logo);
+  ASSERT_NE(logo, guide.view()->elements.end());
+  test::run(planner, guide, 66);
+  ASSERT_TRUE(guide.is_attracting());
+
+  const std::vector<scene::Quad>& quads = guide.draw_list().quads;
+  const auto board = std::ranges::find_if(quads, [&](const scene::Quad& quad) {
+    return quad.colour == guide.view()->theme.paper && quad.colour.a == 1;
+  });
+  ASSERT_NE(board, quads.end());
+  const auto sign = std::find_if(board, quads.end(), [&](const scene::Quad& quad) {
+    return quad.texture == logo->quad.texture;
+  });
+  ASSERT_NE(sign, quads.end());
+  EXPECT_TRUE(scene::contains(board->rect, sign->rect.x, sign->rect.y));
+  EXPECT_TRUE(scene::contains(board->rect, sign->rect.x + sign->rect.width,
+                              sign->rect.y + sign->rect.height));
+  EXPECT_EQ(sign->colour.a, 1);
+  for (auto words = sign + 1; words != quads.end(); ++words)
+    EXPECT_GT(words->rect.y, sign->rect.y + sign->rect.height) << "the welcome is below it";
+}
+
 TEST(TheMuseum, IsNotTouchedByAFingerThatHasRestedOnTheGlassAllTheWhile) {
   Kiosk kiosk;
   const scene::Rect begin = kiosk.guide.view()->controls.front().rect;

@@ -158,6 +158,20 @@ TEST(Watching, HasTheCaptionsReadAtTheirTimes) {
     EXPECT_NEAR(changed[at], seconds, 1.5 / 60);
 }
 
+/// Letters are drawn as large as their texture's part is, whatever rectangle they are given.
+TEST(Watching, ShowsNoLetterOfACaptionBeforeItsTime) {
+  Visitor visitor;
+  visitor.tap("picture:next");
+  visitor.run(1);
+  ASSERT_EQ(read_by(visitor.guide()), "");
+
+  for (const interface::TimedText& cue : visitor.guide().view()->cues)
+    for (const scene::Quad& quad : visitor.guide().draw_list().quads)
+      if (quad.texture == cue.quad.texture) {
+        EXPECT_EQ(quad.uv.width, 0);
+      }
+}
+
 TEST(Watching, KeepsTheCaptionOfAVideoThatIsStoppedAndHasNoneAtItsBeginning) {
   Visitor visitor;
   visitor.tap("picture:next");

@@ -188,5 +188,50 @@ TEST(AShortText, DoesNotScroll) {
   EXPECT_NE(view->controls[0].name, "text-up");
 }
 
+/// Everybody sees at once that there is something to listen to, and how much of it they have heard:
+/// on a line below the words (Overlay::draw_listened).
+TEST(AnExhibitsSound, HasItsButtonSeenWholeBeforeAnythingScrolls) {
+  Museum museum = in_all_languages();
+  museum.sounds = {{.exhibit = 0,
+                    .title = {{"en", "One bell, two notes"}},
+                    .description = {{"en", "A bell is struck twice, and dies away slowly."}}}};
+  PieceCache cache({test::boxes, {}}, 1, 1 << 20);
+  for (const auto& [width, height] : {std::pair{1920U, 1080U}, {1080U, 1920U}, {1280U, 1024U}})
+    for (std::uint32_t language = 0; language < museum.languages.size(); ++language)
+      for (const bool is_large : {false, true})
+        for (const bool plays : {false, true}) {
+          ViewRequest request;
+          request.shape = {.width = width, .height = height, .diagonal_inches = 32};
+          request.state = {.screen = Screen::Arrived,
+                           .language = language,
+                           .exhibit = 0,
+                           .sound = plays ? std::optional<std::uint8_t>(0) : std::nullopt,
+                           .can_sound = true,
+                           .arrived = true,
+                           .large_letters = is_large};
+          const auto view = make_view(museum, request, cache);
+          SCOPED_TRACE(fmt::format("{} x {} in {}, {} letters", width, height,
+                                   museum.languages[language].tag, is_large ? "large" : "usual"));
+
+          const auto button =
+              std::ranges::find(view->controls, std::string("sound:1"), &Control::name);
+          ASSERT_NE(button, view->controls.end());
+          const float bottom = button->rect.y + button->rect.height;
+          const auto index = static_cast<std::int32_t>(button - view->controls.begin());
+          const bool scrolls =
+              std::ranges::find(view->scroll.controls, index, &ScrollArea::Scrolled::control) !=
+              view->scroll.controls.end();
+          EXPECT_GT(button->rect.width, 0);
+          if (scrolls) {
+            EXPECT_LE(bottom, view->scroll.rect.y + view->scroll.rect.height + 1e-4F);
+          }
+          for (const Element& element : view->elements)
+            if (element.control == index && element.words >= 0) {
+              EXPECT_LE(element.quad.rect.y + element.quad.rect.height,
+                        bottom - view->unit_px / view->pixel_height);
+            }
+        }
+}
+
 }  // namespace
 }  // namespace docent::interface::column_test

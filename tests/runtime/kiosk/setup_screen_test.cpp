@@ -15,18 +15,20 @@ namespace docent::kiosk::setup_screen_test {
 namespace {
 
 /// The screen as a picture; kept where DOCENT_KEEP_PICTURES names a folder.
-Pixels setup_screen(PixelSize size) {
+Pixels setup_screen(PixelSize size, bool is_night = false) {
   const auto display = headless::open_headless(size).value();
   gles::Renderer renderer = gles::make_renderer().value();
   const SetupScreen screen(pango::make_text_setter().value(), size,
                            "/var/lib/docent/museum.db: there is no such database; make it with "
-                           "'docent-content compile'");
+                           "'docent-content compile'",
+                           is_night);
   screen.draw(renderer, display->target());
   Pixels picture;
   display->read_back(picture);
   if (const char* folder = std::getenv("DOCENT_KEEP_PICTURES")) {
     EXPECT_TRUE(image::write_png(
-        std::filesystem::path(folder) / fmt::format("setup-{}x{}.png", size.width, size.height),
+        std::filesystem::path(folder) /
+            fmt::format("setup-{}x{}{}.png", size.width, size.height, is_night ? "-night" : ""),
         picture));
   }
   return picture;
@@ -53,6 +55,21 @@ TEST(TheSetupScreen, SaysWhatToDoOnScreensOfEveryShape) {
     EXPECT_EQ(rows_with_ink(picture, 0, 0.05), 0U) << size.width;
     EXPECT_EQ(rows_with_ink(picture, 0.96, 1), 0U) << "it does not all fit " << size.width;
   }
+}
+
+/// The mean of all channels, of 255.
+double brightness(const Pixels& picture) {
+  double sum = 0;
+  for (const std::byte part : picture.rgba) sum += std::to_integer<int>(part);
+  const auto pixels = static_cast<double>(picture.rgba.size() / 4);
+  return (sum / pixels - 255) / 3;  // opacity is whole
+}
+
+TEST(TheSetupScreen, IsDarkInHallsThatAre) {
+  const Pixels day = setup_screen({1280, 720}), night = setup_screen({1280, 720}, true);
+
+  EXPECT_GT(brightness(day), 200);
+  EXPECT_LT(brightness(night), 60);
 }
 
 TEST(AFileWatch, NoticesWhatIsPutInPlaceReplacedAndTakenAway) {

@@ -215,6 +215,32 @@ TEST(StaffPage, HasTargetsOfFifteenMillimetresThatDoNotOverlap) {
   }
 }
 
+TEST(StaffPage, WearsTheMuseumsColoursWhereItCanBeReadInThem) {
+  Livery navy;
+  navy.paper = 0xE9F0F1;
+  navy.ink = 0x0B2A3B;
+  Livery pale = navy;
+  pale.ink = 0x7A8A93;
+  Livery hidden = navy;
+  hidden.focus = 0xDDE6E8;
+  for (const bool is_night : {false, true}) {
+    EXPECT_EQ(staff_theme({}, is_night), scene::theme_of({}, false, is_night));
+    EXPECT_EQ(staff_theme(navy, is_night), scene::theme_of(navy, false, is_night));
+  }
+  EXPECT_EQ(staff_theme(pale, false), scene::theme_of({}, false, false)) << "nobody could read it";
+  EXPECT_EQ(staff_theme(hidden, false), scene::theme_of({}, false, false)) << "nor see the focus";
+
+  StaffPageRequest request;
+  request.shape.width = width;
+  request.shape.height = height;
+  request.livery = navy;
+  const StaffPage page =
+      make_staff_page(request, [](const interface::TextStyle&, std::string_view, std::uint32_t) {
+        return interface::TextBitmap{};
+      });
+  EXPECT_EQ(page.quads.front().colour, scene::srgb(navy.paper));
+}
+
 TEST(StaffFolder, IsTheOneOfTheGlassWhereAUnitHasSeveral) {
   setenv("STATE_DIRECTORY", "/var/lib/a:/var/lib/docent-glass:/var/lib/b", 1);
   EXPECT_EQ(staff_folder(), "/var/lib/docent-glass");

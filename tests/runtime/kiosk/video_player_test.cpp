@@ -28,9 +28,10 @@ class TheVideoPlayer : public ::testing::Test {
 
   /// Is another frame shown at that time of the video?
   bool shows(float seconds, bool plays = true, gles::Holdings::Size size = {32, 24}) {
-    player_.want(VideoPlayer::Wish{.image = 0, .size = size, .seconds = seconds, .plays = plays});
+    player_.want(VideoPlayer::Wish{
+        .image = 0, .texture = texture, .size = size, .seconds = seconds, .plays = plays});
     player_.wait();
-    return player_.upload_next(*holdings_, texture);
+    return player_.upload_next(*holdings_);
   }
   /// Does the player hold anything of a video's bytes?
   bool is_held() {
@@ -111,6 +112,17 @@ TEST_F(TheVideoPlayer, GoesOnWhereItIsInAnotherSize) {
   EXPECT_TRUE(shows(0.241F, true, {16, 12}));
 }
 
+TEST_F(TheVideoPlayer, BeginsAnewWhereItIsForAnotherPicture) {
+  constexpr auto other = scene::TextureId{2};
+  holdings_->add_image(other, {32, 24, std::vector<std::byte>(std::size_t{4} * 32 * 24)});
+  EXPECT_TRUE(shows(0, false)) << "it stands at its beginning";
+  EXPECT_FALSE(shows(0, false));
+
+  player_.want(VideoPlayer::Wish{.image = 0, .texture = other, .size = {32, 24}, .plays = false});
+  player_.wait();
+  EXPECT_TRUE(player_.upload_next(*holdings_)) << "as somebody else's does, too";
+}
+
 TEST_F(TheVideoPlayer, HoldsNothingWhileTheVideoStandsAtItsBeginning) {
   EXPECT_TRUE(shows(0, false)) << "its first frame, in the place of whatever was there";
   EXPECT_FALSE(is_held());
@@ -179,7 +191,7 @@ TEST_F(TheVideoPlayer, ShowsNothingOnceNobodyWatches) {
   player_.want({});
   player_.wait();
 
-  EXPECT_FALSE(player_.upload_next(*holdings_, texture));
+  EXPECT_FALSE(player_.upload_next(*holdings_));
   EXPECT_FALSE(player_.has_ended());
 }
 
@@ -195,16 +207,17 @@ struct MuseumWithVideo : test::MuseumFolder {
     EXPECT_EQ(compiled.exit_code, 0) << compiled.err;
   }
   /// What the kiosk counts in a visit, and tells.
-  std::string visit(const std::string& what, const std::string& settings = {}) const {
+  std::string visit(const std::string& what, const std::string& settings = {},
+                    const std::string& size = "640x360") const {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "a.visit") << what;
     std::ofstream(folder.path() / "kiosk.toml") << settings;
     const auto stats = folder.path() / "stats.json";
     const test::ProgramRun run = test::run_program(
         "docent", "--content '" + database().string() + "' --config '" +
-                      (folder.path() / "kiosk.toml").string() +
-                      "' --display headless --size 640x360 --visit '" +
-                      (folder.path() / "a.visit").string() + "' --stats '" + stats.string() + "'");
+                      (folder.path() / "kiosk.toml").string() + "' --display headless --size " +
+                      size + " --visit '" + (folder.path() / "a.visit").string() + "' --stats '" +
+                      stats.string() + "'");
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return test::text_of(stats);
   }
@@ -219,6 +232,21 @@ TEST(AVideo, PlaysByItselfWhereOneLeafsToItAndStandsStillAtItsEnd) {
 
   EXPECT_NEAR(test::number_in(stats, "video_frames"), 50 + 1 + 12, 3)
       << "all of it, the first frame again, half a second, and no more";
+  EXPECT_EQ(test::number_in(stats, "video_frames_dropped"), 0);
+  EXPECT_EQ(test::number_in(stats, "allocations_in_frames"), 0);
+}
+
+TEST(AVideo, PlaysForEachOfTwoWhoShareAGlassWithoutTakingMemory) {
+  const MuseumWithVideo museum;
+
+  const std::string stats = museum.visit(
+      "1 tap @look:teal seat 1\n2 tap @exhibit:jade-disc seat 1\n"
+      "3 tap @look:rose seat 2\n4 tap @exhibit:jade-disc seat 2\n"
+      "40 tap @picture:next seat 1\n40.5 tap @picture:next seat 2\n45 quit\n",
+      "visitors = 2\nscreen_inches = 55\n", "1280x720");
+
+  EXPECT_NEAR(test::number_in(stats, "video_frames"), 2 * (50 + 1), 4)
+      << "all of it and the first frame again, on both cards";
   EXPECT_EQ(test::number_in(stats, "video_frames_dropped"), 0);
   EXPECT_EQ(test::number_in(stats, "allocations_in_frames"), 0);
 }
