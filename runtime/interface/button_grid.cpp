@@ -45,6 +45,9 @@ ButtonGrid grid_of(Sheet& sheet, std::span<const std::int32_t> controls, const G
     const float width = width_in(grid.columns);
     if (width >= touch && have_room(sheet, controls, width - rules.margin, rules.lines)) break;
   }
+  // Rows of the same length: four and one would be three and two.
+  const std::uint32_t rows = (count + grid.columns - 1) / grid.columns;
+  grid.columns = (count + rows - 1) / rows;
   grid.width = width_in(grid.columns);
   const float pad = std::round(sheet.measures().unit / 2);
   for (std::uint32_t first = 0; first < count; first += grid.columns) {

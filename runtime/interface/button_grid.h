@@ -33,8 +33,9 @@ struct GridRules {
   float least = 0;          ///< Height of a control; 0: that of a fingertip.
 };
 
-/// As many beside each other as have room for their words, unbroken and in that many lines. What
-/// would not even have room in a row of its own is broken there. Controls below 0 do not count.
+/// As many beside each other as have room for their words, unbroken and in that many lines, or
+/// fewer where that takes no more rows. What would not even have room in a row of its own is broken
+/// there. Controls below 0 do not count.
 ButtonGrid grid_of(Sheet& sheet, std::span<const std::int32_t> controls, const GridRules& rules);
 
 /// Do all their words have room in that width, unbroken and in so many lines?

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/face.h"
@@ -154,17 +155,27 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   for (const auto& one : shown) controls.push_back(one.first);
 
   // As wide in every language, so that helps stay where they are.
-  constexpr float ordinary = 26, most_height = 0.32F;  // units; of the model's height
+  constexpr float ordinary = 26, wide = 32;  // units
+  constexpr float most_height = 0.32F;       // of the model's
   const float gap = std::round(m.unit), count = static_cast<float>(shown.size());
   const float room = free.width - 2 * m.gap - 2 * gap;
-  const float wanted = std::round(ordinary * m.unit * sheet.request().shape.text_scale);
+  const float unit = m.unit * sheet.request().shape.text_scale;
+  const float wanted = std::round(ordinary * unit), in_rows = std::round(wide * unit);
   const float whole = std::min(room, count * (wanted + gap) - gap);
-  const ButtonGrid grid =
-      grid_of(sheet, controls, {.width = whole, .margin = sheet.signed_margin(), .gap = gap});
+  const auto grid_in = [&](float width) {
+    return grid_of(sheet, controls, {.width = width, .margin = sheet.signed_margin(), .gap = gap});
+  };
+  ButtonGrid grid = grid_in(whole);
+  if (grid.columns < shown.size()) {  // what several rows do not need is left to the model
+    const auto columns = static_cast<float>(grid.columns);
+    ButtonGrid narrower = grid_in(std::min(whole, columns * (in_rows + gap) - gap));
+    if (narrower.height() <= grid.height()) grid = std::move(narrower);
+  }
   // Where letters are large and the glass is small, signs alone leave the model to be seen.
   if (grid.height() > most_height * free.height)
     return draw_senses(sheet, free, draw_signs(sheet, free, shown));
-  const float width = whole + 2 * gap, height = grid.height() + 2 * gap;
+  const float across = static_cast<float>(grid.columns) * (grid.width + gap) - gap;
+  const float width = across + 2 * gap, height = grid.height() + 2 * gap;
   const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
   draw_board(sheet, board);
   for (std::size_t i = 0; i < shown.size(); ++i)

@@ -170,7 +170,7 @@ void draw_walk(Sheet& sheet, const PixelBox& free) {
   const std::int32_t walk = sheet.control("walk");
   if (walk < 0) return;
   // As wide in every language, and whether or not there is a plan beside it.
-  constexpr float ordinary = 30, most = 0.45F;  // units; share of the model's width
+  constexpr float ordinary = 40, most = 0.45F;  // units; share of the model's width
   const Measures& m = sheet.measures();
   const float scale = sheet.request().shape.text_scale;
   const float width = std::round(std::min(ordinary * m.unit * scale, most * free.width));
