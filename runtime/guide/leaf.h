@@ -29,6 +29,9 @@ struct Leaf {
     std::optional<Grasp> grasp{};  ///< None where no hand reaches it all the while.
     double needed = 0;             ///< Radians that who pushes it has needed so far.
     double since = 0;              ///< Seconds.
+    double rate = 0;               ///< Radians a second.
+    bool waits = false;            ///< For the hand, or goes after it.
+    double apart = 0;              ///< Seconds for which the hand has not reached it.
   };
   std::optional<Push> push{};
 
