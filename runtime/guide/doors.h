@@ -14,10 +14,11 @@ namespace docent::guide {
 /// The leaves of all doors that staff have marked. Whoever goes through one that is closed turns it
 /// with a hand on its bar and walks on; it is always turned far enough for who walks there, and
 /// farther only as the hand comes along. Before one that slides, or has to be pulled, they stop,
-/// draw it with a hand on its bar as far as that reaches, let it go on from there, and walk through;
-/// two that slide go together. Where there is no place to stand out of its way, or others come, it
-/// opens by itself. A leaf that is pulled, or opens so, waits some seconds for who is in its way.
-/// Whoever comes next finds it open; when nobody has been near it for a while it closes by itself.
+/// draw it with a hand on its bar as far as that reaches, let it go on from there, and walk
+/// through; two that slide go together. Where there is no place to stand out of its way, or others
+/// come, it opens by itself. A leaf that is pulled, or opens so, waits some seconds for who is in
+/// its way. Whoever comes next finds it open; when nobody has been near it for a while it closes by
+/// itself.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Doors {
