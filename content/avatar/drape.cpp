@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <type_traits>
 #include <utility>
 
 #include "content/avatar/hair.h"
+#include "content/avatar/head.h"
 
 // Measures with `s` are metres on a person of 1.70 m, shaped for this avatar; `s` scales them.
 
@@ -20,6 +23,7 @@ constexpr std::array chain_degrees{-150.0F, -112.0F, -72.0F, -34.0F, 0.0F,
                                    34.0F,   72.0F,   112.0F, 150.0F, 180.0F};
 constexpr float row_length = 0.19F;
 constexpr std::size_t most_rows = 3;
+constexpr float scarf_thickness = 0.010F;
 
 /// The outside of a solid, from `start` outwards.
 template <typename Solid>
@@ -72,7 +76,14 @@ void add_sheet(const Sheet& sheet, std::vector<ClothNode>& nodes) {
     }
 }
 
-}  // namespace
+void add_tufts(const Tufts& tufts, std::vector<ClothNode>& nodes) {
+  for (std::size_t k = 0; k < tufts.size(); ++k)
+    nodes.push_back({.place = tufts.place[k],
+                     .outward = tufts.outward[k],
+                     .stiffness = tufts.stiffness,
+                     .damping = tufts.damping,
+                     .drag = 0.5F});
+}
 
 Sheet skirt_of(const BodyShape& body) {
   const float s = body.scale;
@@ -104,7 +115,7 @@ Sheet skirt_of(const BodyShape& body) {
 }
 
 Sheet long_hair_of(const BodyShape& body) {
-  if (body.figure.hair != Hair::Long) return {};
+  if (body.figure.hair != Hair::Long || body.figure.headwear == Headwear::Scarf) return {};
   const float s = body.scale;
   Sheet sheet{.stiffness = 70, .tension = 50};
   sheet.top = body.skull.y - 0.075F * s;
@@ -119,6 +130,97 @@ Sheet long_hair_of(const BodyShape& body) {
     }
   }
   return sheet;
+}
+
+/// What hangs of a headscarf on one side of the body: chains across it.
+Sheet scarf_of(const BodyShape& body, float side, std::vector<float> across,
+               std::vector<float> height) {
+  if (body.figure.headwear != Headwear::Scarf) return {};
+  const float s = body.scale;
+  Sheet sheet{.stiffness = 90, .tension = 40};
+  sheet.top = body.skull.y - 0.215F * s;
+  for (const float below : height) sheet.height.push_back(body.skull.y - below * s);
+  for (const float x : across) {
+    sheet.across.push_back(x * s);
+    for (const float y : sheet.height) {
+      const Vec3 outward = glm::normalize(Vec3{2 * x, 0, side});
+      sheet.outward.push_back(outward);
+      sheet.place.push_back(
+          outside_of([&](Vec3 p) { return coat_trunk(body, p, scarf_thickness * s); },
+                     {x * s, y, body.neck_base.z}, outward));
+    }
+  }
+  return sheet;
+}
+
+/// A place on the head: metres on a head 22.7 cm high.
+struct OnHead {
+  Vec3 place, outward;
+};
+
+template <typename Solid>
+Tufts tufts_at(const BodyShape& body, std::span<const OnHead> places, Solid solid) {
+  Tufts tufts;
+  for (const OnHead& on : places) {
+    const Vec3 outward = glm::normalize(on.outward);
+    tufts.outward.push_back(outward);
+    tufts.place.push_back(outside_of([&](Vec3 p) { return solid(body, p); },
+                                     body.skull + body.scale * on.place, outward));
+  }
+  return tufts;
+}
+
+Tufts beard_of(const BodyShape& body) {
+  const float length = body.figure.face.beard;
+  if (length <= 0) return {};
+  const float s = body.scale;
+  const std::array places{OnHead{{0, -0.090F - length, 0.060F}, {0, -0.4F, 1}},
+                          OnHead{{0.022F, -0.100F, 0.055F}, {0.7F, -0.3F, 1}},
+                          OnHead{{-0.022F, -0.100F, 0.055F}, {-0.7F, -0.3F, 1}}};
+  Tufts tufts = tufts_at(body, places, beard);
+  tufts.reach = 0.026F * s;
+  tufts.root = 0.005F * s;
+  tufts.tip = 0.028F * s;
+  tufts.stiffness = 800;
+  tufts.damping = 16;
+  return tufts;
+}
+
+Tufts curls_of(const BodyShape& body) {
+  if (body.figure.hair != Hair::Curls || !has_hair(body.figure)) return {};
+  const float s = body.scale;
+  constexpr Vec3 middle{0, 0.0235F, -0.012F};
+  std::array<OnHead, 7> places;
+  constexpr std::array<Vec3, 7> ways{{{0, 1, -0.1F},
+                                      {0.35F, 0.55F, 0.9F},
+                                      {-0.35F, 0.55F, 0.9F},
+                                      {1, 0.15F, -0.1F},
+                                      {-1, 0.15F, -0.1F},
+                                      {0.5F, -0.05F, -1},
+                                      {-0.5F, -0.05F, -1}}};
+  for (std::size_t k = 0; k < ways.size(); ++k) places[k] = {middle, ways[k]};
+  Tufts tufts = tufts_at(body, places, docent::avatar::hair);
+  tufts.reach = 0.075F * s;
+  tufts.root = 0.004F * s;
+  tufts.tip = 0.036F * s;
+  tufts.stiffness = 380;
+  tufts.damping = 8;
+  return tufts;
+}
+
+}  // namespace
+
+Drapery drapery_of(const BodyShape& body) {
+  Drapery drapery{.skirt = skirt_of(body),
+                  .hair = long_hair_of(body),
+                  .behind = scarf_of(body, -1, {-0.06F, 0, 0.06F}, {0.335F, 0.430F}),
+                  .before = scarf_of(body, 1, {-0.045F, 0.045F}, {0.360F}),
+                  .beard = beard_of(body),
+                  .curls = curls_of(body)};
+  std::size_t first = 0;
+  const auto number = [&](auto&... part) { ((part.first = first, first += part.size()), ...); };
+  number(drapery.skirt, drapery.hair, drapery.behind, drapery.before, drapery.beard, drapery.curls);
+  return drapery;
 }
 
 float swinging_share(const Sheet& sheet, Vec3 p) {
@@ -143,6 +245,21 @@ void share_out(const Sheet& sheet, Vec3 p, float share, std::span<float> nodes) 
     nodes[k * rows + row] += share * part * (1 - down);
     nodes[k * rows + next] += share * part * down;
   }
+}
+
+float swinging_share(const Tufts& tufts, float off) {
+  return tufts.size() == 0 ? 0 : smoothstep(tufts.root, tufts.tip, off);
+}
+
+void share_out(const Tufts& tufts, Vec3 p, float share, std::span<float> nodes) {
+  if (tufts.size() == 0) return;
+  std::vector<float> near;
+  float all = 0;
+  for (const Vec3& place : tufts.place) {
+    const float off = glm::distance(p, place) / tufts.reach;
+    all += near.emplace_back(std::exp(-off * off) + 1e-9F);
+  }
+  for (std::size_t k = 0; k < tufts.size(); ++k) nodes[k] += share * near[k] / all;
 }
 
 std::vector<ClothCollider> colliders_of(const BodyShape& body, const ClothJoints& joints) {
@@ -178,24 +295,41 @@ std::vector<ClothCollider> colliders_of(const BodyShape& body, const ClothJoints
                  .to = body.skull - Vec3{0, 0.05F, 0} * s,
                  .from_radius = 0.055F * s,
                  .to_radius = 0.060F * s});
+  if (body.figure.hair == Hair::Curls)
+    all.push_back({.joint = static_cast<std::uint8_t>(joints.head),
+                   .from = body.skull + Vec3{0, 0.03F, 0.02F} * s,
+                   .to = body.skull + Vec3{0, 0.03F, -0.03F} * s,
+                   .from_radius = 0.070F * s,
+                   .to_radius = 0.070F * s});
   return all;
 }
 
-std::vector<ClothNode> nodes_of(const BodyShape& body, const Sheet& skirt, const Sheet& hair) {
+std::vector<ClothNode> nodes_of(const BodyShape& body, const Drapery& drapery) {
   const float s = body.scale;
+  constexpr unsigned chest = 0b010000, neck = 0b100000, skull = 0b1000000;
   std::vector<ClothNode> nodes;
-  add_sheet(skirt, nodes);
+  add_sheet(drapery.skirt, nodes);
   for (ClothNode& node : nodes) {
     // Between the legs cloth is drawn taut from the one that is further out.
     if (std::abs(node.place.x) < 0.03F * s) node.radius = 0.045F * s;
     const bool at_side = std::abs(node.outward.x) > 0.9F;
     const unsigned legs = !at_side ? 0b0101U : node.place.x > 0 ? 0b0001U : 0b0100U;
     const bool reaches_shin = node.place.y < body.limb(Side::Left).knee.y + 0.12F * s;
-    node.keeps_out = static_cast<std::uint16_t>(reaches_shin ? legs | legs << 1U : legs);
+    node.keeps_out = reaches_shin ? legs | legs << 1U : legs;
   }
-  const std::size_t first = nodes.size();
-  add_sheet(hair, nodes);
-  for (ClothNode& node : std::span(nodes).subspan(first)) node.keeps_out = 0b110000;
+  const auto add = [&](const auto& part, unsigned keeps_out) {
+    const std::size_t first = nodes.size();
+    if constexpr (std::is_same_v<decltype(part), const Sheet&>)
+      add_sheet(part, nodes);
+    else
+      add_tufts(part, nodes);
+    for (ClothNode& node : std::span(nodes).subspan(first)) node.keeps_out = keeps_out;
+  };
+  add(drapery.hair, chest | neck);
+  add(drapery.behind, chest);
+  add(drapery.before, chest);
+  add(drapery.beard, chest | neck);
+  add(drapery.curls, skull);
   return nodes;
 }
 

@@ -54,6 +54,21 @@ float scarf(Vec3 p, Vec3 half) {
   return carve(0.85F * d, std::max(oval, 0.015F - p.z), 0.008F);
 }
 
+/// What hangs of it: a corner on the back and a shorter one on the breast, over the coat.
+float scarf_ends(const BodyShape& body, const HeadFrame& head, Vec3 at) {
+  constexpr float under = 0.001F, thick = 0.010F;
+  const Vec3 p = head.p;
+  const float on_coat = coat_solid(body, at) / head.s;
+  const float pleat = fold(p.x / 0.036F + 0.5F + 0.8F * (p.y + 0.3F));
+  const float cloth = std::max(on_coat - thick - 0.005F * (pleat - 0.4F), under - on_coat);
+  const bool behind = at.z < body.neck_base.z;
+  const float middle = behind ? 0.0F : 0.012F;
+  const float end = (behind ? -0.455F : -0.385F) + (behind ? 1.0F : 0.9F) * std::abs(p.x - middle);
+  const float edge = 0.72F * (end - p.y);
+  const float wide = std::abs(p.x) - 0.080F - 0.14F * std::clamp(-0.20F - p.y, 0.0F, 0.10F);
+  return meet(cloth, std::max(meet(edge, wide, 0.045F), p.y + 0.17F), 0.004F);
+}
+
 }  // namespace
 
 float headwear(const BodyShape& body, Vec3 at) {
@@ -64,7 +79,7 @@ float headwear(const BodyShape& body, Vec3 at) {
     case Headwear::Cap:
       return cap(head.p) * head.s;
     case Headwear::Scarf:
-      return scarf(head.p, head.half) * head.s;
+      return join(scarf(head.p, head.half), 0.9F * scarf_ends(body, head, at), 0.022F) * head.s;
     case Headwear::None:
       break;
   }

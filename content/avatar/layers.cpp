@@ -191,20 +191,21 @@ void add_head_layers(const BodyShape& body, std::vector<Layer>& layers) {
                       .error = 0.0026F * s,
                       .triangles = 2000,
                       .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
+  const bool scarf = body.figure.headwear == Headwear::Scarf;
   if (body.figure.headwear != Headwear::None)
     layers.push_back(
         {.material = body.figure.headwear == Headwear::Cap ? Material::Coat : Material::Second,
-         .region = BodyRegion::Head,
+         .region = scarf ? BodyRegion::Scarf : BodyRegion::Head,
          .solid = [&body](Vec3 p) { return headwear(body, p); },
-         .box = {body.skull + Vec3{-0.19F, -0.30F, -0.15F} * s,
-                 body.skull + Vec3{0.19F, 0.16F, 0.17F} * s},
+         .box = {body.skull + Vec3{-0.19F, scarf ? -0.50F : -0.30F, -0.21F} * s,
+                 body.skull + Vec3{0.19F, 0.16F, 0.22F} * s},
          .cell = 0.0040F * s,
          .error = 0.0031F * s,
-         .triangles = 1200,
+         .triangles = scarf ? 2000U : 1200U,
          .covered = [&body](Vec3 p) { return head_and_neck(body, p); }});
   if (body.figure.face.beard > 0)
     layers.push_back({.material = Material::Hair,
-                      .region = BodyRegion::Head,
+                      .region = BodyRegion::Beard,
                       .solid = [&body](Vec3 p) { return beard(body, p); },
                       .box = {body.skull + Vec3{-0.09F, -0.19F, -0.01F} * s,
                               body.skull + Vec3{0.09F, 0.02F, 0.13F} * s},

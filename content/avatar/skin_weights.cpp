@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+
+#include "content/avatar/head.h"
 
 namespace docent::avatar {
 namespace {
@@ -99,24 +102,36 @@ SkinWeights::SkinWeights(const Skeleton& skeleton, const BodyShape& body)
   hang_cloth(skeleton);
 }
 
+/// What the skeleton leaves no room for does not swing: the head's first, then all.
 void SkinWeights::hang_cloth(const Skeleton& skeleton) {
-  Sheet skirt = skirt_of(body_), hair = long_hair_of(body_);
-  std::vector<ClothNode> nodes = nodes_of(body_, skirt, hair);
-  if (joint_count_ + nodes.size() > most_joints) return;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const bool is_hair = n >= skirt.size();
-    const JointShares by = at(nodes[n].place, is_hair ? BodyRegion::Head : BodyRegion::Coat);
-    nodes[n].joint = by.joint;
-    nodes[n].weight = by.weight;
+  Drapery drapery = drapery_of(body_);
+  if (joint_count_ + drapery.size() > most_joints) {
+    drapery.behind = drapery.before = {};
+    drapery.beard = drapery.curls = {};
   }
+  std::vector<ClothNode> nodes = nodes_of(body_, drapery);
+  if (joint_count_ + nodes.size() > most_joints) return;
+  const auto carry = [&](const auto& part, BodyRegion region) {
+    for (ClothNode& node : std::span(nodes).subspan(part.first, part.size())) {
+      const JointShares by = at(node.place, region);
+      node.joint = by.joint;
+      node.weight = by.weight;
+    }
+  };
+  carry(drapery.skirt, BodyRegion::Coat);
+  carry(drapery.behind, BodyRegion::Coat);
+  carry(drapery.before, BodyRegion::Coat);
+  carry(drapery.hair, BodyRegion::Head);
+  carry(drapery.beard, BodyRegion::Head);
+  carry(drapery.curls, BodyRegion::Head);
   const ClothJoints joints{.thigh = thigh_,
                            .shin = {leg_[0][1].joint, leg_[1][1].joint},
                            .chest = chest_,
-                           .neck = index_of(skeleton[BodyPart::Neck])};
+                           .neck = index_of(skeleton[BodyPart::Neck]),
+                           .head = head_};
   if (!nodes.empty()) cloth_.collider = colliders_of(body_, joints);
   cloth_.node = std::move(nodes);
-  skirt_ = std::move(skirt);
-  hair_ = std::move(hair);
+  drapery_ = std::move(drapery);
 }
 
 /// From the tip inwards, each joint takes its part of what is left; the first takes the rest.
@@ -157,8 +172,8 @@ void SkinWeights::add_coat(Vec3 p, Shares& shares) const {
   const float follows = 0.80F + 0.10F * smoothstep(-0.11F * s, 0.09F * s, p.z);
   const float skirt = follows * smoothstep(-0.02F * s, 0.23F * s, drop);
   if (swings()) {
-    const float swinging = trunk * (1 - cap) * swinging_share(skirt_, p);
-    share_out(skirt_, p, swinging, nodes(shares, 0, skirt_.size()));
+    const float swinging = trunk * (1 - cap) * swinging_share(drapery_.skirt, p);
+    share_out(drapery_.skirt, p, swinging, nodes(drapery_.skirt, shares));
     add_chain(spine_, p, trunk * (1 - cap) - swinging, shares);
     return;
   }
@@ -187,11 +202,39 @@ void SkinWeights::add_head(Vec3 p, Shares& shares) const {
   add_chain(neck_, p, (1 - head) * free, shares);
 }
 
+template <typename Part>
+void SkinWeights::let_swing(const Part& part, Vec3 p, float share, Shares& shares) const {
+  for (float& had : shares) had *= 1 - share;
+  share_out(part, p, share, nodes(part, shares));
+}
+
 void SkinWeights::add_hair(Vec3 p, Shares& shares) const {
   add_head(p, shares);
-  const float swinging = swinging_share(hair_, p);
-  for (float& share : shares) share *= 1 - swinging;
-  share_out(hair_, p, swinging, nodes(shares, skirt_.size(), hair_.size()));
+  let_swing(drapery_.hair, p, swinging_share(drapery_.hair, p), shares);
+  const float off = head_and_neck(body_, p);
+  let_swing(drapery_.curls, p, swinging_share(drapery_.curls, off), shares);
+}
+
+void SkinWeights::add_beard(Vec3 p, Shares& shares) const {
+  add_head(p, shares);
+  const float off = head_and_neck(body_, p);
+  let_swing(drapery_.beard, p, swinging_share(drapery_.beard, off), shares);
+}
+
+/// About the head it turns with that; what lies on the shoulders goes with the coat, and what hangs
+/// from there swings.
+void SkinWeights::add_scarf(Vec3 p, Shares& shares) const {
+  const float s = body_.scale;
+  const float on_coat = smoothstep(0.02F * s, -0.07F * s, p.y - body_.neck_base.y);
+  add_coat(p, shares);
+  for (float& had : shares) had *= on_coat;
+  Shares of_head(shares.size(), 0.0F);
+  add_head(p, of_head);
+  for (std::size_t k = 0; k < shares.size(); ++k) shares[k] += (1 - on_coat) * of_head[k];
+  const float behind = body_.neck_base.z - p.z;
+  const Sheet& hangs = behind > 0 ? drapery_.behind : drapery_.before;
+  const float beside = smoothstep(0.02F * s, 0.06F * s, std::abs(behind));
+  let_swing(hangs, p, beside * swinging_share(hangs, p), shares);
 }
 
 JointShares SkinWeights::at(Vec3 p, BodyRegion region) const {
@@ -202,6 +245,12 @@ JointShares SkinWeights::at(Vec3 p, BodyRegion region) const {
       break;
     case BodyRegion::Hair:
       add_hair(p, shares);
+      break;
+    case BodyRegion::Beard:
+      add_beard(p, shares);
+      break;
+    case BodyRegion::Scarf:
+      add_scarf(p, shares);
       break;
     case BodyRegion::Coat:
       add_coat(p, shares);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "content/avatar/body.h"
@@ -11,7 +12,17 @@
 namespace docent::avatar {
 
 /// What a vertex follows: a region of the body with its own rule.
-enum class BodyRegion : std::uint8_t { Head, Hair, Coat, LeftHand, RightHand, LeftLeg, RightLeg };
+enum class BodyRegion : std::uint8_t {
+  Head,
+  Hair,
+  Beard,
+  Scarf,
+  Coat,
+  LeftHand,
+  RightHand,
+  LeftLeg,
+  RightLeg,
+};
 
 /// At most four joints and their shares, which add up to 255.
 struct JointShares {
@@ -48,10 +59,16 @@ class SkinWeights {
   void add_coat(Vec3 p, Shares& shares) const;
   void add_head(Vec3 p, Shares& shares) const;
   void add_hair(Vec3 p, Shares& shares) const;
+  void add_beard(Vec3 p, Shares& shares) const;
+  void add_scarf(Vec3 p, Shares& shares) const;
   void hang_cloth(const Skeleton& skeleton);
   bool swings() const noexcept { return !cloth_.node.empty(); }
-  std::span<float> nodes(Shares& shares, std::size_t first, std::size_t count) const {
-    return std::span(shares).subspan(joint_count_ + first, count);
+  /// Gives a share of what a point has so far to a part of the drapery.
+  template <typename Part>
+  void let_swing(const Part& part, Vec3 p, float share, Shares& shares) const;
+  template <typename Part>
+  std::span<float> nodes(const Part& part, Shares& shares) const {
+    return std::span(shares).subspan(joint_count_ + part.first, part.size());
   }
 
   const BodyShape& body_;
@@ -61,7 +78,7 @@ class SkinWeights {
   Chain spine_;  ///< Root to chest.
   Chain neck_;   ///< Chest to the last joint before the head.
   std::array<Chain, 2> arm_, leg_;
-  Sheet skirt_, hair_;
+  Drapery drapery_;
   Cloth cloth_;
 };
 

@@ -7,10 +7,10 @@
 namespace docent::guide {
 namespace {
 
-constexpr double most_pulled = 1.15, most_slid = 0.9;        ///< Radians; metres.
+constexpr double most_pulled = 1.2, most_slid = 0.9;         ///< Radians; metres.
 constexpr double worth_pulling = 0.3, worth_sliding = 0.35;  ///< Radians; metres.
 constexpr float to_spare = 0.02F;  ///< Metres that a hand must reach farther: who stands breathes.
-constexpr int parts_of_way = 10;
+constexpr int parts_of_way = 15;
 /// Metres by which a palm may miss the bar, as planned and in the end.
 constexpr float planned_off = 0.008F, most_off = 0.014F;
 constexpr double thickness_of_arm = 0.04;  ///< Metres from its bones.
@@ -18,6 +18,15 @@ constexpr float trunk_sways = 0.12F;       ///< Of a trunk that stands, radians.
 
 double most_of(const ClosedLeaf& leaf) noexcept {
   return leaf.slides ? std::min(most_slid, 0.9 * leaf.hung.width) : most_pulled;
+}
+
+/// The body there, bent at its waist.
+Holder bent(const Holder& holder, const motion::TrunkBend& bend) noexcept {
+  Holder there = holder;
+  const Quat turn = motion::rotation_of(bend, holder.body.heading);
+  for (motion::JointPlace& trunk : there.trunk)
+    trunk = {holder.waist + turn * (trunk.place - holder.waist), turn * trunk.rotation};
+  return there;
 }
 
 /// An arm that is to hold something, in the frame of a body whose trunk is turned a little.
@@ -53,6 +62,15 @@ bool is_clear_of(const HungLeaf& leaf, double amount, const motion::ArmPlaces& a
     if (dot(from, along) < leaf.width + room && dot(from, front) < room) return false;
   }
   return true;
+}
+
+/// Are shoulders and head before a leaf, or past its free end?
+bool is_trunk_clear_of(const ClosedLeaf& leaf, const Holder& holder, double amount) noexcept {
+  constexpr double room = 0.2;  // metres
+  if (leaf.slides) return true;
+  return std::ranges::all_of(holder.trunk, [&](const motion::JointPlace& trunk) {
+    return distance_to_leaf(leaf.hung, amount, to_floor(trunk.place)) > room;
+  });
 }
 
 /// On its way from a posture to where it hangs.
@@ -95,14 +113,16 @@ bool comes_away(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp
   constexpr float led_off = 0.03F;    // metres that it may be elsewhere
   constexpr float farthest = 0.045F;  // metres that wrist and elbow go in one part
   const motion::Arm& arm = *holder.arms[grasp.side];
-  const motion::JointPlace& trunk = holder.trunk[index_of(grasp.side)];
+  const motion::TrunkBend bend = bend_to(leaf, holder.body, grasp, amount);
   Reach before;
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     const double now = amount + parting_speed * parting_seconds * share;
     const motion::Grip grip = parting_grip(leaf.hung, {leaf.slides, now}, grasp, leaf.floor_height,
                                            holder.body.position, share);
-    const Reach reach = reach_for(leaf, holder, grasp.side, grip, 0, 0);
+    const Holder bends =
+        bent(holder, straightening(bend, share * parting_seconds / straightening_seconds));
+    const Reach reach = reach_for(leaf, bends, grasp.side, grip, 0, 0);
     if (reach.off > led_off || !is_clear_of(leaf.hung, now, reach.places)) return false;
     if (i > 0 && (glm::distance(reach.places.wrist, before.places.wrist) > farthest ||
                   glm::distance(reach.places.elbow, before.places.elbow) > farthest))
@@ -113,6 +133,9 @@ bool comes_away(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp
     const double share = static_cast<double>(i) / parts;
     const double now = amount + parting_speed * (parting_seconds + hanging_seconds * share);
     const motion::ArmPosture posture = hanging_after(before.posture, share);
+    const double straight = (parting_seconds + hanging_seconds * share) / straightening_seconds;
+    const Holder bends = bent(holder, straightening(bend, straight));
+    const motion::JointPlace& trunk = bends.trunk[index_of(grasp.side)];
     if (!is_clear_of(leaf.hung, now, motion::places_of(holder.skeleton, arm, trunk, posture)))
       return false;
   }
@@ -124,10 +147,13 @@ double held_to(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp,
                double least) noexcept {
   const double most = most_of(leaf);
   const auto is_held_at = [&](int part) {
-    return std::ranges::all_of(std::array{trunk_sways, -trunk_sways}, [&](float turned) {
-      return holds_with(leaf, holder, grasp, most * part / parts_of_way,
-                        {turned, to_spare, thickness_of_arm, planned_off});
-    });
+    const double amount = most * part / parts_of_way;
+    const Holder bends = bent(holder, bend_to(leaf, holder.body, grasp, amount));
+    return is_trunk_clear_of(leaf, bends, amount) &&
+           std::ranges::all_of(std::array{trunk_sways, -trunk_sways}, [&](float turned) {
+             return holds_with(leaf, bends, grasp, amount,
+                               {turned, to_spare, thickness_of_arm, planned_off});
+           });
   };
   int held = -1;
   while (held < parts_of_way && is_held_at(held + 1)) ++held;
@@ -146,8 +172,8 @@ double heading_of(Vec2 direction) noexcept {
 /// Outside what the leaf sweeps, some way round from where it is closed; turned to it a little.
 void add_stands_of_puller(const ClosedLeaf& leaf, DoorStands& stands) noexcept {
   const HungLeaf& hung = leaf.hung;
-  for (const double clear : {0.34, 0.42, 0.5})
-    for (const double bearing : {0.28, 0.4, 0.52, 0.64, 0.76})
+  for (const double clear : {0.36, 0.43, 0.5})
+    for (const double bearing : {0.28, 0.42, 0.56, 0.7, 0.84})
       for (const double turned : {0.0, 0.3, 0.6, 0.9, 1.2}) {
         const Vec2 place = hung.hinge + (hung.width + clear) * direction_of(hung, bearing);
         const Vec2 facing = -std::cos(turned) * hung.across - std::sin(turned) * hung.along;
@@ -184,6 +210,29 @@ std::optional<DoorStop> reach_leaf(const ClosedLeaf& leaf, const Holder& holder)
   return best;
 }
 
+motion::TrunkBend bend_to(const ClosedLeaf& leaf, const Placement& body, const Grasp& grasp,
+                          double amount) noexcept {
+  constexpr double comfortable = 0.5, stretched = 0.3;  // metres to the bar; and beyond
+  constexpr float most_lean = 0.4F, most_turn = 0.7F, shoulder_first = 0.5F;
+  if (leaf.slides) return {};
+  const Vec2 bar = leaf.hung.hinge + grasp.along * direction_of(leaf.hung, amount);
+  const Vec2 off = bar - body.position;
+  const auto bearing =
+      static_cast<float>(std::remainder(heading_of(off) - body.heading, 2 * std::numbers::pi));
+  const auto share =
+      static_cast<float>(std::clamp((glm::length(off) - comfortable) / stretched, 0.0, 1.0));
+  const float eased = share * share * (3 - 2 * share);
+  const float first = grasp.side == Side::Right ? shoulder_first : -shoulder_first;
+  return {.lean = most_lean * eased,
+          .turn = eased * std::clamp(bearing + first, -most_turn, most_turn)};
+}
+
+motion::TrunkBend straightening(const motion::TrunkBend& bend, double share) noexcept {
+  const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  const float left = 1 - s * s * (3 - 2 * s);
+  return {left * bend.lean, left * bend.turn};
+}
+
 bool holds_leaf(const ClosedLeaf& leaf, const Holder& holder, const Grasp& grasp,
                 double amount) noexcept {
   return holds_with(leaf, holder, grasp, amount, {});
@@ -200,6 +249,7 @@ Holder moved(const Holder& holder, const Placement& stand) noexcept {
   there.body = stand;
   const Quat turn =
       glm::angleAxis(static_cast<float>(stand.heading - holder.body.heading), Vec3(0, 1, 0));
+  there.waist = to_world(stand.position) + turn * (holder.waist - to_world(holder.body.position));
   for (motion::JointPlace& trunk : there.trunk) {
     trunk.place = to_world(stand.position) + turn * (trunk.place - to_world(holder.body.position));
     trunk.rotation = turn * trunk.rotation;
@@ -218,8 +268,13 @@ double worth_of(const ClosedLeaf& leaf, const DoorStop& stop) noexcept {
   };
   const double aside = dot(place - door, hung.along);
   const double before = turned(place - leaf.comes_from);
-  return stop.held / most_of(leaf) - (before > 0.05 ? 0.4 + 0.2 * before : 0) -
+  return stop.held / most_of(leaf) - (before > 0.05 ? 0.5 + 0.25 * before : 0) -
          0.25 * turned(door - place) - 0.4 * std::abs(aside);
+}
+
+double bend_before(const ClosedLeaf& leaf, const DoorStop& stop) noexcept {
+  return std::abs(std::remainder(leaf.faces - heading_of(stop.stand.position - leaf.comes_from),
+                                 2 * std::numbers::pi));
 }
 
 }  // namespace docent::guide

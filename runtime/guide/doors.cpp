@@ -142,6 +142,25 @@ motion::JointPlace trunk_at(const Placement& now, const Placement& then,
           turn * trunk.rotation};
 }
 
+/// A trunk as an arm hangs on it.
+motion::JointPlace trunk_of(const Avatar& avatar, const motion::Arm& arm) noexcept {
+  const Mat4& now = avatar.world[index_of(arm.trunk)];
+  return {Vec3(now[3]), glm::normalize(glm::quat_cast(now))};
+}
+
+/// Will the hand be on the bar, in the next frame, where the leaf is turned so?
+bool reaches_bar(const Skeleton& skeleton, const Avatar& avatar, const Placement& then,
+                 const HungLeaf& leaf, double angle, const Grasp& grasp, double height) noexcept {
+  constexpr float most_missed = 0.012F;  // metres
+  const motion::Arm& arm = *avatar.limbs.arms[grasp.side];
+  const motion::JointPlace trunk = trunk_at(avatar.body, then, trunk_of(avatar, arm));
+  motion::Grip grip = pushing_grip(leaf, angle, grasp, height);
+  const auto ground = static_cast<float>(height);
+  grip.place.y = ground + (grip.place.y - ground) / build_of(avatar);
+  const motion::ArmPosture posture = motion::holding(skeleton, arm, trunk, grip);
+  return glm::distance(motion::palm_of(skeleton, arm, trunk, posture), grip.place) < most_missed;
+}
+
 /// How far a palm is from its grip at worst while the leaf turns, metres, and a little more the
 /// farther the arm has to reach.
 double discomfort(const Skeleton& skeleton, const Avatar& avatar, const Foresight& ahead,
@@ -149,8 +168,7 @@ double discomfort(const Skeleton& skeleton, const Avatar& avatar, const Foresigh
   constexpr std::size_t samples = 16;
   constexpr float sway = 0.12F;  // of a trunk that walks, radians
   const motion::Arm& arm = *avatar.limbs.arms[grasp.side];
-  const Mat4& now = avatar.world[index_of(arm.trunk)];
-  const motion::JointPlace trunk{Vec3(now[3]), glm::normalize(glm::quat_cast(now))};
+  const motion::JointPlace trunk = trunk_of(avatar, arm);
   double worst = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const std::size_t at = turning.first + (turning.last - turning.first) * i / (samples - 1);
@@ -252,6 +270,30 @@ void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept 
   }
 }
 
+/// As far as is wanted, where the hand comes along; else it waits for that, unless the body is
+/// there, and then catches up.
+double Doors::turned_by_hand(double seconds, double wanted, const Foresight& ahead, Leaf& leaf,
+                             const Avatar& avatar) const noexcept {
+  constexpr double brake = 12, catches_up = 6;  // radians a second, and second
+  Leaf::Push& push = *leaf.push;
+  if (seconds <= 0) return push.sign * leaf.angle;
+  const HungLeaf it = seen(leaf.hung, push.sign);
+  const double now = push.sign * leaf.angle;
+  const bool is_reached = push.since < motion::longest_change ||
+                          reaches_bar(museum_.motion.skeleton, avatar, ahead.place[0], it, wanted,
+                                      *push.grasp, museum_.floors[leaf.floor].plan.height);
+  push.waits = push.waits || !is_reached;
+  push.apart = is_reached ? 0 : push.apart + seconds;
+  double rate = (wanted - now) / seconds;
+  if (push.waits) {
+    const double most = push.rate + (is_reached ? catches_up : -brake) * seconds;
+    push.waits = !is_reached || rate > most;
+    rate = std::clamp(rate, 0.0, std::max(0.0, most));
+  }
+  push.rate = rate;
+  return std::max(now + rate * seconds, std::min(wanted, needed(it, ahead.place[0])));
+}
+
 /// As far as it must be worth_a_hand for who walks there, and some way ahead of that, so that it
 /// neither starts nor stops with a jerk.
 void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
@@ -262,20 +304,29 @@ void Doors::turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
   const Foresight ahead = foresee(one.avatar, seconds);
   const std::array<double, looks> angle = foresee_angles(it, now, ahead, push.needed);
   const bool is_done = angle.back() <= now + nearly_open || !is_near(leaf, one, near_a_leaf);
-  if (!is_done)
-    leaf.angle = push.sign * (push.grasp ? angle.front() : opened_by_itself(now, angle, seconds));
+  const double floor = museum_.floors[leaf.floor].plan.height;
+  if (!is_done && push.grasp)
+    leaf.angle = push.sign * turned_by_hand(seconds, angle.front(), ahead, leaf, one.avatar);
+  else if (!is_done)
+    leaf.angle = push.sign * opened_by_itself(now, angle, seconds);
   leaf.unused = 0;
   push.since += seconds;
   if (push.grasp) {
     std::optional<Held> held;
     if (!is_done) {
-      const double floor = museum_.floors[leaf.floor].plan.height;
       held = Held{grip_of(leaf, push, floor), push.since};
       // Somebody who is drawn taller than life reaches less high for the same bar.
       const auto ground = static_cast<float>(floor);
       held->grip.place.y = ground + (held->grip.place.y - ground) / build_of(one.avatar);
     }
     crowd.hold(push.who, push.grasp->side, held);
+  }
+  // Who has left it behind lets go of it.
+  constexpr double lets_go_after = 0.25;  // seconds
+  const bool is_past = side_of(leaf, one.avatar.body.position) == push.sign;
+  if (push.grasp && push.apart > lets_go_after && is_past) {
+    crowd.hold(push.who, push.grasp->side, {});
+    push.grasp.reset();
   }
   if (is_done) leaf.push.reset();
 }

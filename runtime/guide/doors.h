@@ -12,12 +12,13 @@
 namespace docent::guide {
 
 /// The leaves of all doors that staff have marked. Whoever goes through one that is closed turns it
-/// with a hand on its bar and walks on; it is always turned far enough for who walks there. Before
-/// one that slides, or has to be pulled, they stop, draw it with a hand on its bar as far as that
-/// reaches, let it go on from there, and walk through; two that slide go together. Where there is
-/// no place to stand out of its way, or others come, it opens by itself. A leaf that is pulled, or
-/// opens so, waits some seconds for who is in its way. Whoever comes next finds it open; when
-/// nobody has been near it for a while it closes by itself.
+/// with a hand on its bar and walks on; it is always turned far enough for who walks there, and
+/// farther only as the hand comes along. Before one that slides, or has to be pulled, they stop,
+/// draw it with a hand on its bar as far as that reaches, let it go on from there, and walk
+/// through; two that slide go together. Where there is no place to stand out of its way, or others
+/// come, it opens by itself. A leaf that is pulled, or opens so, waits some seconds for who is in
+/// its way. Whoever comes next finds it open; when nobody has been near it for a while it closes by
+/// itself.
 ///
 /// Called by the frame thread. Only the constructor allocates.
 class Doors {
@@ -35,6 +36,8 @@ class Doors {
  private:
   void begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept;
   void turn(double seconds, Leaf& leaf, Crowd& crowd) noexcept;
+  double turned_by_hand(double seconds, double wanted, const Foresight& ahead, Leaf& leaf,
+                        const Avatar& avatar) const noexcept;
   void begin_search(Leaf& leaf, const Crowd& crowd) noexcept;
   std::optional<Vec2> last_bend(const Leaf& leaf, const Agent& one, const LeafPassing& passing,
                                 const Crowd& crowd) const noexcept;

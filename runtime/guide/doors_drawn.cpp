@@ -17,6 +17,7 @@ constexpr double waits_for_hand = 10;  ///< Seconds.
 constexpr double longest_way = 6;      ///< Seconds to where it stops, or it does not.
 constexpr double pulling_speed = 0.85, sliding_speed = 0.7;  ///< Radians, metres a second.
 constexpr double speeding_up = 0.5;                          ///< Seconds.
+constexpr double likes_straight = 4;                         ///< Of a stop's worth, per radian.
 constexpr double stands_off = 0.08,
                  turned_off = 0.2;          ///< Metres, radians that one may stand otherwise.
 constexpr double apart_from_others = 0.15;  ///< Metres between circles, of others and who stops.
@@ -53,6 +54,14 @@ Vec2 place_on_way(const Avatar& avatar, double seconds) noexcept {
   return plan::point_along(plan, avatar.along + walking_pace * seconds);
 }
 
+/// It bends as the hand comes, and straightens as that comes away.
+motion::TrunkBend bend_of(const ClosedLeaf& leaf, const Placement& body, double opening,
+                          const Leaf::Drawing& it) noexcept {
+  const motion::TrunkBend bend = bend_to(leaf, body, it.stop.grasp, opening);
+  return straightening(straightening(bend, 1 - it.since / motion::longest_change),
+                       it.parts / straightening_seconds);
+}
+
 bool is_at(const Placement& body, const Placement& place) noexcept {
   return glm::distance(body.position, place.position) < stands_off &&
          std::abs(std::remainder(body.heading - place.heading, 2 * std::numbers::pi)) < turned_off;
@@ -79,7 +88,10 @@ Holder Doors::holder_of(const Avatar& avatar) const noexcept {
                 .arms = avatar.limbs.arms,
                 .body = avatar.body,
                 .trunk = {},
+                .waist = {},
                 .height = static_cast<double>(build_of(avatar))};
+  if (const JointIndex spine = museum_.motion.skeleton[BodyPart::Spine]; spine != JointIndex::None)
+    holder.waist = Vec3(avatar.world[index_of(spine)][3]);
   for (const Side side : both_sides)
     if (const auto& arm = avatar.limbs.arms[side]) {
       const Mat4& trunk = avatar.world[index_of(arm->trunk)];
@@ -159,7 +171,8 @@ void Doors::begin_search(Leaf& leaf, const Crowd& crowd) noexcept {
     leaf.search = {.who = who,
                    .sign = side_of(leaf, one.avatar.body.position),
                    .passed_at = passing->along,
-                   .comes_from = *comes_from};
+                   .comes_from = *comes_from,
+                   .faces = one.avatar.body.heading};
     return;
   }
 }
@@ -191,9 +204,11 @@ void Doors::search(Leaf& leaf, Crowd& crowd) const noexcept {
   }
   ClosedLeaf it = closed(leaf, search.sign, search.passed_at);
   it.comes_from = search.comes_from;
+  it.faces = search.faces;
   Holder holder = holder_of(standing_);
   holder.height = static_cast<double>(build_of(one.avatar));
   const auto up = static_cast<float>(it.floor_height - standing_.height);
+  holder.waist.y += up;
   for (motion::JointPlace& trunk : holder.trunk) trunk.place.y += up;
   const DoorStands stands = stands_at(it);
   const std::size_t end = std::min(search.looked_at + at_once, stands.count);
@@ -203,8 +218,12 @@ void Doors::search(Leaf& leaf, Crowd& crowd) const noexcept {
         !crowd.is_clear(leaf.floor, it.comes_from, stand.position, museum_.body_radius))
       continue;
     const auto stop = reach_leaf(it, moved(holder, stand));
-    if (stop && (!search.best || worth_of(it, *stop) > worth_of(it, *search.best)))
-      search.best = stop;
+    if (!stop) continue;
+    const auto straight = [&](const DoorStop& a) {
+      return worth_of(it, a) - likes_straight * bend_before(it, a);
+    };
+    if (!search.best || worth_of(it, *stop) > worth_of(it, *search.best)) search.best = stop;
+    if (!search.straight || straight(*stop) > straight(*search.straight)) search.straight = stop;
   }
   if (end == stands.count) begin_drawing(leaf, crowd);
 }
@@ -216,7 +235,8 @@ void Doors::begin_drawing(Leaf& leaf, Crowd& crowd) const noexcept {
   if (!found.best || !passing || passing->seconds < in_time ||
       !is_free_for(found.who, found.best->stand.position, leaf, crowd))
     return;
-  leaf.drawing = {.who = found.who, .sign = found.sign, .stop = *found.best};
+  leaf.drawing = {
+      .who = found.who, .sign = found.sign, .stop = *found.best, .other = found.straight};
   crowd.stop_over(found.who, found.best->stand);
 }
 
@@ -241,7 +261,11 @@ void Doors::come_to_draw(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
     return;
   }
   const double left = crowd.seconds_to_stop(it.who);
-  if (std::isfinite(left) && left > longest_way) return let_go(leaf, crowd);
+  if (std::isfinite(left) && left > longest_way) {
+    if (!it.other || it.other->stand.position == it.stop.stand.position) return let_go(leaf, crowd);
+    it.stop = *std::exchange(it.other, {});
+    return crowd.stop_over(it.who, it.stop.stand);
+  }
   if (left > reaches_ahead) return;
   if (!is_at(place_ahead(one.avatar, reaches_ahead), it.stop.stand)) return let_go(leaf, crowd);
   it.has_come = true;
@@ -277,7 +301,7 @@ void Doors::draw_open(double seconds, Leaf& leaf, Crowd& crowd) noexcept {
   Held held{
       parting_grip(now.hung, {now.slides, opening_of(leaf)}, it.stop.grasp, now.floor_height,
                    crowd[it.who].avatar.body.position, std::min(it.parts / parting_seconds, 1.0)),
-      it.since};
+      it.since, bend_of(now, crowd[it.who].avatar.body, opening_of(leaf), it)};
   const auto ground = static_cast<float>(now.floor_height);
   held.grip.place.y = ground + (held.grip.place.y - ground) / build_of(crowd[it.who].avatar);
   crowd.hold(it.who, it.stop.grasp.side, held);

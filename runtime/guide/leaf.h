@@ -29,6 +29,9 @@ struct Leaf {
     std::optional<Grasp> grasp{};  ///< None where no hand reaches it all the while.
     double needed = 0;             ///< Radians that who pushes it has needed so far.
     double since = 0;              ///< Seconds.
+    double rate = 0;               ///< Radians a second.
+    bool waits = false;            ///< For the hand, or goes after it.
+    double apart = 0;              ///< Seconds for which the hand has not reached it.
   };
   std::optional<Push> push{};
 
@@ -38,8 +41,10 @@ struct Leaf {
     double sign = 1;  ///< Of the side from which they come.
     double passed_at = 0;
     Vec2 comes_from{};
+    double faces = 0;  ///< Heading.
     std::size_t looked_at = 0;
     std::optional<DoorStop> best{};
+    std::optional<DoorStop> straight{};  ///< The best of those that are nearly straight ahead.
   };
   std::optional<Search> search{};
 
@@ -48,6 +53,7 @@ struct Leaf {
     std::uint32_t who = 0;
     double sign = 1;  ///< Of the side on which they stand.
     DoorStop stop;
+    std::optional<DoorStop> other{};  ///< Where the way to the first takes too long.
     bool has_come = false;
     double since = 0;  ///< Seconds on their way; once they have come, since then.
     double moved = 0;  ///< Seconds for which it has moved, ...

@@ -41,5 +41,7 @@ motion::Grip parting_grip(const HungLeaf& leaf, const Opening& opening, const Gr
 inline constexpr double parting_seconds = 0.4;  ///< In which a hand comes away, ...
 inline constexpr double parting_speed = 0.15;  ///< ... the leaf waits for it, radians a second, ...
 inline constexpr double hanging_seconds = 0.5;  ///< ... until the arm hangs.
+/// In which who has bent to a leaf stands upright again.
+inline constexpr double straightening_seconds = parting_seconds + hanging_seconds;
 
 }  // namespace docent::guide

@@ -174,19 +174,21 @@ double over_one_shoulder(double yaw, const Manner& manner) noexcept {
   return std::copysign(yaw, motion::chance(chance_of(Habit::Shoulder, manner), n) - 0.5);
 }
 
-/// Leans to what a hand is on; who lets go of it comes up again.
-void lean(const Skeleton& skeleton, double seconds, Manner& manner,
+/// Bends to what a hand is on; who lets go of it comes up again.
+void bend(const Skeleton& skeleton, double seconds, Manner& manner,
           motion::PoseView& pose) noexcept {
   constexpr double straightens = 3;  // per second
   if (holds(manner)) {
-    manner.lean = 0;
+    manner.bend = {};
     for (const auto& held : manner.held)
-      if (held) manner.lean = std::max(manner.lean, held->lean);
+      if (held && held->bend.lean >= manner.bend.lean) manner.bend = held->bend;
   } else {
-    manner.lean *= static_cast<float>(std::exp(-straightens * seconds));
-    if (manner.lean < 1e-4F) manner.lean = 0;
+    const auto left = static_cast<float>(std::exp(-straightens * seconds));
+    manner.bend.lean *= left;
+    manner.bend.turn *= left;
+    if (std::abs(manner.bend.lean) + std::abs(manner.bend.turn) < 1e-4F) manner.bend = {};
   }
-  motion::lean_forwards(skeleton, manner.lean, pose);
+  motion::bend_trunk(skeleton, manner.bend, pose);
 }
 
 }  // namespace
@@ -210,7 +212,7 @@ void behave(const Skeleton& skeleton, const motion::Arms& arms, const Company& c
     choose_side(arms, bearing, doing, manner);
   manner.gesture = doing.gesture;
 
-  lean(skeleton, seconds, manner, pose);
+  bend(skeleton, seconds, manner, pose);
   const Look look = look_of(company, bearing, doing, manner);
   double yaw = look.yaw, pitch = look.pitch;
   if (look.at) {
@@ -222,7 +224,7 @@ void behave(const Skeleton& skeleton, const motion::Arms& arms, const Company& c
     yaw = over_one_shoulder(wish.yaw, manner);
     pitch = wish.pitch;
   }
-  pitch += static_cast<double>(manner.lean);
+  pitch += static_cast<double>(manner.bend.lean);
   motion::follow_gaze(yaw, pitch, seconds, manner.gaze);
   motion::turn_head(skeleton, manner.gaze, pose);
 

@@ -8,6 +8,7 @@
 #include "runtime/model/motion/side.h"
 #include "runtime/motion/gesture.h"
 #include "runtime/motion/pose.h"
+#include "runtime/motion/touch.h"
 
 namespace docent::guide {
 
@@ -33,8 +34,8 @@ struct Bearing {
 /// A hand that is to be on something.
 struct Held {
   motion::Grip grip;
-  double since = 0;  ///< Seconds for which it has been sent there.
-  float lean = 0;    ///< Radians by which the trunk leans forwards to it.
+  double since = 0;          ///< Seconds for which it has been sent there.
+  motion::TrunkBend bend{};  ///< Of the trunk, to it.
 };
 
 /// What a body does besides walking: it greets, looks round to whom it leads, points, waves, and
@@ -52,7 +53,7 @@ struct Manner {
   Side side = Side::Right;  ///< Of the arm that it uses.
   motion::Gesture gesture = motion::Gesture::None;
   motion::Gaze gaze;
-  float lean = 0;                             ///< Radians by which it leans forwards.
+  motion::TrunkBend bend{};                   ///< Of its trunk.
   std::array<std::optional<Held>, 2> held{};  ///< By Side. Then neither arm does anything else.
   std::array<motion::ArmMotion, 2> arm{};
 };

@@ -118,8 +118,9 @@ void Touches::go_on(Session& session, Visit& visit, const DrawnSize& size,
   const Side side = visit.touch.hand;
   if (visit.phase == Phase::Touching)
     crowd.hold(visit.guide, side,
-               Held{grip_of(visit, one.avatar, size, visit.since), visit.since,
-                    motion::lean_after(visit.touch, visit.since)});
+               Held{grip_of(visit, one.avatar, size, visit.since),
+                    visit.since,
+                    {.lean = motion::lean_after(visit.touch, visit.since)}});
   if (visit.phase == Phase::Parting) {
     if (visit.since == 0) crowd.hold(visit.guide, side, {});
     if (visit.since > parting_for || !session.is_meeting()) {

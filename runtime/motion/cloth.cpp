@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "runtime/motion/cloth_limb.h"
 
@@ -25,32 +27,55 @@ constexpr float most_swing_speed = 4.0F;  // metres a second
 constexpr float taken_along = 0.3F;       // share of a limb's push that cloth keeps as motion
 constexpr float firm_length = 0.15F;      // metres of firm cloth above the highest nodes
 constexpr float least_bone = 1e-4F;       // metres
+constexpr float longest_bone = 1e6F;      // metres
+
+/// A matrix by its columns.
+struct Columns {
+  Lanes x, y, z, w;
+
+  Lanes along(Vec3 v) const noexcept { return v.x * x + v.y * y + v.z * z; }
+  Lanes at(Vec3 p) const noexcept { return along(p) + w; }
+};
+Columns columns_of(const Mat4& m) noexcept {
+  return {lanes_of(m[0]), lanes_of(m[1]), lanes_of(m[2]), lanes_of(m[3])};
+}
+void write(const Columns& c, Mat4& m) noexcept {
+  std::memcpy(static_cast<void*>(&m), &c, sizeof m);
+}
 
 /// The blend of the matrices that carry a node.
-Mat4 carrier(const ClothNode& node, std::span<const Mat4> palette) noexcept {
-  Mat4 sum(0);
-  for (std::size_t k = 0; k < node.joint.size(); ++k)
-    if (node.weight[k] != 0)
-      sum += (static_cast<float>(node.weight[k]) / 255) * palette[node.joint[k]];
+Columns carrier(const ClothNode& node, std::span<const Mat4> palette) noexcept {
+  Columns sum{};
+  for (std::size_t k = 0; k < node.joint.size(); ++k) {
+    if (node.weight[k] == 0) continue;
+    const float weight = static_cast<float>(node.weight[k]) * (1.0F / 255);
+    const Columns it = columns_of(palette[node.joint[k]]);
+    sum = {sum.x + weight * it.x, sum.y + weight * it.y, sum.z + weight * it.z,
+           sum.w + weight * it.w};
+  }
   return sum;
 }
 
 /// What is worn over limbs lies on more than the limbs that it is kept out of: it hardly sinks in.
-Vec3 not_inward(Vec3 lag, Vec3 outward, float most) noexcept {
-  const float in = -most - glm::dot(lag, outward);
-  return in > 0 ? lag + in * outward : lag;
+Vec3Lanes not_inward(const ClothBatch& it, const Vec3Lanes& lag) noexcept {
+  const Lanes in = -it.most_inward - dot(lag, it.outward);
+  return lag + ((in > 0) & it.is_kept_out ? in : Lanes{}) * it.outward;
 }
 
-Vec3 at_most(Vec3 v, float length) noexcept {
-  const float square = glm::dot(v, v);
-  return square > length * length ? v * (length / std::sqrt(square)) : v;
+Vec3Lanes at_most(const Vec3Lanes& v, float length) noexcept {
+  const Lanes square = dot(v, v);
+  const LaneMask longer = square > length * length;
+  if (!any(longer)) return v;
+  return (longer ? length / root_of(longer ? square : in_all_lanes(1.0F)) : in_all_lanes(1.0F)) * v;
 }
 
 /// As long as another, or that one where it has no direction.
-Vec3 as_long_as(Vec3 length, Vec3 v) noexcept {
-  const float square = glm::dot(v, v);
-  if (!(square > least_bone * least_bone && square < 1e12F)) return length;
-  return v * std::sqrt(glm::dot(length, length) / square);
+Vec3Lanes as_long_as(const Vec3Lanes& length, const Vec3Lanes& v) noexcept {
+  const Lanes square = dot(v, v);
+  const LaneMask is_sound =
+      (square > least_bone * least_bone) & (square < longest_bone * longest_bone);
+  const Lanes share = root_of(dot(length, length) / (is_sound ? square : in_all_lanes(1.0F)));
+  return choose(is_sound, share * v, length);
 }
 
 class HangingCloth {
@@ -59,40 +84,57 @@ class HangingCloth {
       : cloth_{cloth},
         palette_{palette},
         first_{palette.size() - cloth.node.size()},
-        motion_{motion} {}
+        motion_{motion} {
+    if (motion_.nodes != cloth_.node.size()) motion_.is_placed = false;
+    if (!motion_.is_placed) make_batches();
+  }
 
   /// Where joints and limbs are now; the nodes' matrices are how they are carried.
   void carry() noexcept {
-    for (std::size_t n = 0; n < size(); ++n) {
-      const ClothNode& node = cloth_.node[n];
-      Mat4& matrix = palette_[first_ + n];
-      matrix = carrier(node, palette_);
-      motion_.carried[n] = Vec3(matrix * Vec4(node.place, 1));
-      const Vec3 outward = glm::mat3(matrix) * node.outward;
-      motion_.outward[n] = outward / std::sqrt(std::max(glm::dot(outward, outward), 1e-12F));
-      motion_.root[n] = Vec3(matrix * Vec4(node.root, 1));
+    for (ClothBatch& it : batches()) {
+      std::array<Lanes, lane_count> length{};
+      for (std::size_t lane = 0; lane < it.count; ++lane) {
+        const std::uint8_t n = it.node[lane];
+        const ClothNode& node = cloth_.node[n];
+        const Columns matrix = carrier(node, palette_);
+        write(matrix, palette_[first_ + n]);
+        motion_.now[n].carried = matrix.at(node.place);
+        motion_.now[n].outward = matrix.along(node.outward);
+        motion_.carried[n] = first_three(motion_.now[n].carried);
+        length[lane] = matrix.along(node.place - node.root);
+      }
+      it.length = beside_each_other(length[0], length[1], length[2], length[3]).xyz;
+      it.carried = looked_up(it.node, &ClothNodeNow::carried);
+      it.outward = looked_up(it.node, &ClothNodeNow::outward);
+      it.outward =
+          (1 / root_of(larger(dot(it.outward, it.outward), in_all_lanes(1e-12F)))) * it.outward;
+      put(it, &ClothNodeNow::outward, it.outward);
+      it.above_it = it.carried - looked_up(it.above, &ClothNodeNow::carried);
     }
     for (std::size_t c = 0; c < cloth_.collider.size(); ++c) {
       const ClothCollider& limb = cloth_.collider[c];
-      motion_.end[2 * c] = Vec3(palette_[limb.joint] * Vec4(limb.from, 1));
-      motion_.end[2 * c + 1] = Vec3(palette_[limb.joint] * Vec4(limb.to, 1));
+      const Columns joint = columns_of(palette_[limb.joint]);
+      motion_.end[2 * c] = first_three(joint.at(limb.from));
+      motion_.end[2 * c + 1] = first_three(joint.at(limb.to));
     }
   }
 
   bool is_placed_anew(double seconds) const noexcept {
     if (!motion_.is_placed || seconds > longest_frame) return true;
     const auto most = static_cast<float>(most_jump + most_speed * seconds);
-    const Vec3 moved = motion_.carried[0] - motion_.carried_before[0];
+    const ClothBatch& first = motion_.batch[0];
+    const Vec3 moved = first.carried[0] - first.carried_before[0];
     return !(glm::dot(moved, moved) < most * most);
   }
 
   void rest() noexcept {
     keep();
     place_limbs(1);
-    for (std::size_t n = 0; n < size(); ++n) {
-      motion_.lag[n] = motion_.velocity[n] = Vec3{};
-      if (is_bone(n)) hang_bone(n);
-      motion_.lag_before[n] = motion_.lag[n];
+    for (ClothBatch& it : batches()) {
+      it.lag = it.velocity = {};
+      if (it.kind == ClothKind::Bone) hang_bones(it);
+      it.lag_before = it.lag;
+      put(it, &ClothNodeNow::lag, it.lag);
     }
     motion_.ahead = 0;
     motion_.is_placed = motion_.is_at_rest = true;
@@ -101,11 +143,11 @@ class HangingCloth {
   void swing(double seconds) noexcept {
     double at = -motion_.ahead;  // since the last call
     motion_.ahead += seconds;
+    const auto frame = static_cast<float>(seconds);
     while (motion_.ahead >= cloth_step) {
       motion_.ahead -= cloth_step;
-      const double before = at;
       at += cloth_step;
-      take_step(static_cast<float>(before / seconds), static_cast<float>(at / seconds));
+      take_step(frame, static_cast<float>(at / seconds));
     }
     keep();
   }
@@ -114,34 +156,116 @@ class HangingCloth {
   void draw() noexcept {
     const auto share = static_cast<float>(motion_.ahead / cloth_step);
     place_limbs(1);
-    for (std::size_t n = 0; n < size(); ++n) {
-      const Vec3 lag = glm::mix(motion_.lag_before[n], motion_.lag[n], share);
-      const Vec3 place = motion_.carried[n] + lag;
-      motion_.place[n] = is_bone(n) ? out_of_limbs(n, bone_of(n, 1), place) : pushed_out(n, place);
+    for (ClothBatch& it : batches()) {
+      const Vec3Lanes place = it.carried + mix(it.lag_before, it.lag, share);
+      if (it.kind == ClothKind::Bone) {
+        const Bones bones = bones_of(it, 1);
+        const Vec3Lanes right = bones.root + as_long_as(bones.carried, place - bones.root);
+        put_bones(it, out_of_limbs(it, bones, right), 1);
+      } else {
+        put(it, &ClothNodeNow::place, pushed_out(it, place));
+      }
     }
-    for (std::size_t n = 0; n < size(); ++n) push_between(n);
-    for (std::size_t n = 0; n < size(); ++n)
-      if (has_moved_[n]) motion_.place[n] = pushed_out(n, motion_.place[n]);
-    for (std::size_t n = 0; n < size(); ++n)
-      if (is_bone(n))
-        turn_bone(n);
+    push_between();
+    for (ClothBatch& it : batches())
+      if (std::ranges::any_of(it.node, [&](std::uint8_t n) { return has_moved_[n]; }))
+        put(it, &ClothNodeNow::place, pushed_out(it, places(it.node)));
+    for (ClothBatch& it : batches())
+      if (it.kind == ClothKind::Bone)
+        turn_bones(it);
       else
-        turn(n);
+        turn(it);
+    for (std::size_t n = 0; n < motion_.nodes; ++n)
+      motion_.place[n] = first_three(motion_.now[n].place);
   }
 
  private:
-  std::size_t size() const noexcept { return cloth_.node.size(); }
-  bool is_bone(std::size_t n) const noexcept { return cloth_.node[n].kind == ClothKind::Bone; }
+  using Nodes = std::array<std::uint8_t, lane_count>;
 
-  void keep() noexcept {
-    std::copy_n(motion_.carried.begin(), size(), motion_.carried_before.begin());
-    std::copy_n(motion_.root.begin(), size(), motion_.root_before.begin());
-    std::copy_n(motion_.end.begin(), 2 * cloth_.collider.size(), motion_.end_before.begin());
+  std::span<ClothBatch> batches() const noexcept {
+    return std::span(motion_.batch).first(motion_.batches);
   }
 
-  /// Between the last call and this one.
-  Vec3 carried(std::size_t n, float share) const noexcept {
-    return glm::mix(motion_.carried_before[n], motion_.carried[n], share);
+  /// Nodes from the top down, four and four.
+  void make_batches() noexcept {
+    std::array<std::uint8_t, 256> depth{};
+    std::uint8_t deepest = 0;
+    for (std::size_t n = 0; n < cloth_.node.size(); ++n) {
+      const std::uint8_t above = cloth_.node[n].above;
+      if (above != ClothNode::none) depth[n] = static_cast<std::uint8_t>(depth[above] + 1);
+      deepest = std::max(deepest, depth[n]);
+    }
+    motion_.nodes = cloth_.node.size();
+    motion_.batches = 0;
+    for (std::size_t level = 0; level <= deepest; ++level) {
+      ClothBatch* it = nullptr;
+      for (std::size_t n = 0; n < cloth_.node.size(); ++n) {
+        if (depth[n] != level) continue;
+        if (it == nullptr || it->count == lane_count || it->kind != cloth_.node[n].kind) {
+          it = &motion_.batch[motion_.batches++];
+          *it = {.kind = cloth_.node[n].kind};
+        }
+        it->node[it->count++] = static_cast<std::uint8_t>(n);
+      }
+    }
+    for (ClothBatch& it : batches()) prepare(it);
+  }
+
+  void prepare(ClothBatch& it) noexcept {
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      if (lane >= it.count) it.node[lane] = it.node[0];
+      const ClothNode& node = cloth_.node[it.node[lane]];
+      const bool hangs = node.above != ClothNode::none;
+      const bool has_neighbours = node.left != ClothNode::none && node.right != ClothNode::none;
+      // Those who have none are their own.
+      it.above[lane] = hangs ? node.above : it.node[lane];
+      const std::size_t next = it.node[lane] + std::size_t{1};
+      const bool bears = next < cloth_.node.size() && cloth_.node[next].above == it.node[lane];
+      it.below[lane] = bears ? static_cast<std::uint8_t>(next) : it.node[lane];
+      it.beside[lane] = node.left != ClothNode::none ? node.left : it.node[lane];
+      it.left[lane] = has_neighbours ? node.left : it.node[lane];
+      it.right[lane] = has_neighbours ? node.right : it.node[lane];
+      it.hangs[lane] = hangs ? -1 : 0;
+      it.is_kept_out[lane] = node.keeps_out != 0 ? -1 : 0;
+      it.keeps_out |= node.keeps_out;
+      it.radius[lane] = node.radius;
+      it.stiffness[lane] = node.stiffness;
+      it.damping[lane] = node.damping;
+      it.drag[lane] = node.drag;
+      it.tension[lane] = has_neighbours ? node.tension : 0;
+      it.most_inward[lane] = hangs ? most_inward : 0;
+    }
+    const auto gravity = [&](std::size_t lane) {
+      return lanes_of(Vec4(cloth_.node[it.node[lane]].gravity, 0));
+    };
+    it.gravity = beside_each_other(gravity(0), gravity(1), gravity(2), gravity(3)).xyz;
+  }
+
+  Vec4Lanes looked_up_whole(const Nodes& nodes, Lanes ClothNodeNow::* what) const noexcept {
+    const std::vector<ClothNodeNow>& now = motion_.now;
+    return beside_each_other(now[nodes[0]].*what, now[nodes[1]].*what, now[nodes[2]].*what,
+                             now[nodes[3]].*what);
+  }
+  Vec3Lanes looked_up(const Nodes& nodes, Lanes ClothNodeNow::* what) const noexcept {
+    return looked_up_whole(nodes, what).xyz;
+  }
+  Vec3Lanes places(const Nodes& nodes) const noexcept {
+    return looked_up(nodes, &ClothNodeNow::place);
+  }
+  void put(const ClothBatch& it, Lanes ClothNodeNow::* what, const Vec3Lanes& v,
+           Lanes w = Lanes{}) noexcept {
+    const std::array<Lanes, lane_count> each = one_by_one(v, w);
+    for (std::size_t lane = 0; lane < it.count; ++lane)
+      motion_.now[it.node[lane]].*what = each[lane];
+  }
+
+  void keep() noexcept {
+    for (ClothBatch& it : batches()) {
+      it.carried_before = it.carried;
+      it.above_it_before = it.above_it;
+      it.length_before = it.length;
+    }
+    std::copy_n(motion_.end.begin(), 2 * cloth_.collider.size(), motion_.end_before.begin());
   }
 
   void place_limbs(float share) noexcept {
@@ -150,182 +274,228 @@ class HangingCloth {
       const Vec3 from = glm::mix(motion_.end_before[2 * c], motion_.end[2 * c], share);
       const Vec3 to = glm::mix(motion_.end_before[2 * c + 1], motion_.end[2 * c + 1], share);
       const float square = glm::dot(to - from, to - from);
-      limb_[c] = {from, to - from, limb.from_radius, limb.to_radius - limb.from_radius,
-                  square > 1e-8F ? 1 / square : 0.0F};
+      limb_[c] = {in_all_lanes(from), in_all_lanes(to - from), limb.from_radius,
+                  limb.to_radius - limb.from_radius, square > 1e-8F ? 1 / square : 0.0F};
     }
   }
 
-  /// How far along `outward` a place has to go to be out of all limbs that a node keeps out of.
-  float way_out(std::size_t n, Vec3 place, float around, Vec3 outward) const noexcept {
-    float furthest = 0;
-    for (unsigned c = 0, bits = cloth_.node[n].keeps_out; bits != 0; ++c, bits >>= 1U)
-      if ((bits & 1U) != 0)
-        furthest = std::max(furthest, motion::way_out(limb_[c], place, around, outward));
-    return std::min(furthest, most_lag);
-  }
-  Vec3 pushed_out(std::size_t n, Vec3 place) const noexcept {
-    return place +
-           way_out(n, place, cloth_.node[n].radius, motion_.outward[n]) * motion_.outward[n];
+  LaneMask keeps_out_of(const ClothBatch& it, std::size_t collider) const noexcept {
+    const auto is_kept_out = [&](std::size_t lane) {
+      return -static_cast<std::int32_t>(cloth_.node[it.node[lane]].keeps_out >> collider & 1U);
+    };
+    return LaneMask{is_kept_out(0), is_kept_out(1), is_kept_out(2), is_kept_out(3)};
   }
 
-  /// Where cloth between two nodes is in a limb, both give way.
-  void push_apart(std::size_t a, std::size_t b) noexcept {
-    const Vec3 sum = motion_.outward[a] + motion_.outward[b];
-    const float square = glm::dot(sum, sum);
-    if (square < 0.25F) return;
-    const Vec3 outward = sum / std::sqrt(square);
-    const Vec3 off = motion_.place[b] - motion_.place[a];
-    const Vec3 bent = motion_.outward[b] - motion_.outward[a];
+  /// How far along `outward` places have to go to be out of all limbs that nodes keep out of.
+  Lanes way_out(const ClothBatch& it, const Vec3Lanes& place, Lanes around,
+                const Vec3Lanes& outward) const noexcept {
+    Lanes furthest{};
+    for (std::uint32_t bits = it.keeps_out; bits != 0; bits &= bits - 1) {
+      const auto c = static_cast<std::size_t>(std::countr_zero(bits));
+      const Lanes way = motion::way_out(limb_[c], place, around, outward);
+      if (any(way > furthest)) furthest = larger(furthest, keeps_out_of(it, c) ? way : Lanes{});
+    }
+    return smaller(furthest, in_all_lanes(most_lag));
+  }
+  Vec3Lanes pushed_out(const ClothBatch& it, const Vec3Lanes& place) const noexcept {
+    return place + way_out(it, place, it.radius, it.outward) * it.outward;
+  }
+
+  /// Between nodes and others: the way of the cloth's middle there out of limbs, and in which
+  /// direction.
+  struct Push {
+    Lanes way;
+    Vec3Lanes outward;
+  };
+  Push push_of(const ClothBatch& it, const Nodes& others) const noexcept {
+    const Vec3Lanes outward_of_others = looked_up(others, &ClothNodeNow::outward);
+    const Vec3Lanes sum = it.outward + outward_of_others;
+    const Lanes square = dot(sum, sum);
+    const LaneMask agree = square >= 0.25F;
+    const Vec3Lanes outward = (1 / root_of(agree ? square : in_all_lanes(1.0F))) * sum;
+    const Vec3Lanes place = places(it.node), off = places(others) - place;
+    const Vec3Lanes bent = outward_of_others - it.outward;
     // What lies between them on a circle bulges by an eighth of their distance for each radian.
-    const float bulge = 0.125F * std::sqrt(glm::dot(off, off) * glm::dot(bent, bent));
-    const Vec3 middle = motion_.place[a] + 0.5F * off + bulge * outward;
-    const float around = 0.5F * (cloth_.node[a].radius + cloth_.node[b].radius);
-    const float push = way_out(a, middle, around, outward);
-    if (push <= 0) return;
-    motion_.place[a] += push * outward;
-    motion_.place[b] += push * outward;
-    has_moved_[a] = has_moved_[b] = true;
+    const Lanes bulge = 0.125F * root_of(dot(off, off) * dot(bent, bent));
+    const auto radius = [&](std::size_t lane) { return cloth_.node[others[lane]].radius; };
+    const Lanes around = 0.5F * (it.radius + Lanes{radius(0), radius(1), radius(2), radius(3)});
+    const Lanes way = way_out(it, place + 0.5F * off + bulge * outward, around, outward);
+    return {agree ? way : Lanes{}, outward};
   }
 
-  void push_between(std::size_t n) noexcept {
-    const ClothNode& node = cloth_.node[n];
-    if (node.keeps_out == 0 || is_bone(n)) return;
-    if (node.left != ClothNode::none) push_apart(n, node.left);
-    if (node.above != ClothNode::none) push_apart(n, node.above);
-  }
-
-  Vec3 neighbours_lag(const ClothNode& node) const noexcept {
-    return 0.5F * (motion_.lag_before[node.left] + motion_.lag_before[node.right]);
-  }
-
-  /// A node hangs from the one above it at the length at which the joints carry both.
-  Vec3 at_length(std::size_t n, Vec3 lag, Vec3 here, float share) const noexcept {
-    const std::size_t above = cloth_.node[n].above;
-    const Vec3 length = here - carried(above, share);
-    const Vec3 off = length + lag - motion_.lag[above];
-    const float square = glm::dot(off, off);
-    if (square < 1e-9F) return lag;
-    return motion_.lag[above] + off * std::sqrt(glm::dot(length, length) / square) - length;
-  }
-
-  void take_step(float before, float now) noexcept {
-    place_limbs(now);
-    std::copy_n(motion_.lag.begin(), size(), motion_.lag_before.begin());
-    for (std::size_t n = 0; n < size(); ++n) {
-      if (is_bone(n)) {
-        step_bone(n, before, now);
-        continue;
+  /// Where cloth between nodes and others is in a limb, both give way, one after another.
+  void push_apart(const ClothBatch& it, const Nodes& others) noexcept {
+    Push push = push_of(it, others);
+    for (std::size_t lane = 0; lane < it.count; ++lane) {
+      if (!(push.way[lane] > 0) || others[lane] == it.node[lane]) continue;
+      const Lanes out = push.way[lane] * one_by_one(push.outward, Lanes{})[lane];
+      for (const std::uint8_t n : {it.node[lane], others[lane]}) {
+        motion_.now[n].place += out;
+        has_moved_[n] = true;
       }
-      const ClothNode& node = cloth_.node[n];
-      const Vec3 here = carried(n, now);
-      const Vec3 speed = (here - carried(n, before)) / step_seconds;
-      if (motion_.is_at_rest) motion_.velocity[n] = speed;
-      const Vec3 lag = motion_.lag_before[n];
-      Vec3 pull = -node.stiffness * lag - node.damping * (motion_.velocity[n] - speed) -
-                  node.drag * motion_.velocity[n];
-      if (node.left != ClothNode::none && node.right != ClothNode::none)
-        pull += node.tension * (neighbours_lag(node) - lag);
-      Vec3 next = lag + (motion_.velocity[n] + step_seconds * pull - speed) * step_seconds;
-      const bool is_first = node.above == ClothNode::none;
-      if (!is_first) next = at_length(n, next, here, now);
-      if (node.keeps_out != 0)
-        next = not_inward(next, motion_.outward[n], is_first ? 0 : most_inward);
-      const Vec3 pushed = at_most(pushed_out(n, here + next) - here, most_lag);
-      // A limb takes cloth along; it does not throw it.
-      const Vec3 taken = glm::mix(next, pushed, taken_along) - lag;
-      motion_.velocity[n] = speed + at_most(taken / step_seconds, most_swing_speed);
-      next = pushed;
-      motion_.lag[n] = next;
+      if (any(push.way > 0)) push = push_of(it, others);
+    }
+  }
+
+  void push_between() noexcept {
+    for (const ClothBatch& it : batches()) {
+      if (it.keeps_out == 0 || it.kind == ClothKind::Bone) continue;
+      push_apart(it, it.beside);
+      push_apart(it, it.above);
+    }
+  }
+
+  /// Nodes hang from those above them at the length at which the joints carry both.
+  Vec3Lanes at_length(const ClothBatch& it, const Vec3Lanes& lag, float share) const noexcept {
+    const Vec3Lanes length = mix(it.above_it_before, it.above_it, share);
+    const Vec3Lanes lag_above = looked_up(it.above, &ClothNodeNow::lag);
+    const Vec3Lanes off = length + lag - lag_above;
+    const Lanes square = dot(off, off);
+    const LaneMask is_long = it.hangs & (square >= 1e-9F);
+    const Lanes whole = root_of(dot(length, length) / (is_long ? square : in_all_lanes(1.0F)));
+    return choose(is_long, lag_above + whole * off - length, lag);
+  }
+
+  void take_step(float frame, float now) noexcept {
+    place_limbs(now);
+    for (ClothBatch& it : batches()) {
+      it.lag_before = it.lag;
+      put(it, &ClothNodeNow::lag_before, it.lag);
+    }
+    for (ClothBatch& it : batches()) {
+      const Vec3Lanes here = mix(it.carried_before, it.carried, now);
+      const Vec3Lanes speed = (1 / frame) * (it.carried - it.carried_before);
+      if (motion_.is_at_rest) it.velocity = speed;
+      if (it.kind == ClothKind::Bone)
+        step_bones(it, here, speed, now);
+      else
+        step_cloth(it, here, speed, now);
     }
     motion_.is_at_rest = false;
   }
 
-  /// A bone at a moment: where it begins, and how it would point if it did not swing itself, but
-  /// only as the bone above it does, from which it hangs.
-  struct Bone {
-    Vec3 root, carried;
-  };
-  Vec3 carried_root(std::size_t n, float share) const noexcept {
-    return glm::mix(motion_.root_before[n], motion_.root[n], share);
-  }
-  /// Of a bone of which the one above hangs already.
-  Bone bone_of(std::size_t n, float share) noexcept {
-    const Vec3 root = carried_root(n, share), length = carried(n, share) - root;
-    const std::size_t above = cloth_.node[n].above;
-    Bone bone{root, length};
-    if (above != ClothNode::none) {
-      const Vec3 end = carried(above, share);
-      const ShortestTurn turned(end - carried_root(above, share),
-                                motion_.place[above] - motion_.begin[above]);
-      bone = {motion_.place[above] + turned * (root - end), turned * length};
-    }
-    motion_.begin[n] = bone.root;
-    return bone;
+  void step_cloth(ClothBatch& it, const Vec3Lanes& here, const Vec3Lanes& speed,
+                  float now) noexcept {
+    const Vec3Lanes& lag = it.lag_before;
+    const Vec3Lanes beside = 0.5F * (looked_up(it.left, &ClothNodeNow::lag_before) +
+                                     looked_up(it.right, &ClothNodeNow::lag_before));
+    const Vec3Lanes pull = it.tension * (beside - lag) - it.stiffness * lag -
+                           it.damping * (it.velocity - speed) - it.drag * it.velocity;
+    Vec3Lanes next = lag + step_seconds * (it.velocity + step_seconds * pull - speed);
+    if (any(it.hangs)) next = at_length(it, next, now);
+    next = not_inward(it, next);
+    it.lag = at_most(pushed_out(it, here + next) - here, most_lag);
+    put(it, &ClothNodeNow::lag, it.lag);
+    // A limb takes cloth along; it does not throw it.
+    const Vec3Lanes taken = mix(next, it.lag, taken_along) - lag;
+    it.velocity = speed + at_most((1 / step_seconds) * taken, most_swing_speed);
   }
 
-  Vec3 out_of_limbs(std::size_t n, const Bone& bone, Vec3 place) const noexcept {
-    const ClothNode& node = cloth_.node[n];
-    place = bone.root + as_long_as(bone.carried, place - bone.root);
-    for (unsigned c = 0, bits = node.keeps_out; bits != 0; ++c, bits >>= 1U) {
-      if ((bits & 1U) == 0) continue;
-      const Vec3 out = out_of(limb_[c], place, node.radius);
-      if (out != place) place = bone.root + as_long_as(bone.carried, out - bone.root);
+  /// Bones at a moment: where they begin, and how they would point if they did not swing
+  /// themselves, but only as those above them do, from which they hang.
+  struct Bones {
+    Vec3Lanes root, carried;
+  };
+  /// Of bones of which those above hang already.
+  Bones bones_of(ClothBatch& it, float share) noexcept {
+    const Vec3Lanes end = mix(it.carried_before, it.carried, share);
+    const Vec3Lanes length = mix(it.length_before, it.length, share);
+    Bones bones{end - length, length};
+    if (any(it.hangs)) {
+      const ShortestTurn turned = turn_of(it.above);
+      const Vec3Lanes begins = mix(it.above_it_before, it.above_it, share) - length;
+      bones.root = choose(it.hangs, places(it.above) + turned * begins, bones.root);
+      bones.carried = choose(it.hangs, turned * length, length);
+    }
+    it.begin = bones.root;
+    return bones;
+  }
+  ShortestTurn turn_of(const Nodes& nodes) const noexcept {
+    const Vec4Lanes turn = looked_up_whole(nodes, &ClothNodeNow::turn);
+    return {turn.xyz, turn.w};
+  }
+
+  /// Bones that are as long as they are, out of limbs.
+  Vec3Lanes out_of_limbs(const ClothBatch& it, const Bones& bones, Vec3Lanes place) const noexcept {
+    for (std::uint32_t bits = it.keeps_out; bits != 0; bits &= bits - 1) {
+      const auto c = static_cast<std::size_t>(std::countr_zero(bits));
+      Vec3Lanes out = place;
+      LaneMask moved = is_moved_out_of(limb_[c], out, it.radius);
+      if (!any(moved)) continue;
+      moved &= keeps_out_of(it, c);
+      place = choose(moved, bones.root + as_long_as(bones.carried, out - bones.root), place);
     }
     return place;
   }
 
-  /// Where a bone hangs that has come to rest: its spring and its weight hold each other.
-  void hang_bone(std::size_t n) noexcept {
-    const Bone bone = bone_of(n, 1);
-    const Vec3 pull = cloth_.node[n].stiffness * bone.carried + cloth_.node[n].gravity;
-    motion_.place[n] = out_of_limbs(n, bone, bone.root + as_long_as(bone.carried, pull));
-    motion_.lag[n] = motion_.place[n] - motion_.carried[n];
+  /// Bones hang there, and what hangs from them goes with them.
+  void put_bones(ClothBatch& it, const Vec3Lanes& place, float share) noexcept {
+    put(it, &ClothNodeNow::place, place);
+    const ShortestTurn turned(mix(it.length_before, it.length, share), place - it.begin);
+    put(it, &ClothNodeNow::turn, turned.axis(), turned.cosine());
   }
 
-  void step_bone(std::size_t n, float before, float now) noexcept {
-    const ClothNode& node = cloth_.node[n];
-    const Bone bone = bone_of(n, now);
-    const Vec3 here = carried(n, now);
-    const Vec3 last = carried(n, before) + motion_.lag_before[n];
-    const Vec3 speed = (here - carried(n, before)) / step_seconds;
-    Vec3& velocity = motion_.velocity[n];
-    if (motion_.is_at_rest) velocity = speed;
-    const Vec3 along = last + step_seconds * speed;  // had it not swung
-    const Vec3 pull = node.stiffness * (bone.root + bone.carried - along) -
-                      node.damping * (velocity - speed) - node.drag * velocity + node.gravity;
-    Vec3 next = last + step_seconds * (velocity + step_seconds * pull);
-    next = bone.root + as_long_as(bone.carried, next - bone.root);
-    motion_.place[n] = out_of_limbs(n, bone, next);
-    motion_.lag[n] = motion_.place[n] - here;
-    const Vec3 taken = glm::mix(next, motion_.place[n], taken_along) - along;
-    const Vec3 swings = at_most(taken / step_seconds, most_swing_speed);
-    velocity = speed + (glm::dot(swings, swings) < 1e6F ? swings : Vec3{});
+  /// Where bones hang that have come to rest: spring and weight hold each other.
+  void hang_bones(ClothBatch& it) noexcept {
+    const Bones bones = bones_of(it, 1);
+    const Vec3Lanes pull = it.stiffness * bones.carried + it.gravity;
+    const Vec3Lanes place = out_of_limbs(it, bones, bones.root + as_long_as(bones.carried, pull));
+    put_bones(it, place, 1);
+    it.lag = place - it.carried;
   }
 
-  void turn_bone(std::size_t n) noexcept {
-    Mat4& matrix = palette_[first_ + n];
-    const glm::mat3 turned =
-        ShortestTurn(motion_.carried[n] - motion_.root[n], motion_.place[n] - motion_.begin[n]) *
-        glm::mat3(matrix);
-    matrix = Mat4(turned);
-    matrix[3] = Vec4(motion_.begin[n] - turned * cloth_.node[n].root, 1);
+  void step_bones(ClothBatch& it, const Vec3Lanes& here, const Vec3Lanes& speed,
+                  float now) noexcept {
+    const Bones bones = bones_of(it, now);
+    const Vec3Lanes along = here + it.lag_before;  // had it not swung
+    const Vec3Lanes pull = it.stiffness * (bones.root + bones.carried - along) -
+                           it.damping * (it.velocity - speed) - it.drag * it.velocity + it.gravity;
+    const Vec3Lanes free =
+        along + step_seconds * (it.velocity - speed + step_seconds * pull) - bones.root;
+    const Vec3Lanes next = bones.root + as_long_as(bones.carried, free);
+    const Vec3Lanes place = out_of_limbs(it, bones, next);
+    put_bones(it, place, now);
+    it.lag = place - here;
+    const Vec3Lanes taken = mix(next, place, taken_along) - along;
+    const Vec3Lanes swings = at_most((1 / step_seconds) * taken, most_swing_speed);
+    it.velocity = speed + choose(dot(swings, swings) < 1e6F, swings, Vec3Lanes{});
   }
 
-  /// A node turns as the cloth between those above and below it does. Above the highest it is
+  /// Turns nodes' matrices as they have turned; then what was at a point of each node is at
+  /// `place`.
+  void turn_about(const ClothBatch& it, const ShortestTurn& turn, const Vec3Lanes& place,
+                  Vec3 ClothNode::* point) noexcept {
+    const std::array<Vec3Lanes, 3> axes = turn.axes();
+    const auto x = one_by_one(axes[0], Lanes{}), y = one_by_one(axes[1], Lanes{}),
+               z = one_by_one(axes[2], Lanes{});
+    const auto to = one_by_one(place, in_all_lanes(1.0F));
+    for (std::size_t lane = 0; lane < it.count; ++lane) {
+      Mat4& m = palette_[first_ + it.node[lane]];
+      const auto turned = [&](const Vec4& v) {
+        return v.x * x[lane] + v.y * y[lane] + v.z * z[lane];
+      };
+      Columns c{turned(m[0]), turned(m[1]), turned(m[2]), to[lane]};
+      c.w -= c.along(cloth_.node[it.node[lane]].*point);
+      write(c, m);
+    }
+  }
+
+  void turn_bones(const ClothBatch& it) noexcept {
+    turn_about(it, turn_of(it.node), it.begin, &ClothNode::root);
+  }
+
+  /// Nodes turn as the cloth between those above and below them does. Above the highest it is
   /// firm.
-  void turn(std::size_t n) noexcept {
-    const ClothNode& node = cloth_.node[n];
-    Mat4& matrix = palette_[first_ + n];
-    const std::size_t below = n + 1 < size() && cloth_.node[n + 1].above == n ? n + 1 : n;
-    const Vec3 firm = motion_.carried[n] + firm_length * Vec3(matrix[1]);
-    const bool hangs = node.above != ClothNode::none;
-    const Vec3 carried = hangs ? motion_.carried[node.above] : firm;
-    const Vec3 place = hangs ? motion_.place[node.above] : firm;
-    const glm::mat3 turned =
-        ShortestTurn(carried - motion_.carried[below], place - motion_.place[below]) *
-        glm::mat3(matrix);
-    matrix = Mat4(turned);
-    matrix[3] = Vec4(motion_.place[n] - turned * node.place, 1);
+  void turn(const ClothBatch& it) noexcept {
+    const Vec3Lanes carried_here = it.carried, place_here = places(it.node);
+    const auto up = [&](std::size_t lane) { return lanes_of(palette_[first_ + it.node[lane]][1]); };
+    const Vec3Lanes firm = firm_length * beside_each_other(up(0), up(1), up(2), up(3)).xyz;
+    const Vec3Lanes carried =
+        choose(it.hangs, looked_up(it.above, &ClothNodeNow::carried), carried_here + firm) -
+        looked_up(it.below, &ClothNodeNow::carried);
+    const Vec3Lanes place =
+        choose(it.hangs, places(it.above), carried_here + firm) - places(it.below);
+    turn_about(it, ShortestTurn(carried, place), place_here, &ClothNode::place);
   }
 
   const ClothView& cloth_;
@@ -340,10 +510,10 @@ class HangingCloth {
 
 ClothMotion make_cloth_motion(std::size_t nodes) {
   ClothMotion motion;
-  for (std::vector<Vec3>* each :
-       {&motion.lag, &motion.lag_before, &motion.velocity, &motion.carried, &motion.carried_before,
-        &motion.root, &motion.root_before, &motion.begin, &motion.outward, &motion.place})
-    each->resize(nodes);
+  motion.carried.resize(nodes);
+  motion.place.resize(nodes);
+  motion.batch.resize(nodes);
+  motion.now.resize(nodes);
   motion.end.resize(2 * most_cloth_colliders);
   motion.end_before.resize(2 * most_cloth_colliders);
   return motion;
@@ -351,6 +521,7 @@ ClothMotion make_cloth_motion(std::size_t nodes) {
 
 void hang(const ClothView& cloth, std::span<Mat4> palette, ClothMotion& motion) noexcept {
   if (cloth.node.empty()) return;
+  motion.is_placed = false;
   HangingCloth hanging(cloth, palette, motion);
   hanging.carry();
   hanging.rest();

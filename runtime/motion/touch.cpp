@@ -44,18 +44,32 @@ Stance moved_to(const Stance& stance, const Placement& body, double height) noex
   return moved;
 }
 
+namespace {
+
+/// `left` of where it faces: a unit vector.
+Quat bent(const TrunkBend& bend, Vec3 left) noexcept {
+  const Quat turned = glm::angleAxis(bend.turn, Vec3(0, 1, 0));
+  return glm::angleAxis(bend.lean, turned * left) * turned;
+}
+
+}  // namespace
+
+Quat rotation_of(const TrunkBend& bend, double heading) noexcept {
+  return bent(bend, glm::cross(Vec3(0, 1, 0), heading_vector(heading)));
+}
+
 Stance leaned(const Stance& stance, float lean) noexcept {
-  const Vec3 left = glm::cross(Vec3(0, 1, 0), heading_vector(stance.body.heading));
-  const Quat turn = glm::angleAxis(lean, left);
+  const Quat turn = rotation_of({.lean = lean}, stance.body.heading);
   Stance leans = stance;
   for (JointPlace& trunk : leans.trunk)
     trunk = {stance.waist + turn * (trunk.place - stance.waist), turn * trunk.rotation};
   return leans;
 }
 
-void lean_forwards(const Skeleton& skeleton, float lean, PoseView& pose) noexcept {
+void bend_trunk(const Skeleton& skeleton, const TrunkBend& bend, PoseView& pose) noexcept {
   const JointIndex spine = skeleton[BodyPart::Spine];
-  if (spine == JointIndex::None || pose.rotation.size() < skeleton.joint.size() || lean == 0)
+  if (spine == JointIndex::None || pose.rotation.size() < skeleton.joint.size() ||
+      (bend.lean == 0 && bend.turn == 0))
     return;
   const Vec3 ahead = pose.rotation[0] * Vec3(0, 0, 1);
   const Vec3 left = glm::cross(Vec3(0, 1, 0), ahead);
@@ -65,8 +79,8 @@ void lean_forwards(const Skeleton& skeleton, float lean, PoseView& pose) noexcep
        at = skeleton.joint[index_of(at)].parent)
     above = pose.rotation[index_of(at)] * above;
   Quat& rotation = pose.rotation[index_of(spine)];
-  rotation = glm::normalize(glm::inverse(above) * glm::angleAxis(lean, glm::normalize(left)) *
-                            above * rotation);
+  rotation =
+      glm::normalize(glm::inverse(above) * bent(bend, glm::normalize(left)) * above * rotation);
 }
 
 Grip grip_of(const Touch& touch) noexcept {

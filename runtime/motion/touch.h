@@ -17,11 +17,18 @@ struct Stance {
 /// The same, standing somewhere else.
 Stance moved_to(const Stance& stance, const Placement& body, double height) noexcept;
 
+/// How a trunk is bent above the waist: turned to the left, then leaning to where it faces so.
+/// Radians.
+struct TrunkBend {
+  float lean = 0, turn = 0;
+};
+/// That of a body with that heading, as a rotation about its waist. World frame.
+Quat rotation_of(const TrunkBend& bend, double heading) noexcept;
 /// The same with the trunk leaning forwards by so many radians.
 Stance leaned(const Stance& stance, float lean) noexcept;
 
-/// Bends a pose forwards at the waist; legs stay as they are.
-void lean_forwards(const Skeleton& skeleton, float lean, PoseView& pose) noexcept;
+/// Bends a pose at the waist; legs stay as they are.
+void bend_trunk(const Skeleton& skeleton, const TrunkBend& bend, PoseView& pose) noexcept;
 
 /// Seconds that a touch takes, from a hanging hand to `ready` again...
 inline constexpr double touch_seconds = 6.2;

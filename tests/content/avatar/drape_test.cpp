@@ -4,136 +4,133 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "content/avatar/avatar.h"
+#include "content/avatar/hair.h"
+#include "content/avatar/head.h"
+#include "content/avatar/headwear.h"
 #include "content/avatar/layers.h"
 #include "content/gait/gait.h"
 #include "content/gait/gait_skeleton.h"
+#include "tests/content/avatar/hanging_surface.h"
 #include "tests/content/avatar/posed_body.h"
 #include "tests/support/sanitized.h"
 
 namespace docent::avatar::drape_test {
 namespace {
 
-/// A guide with its whole legs, those parts too that are never seen.
+/// The outside of a solid, from `start` outwards.
+template <typename Solid>
+Vec3 outside_of(Solid solid, Vec3 start, Vec3 outward) {
+  float out = 0.3F;
+  for (int step = 0; step < 60; ++step) out -= solid(start + out * outward);
+  return start + std::max(out, 0.0F) * outward;
+}
+
+/// What something that hangs covers of a body, those parts too that are never seen.
+struct Covering {
+  std::vector<test::CoveredPlace> places;
+  test::HangingSurface surface;
+};
+
+/// A guide, and what covers what of it.
 struct Dressed {
   Skeleton skeleton = gait::gait_skeleton();
   BodyShape shape;
   SkinnedMesh mesh;
-  std::vector<SkinnedVertex> leg;
+  SkinWeights weights;
 
   explicit Dressed(const Figure& figure)
-      : shape{body_of(figure, stand_at_ease(skeleton))}, mesh{make_avatar(skeleton, figure)} {
-    const SkinWeights weights(skeleton, shape);
-    for (const Side side : both_sides) {
-      const LimbPoints& limb = shape.limb(side);
-      const BodyRegion region = side == Side::Left ? BodyRegion::LeftLeg : BodyRegion::RightLeg;
-      for (float y = limb.ankle.y; y < limb.hip.y - 0.06F; y += 0.015F)
-        for (int k = 0; k < 24; ++k)
-          add(side, weights, region, y, glm::radians(15.0F * static_cast<float>(k)));
-    }
+      : shape{body_of(figure, stand_at_ease(skeleton))},
+        mesh{make_avatar(skeleton, figure)},
+        weights{skeleton, shape} {}
+
+  test::CoveredPlace covered(Vec3 skin, Vec3 axis, BodyRegion region) const {
+    const JointShares shares = weights.at(skin, region);
+    return {{.position = skin, .joint = shares.joint, .weight = shares.weight},
+            {.position = axis, .joint = shares.joint, .weight = shares.weight}};
   }
-
-  void add(Side side, const SkinWeights& weights, BodyRegion region, float y, float angle) {
-    const LimbPoints& limb = shape.limb(side);
-    const bool thigh = y > limb.knee.y;
-    const Vec3 &upper = thigh ? limb.hip : limb.knee, &lower = thigh ? limb.knee : limb.ankle;
-    const Vec3 axis = glm::mix(lower, upper, (y - lower.y) / (upper.y - lower.y));
-    const Vec3 outward{std::sin(angle), 0, std::cos(angle)};
-    float out = 0.2F;
-    for (int step = 0; step < 30; ++step) out -= trouser_leg(shape, axis + out * outward, side);
-    const JointShares shares = weights.at(axis + out * outward, region);
-    leg.push_back({.position = axis + out * outward,
-                   .normal = outward,
-                   .joint = shares.joint,
-                   .weight = shares.weight});
-    axis_.push_back(axis);
-  }
-
-  Vec3 axis_of(std::size_t v) const { return axis_[v]; }
-
- private:
-  std::vector<Vec3> axis_;
 };
 
-/// Where a segment goes through a triangle, as a share of it; more than 1: nowhere.
-float through(Vec3 from, Vec3 to, const std::array<Vec3, 3>& t) {
-  const Vec3 along = to - from, a = t[1] - t[0], b = t[2] - t[0];
-  const Vec3 p = glm::cross(along, b);
-  const float det = glm::dot(a, p);
-  if (std::abs(det) < 1e-12F) return 2;
-  const Vec3 off = from - t[0];
-  const float u = glm::dot(off, p) / det;
-  const Vec3 q = glm::cross(off, a);
-  const float v = glm::dot(along, q) / det;
-  const float share = glm::dot(b, q) / det;
-  return u < 0 || v < 0 || u + v > 1 || share < 0 ? 2 : share;
+constexpr int directions = 24;
+Vec3 direction(int k) {
+  const float angle = glm::radians(15.0F * static_cast<float>(k));
+  return {std::sin(angle), 0, std::cos(angle)};
 }
 
-/// The outside of a skirt, as it hangs: triangles by their height.
-class Skirt {
- public:
-  explicit Skirt(const Dressed& guide) : guide_{guide} {
-    const auto is_outside = [&](std::uint32_t v) {
-      const SkinnedVertex& vertex = guide.mesh.vertices[v];
-      return vertex.material == Material::Coat && vertex.position.y < guide.shape.hip_height &&
-             std::abs(coat_trunk(guide.shape, vertex.position, 0)) < 0.012F;
-    };
-    for (std::size_t t = 0; t < guide.mesh.indices.size(); t += 3) {
-      const auto corners = std::span(guide.mesh.indices).subspan(t, 3);
-      if (std::ranges::all_of(corners, is_outside))
-        indices_.push_back({corners[0], corners[1], corners[2]});
+/// Legs under a garment. What is at a hem is not covered.
+Covering legs_of(const Dressed& guide) {
+  const BodyShape& shape = guide.shape;
+  std::vector<test::CoveredPlace> places;
+  for (const Side side : both_sides) {
+    const LimbPoints& limb = shape.limb(side);
+    const BodyRegion region = side == Side::Left ? BodyRegion::LeftLeg : BodyRegion::RightLeg;
+    for (float y = limb.ankle.y; y < limb.hip.y - 0.06F; y += 0.015F)
+      for (int k = 0; k < directions && y >= shape.hem + 0.03F * shape.scale; ++k) {
+        const bool thigh = y > limb.knee.y;
+        const Vec3 &upper = thigh ? limb.hip : limb.knee, &lower = thigh ? limb.knee : limb.ankle;
+        const Vec3 axis = glm::mix(lower, upper, (y - lower.y) / (upper.y - lower.y));
+        const Vec3 skin =
+            outside_of([&](Vec3 p) { return trouser_leg(shape, p, side); }, axis, direction(k));
+        places.push_back(guide.covered(skin, axis, region));
+      }
+  }
+  return {places, test::HangingSurface(guide.mesh, [&](const SkinnedVertex& vertex) {
+            return vertex.material == Material::Coat && vertex.position.y < shape.hip_height &&
+                   std::abs(coat_trunk(shape, vertex.position, 0)) < 0.012F;
+          })};
+}
+
+/// Something that is worn on a solid of the body, or grows there, round an upright axis.
+template <typename Worn, typename Under>
+Covering covering(const Dressed& guide, Vec3 axis, float low, float high, BodyRegion region,
+                  Worn worn, Under under) {
+  constexpr float lies_on = 0.004F;  // metres: what is nearer is its inside
+  std::vector<test::CoveredPlace> places;
+  for (float y = low; y < high; y += 0.008F)
+    for (int k = 0; k < directions; ++k) {
+      const Vec3 from{axis.x, y, axis.z};
+      if (under(from) > -0.02F) continue;
+      const Vec3 skin = outside_of(under, from, direction(k));
+      if (worn(skin + lies_on * direction(k)) < -0.002F)
+        places.push_back(guide.covered(skin, from, region));
     }
-  }
+  return {places, test::HangingSurface(guide.mesh, [&](const SkinnedVertex& vertex) {
+            return std::abs(worn(vertex.position)) < 0.004F && under(vertex.position) > lies_on;
+          })};
+}
 
-  void hang(const test::PosedBody& body) {
-    for (auto& row : row_) row.clear();
-    for (const auto& corners : indices_) {
-      std::array<Vec3, 3> t;
-      for (std::size_t k = 0; k < 3; ++k) t[k] = body.place_of(guide_.mesh.vertices[corners[k]]);
-      const auto [low, high] = std::minmax({t[0].y, t[1].y, t[2].y});
-      for (std::size_t row = row_of(low); row <= row_of(high); ++row) row_[row].push_back(t);
-    }
-  }
-
-  /// Where a way first goes through it, as a share of the way; more than 1: nowhere.
-  float first_on(Vec3 from, Vec3 to) const {
-    float first = 2;
-    const auto [low, high] = std::minmax({from.y, to.y});
-    for (std::size_t row = row_of(low); row <= row_of(high); ++row)
-      for (const auto& triangle : row_[row]) first = std::min(first, through(from, to, triangle));
-    return first;
-  }
-
- private:
-  std::size_t row_of(float y) const {
-    return static_cast<std::size_t>(std::clamp(y * 60, 0.0F, static_cast<float>(row_.size() - 1)));
-  }
-
-  const Dressed& guide_;
-  std::vector<std::array<std::uint32_t, 3>> indices_;
-  std::array<std::vector<std::array<Vec3, 3>>, 90> row_;
-};
-
-/// How far legs are outside the cloth that covers them: on the way from a leg's axis to its skin,
-/// where it goes through the outside of the cloth. What is at a hem is not covered.
-float depth_outside(const Dressed& guide, const test::PosedBody& body, Skirt& skirt) {
-  skirt.hang(body);
-  float furthest = 0;
-  const float lowest = guide.shape.hem + 0.03F * guide.shape.scale;
-  for (std::size_t v = 0; v < guide.leg.size(); ++v) {
-    if (guide.leg[v].position.y < lowest) continue;
-    SkinnedVertex axis = guide.leg[v];
-    axis.position = guide.axis_of(v);
-    const Vec3 from = body.place_of(axis), to = body.place_of(guide.leg[v]);
-    const float first = skirt.first_on(from, to);
-    if (first <= 1) furthest = std::max(furthest, (1 - first) * glm::length(to - from));
-  }
-  return furthest;
+/// What hangs or stands off a guide's head over that and its coat.
+std::vector<Covering> worn_on_head(const Dressed& guide) {
+  const BodyShape& shape = guide.shape;
+  const float s = shape.scale;
+  const auto skin = [&](Vec3 p) { return head_and_neck(shape, p); };
+  std::vector<Covering> all;
+  if (shape.figure.headwear == Headwear::Scarf)
+    all.push_back(covering(
+        guide, shape.neck_base, shape.skull.y - 0.46F * s, shape.neck_base.y, BodyRegion::Coat,
+        [&](Vec3 p) { return headwear(shape, p); },
+        [&](Vec3 p) { return coat_trunk(shape, p, 0); }));
+  if (shape.figure.face.beard > 0)
+    all.push_back(covering(
+        guide, shape.skull, shape.skull.y - 0.16F * s, shape.skull.y, BodyRegion::Head,
+        [&](Vec3 p) { return beard(shape, p); }, skin));
+  if (shape.figure.hair == Hair::Curls)
+    all.push_back(covering(
+        guide, shape.skull, shape.skull.y - 0.1F * s, shape.skull.y + 0.14F * s, BodyRegion::Head,
+        [&](Vec3 p) { return hair(shape, p); }, skin));
+  return all;
 }
 
 const std::vector<Dressed>& guides() {
-  static const std::vector<Dressed> made(figures.begin(), figures.end());
+  static const std::vector<Dressed> made = [] {
+    std::vector<Dressed> all;
+    all.reserve(figures.size());  // each is referred to by what is made from it
+    for (const Figure& figure : figures) all.emplace_back(figure);
+    return all;
+  }();
   return made;
 }
 
@@ -152,25 +149,111 @@ TEST(EachGarment, HangsAsItWasModelled) {
   }
 }
 
-/// How far a guide's legs are at most outside of its garment in a clip: metres.
-float furthest_outside(const Dressed& guide, const gait::GaitRecipe& recipe) {
+/// How far what is covered comes out at most in a clip: metres.
+float furthest_outside(const Dressed& guide, std::vector<Covering>& coverings,
+                       const gait::GaitRecipe& recipe) {
   const MotionClip clip = gait::make_gait_clip(recipe);
-  Skirt skirt(guide);
   float furthest = 0;
   test::PosedBody body(guide.mesh, guide.skeleton);
   for (std::size_t frame = 0; frame < clip.root.size(); ++frame) {
     body.swing(clip, frame, 1 / clip.frame_rate);
-    if (frame % 12 == 0) furthest = std::max(furthest, depth_outside(guide, body, skirt));
+    if (frame % 12 != 0) continue;
+    for (Covering& covering : coverings) {
+      covering.surface.hang(body);
+      furthest = std::max(furthest, test::depth_outside(covering.places, body, covering.surface));
+    }
   }
   return furthest;
 }
 
 TEST(EachGarment, CoversItsLegsInEveryShippedClip) {
   NEEDS_SPEED();
-  for (const Dressed& guide : guides())
+  for (const Dressed& guide : guides()) {
+    std::vector<Covering> legs;
+    legs.push_back(legs_of(guide));
     for (const gait::GaitRecipe& recipe : gait::default_clips())
-      EXPECT_LE(furthest_outside(guide, recipe), 0.005F)
+      EXPECT_LE(furthest_outside(guide, legs, recipe), 0.005F)
           << guide.shape.figure.name << " in " << recipe.name;
+  }
+}
+
+TEST(ScarfBeardAndCurls, LieOverTheBodyInEveryShippedClip) {
+  NEEDS_SPEED();
+  std::size_t worn = 0;
+  for (const Dressed& guide : guides()) {
+    std::vector<Covering> coverings = worn_on_head(guide);
+    worn += coverings.size();
+    for (const Covering& covering : coverings) {
+      EXPECT_GT(covering.places.size(), 50U) << guide.shape.figure.name;
+      EXPECT_GT(covering.surface.size(), 100U) << guide.shape.figure.name;
+    }
+    if (coverings.empty()) continue;
+    for (const gait::GaitRecipe& recipe : gait::default_clips())
+      EXPECT_LE(furthest_outside(guide, coverings, recipe), 0.005F)
+          << guide.shape.figure.name << " in " << recipe.name;
+  }
+  EXPECT_EQ(worn, 4U);
+}
+
+/// A part of the drapery of one guide, and how far its nodes swing at most, in metres, ...
+struct Swinging {
+  std::string_view name;
+  float least, most;
+};
+
+/// ... from where they are carried, while a clip goes on and then while its last frame lasts.
+struct Swung {
+  float walking = 0, standing = 0;
+};
+
+template <typename Part>
+Swung swung(const Dressed& guide, const Part& part, const MotionClip& clip, std::size_t stride) {
+  test::PosedBody body(guide.mesh, guide.skeleton);
+  const double seconds = static_cast<double>(stride) / clip.frame_rate;
+  Swung swung;
+  const auto furthest = [&] {
+    float most = 0;
+    for (std::size_t n = part.first; n < part.first + part.size(); ++n)
+      most = std::max(most, glm::distance(body.cloth().place[n], body.cloth().carried[n]));
+    return most;
+  };
+  for (std::size_t frame = 0; frame < clip.root.size(); frame += stride) {
+    body.swing(clip, frame, seconds);
+    swung.walking = std::max(swung.walking, furthest());
+  }
+  for (double stood = 0; stood < 2.5; stood += seconds)
+    body.swing(clip, clip.root.size() - 1, seconds);
+  swung.standing = furthest();
+  return swung;
+}
+
+template <typename Part>
+void expect_swinging(const Dressed& guide, const Part& part, const Swinging& expected) {
+  ASSERT_GT(part.size(), 0U);
+  const MotionClip clip = gait::make_gait_clip(gait::default_clips()[1]);
+  const Swung smooth = swung(guide, part, clip, 1);
+  EXPECT_GT(smooth.walking, expected.least) << expected.name;
+  EXPECT_LT(smooth.walking, expected.most) << expected.name;
+  EXPECT_LT(smooth.standing, 0.001F) << expected.name;
+  for (const std::size_t stride : {2U, 4U})
+    EXPECT_NEAR(swung(guide, part, clip, stride).walking, smooth.walking, 0.3F * smooth.walking)
+        << expected.name << ", every " << stride << " frames";
+}
+
+TEST(ScarfBeardAndCurls, LagWhileTheirGuideWalksAndSettleWhereItStands) {
+  NEEDS_SPEED();
+  for (const Dressed& guide : guides()) {
+    const Drapery drapery = drapery_of(guide.shape);
+    ASSERT_EQ(guide.mesh.cloth.node.size(), drapery.size()) << guide.shape.figure.name;
+    if (guide.shape.figure.headwear == Headwear::Scarf) {
+      expect_swinging(guide, drapery.behind, {"scarf, behind", 0.006F, 0.08F});
+      expect_swinging(guide, drapery.before, {"scarf, before", 0.002F, 0.03F});
+    }
+    if (guide.shape.figure.face.beard > 0)
+      expect_swinging(guide, drapery.beard, {"beard", 0.001F, 0.008F});
+    if (guide.shape.figure.hair == Hair::Curls)
+      expect_swinging(guide, drapery.curls, {"curls", 0.002F, 0.012F});
+  }
 }
 
 }  // namespace

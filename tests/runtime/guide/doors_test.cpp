@@ -106,6 +106,29 @@ TEST(ADoor, IsPassedInItsMiddleByTheShortestWayToo) {
   EXPECT_GT(seen.nearest, 0);
 }
 
+/// Another comes from the other side, sooner or later.
+TEST(ADoor, ThatIsPushedDoesNotGoAheadOfTheHandOfWhoIsHeldUp) {
+  for (const double width : {1.2, 2.0})
+    for (const double later : {0.0, 0.5, 1.0, 1.5, 2.0}) {
+      SCOPED_TRACE(testing::Message() << width << " m, " << later << " s later");
+      const Doorway it = test::walled_doorway(DoorOpens::Push,
+                                              width > 1.5 ? DoorHinge::Both : DoorHinge::A, width);
+      Walker walker(it, 2);
+      const std::uint32_t one = walker.enters(it.place(-4, 0, 1));
+      const std::uint32_t other = walker.enters(it.place(4.5, 0.3, -1));
+      Passage seen;
+      walker.crowd.send(one, 0, it.place(3, -1, 1), RouteKind::Shortest);
+      for (int i = 0; i < 60 * later; ++i) walker.step(one, 1.0 / 60, seen);
+      walker.crowd.send(other, 0, it.place(-3, 1, -1), RouteKind::Shortest);
+      for (int i = 0; i < 60 * 30; ++i) walker.step(one, 1.0 / 60, seen);
+      EXPECT_TRUE(walker.crowd[one].has_arrived);
+      EXPECT_TRUE(walker.crowd[other].has_arrived);
+      EXPECT_LE(seen.farthest_hand, 0.02);
+      EXPECT_LT(seen.ahead_of_hand, 1e-3);
+      EXPECT_FALSE(holds(walker.crowd[one].avatar.manner));
+    }
+}
+
 TEST(ADoor, SlowsWhoComesToIt) {
   const auto seconds_through = [](DoorOpens opens) {
     const Doorway it = doorway(opens);

@@ -144,6 +144,7 @@ void Walker::step(std::uint32_t who, double frame, Passage& seen) {
     seen.hardest = std::max(seen.hardest, std::abs(opened / frame - rates_[i]) / frame);
     rates_[i] = opened / frame;
     if (opened < 1e-5) continue;
+    if (leaf.push && leaf.push->grasp && !is_pushed_by_hand(leaf)) seen.ahead_of_hand += opened;
     if (!holds) {
       seen.turned_by_itself += opened;
       if (seen.by_hand == 0) seen.before_hand += opened;
@@ -158,6 +159,11 @@ void Walker::step(std::uint32_t who, double frame, Passage& seen) {
   if (moved == 0) return;
   seen.farthest_hand = std::max(seen.farthest_hand, nearest_bar);
   seen.by_hand += moved;
+}
+
+bool Walker::is_pushed_by_hand(const Leaf& leaf) const {
+  const Avatar& avatar = crowd[leaf.push->who].avatar;
+  return palm_to_bar(avatar, leaf.push->grasp->side, leaf) <= 0.02;
 }
 
 /// From the middle of the palm to the surface of the bar, on the side where the palm is.

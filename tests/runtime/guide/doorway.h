@@ -33,8 +33,9 @@ struct Passage {
   double by_hand = 0;           ///< ... radians or metres that one did, of one leaf, ...
   double before_hand = 0;       ///< ... that it opened before there was a hand on it, ...
   double turned_by_itself = 0;  ///< ... and that leaves opened without one.
-  double nearest = 1e9;         ///< Metres between bones and leaves, less their thickness.
-  double most_open = 0;         ///< Radians or metres.
+  double ahead_of_hand = 0;  ///< Radians that a leaf went ahead of the hand of who pushes it, ...
+  double nearest = 1e9;      ///< Metres between bones and leaves, less their thickness.
+  double most_open = 0;      ///< Radians or metres.
   double held_seconds = 0;
   double hardest = 0;              ///< The largest change of a leaf's rate between two frames.
   bool hand_went_through = false;  ///< Of a leaf: an elbow, a wrist or a finger.
@@ -56,6 +57,7 @@ class Walker {
 
  private:
   double palm_to_bar(const Avatar& avatar, Side side, const Leaf& leaf) const;
+  bool is_pushed_by_hand(const Leaf& leaf) const;
   void look_at_feet(const Avatar& avatar, Passage& seen);
   void look_at_arms(const Avatar& avatar, const std::vector<bool>& is_arm, double frame,
                     Passage& seen);

@@ -128,6 +128,28 @@ TEST(Cloth, StaysFiniteWhateverHappens) {
   for (std::size_t n = 0; n < 3; ++n) EXPECT_LT(glm::length(apron.hangs_off(n)), 0.3F);
 }
 
+/// Nodes are moved four at a time, from the top down.
+TEST(Cloth, SwingsEachStripAsIfItWereAlone) {
+  Apron alone, five;
+  const std::vector<ClothNode> strip = alone.node;
+  for (std::uint8_t more = 1; more < 5; ++more)
+    for (ClothNode node : strip) {
+      if (node.above != ClothNode::none)
+        node.above = static_cast<std::uint8_t>(node.above + 3 * more);
+      five.node.push_back(node);
+    }
+  five.palette.resize(2 + five.node.size(), Mat4(1));
+  five.motion = make_cloth_motion(five.node.size());
+
+  alone.swing_for(2, 1.0 / 60);
+  five.swing_for(2, 1.0 / 60);
+
+  for (std::size_t n = 0; n < five.node.size(); ++n) {
+    EXPECT_EQ(five.hangs_off(n), alone.hangs_off(n % 3)) << n;
+    EXPECT_EQ(five.palette[2 + n], alone.palette[2 + n % 3]) << n;
+  }
+}
+
 TEST(Cloth, DoesNotAllocate) {
   Apron apron;
   const std::size_t before = test::allocation_count();
