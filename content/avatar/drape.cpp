@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <type_traits>
@@ -133,8 +134,8 @@ Sheet long_hair_of(const BodyShape& body) {
 }
 
 /// What hangs of a headscarf on one side of the body: chains across it.
-Sheet scarf_of(const BodyShape& body, float side, std::vector<float> across,
-               std::vector<float> height) {
+Sheet scarf_of(const BodyShape& body, float side, std::initializer_list<float> across,
+               std::initializer_list<float> height) {
   if (body.figure.headwear != Headwear::Scarf) return {};
   const float s = body.scale;
   Sheet sheet{.stiffness = 90, .tension = 40};
