@@ -28,6 +28,6 @@ packages_image=(dosfstools e2fsprogs fdisk grub-common grub-efi-amd64-bin mmdebs
 # For the preset bench only: what the paths are compared with.
 packages_bench=(librecast-dev)
 # ffmpeg makes the films that a test looks at, by the command that staff are told: for .ci only; elsewhere that test is skipped.
-packages_check=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev libclang-19-dev llvm-19-dev ffmpeg)
+packages_check=(clang-19 lld-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev libclang-19-dev llvm-19-dev ffmpeg)
 # promtool tries the alerts: 100 MB, and a server that starts on a desk, so for .ci only; elsewhere that test is skipped.
 packages_alerts=(prometheus)
