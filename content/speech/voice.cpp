@@ -163,10 +163,12 @@ std::map<std::string, std::string> voice_files(std::string_view listed) {
 }
 
 Espeak Espeak::find(const std::string& program) {
+  // All names are bound at once: one that asks more of its player than ours knows gets its own.
   std::string libraries = folder_of_no_player();
-  Outcome outcome = run_program({program, "--version"}, {}, patience, most_output, libraries);
-  if (outcome.kind == Outcome::Kind::Ended && outcome.status != 0) {
-    libraries.clear();  // one that asks more of its player
+  Outcome outcome = run_program({"env", "LD_BIND_NOW=1", program, "--version"}, {}, patience,
+                                most_output, libraries);
+  if (outcome.kind != Outcome::Kind::Ended || outcome.status != 0) {
+    libraries.clear();
     outcome = run_program({program, "--version"}, {}, patience);
   }
   const std::string line = first_line(outcome.output);
