@@ -72,6 +72,7 @@ Result<Program> link_program(std::string_view name, std::initializer_list<std::s
   program.use();
   bind_sampler(program, "image", Unit::Image);
   bind_sampler(program, "light_map", Unit::LightMap);
+  bind_sampler(program, "shade_map", Unit::ShadeMap);
   bind_sampler(program, "shadow_atlas", Unit::ShadowAtlas);
   bind_sampler(program, "wall_levels", Unit::WallLevels);
   return program;

@@ -11,7 +11,7 @@
 namespace docent::gles {
 
 /// Texture units. Each sampler is bound to the unit of its name, once, when its program is linked.
-enum class Unit : GLuint { Image, LightMap, ShadowAtlas, WallLevels };
+enum class Unit : GLuint { Image, LightMap, ShadeMap, ShadowAtlas, WallLevels };
 
 /// Binding points of the uniform blocks.
 enum class Block : GLuint { Frame, Avatars, Looks };

@@ -254,6 +254,8 @@ void Renderer::Parts::prepare(const Shot& shot, PixelSize pixels) noexcept {
   avatars.prepare(shot.list, shot.held.body, shot.sun, pixels);
   bind_texture(static_cast<GLuint>(Unit::LightMap),
                shot.building ? shot.building->lightmap.get() : 0);
+  bind_texture(static_cast<GLuint>(Unit::ShadeMap),
+               shot.building ? shot.building->shade_map.get() : 0);
   buffer.fit(pixels);
 }
 

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -71,17 +72,20 @@ TEST(TheWholeProgram, IsAtMost120MegabytesOnAScreenOf1080Lines) {
   EXPECT_LE(test::number_in(test::text_of(visit.file("stats.json")), "rss_mb"), 120);
 }
 
-/// In the middle of a visit of three ways and three languages, beside a program that draws nothing.
+/// At the end of a visit with an arrival, three languages, five ways of three kinds, and speech,
+/// beside a program that draws nothing.
 TEST(TheWholeProgram, KeepsAtMost60MegabytesForItself) {
 #ifndef NDEBUG
   GTEST_SKIP() << "what is released is";
 #endif
   const test::VisitRun visit(
-      "1 tap @exhibit:tripod-ding\n3 tap @exhibit:tripod-ding\n6 tap @language:zh\n8 tap "
-      "@route:skeleton\n"
-      "12 tap @language:ar\n14 tap @route:offset\n18 tap @language:en\n20 quit\n");
+      "1 tap @exhibit:tripod-ding\n3 tap @walk\n4 tap @speak\n16 tap @language:zh\n"
+      "18 tap @exhibit:jade-disc\n20 tap @route:skeleton\n24 tap @language:ar\n"
+      "26 tap @exhibit:fish-mosaic\n28 tap @route:offset\n32 tap @language:en\n34 quit\n");
   const test::ProgramRun run =
-      visit.play("--stats '" + visit.file("stats.json").string() + "'", "1920x1080");
+      visit.play("--stats '" + visit.file("stats.json").string() + "' --speech '" +
+                     visit.file("speech.txt").string() + "'",
+                 "1920x1080");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const test::ProgramRun empty = test::run_program("empty_egl", "");
   ASSERT_EQ(empty.exit_code, 0) << empty.err;
@@ -90,7 +94,8 @@ TEST(TheWholeProgram, KeepsAtMost60MegabytesForItself) {
   const double own = test::number_in(stats, "anonymous_mb") - std::stod(empty.out);
   RecordProperty("own_megabytes", std::to_string(own));
   EXPECT_LE(own, 60);
-  EXPECT_GE(test::number_in(stats, "routes"), 3);
+  EXPECT_EQ(test::number_in(stats, "routes"), 5);
+  EXPECT_GT(std::filesystem::file_size(visit.file("speech.txt")), 500) << "it spoke";
 }
 
 }  // namespace
