@@ -11,6 +11,7 @@
 #include "platform/gles/extent.h"
 #include "platform/gles/holdings_parts.h"
 #include "platform/gles/object_pass.h"
+#include "platform/gles/one_of_each.h"
 #include "platform/gles/panel_pass.h"
 #include "platform/gles/program.h"
 #include "platform/gles/quad_pass.h"
@@ -354,43 +355,17 @@ bool Renderer::is_coarse() const noexcept {
 }
 
 /// A driver that compiles shaders for the state they are used in does so here and not in a frame.
-void Renderer::warm_up(Holdings& holdings, const RenderTarget& target) {
-  // Not 1 by 1: where sides are powers of two llvmpipe has code of its own.
-  const Pixels dot{3, 3, std::vector<std::byte>(36, std::byte{255})};
-  const std::vector<std::uint8_t> coverage(9, 255);
-  constexpr auto image = static_cast<scene::TextureId>(Textures::most);
-  constexpr auto text = static_cast<scene::TextureId>(Textures::most - 1);
-  holdings.add_image(image, dot);
-  holdings.add_text(text, 3, 3, coverage);
-  scene::DrawList list;
-  list.camera.eye = {0, 10, 0};
-  list.walls.any = true;
-  list.walls.level.resize(std::size_t{scene::WallLevels::side} * scene::WallLevels::side);
-  list.leaves.emplace_back();
-  list.ribbon_point = {{0, 0}, {1, 0}};
-  list.ribbons.emplace_back();
-  list.ribbons.back().count = 2;
-  list.ribbons.back().length = 1;
-  list.markers.emplace_back();
-  list.objects.emplace_back();
-  list.palette.assign(most_joints, Mat4(1));
-  list.avatars.emplace_back();
-  for (const scene::QuadFill fill :
-       {scene::QuadFill::Solid, scene::QuadFill::Text, scene::QuadFill::Image}) {
-    scene::Quad quad;
-    quad.rect = {0, 0, 1, 1};
-    quad.fill = fill;
-    quad.texture = fill == scene::QuadFill::Text ? text : image;
-    list.quads.push_back(quad);
-  }
-  draw(list, holdings, target, {}, 0.5F);
-  draw(list, holdings, target);
+/// It draws in a corner of the target: what is compiled is the same.
+void Renderer::warm_up(RenderTarget target) {
+  constexpr PixelSize corner{150, 90};
+  target.size = corner;
+  const OneOfEach each = one_of_each();
+  draw(each.list, each.holdings, target, {}, 0.5F);
+  draw(each.list, each.holdings, target);
   glFinish();
   parts_->drawn = {};
   parts_->panel.forget();
   parts_->forget_coarse_picture();
-  holdings.release(image);
-  holdings.release(text);
 }
 
 Result<Renderer> make_renderer(const RendererOptions& options) {

@@ -30,9 +30,9 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Draws one of everything into the target, so that the driver has compiled what frames need.
-  /// `holdings` have their buildings and their body. Takes about a third of a second on a CPU.
-  void warm_up(Holdings& holdings, const RenderTarget& target);
+  /// Draws one of everything into a corner of the target, so that the driver has compiled what
+  /// frames need. Takes about a tenth of a second on a CPU.
+  void warm_up(RenderTarget target);
 
   /// Draws into the target what differs from the list before, which was drawn into it, too; all of
   /// it where there was none.

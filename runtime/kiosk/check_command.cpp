@@ -26,9 +26,9 @@ int check(const CheckOptions& options) {
   const Result<Selection> selection = selection_of(*config.value);
   if (!selection) return say(selection.error());
   const std::string& database = options.database;
-  const Result<Museum> museum = read_museum(database, *selection);
-  if (!museum) return say(museum.error(), journal::Message::Refused);
-  fmt::print("{}: can be shown: {}\n", database, summary(*museum));
+  const Result<ReadMuseum> read = read_museum(database, *selection);
+  if (!read) return say(read.error(), journal::Message::Refused);
+  fmt::print("{}: can be shown: {}\n", database, summary(read->museum));
   return 0;
 }
 

@@ -147,29 +147,28 @@ Result<Selection> selection_of(const config::KioskConfig& config) {
   return Selection{.keys = std::move(*keys), .kiosk = config.kiosk};
 }
 
-Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
-                           ContentFacts* facts) {
+Result<ReadMuseum> read_museum(const std::filesystem::path& database, const Selection& selection) {
   const Result<sqlite::Database> file = sqlite::open_database(database, schema::largest_shown);
   if (!file) return std::unexpected(file.error());
   if (!selection.keys.empty())
     if (const auto trusted = sqlite::check_signature(*file, database, selection.keys); !trusted)
       return std::unexpected(trusted.error());
   Result<Museum> museum = sqlite::read_museum(*file, database, sqlite::Videos::LeaveInFile);
-  if (museum && museum->floors.empty())
+  if (!museum) return std::unexpected(museum.error());
+  if (museum->floors.empty())
     return std::unexpected(
         Error{Errc::Damaged, database.string() + ": it has no floor; recompile the content"});
-  if (museum && !selection.kiosk.empty() && !stand_at(*museum, selection.kiosk))
+  if (!selection.kiosk.empty() && !stand_at(*museum, selection.kiosk))
     return std::unexpected(no_such_kiosk(*museum, selection.kiosk, database));
   if (museum && !museum->kiosks.empty() && museum->kiosks.front().id != selection.kiosk)
     plan::order_tours(*museum);
-  if (museum && facts != nullptr)
-    *facts = {.path = database,
-              .museum = std::string(interface::in_language(*museum, 0, museum->title)),
-              .checksum = sqlite::checksum_text(*file),
-              .schema = schema::version,
-              .signature = signed_by(*file, selection),
-              .written = written_at(database)};
-  return museum;
+  ContentFacts facts{.path = database,
+                     .museum = std::string(interface::in_language(*museum, 0, museum->title)),
+                     .checksum = sqlite::checksum_text(*file),
+                     .schema = schema::version,
+                     .signature = signed_by(*file, selection),
+                     .written = written_at(database)};
+  return ReadMuseum{.museum = std::move(*museum), .content = std::move(facts)};
 }
 
 std::string summary(const Museum& museum) {
@@ -232,18 +231,14 @@ std::vector<std::unique_ptr<VideoPlayer>> video_players(const Exhibition& exhibi
 
 }  // namespace
 
-Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
-                                                    const Selection& selection,
+Result<std::unique_ptr<Exhibition>> make_exhibition(ReadMuseum read, const Selection& selection,
                                                     const guide::GuideSettings& settings) {
-  ContentFacts content;
-  Result<Museum> museum = read_museum(database, selection, &content);
-  if (!museum) return std::unexpected(museum.error());
-  Result<interface::SetText> set_text = pango::make_text_setter(&*museum);
+  Result<interface::SetText> set_text = pango::make_text_setter(&read.museum);
   if (!set_text) return std::unexpected(set_text.error());
 
   auto exhibition = std::make_unique<Exhibition>();
-  exhibition->museum = std::move(*museum);
-  exhibition->content = std::move(content);
+  exhibition->museum = std::move(read.museum);
+  exhibition->content = std::move(read.content);
   exhibition->set_text = *set_text;
   keep_what_is_walked(exhibition->museum);
   exhibition->sounds = leave_sounds_on_disk(exhibition->content, exhibition->museum.speech);
@@ -281,6 +276,14 @@ Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path&
     for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
   give_back_freed_memory();  // What the making took, as long as another museum is shown beside it.
   return exhibition;
+}
+
+Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
+                                                    const Selection& selection,
+                                                    const guide::GuideSettings& settings) {
+  Result<ReadMuseum> read = read_museum(database, selection);
+  if (!read) return std::unexpected(read.error());
+  return make_exhibition(std::move(*read), selection, settings);
 }
 
 bool upload_next(Exhibition& exhibition) {

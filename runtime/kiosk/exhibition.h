@@ -57,14 +57,21 @@ struct Selection {
 /// As the settings say; fails where a key cannot be read.
 Result<Selection> selection_of(const config::KioskConfig& config);
 
+/// A museum, and the database that it was read from.
+struct ReadMuseum {
+  Museum museum;
+  ContentFacts content;
+};
 /// Reads a museum that can be shown, as this device shows it, but for its videos, which stay in the
-/// file; and writes down of which database, where `facts` are wanted. Fails with a sentence.
-Result<Museum> read_museum(const std::filesystem::path& database, const Selection& selection,
-                           ContentFacts* facts = nullptr);
+/// file. Fails with a sentence.
+Result<ReadMuseum> read_museum(const std::filesystem::path& database, const Selection& selection);
 /// What a museum is, in a line for the journal: its title and how much it holds.
 std::string summary(const Museum& museum);
 
-/// Reads a database and makes all of it ready. Takes a while, so do not call on the frame thread.
+/// Makes all of it ready. Takes a while, so do not call on the frame thread.
+Result<std::unique_ptr<Exhibition>> make_exhibition(ReadMuseum read, const Selection& selection,
+                                                    const guide::GuideSettings& settings);
+/// Reads a database, and that.
 Result<std::unique_ptr<Exhibition>> load_exhibition(const std::filesystem::path& database,
                                                     const Selection& selection,
                                                     const guide::GuideSettings& settings);

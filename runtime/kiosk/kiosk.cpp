@@ -6,6 +6,8 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
+#include <future>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -115,7 +117,8 @@ class Kiosk {
     database_ = options.content.value_or(config.content);
   }
 
-  Result<void> open(const std::optional<Visit>& visit);
+  /// `reading`: the database, which was begun before there was a screen.
+  Result<void> open(const std::optional<Visit>& visit, std::future<Result<ReadMuseum>> reading);
   Result<void> run(FrameGuard& guard);
   /// Have staff ended it, not to be started again?
   bool was_ended_by_staff() const noexcept { return staff_.wants_exit(); }
@@ -159,6 +162,9 @@ class Kiosk {
   FrameFacts facts_of_frame(guide::Seconds passed) noexcept;
   Result<void> frame();
   void heed_closures();
+  using Read = std::function<Result<ReadMuseum>()>;
+  ChangeOver::Load loader(Read read) const;
+  /// Reads the database, and that.
   ChangeOver::Load loader() const;
   void take_up_content();
   void change_to(std::unique_ptr<Exhibition> next);
@@ -191,14 +197,17 @@ class Kiosk {
   std::optional<std::chrono::nanoseconds> touched_;  ///< When input of this frame was taken.
 };
 
-Result<void> Kiosk::open(const std::optional<Visit>& visit) {
+Result<void> Kiosk::open(const std::optional<Visit>& visit,
+                         std::future<Result<ReadMuseum>> reading) {
   Result<Selection> selection = selection_of(config_);
   if (!selection) return std::unexpected(selection.error());
   selection_ = std::move(*selection);
   selection_.today = options_.today.value_or(database_.parent_path() / "today.toml");
   selection_.is_simulated = simulated_;
   notice_.starts("reads the database");
-  auto exhibition = loader()();
+  auto loading = std::async(std::launch::async, loader([&] { return reading.get(); }));
+  presenter_.renderer().warm_up(presenter_.target());
+  auto exhibition = loading.get();
   if (!exhibition && waits_for_content())
     exhibition = wait_for_content(
         edges_, presenter_.renderer(), notice_, database_, exhibition.error(),
@@ -212,7 +221,6 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit) {
   notice_.starts("draws the first frame");
   teller_.shows(*exhibition_, wanted_visitors());
   upload(*exhibition_);
-  presenter_.renderer().warm_up(exhibition_->holdings, presenter_.target());
   if (config_.night) tzset();  // takes memory, which a frame may not
   prepare_allocator_for(Phase::Frames);
   return {};
@@ -369,14 +377,26 @@ void Kiosk::make_frame(guide::Seconds passed) noexcept {
   presenter_.keep(facts);
 }
 
-/// Reads the database as this device shows it.
-ChangeOver::Load Kiosk::loader() const {
-  return [file = database_, selection = selection_, settings = guide_settings()] {
+/// Makes ready what was read, as this device shows it.
+ChangeOver::Load Kiosk::loader(Read read) const {
+  return [read = std::move(read), file = database_, selection = selection_,
+          settings = guide_settings()] {
     Result<std::unique_ptr<Exhibition>> loaded = std::unexpected(
         Error{Errc::Environment, file.string() + ": was not taken up; the one before it is shown"});
-    guarded("reading a database", [&] { loaded = load_exhibition(file, selection, settings); });
+    guarded("reading a database", [&] {
+      Result<ReadMuseum> museum = read();
+      if (museum)
+        loaded = make_exhibition(std::move(*museum), selection, settings);
+      else
+        loaded = std::unexpected(museum.error());
+    });
     return loaded;
   };
+}
+
+ChangeOver::Load Kiosk::loader() const {
+  return loader(
+      [file = database_, selection = selection_] { return read_museum(file, selection); });
 }
 
 /// SIGHUP takes up a new database, which is made ready beside the frames. One that cannot be read
@@ -431,6 +451,11 @@ int open_and_run(const Options& options, const config::KioskConfig& config,
                  const std::optional<Visit>& visit, ServiceNotice& notice,
                  std::chrono::nanoseconds started) {
   notice.starts("opens the screen");
+  auto reading = std::async(std::launch::async, [&]() -> Result<ReadMuseum> {
+    const Result<Selection> selection = selection_of(config);
+    if (!selection) return std::unexpected(selection.error());
+    return read_museum(options.content.value_or(config.content), *selection);
+  });
   EdgeSettings settings = edge_settings(options, config);
   const PosterFile poster = poster_of(options, config, settings);
   bool has_poster = false;
@@ -448,7 +473,8 @@ int open_and_run(const Options& options, const config::KioskConfig& config,
   Presenter presenter(config, *edges, std::move(*renderer),
                       edges->is_own_screen() ? poster : PosterFile{}, has_poster);
   Kiosk kiosk(options, config, *edges, presenter, notice, started);
-  if (const Result<void> opened = kiosk.open(visit); !opened) return say(opened.error());
+  if (const Result<void> opened = kiosk.open(visit, std::move(reading)); !opened)
+    return say(opened.error());
   if (!kiosk.has_museum()) return 0;
   if (const Result<void> ended = kiosk.run(guard); !ended)
     return say(ended.error(), journal::Message::ScreenLost);

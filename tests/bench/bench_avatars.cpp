@@ -121,7 +121,7 @@ int measure(const std::string& database, int frames) {
   }
   kiosk::Exhibition& exhibition = **loaded;
   kiosk::upload(exhibition);
-  renderer->warm_up(exhibition.holdings, (*display)->target());
+  renderer->warm_up((*display)->target());
   const Easel easel{*renderer, exhibition.holdings, **display};
   std::printf("milliseconds a frame at 1920 x 1080     clock      1 avatar       48    ratio\n");
 

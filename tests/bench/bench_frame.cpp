@@ -135,7 +135,7 @@ int measure(const std::string& database, PixelSize size, bool on_panel, int fram
   kiosk::upload(exhibition);
   const Panel panel(size);
   const RenderTarget target = on_panel ? panel.target() : (*display)->target();
-  renderer->warm_up(exhibition.holdings, target);
+  renderer->warm_up(target);
   std::deque<Sequence> sequences;
   const auto record = [&]() -> Sequence& {
     Sequence& sequence = sequences.emplace_back();

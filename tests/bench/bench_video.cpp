@@ -100,7 +100,7 @@ class Kiosk {
             database, kiosk::Selection{},
             {.shape = {.width = full_hd.width, .height = full_hd.height}}))) {
     kiosk::upload(*exhibition_);
-    renderer_.warm_up(exhibition_->holdings, display_->target());
+    renderer_.warm_up(display_->target());
     kiosk::prepare_allocator_for(kiosk::Phase::Frames);
   }
 

@@ -176,7 +176,7 @@ class Kiosk {
         kiosk::load_exhibition(database, kiosk::Selection{},
                                {.shape = shape_of(size_), .idle_reset = guide::Seconds{20}}));
     kiosk::upload(*exhibition_);
-    if (frames_ == 0) renderer_.warm_up(exhibition_->holdings, display_->target());
+    if (frames_ == 0) renderer_.warm_up(display_->target());
     kiosk::prepare_allocator_for(kiosk::Phase::Frames);
     if (counter_) counted_ += kiosk::counts_of(counter_->tally(), counter_->cells());
     counter_.emplace(guide());

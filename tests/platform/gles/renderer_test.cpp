@@ -733,7 +733,7 @@ TEST_F(Rendering, AllocatesNothingInAFrame) {
   scene::Quad panel;
   panel.rect = {0, 0, 0.3F, 1};
   list.quads.push_back(panel);
-  renderer_->warm_up(*holdings_, display_->target());
+  renderer_->warm_up(display_->target());
   drawn(list);
   const RenderTarget target = display_->target();
 
