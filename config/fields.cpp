@@ -234,7 +234,9 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules,
 bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedTexts& value) {
   if (node.kind != TomlNode::Kind::Table)
     return wrong_type(node, rules.key,
-                      fmt::format("given by language: {}.en = \"...\"", rules.key));
+                      rules.form == Form::Keys
+                          ? fmt::format("given by key: {}.KEY = \"...\"", rules.key)
+                          : fmt::format("given by language: {}.en = \"...\"", rules.key));
   for (const TomlEntry& entry : node.entries) {
     if (entry.value.kind == TomlNode::Kind::Table) {
       report(

@@ -14,6 +14,8 @@
 #include "config/letters.h"
 #include "platform/file/read_file.h"
 #include "platform/terminal/suggest.h"
+#include "runtime/input/key_decoder.h"
+#include "runtime/input/keypad_policy.h"
 
 namespace docent::config {
 
@@ -153,6 +155,16 @@ constexpr std::array keypad_fields{
     Field<KeypadSection>{"descriptor", &KeypadSection::descriptor, Presence::Optional,
                          "The number of its report descriptor, so that no other device of those "
                          "numbers is taken for it"},
+    Field<KeypadSection>{
+        "keys",
+        &KeypadSection::keys,
+        Presence::Optional,
+        "What its keys mean, where they send others: keys.F23 = \"LEFT\" for each. "
+        "UP, DOWN, LEFT, RIGHT, ENTER, BACK, HELP, VOLUME_UP, VOLUME_DOWN, 0 to 9 "
+        "and A to Z are heeded; F1 to F24 may be sent, too, and docent hid decode "
+        "tells what is",
+        {},
+        Form::Keys},
 };
 
 /// Takes the `[[keypad]]`s out of the file's root and reads them.
@@ -316,7 +328,7 @@ class KioskSettings {
                                 !is_hexadecimal(id.substr(0, 4)) || !is_hexadecimal(id.substr(5))))
       bad_value(keypad.device.place,
                 "'device' should be two numbers as docent hid list tells them: \"04e7:0022\"",
-                in_small_letters(id) != id
+                in_small_letters(id) != id && input::device_id_from(in_small_letters(id))
                     ? fmt::format("write device = \"{}\", in small letters", in_small_letters(id))
                     : "four figures, a colon, four figures: run docent hid list and copy them");
     const std::string& hash = keypad.descriptor.value;
@@ -324,9 +336,22 @@ class KioskSettings {
       bad_value(keypad.descriptor.place,
                 "'descriptor' should be the sixteen figures that docent hid list tells",
                 "run docent hid list and copy them, or leave the line out");
+    for (const auto& [sent, meant] : keypad.keys.value) check_key(sent, meant);
   }
 
  private:
+  void check_key(const std::string& sent, const Located<std::string>& meant) {
+    constexpr std::string_view hint =
+        "docent hid decode tells what each key sends: UP, ENTER, A, 7, F13, ...";
+    if (input::key_from_string(sent).key == input::Key::None)
+      bad_value({meant.place.file, meant.key}, fmt::format("'{}' is no key's name", sent),
+                std::string(hint));
+    const input::Key key = input::key_from_string(meant.value).key;
+    if (meant.given && (key == input::Key::None || key == input::Key::Function))
+      bad_value(meant.place, fmt::format("'{}' is no key that a kiosk heeds", meant.value),
+                "write UP, DOWN, LEFT, RIGHT, ENTER, BACK, HELP, VOLUME_UP, VOLUME_DOWN, a figure "
+                "or a letter");
+  }
   void add_side(const Located<std::string>& written, KioskConfig& config) {
     const auto names = edges | std::views::keys;
     const auto at = std::ranges::find(names, written.value);

@@ -20,6 +20,8 @@ enum class GlassEdge : std::uint8_t { Bottom, Left, Top, Right };
 struct KeypadSection {
   Located<std::string> device;      ///< "04e7:0022".
   Located<std::string> descriptor;  ///< Sixteen hexadecimal figures, or nothing.
+  /// By the name of a key that it sends, the name of the one that it means (input::KeyName).
+  Located<LocatedTexts> keys;
   Place place;
 };
 

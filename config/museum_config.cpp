@@ -657,7 +657,7 @@ class MuseumLoader {
     if (text.value.find_first_not_of(" \t\r\n") == std::string::npos)
       return error(text.place, "empty-text", fmt::format("{} is empty in '{}'", what, tag), {},
                    "write it, or leave out the text in every language");
-    for (const TextFault& fault : faults_of(text.value, room))
+    for (const TextFault& fault : faults_of(text.value, fonts_of(config_), room))
       warning(text.place, fault.code,
               fmt::format("{} {} in '{}'{}", what, fault.what, tag, fault.why), fault.hint);
   }

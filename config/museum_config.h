@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/located.h"
+#include "config/text_faults.h"
 #include "runtime/model/exhibit/exhibit.h"
 #include "runtime/model/geometry/vec2.h"
 
@@ -219,6 +220,12 @@ Loaded<WordsFile> load_words(const std::filesystem::path& file, const std::strin
 /// What tours name that is no exhibit, each with its place. With a [source] that is known only once
 /// its objects are read; without one the loader has asked already.
 std::vector<Diagnostic> unknown_exhibits(const MuseumConfig& config);
+
+/// Which fonts the museum's texts are set in.
+inline Fonts fonts_of(const MuseumConfig& config) noexcept {
+  return config.look.text_font.value.empty() && config.look.title_font.value.empty() ? Fonts::Kiosk
+                                                                                     : Fonts::Own;
+}
 
 /// The floor that a name stands for: an index into config.floors. An empty name is the first.
 std::size_t floor_index(const MuseumConfig& config, const std::string& name);

@@ -8,6 +8,7 @@
 
 #include "config/letters.h"
 #include "config/look_alike.h"
+#include "config/shown_letters.h"
 #include "platform/file/text_encoding.h"
 
 namespace docent::config {
@@ -117,14 +118,20 @@ bool is_name(std::string_view text) {
 
 }  // namespace
 
-std::optional<UnshownLetter> unshown_letter(std::string_view text) {
+std::optional<UnshownLetter> unshown_letter(std::string_view text, Fonts fonts) {
+  constexpr Block missing{0, 0, "the letter",
+                          "write it otherwise, or name fonts that have it: [look] text_font"};
   while (!text.empty()) {
     const char32_t letter = take_letter(text);
-    for (const Block& block : unshown)
-      if (letter >= block.first && letter <= block.last)
-        return UnshownLetter{
-            fmt::format("{} U+{:04X}", block.name, static_cast<std::uint32_t>(letter)),
-            std::string(block.hint)};
+    const auto* block = std::ranges::find_if(unshown, [letter](const Block& each) {
+      return letter >= each.first && letter <= each.last;
+    });
+    if (block == unshown.end() && (fonts == Fonts::Own || letter == '\n' || letter == '\r' ||
+                                   letter == '\t' || is_shown(letter)))
+      continue;
+    if (block == unshown.end()) block = &missing;
+    return UnshownLetter{fmt::format("{} U+{:04X}", block->name, std::uint32_t{letter}),
+                         std::string(block->hint)};
   }
   return {};
 }
@@ -171,9 +178,9 @@ std::size_t room_of(std::string_view text) {
   return room + of_line;
 }
 
-std::vector<TextFault> faults_of(std::string_view text, std::size_t room) {
+std::vector<TextFault> faults_of(std::string_view text, Fonts fonts, std::size_t room) {
   std::vector<TextFault> faults;
-  if (const auto letter = unshown_letter(text))
+  if (const auto letter = unshown_letter(text, fonts))
     faults.push_back({"unshown-letter", "holds " + letter->name,
                       ", which a kiosk has no letters for", letter->hint});
   if (const std::string_view tag = markup_in(text); !tag.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
@@ -16,10 +17,14 @@ struct UnshownLetter {
   std::string hint;
 };
 
-/// The first letter of a text (UTF-8) that no font of a kiosk holds: emoji, letters of private use,
-/// control characters, and the mark of a letter that was lost. The answer is the same on every
-/// machine, whatever fonts it has.
-std::optional<UnshownLetter> unshown_letter(std::string_view text);
+/// Which fonts a text is set in: a kiosk's alone, or a museum's own, too, of which only who reads
+/// them knows what letters they have.
+enum class Fonts : std::uint8_t { Kiosk, Own };
+
+/// The first letter of a text (UTF-8) that no font of a kiosk holds (shown_letters.h), nor may:
+/// emoji, letters of private use, control characters, and the mark of a letter that was lost. The
+/// answer is the same on every machine, whatever fonts it has.
+std::optional<UnshownLetter> unshown_letter(std::string_view text, Fonts fonts = Fonts::Kiosk);
 
 /// Something about a text that visitors would stumble over: "holds the emoji U+1F3DB" and ", which
 /// a kiosk has no letters for".
@@ -39,7 +44,7 @@ inline constexpr std::size_t room_for_title = 80, room_for_text = 500;
 /// Letters that no kiosk shows, markup of web pages, letters of a wrong encoding ("CafÃ©" for
 /// "Café"), question marks where letters were, and more than there is room for. UTF-8; any bytes
 /// are answered.
-std::vector<TextFault> faults_of(std::string_view text,
+std::vector<TextFault> faults_of(std::string_view text, Fonts fonts,
                                  std::size_t room = std::numeric_limits<std::size_t>::max());
 
 /// What "CafÃ©" was before its UTF-8 was taken for Windows-1252; empty where that is not what

@@ -67,7 +67,7 @@ room(platform/pango USES ${model} runtime/interface platform LIBRARIES fmt/ font
 room(platform/pin USES ${model} LIBRARIES sodium/)
 room(platform/sqlite USES ${model} runtime/schema platform platform/signature LIBRARIES fmt/ sodium sqlite3.h)
 room(platform/x11 USES ${model} runtime/input platform platform/clock platform/egl LIBRARIES fmt/ EGL/ xcb/ ${posix})
-room(config USES ${model} platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)
+room(config USES ${model} runtime/input platform/file platform/terminal LIBRARIES fmt/ nlohmann/ toml++/)
 
 # The compiler. CGAL is a private matter of the rooms that build diagrams and triangulations.
 room(content USES ${model} platform/file)

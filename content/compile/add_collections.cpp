@@ -410,7 +410,8 @@ class CollectionAdder {
     }
     if (taken.empty()) return;
     for (const auto& [language, text] : taken)
-      for (const config::TextFault& fault : config::faults_of(text.value, config::room_for_title))
+      for (const config::TextFault& fault :
+           config::faults_of(text.value, config::fonts_of(config_), config::room_for_title))
         tell(Severity::Warning, place, fault.code,
              fmt::format("the {} of exhibit '{}' {} in '{}'{}", tag.name, exhibit.id.value,
                          fault.what, language, fault.why),
@@ -452,7 +453,8 @@ class CollectionAdder {
     const std::size_t room = what == "title" ? config::room_for_title : config::room_for_text;
     for (const auto& [tag, text] : texts) {
       if (text.place.file != place.file) continue;
-      for (const config::TextFault& fault : config::faults_of(text.value, room))
+      for (const config::TextFault& fault :
+           config::faults_of(text.value, config::fonts_of(config_), room))
         tell(Severity::Warning, text.place, fault.code,
              fmt::format("the {} of exhibit '{}' {} in '{}'{}", what, id, fault.what, tag,
                          fault.why),

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -11,6 +13,9 @@
 #include "config/text_faults.h"
 #include "content/compile/shipped_files.h"
 #include "platform/terminal/suggest.h"
+#include "runtime/interface/phrases.h"
+#include "runtime/interface/plural.h"
+#include "runtime/interface/utterance.h"
 
 namespace docent::compile {
 
@@ -19,6 +24,9 @@ namespace {
 using config::LocatedTexts;
 using config::WordsFile;
 
+/// What begins the words of a distance; a plural form ends them.
+constexpr std::string_view metres = "metres_";
+
 /// Languages that are written from right to left, whatever their script is said to be.
 bool is_written_from_right_to_left(std::string_view tag) {
   constexpr std::array<std::string_view, 10> right_to_left{"ar", "fa", "he", "ur", "ps",
@@ -26,6 +34,25 @@ bool is_written_from_right_to_left(std::string_view tag) {
   const std::string_view language = tag.substr(0, tag.find('-'));
   return std::ranges::find(right_to_left, language) != right_to_left.end() &&
          tag.find("-Latn") == std::string_view::npos;
+}
+
+/// How many numbers that a kiosk says take this word in a language; none where it is not said with
+/// a number.
+std::optional<std::size_t> numbers_of(std::string_view key, std::string_view tag) {
+  const auto count = [&](long most, auto word_of) {
+    std::size_t numbers = 0;
+    for (long n = 1; n <= most; ++n) numbers += word_of(n) == key ? 1 : 0;
+    return numbers;
+  };
+  if (key.starts_with(metres))
+    return count(interface::farthest_spoken, [&](long n) {
+      return std::string(metres).append(interface::plural_form(tag, n));
+    });
+  constexpr std::array<std::string_view, 5> minutes{"time_one", "time_two", "time_few", "time_many",
+                                                    "time_21"};
+  if (std::ranges::find(minutes, key) != minutes.end())
+    return count(interface::longest_spoken, [&](long n) { return interface::time_word(tag, n); });
+  return {};
 }
 
 std::size_t letters_in(std::string_view text) {
@@ -96,7 +123,8 @@ class LanguageAdder {
     check_direction(own);
     if (!own.words.given) return;  // already reported
     for (const auto& [key, word] : wanted_)
-      if (!own.words.value.contains(key) && !known.words.contains(key))
+      if (!own.words.value.contains(key) && !known.words.contains(key) &&
+          numbers_of(key, own.tag) != 0U)
         tell(Severity::Error, own.words.place, "missing-translation",
              fmt::format("the word '{}' is not translated into '{}'", key, own.tag),
              fmt::format("translate from 'en': {} = \"{}\"", key, word.value));
@@ -116,7 +144,9 @@ class LanguageAdder {
 
   void check_word(const std::string& key, const config::Located<std::string>& word,
                   const std::string& tag) {
-    const auto wanted = wanted_.find(key);
+    // English has no zero's form.
+    const auto wanted =
+        wanted_.find(key == "metres_zero" && numbers_of(key, tag) > 0U ? "metres_other" : key);
     if (wanted == wanted_.end()) return tell_unknown(key, word);
     if (word.value.find_first_not_of(" \t\r\n") == std::string::npos)
       return tell(Severity::Error, word.place, "empty-text",
@@ -126,8 +156,8 @@ class LanguageAdder {
       tell(Severity::Error, word.place, "bad-value",
            fmt::format("'digits' holds {} figures, and there are ten", letters_in(word.value)),
            "write all of them from 0 to 9, without blanks: digits = \"0123456789\"");
-    check_placeholders(key, word, wanted->second.value);
-    for (const config::TextFault& fault : config::faults_of(word.value))
+    check_placeholders(key, word, wanted->second.value, tag);
+    for (const config::TextFault& fault : config::faults_of(word.value, config::fonts_of(config_)))
       tell(Severity::Warning, word.place, fault.code,
            fmt::format("the word '{}' {} in '{}'{}", key, fault.what, tag, fault.why), fault.hint);
   }
@@ -142,9 +172,9 @@ class LanguageAdder {
   }
 
   /// What the kiosk fills in, such as {n}, is the same in every language, but for a clock of 24
-  /// hours, which has no halves.
+  /// hours, which has no halves, and the form of a single number, which may be written out.
   void check_placeholders(const std::string& key, const config::Located<std::string>& word,
-                          const std::string& english) {
+                          const std::string& english, const std::string& tag) {
     std::set<std::string> wanted = config::placeholders_of(english);
     const std::set<std::string> used = config::placeholders_of(word.value);
     if (wanted.contains("{half}") && used.contains("{hour_of_day}")) {
@@ -152,6 +182,8 @@ class LanguageAdder {
       wanted.erase("{hour}");
       wanted.insert("{hour_of_day}");
     }
+    const std::optional<std::size_t> numbers = numbers_of(key, tag);
+    if (numbers && *numbers <= 1 && !used.contains("{n}")) wanted.erase("{n}");
     const std::string hint = fmt::format("in English it is: {}", english);
     bool is_told = false;
     for (const std::string& name : used)

@@ -17,6 +17,7 @@
 #include "content/parallel.h"
 #include "content/read_source.h"
 #include "platform/file/read_file.h"
+#include "runtime/model/moving_picture.h"
 #include "runtime/model/scenery_images.h"
 
 namespace docent::compile {
@@ -142,6 +143,17 @@ void tell_of_all_videos(const config::MuseumConfig& config, std::span<const Want
       {}, "make them shorter or smaller, for example with ffmpeg's -b:v 700k")));
 }
 
+/// Of those that hang in the model.
+void make_small_pictures(const config::MuseumConfig& config, unsigned jobs, Museum& museum) {
+  const std::size_t count = scenery_images(museum);
+  const std::uint32_t side = scenery_image_side(count);
+  content::for_each_index(count, jobs, [&](std::size_t i) {
+    EncodedImage& image = museum.images[i];
+    if (!image.bytes.empty() && !is_video(image))
+      image.small = small_picture(config.folder / image.name, image, side);
+  });
+}
+
 /// Exhibits of which visitors see a blank card.
 void report_blank_cards(const config::MuseumConfig& config, Report& report) {
   for (const config::ExhibitSection& exhibit : config.exhibits)
@@ -162,6 +174,7 @@ void compile_images(const config::MuseumConfig& config, Images use, unsigned job
   museum.images.resize(wanted.size());
   content::for_each_index(wanted.size(), jobs,
                           [&](std::size_t i) { load(config, use, wanted[i], museum.images[i]); });
+  if (use == Images::Make) make_small_pictures(config, jobs, museum);
   const std::size_t first = scenery_images(museum);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     tell(config, wanted[i], report);

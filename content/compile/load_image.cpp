@@ -181,6 +181,12 @@ EncodedImage load_image(const std::filesystem::path& file, const std::string& na
   return image;
 }
 
+std::vector<std::byte> small_picture(const std::filesystem::path& file, const EncodedImage& image,
+                                     std::uint32_t side) {
+  if (std::max(image.width, image.height) <= side) return {};
+  return encoded(file, image::shrink(decode(file, image.bytes), side));
+}
+
 void check_image(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = read_bytes(file);
   const file::FileKind kind = kind_of(bytes);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "runtime/model/museum.h"
 
@@ -14,6 +17,12 @@ namespace docent::compile {
 /// become JPEG or PNG, too; of a GIF that moves it is the first frame. `name` is what the museum
 /// calls it. Throws ContentError (`unreadable-image`) where the file is none of these or damaged.
 EncodedImage load_image(const std::filesystem::path& file, const std::string& name);
+
+/// The picture of a file that was loaded, as it hangs in the model with a longest side of so many
+/// pixels: a JPEG (PNG where it is partly clear). Empty where it is as small as that. `file` is for
+/// the sentence of an error.
+std::vector<std::byte> small_picture(const std::filesystem::path& file, const EncodedImage& image,
+                                     std::uint32_t side);
 
 /// Throws as load_image does, and makes nothing: an SVG is drawn as small as a stamp.
 void check_image(const std::filesystem::path& file);

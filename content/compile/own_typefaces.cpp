@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/shown_letters.h"
 #include "content/content_error.h"
 #include "content/import/font/read_font.h"
 #include "content/read_source.h"
@@ -160,7 +161,15 @@ class TypefaceReader {
       const Coverage found = coverage(letters_.of[tag], font);
       const bool leads = found.is_at_least(enough);
       if (leads) typeface.languages.push_back(language);
-      if (leads && !found.missing.empty())
+      std::vector<char32_t> nowhere;
+      std::ranges::copy_if(found.missing, std::back_inserter(nowhere),
+                           [](char32_t letter) { return !config::is_shown(letter); });
+      if (!nowhere.empty())
+        warn(place, "missing-letters",
+             fmt::format("neither '{}' nor the kiosk's own fonts have letters of '{}': {}",
+                         typeface.family, tag, some_of(nowhere)),
+             "take a font that has them, or write it otherwise");
+      if (leads && found.missing.size() > nowhere.size())
         warn(place, "missing-letters",
              fmt::format("'{}' lacks letters of '{}', which come from the kiosk's own fonts: {}",
                          typeface.family, tag, some_of(found.missing)),

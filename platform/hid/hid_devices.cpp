@@ -53,13 +53,16 @@ void try_to_open(std::span<HidDevice> devices) {
       device.closed = without_file(opened.error(), device.path);
 }
 
+input::KeypadCandidate candidate_of(const HidDevice& device) noexcept {
+  return {.id = {device.vendor, device.product},
+          .descriptor = device.descriptor_hash,
+          .has_keys = !device.kind.keys.empty(),
+          .is_keyboard = input::has_all_letters(device.kind.keys)};
+}
+
 void refuse_all_but(std::span<const input::NamedKeypad> named, std::span<HidDevice> devices) {
   std::vector<input::KeypadCandidate> present;
-  for (const HidDevice& d : devices)
-    present.push_back({.id = {d.vendor, d.product},
-                       .descriptor = d.descriptor_hash,
-                       .has_keys = !d.kind.keys.empty(),
-                       .is_keyboard = input::has_all_letters(d.kind.keys)});
+  for (const HidDevice& device : devices) present.push_back(candidate_of(device));
   for (std::size_t i = 0; i < devices.size(); ++i)
     devices[i].refused = input::refusal(present[i], present, named);
 }

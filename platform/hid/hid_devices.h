@@ -29,6 +29,9 @@ struct HidDevice {
 /// Tries to open each device and notes in `closed` why one cannot be. Takes up to 50 ms for each.
 void try_to_open(std::span<HidDevice> devices);
 
+/// The device, as far as letting it in goes.
+input::KeypadCandidate candidate_of(const HidDevice& device) noexcept;
+
 /// Notes in `refused` which devices with keys are not listened to, and why.
 void refuse_all_but(std::span<const input::NamedKeypad> named, std::span<HidDevice> devices);
 

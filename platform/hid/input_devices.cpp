@@ -80,7 +80,8 @@ struct InputDevices::State {
   void start_reading(Slot& slot, const HidDevice& device, TouchDevice opened) {
     const auto number = static_cast<std::uint32_t>(&slot - slots.data());
     const input::EventMaker maker(device.descriptor, device.kind,
-                                  (number + 1) * input::EventMaker::ids_per_device);
+                                  (number + 1) * input::EventMaker::ids_per_device,
+                                  input::meanings_of(candidate_of(device), keypads));
     const auto file = std::make_shared<TouchDevice>(std::move(opened));  // std::function copies
     slot.reader.start({.read = [file](std::chrono::milliseconds wait) { return file->read(wait); },
                        .is_present = [file] { return file->is_present(); }},

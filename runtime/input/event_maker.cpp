@@ -1,12 +1,15 @@
 #include "runtime/input/event_maker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace docent::input {
 
 EventMaker::EventMaker(const ReportDescriptor& descriptor, const HidDeviceKind& kind,
-                       std::uint32_t first_id)
-    : first_id_(first_id), silence_(kind.touch && kind.touch->scan_time.has_value()) {
+                       std::uint32_t first_id, std::vector<KeyMeaning> meanings)
+    : first_id_(first_id),
+      meanings_(std::move(meanings)),
+      silence_(kind.touch && kind.touch->scan_time.has_value()) {
   if (kind.touch) contacts_.emplace(descriptor, *kind.touch);
   if (!kind.keys.empty()) keys_.emplace(descriptor, kind.keys);
 }
@@ -77,11 +80,14 @@ std::size_t EventMaker::cancel_all() noexcept {
 std::size_t EventMaker::key_events(std::size_t edges, std::size_t first) noexcept {
   const auto out = std::span(events_).subspan(first);
   const std::size_t count = std::min(edges, out.size());
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto meaning = std::ranges::find(meanings_, edges_[i].key, &KeyMeaning::sent);
+    const KeyName key = meaning == meanings_.end() ? edges_[i].key : meaning->meant;
     out[i] = {.kind = edges_[i].down ? InputEvent::Kind::KeyDown : InputEvent::Kind::KeyUp,
               .contact = {},
-              .key = edges_[i].key.key,
-              .character = edges_[i].key.character};
+              .key = key.key,
+              .character = key.character};
+  }
   return count;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "runtime/input/contact_decoder.h"
 #include "runtime/input/hid_device_kind.h"
@@ -17,8 +18,10 @@ namespace docent::input {
 /// device file. Its functions do not allocate; what they give stays valid until the next call.
 class EventMaker {
  public:
-  /// Contacts get identifiers from `first_id` on, so that those of several devices differ.
-  EventMaker(const ReportDescriptor& descriptor, const HidDeviceKind& kind, std::uint32_t first_id);
+  /// Contacts get identifiers from `first_id` on, so that those of several devices differ. Keys
+  /// that are not among the `meanings` mean themselves.
+  EventMaker(const ReportDescriptor& descriptor, const HidDeviceKind& kind, std::uint32_t first_id,
+             std::vector<KeyMeaning> meanings = {});
 
   /// How many identifiers one device needs.
   static constexpr std::uint32_t ids_per_device = 1U << 20U;
@@ -44,6 +47,7 @@ class EventMaker {
   std::uint32_t first_id_;
   std::optional<ContactDecoder> contacts_;
   std::optional<KeyDecoder> keys_;
+  std::vector<KeyMeaning> meanings_;
   Silence silence_;
   std::array<Contact, max_contacts> told_{};  ///< As the events so far say it.
   std::size_t told_count_ = 0;

@@ -30,6 +30,13 @@ std::string to_string(KeyName key);
 /// The reverse; Key::None for an unknown name.
 KeyName key_from_string(std::string_view name) noexcept;
 
+/// A key that a keypad sends, and the one that it means.
+struct KeyMeaning {
+  KeyName sent, meant;
+
+  bool operator==(const KeyMeaning&) const = default;
+};
+
 /// The key fields of a descriptor's keyboards, keypads and consumer controls; empty when it has
 /// none.
 std::vector<ReportField> find_keys(const ReportDescriptor& descriptor);

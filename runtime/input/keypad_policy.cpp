@@ -69,4 +69,11 @@ std::string refusal(const KeypadCandidate& device, std::span<const KeypadCandida
   return came_with_keyboard ? "it belongs to a keyboard" : "";
 }
 
+std::vector<KeyMeaning> meanings_of(const KeypadCandidate& device,
+                                    std::span<const NamedKeypad> named) {
+  const auto keypad =
+      std::ranges::find_if(named, [&](const NamedKeypad& k) { return is_named(device, k); });
+  return keypad == named.end() ? std::vector<KeyMeaning>{} : keypad->keys;
+}
+
 }  // namespace docent::input

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/input/hid_device_kind.h"
+#include "runtime/input/key_decoder.h"
 
 namespace docent::input {
 
@@ -16,6 +17,7 @@ namespace docent::input {
 struct NamedKeypad {
   HidDeviceId id;
   std::optional<std::uint64_t> descriptor;  ///< Its descriptor_hash(); none: whatever it is.
+  std::vector<KeyMeaning> keys{};           ///< Those that do not mean themselves.
 };
 
 /// Tells one descriptor from another (FNV-1a, 64 bits). It proves nothing: who builds a device can
@@ -45,5 +47,9 @@ struct KeypadCandidate {
 /// and music are often a device of their own with the same numbers.
 std::string refusal(const KeypadCandidate& device, std::span<const KeypadCandidate> present,
                     std::span<const NamedKeypad> named);
+
+/// What the keys of a device mean, as the first of the named keypads that it is says.
+std::vector<KeyMeaning> meanings_of(const KeypadCandidate& device,
+                                    std::span<const NamedKeypad> named);
 
 }  // namespace docent::input

@@ -541,6 +541,11 @@ std::string_view word(const Museum& museum, std::uint32_t language, std::string_
   return key;
 }
 
+std::string_view language_tag(const Museum& museum, std::uint32_t language) noexcept {
+  return language < museum.languages.size() ? std::string_view(museum.languages[language].tag)
+                                            : std::string_view();
+}
+
 std::string_view in_language(const Museum& museum, std::uint32_t language,
                              const LocalText& text) noexcept {
   for (const std::uint32_t candidate : {language, 0U}) {

@@ -243,6 +243,8 @@ bool is_control_name(const Museum& museum, std::string_view name);
 
 /// The interface's text for `key` in a language: falls back to the first language, then to `key`.
 std::string_view word(const Museum& museum, std::uint32_t language, std::string_view key) noexcept;
+/// BCP 47; empty where the museum has no such language.
+std::string_view language_tag(const Museum& museum, std::uint32_t language) noexcept;
 /// `text` in a language, with the same fallbacks; empty where there is none at all.
 std::string_view in_language(const Museum& museum, std::uint32_t language,
                              const LocalText& text) noexcept;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/plural.h"
 
 namespace docent::interface {
 namespace {
@@ -122,13 +123,17 @@ std::string time_in(const Museum& museum, std::uint32_t language, double seconds
   if (seconds < 8) return std::string(word(museum, language, "time_moment"));
   if (seconds < 40) return std::string(word(museum, language, "time_half"));
   const long minutes = std::max(1L, std::lround(seconds / 60));
-  const std::string_view key = minutes == 1    ? "time_one"
-                               : minutes == 2  ? "time_two"
-                               : minutes <= 10 ? "time_few"
-                                               : "time_many";
+  const std::string_view key = time_word(language_tag(museum, language), minutes);
   return filled_in(
       word(museum, language, key), "n",
       digits == Digits::Plain ? fmt::format("{}", minutes) : number_in(museum, language, minutes));
+}
+
+std::string_view time_word(std::string_view tag, long minutes) noexcept {
+  if (minutes <= 2) return minutes <= 1 ? "time_one" : "time_two";
+  const std::string_view form = plural_form(tag, minutes);
+  if (form == "one") return "time_21";
+  return form == "two" || form == "few" ? "time_few" : "time_many";
 }
 
 std::string moment_in(const Museum& museum, std::uint32_t language, LocalMinute moment,

@@ -48,8 +48,11 @@ enum class Digits : std::uint8_t { Own, Plain };
 /// "42 m" in a language: whole metres, at least 1.
 std::string distance_in(const Museum& museum, std::uint32_t language, double metres);
 
-/// "about a minute": rounded so that nobody waits longer than promised, with the plural forms that
-/// the languages of the world distinguish for such numbers (one, two, few, many).
+/// The word that says so many minutes: "time_one" and "time_two" for those numbers alone, "time_21"
+/// where a larger one takes the form of one, "time_few" and "time_many" for what the language
+/// distinguishes beyond (plural.h).
+std::string_view time_word(std::string_view tag, long minutes) noexcept;
+/// "about a minute": rounded so that nobody waits longer than promised.
 std::string time_in(const Museum& museum, std::uint32_t language, double seconds,
                     Digits digits = Digits::Own);
 

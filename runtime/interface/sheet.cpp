@@ -172,7 +172,8 @@ TextPiece Sheet::extent(const TextStyle& style, std::string_view text, float wid
 }
 
 float Sheet::longest_word(const TextStyle& style, std::string_view text) {
-  if (is_without_spaces(style.language)) return pieces_.extent(style, text.substr(0, 3), 0).width;
+  // One letter, which is as wide as any.
+  if (is_without_spaces(style.language)) return pieces_.extent(style, "\u56FD", 0).width;
   float longest = 0;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());

@@ -10,6 +10,7 @@
 #include "runtime/interface/control.h"
 #include "runtime/interface/keyboard.h"
 #include "runtime/interface/phrases.h"
+#include "runtime/interface/plural.h"
 
 namespace docent::interface {
 namespace {
@@ -55,9 +56,8 @@ long rounded_distance(double metres) noexcept {
 }
 
 std::string said_distance(const Museum& museum, std::uint32_t language, long metres) {
-  const std::string_view tag =
-      language < museum.languages.size() ? museum.languages[language].tag : std::string_view{};
-  return filled_in(word(museum, language, fmt::format("metres_{}", plural_form(tag, metres))), "n",
+  const std::string_view form = plural_form(language_tag(museum, language), metres);
+  return filled_in(word(museum, language, fmt::format("metres_{}", form)), "n",
                    fmt::format("{}", metres));
 }
 
@@ -260,28 +260,6 @@ std::string spoken_distance(const Museum& museum, std::uint32_t language, double
 
 std::string spoken_time(const Museum& museum, std::uint32_t language, double seconds) {
   return time_in(museum, language, std::min(seconds, 60.0 * longest_spoken), Digits::Plain);
-}
-
-std::string_view plural_form(std::string_view tag, long number) noexcept {
-  const std::string_view language = tag.substr(0, tag.find('-'));
-  const long ten = number % 10, hundred = number % 100;
-  if (language == "zh" || language == "ja" || language == "ko" || language == "th") return "other";
-  if (language == "ar") {
-    if (number == 1) return "one";
-    if (number == 2) return "two";
-    if (hundred >= 3 && hundred <= 10) return "few";
-    return hundred >= 11 ? "many" : "other";
-  }
-  if (language == "he") return number == 1 ? "one" : number == 2 ? "two" : "other";
-  if (language == "ru") {
-    if (ten == 1 && hundred != 11) return "one";
-    if (ten >= 2 && ten <= 4 && (hundred < 12 || hundred > 14)) return "few";
-    return "many";
-  }
-  if (language == "fr" || language == "hi") return number <= 1 ? "one" : "other";
-  if (language == "en" || language == "de" || language == "es")
-    return number == 1 ? "one" : "other";
-  return "other";
 }
 
 }  // namespace docent::interface

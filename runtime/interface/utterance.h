@@ -66,8 +66,4 @@ std::string spoken_distance(const Museum& museum, std::uint32_t language, double
 std::string spoken_time(const Museum& museum, std::uint32_t language, double seconds);
 inline constexpr long farthest_spoken = 2000, longest_spoken = 120;  ///< Metres, minutes.
 
-/// Which of a language's plural forms a whole number takes: "one", "two", "few", "many" or "other"
-/// (Unicode CLDR, cardinal rules, of the languages that docent ships words for; of others "other").
-std::string_view plural_form(std::string_view tag, long number) noexcept;
-
 }  // namespace docent::interface

@@ -28,14 +28,6 @@
 namespace docent::kiosk {
 namespace {
 
-/// A picture on a wall of the model is seldom larger on the screen, and never what one looks at.
-/// Where there are very many, each is smaller, so that together they take no more than 40 MB.
-std::uint32_t scenery_picture_side(std::size_t pictures) noexcept {
-  constexpr double largest = 144, at_its_largest = 360;
-  const double share = std::min(1.0, at_its_largest / static_cast<double>(pictures));
-  return static_cast<std::uint32_t>(std::ceil(largest * std::sqrt(share)));
-}
-
 /// Its pixels, none where it cannot be decoded.
 Pixels decode(std::span<const std::byte> bytes, bool is_video) {
   if (is_video) return vpx::first_picture(bytes).value_or(Pixels{});
@@ -57,14 +49,17 @@ Pixels picture_of(const Museum& museum, BlobArchive* archive, std::uint32_t imag
 /// `pictures` has one for each of those images, and stays where it is until all are made.
 std::vector<std::future<void>> make_scenery_pictures(const Museum& museum,
                                                      std::span<std::vector<Pixels>> pictures) {
-  const std::uint32_t side = scenery_picture_side(pictures.size());
+  const std::uint32_t side = scenery_image_side(pictures.size());
   const std::size_t at_a_time = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
   std::vector<std::future<void>> made;
   for (std::size_t first = 0; first < at_a_time; ++first)
     made.push_back(std::async(std::launch::async, [&museum, pictures, side, first, at_a_time] {
-      for (std::size_t image = first; image < pictures.size(); image += at_a_time)
-        pictures[image] = image::mip_levels(image::shrink(
-            image::decode_at_least(museum.images[image].bytes, side).value_or(Pixels{}), side));
+      for (std::size_t i = first; i < pictures.size(); i += at_a_time) {
+        const EncodedImage& image = museum.images[i];
+        const auto& bytes = image.small.empty() ? image.bytes : image.small;
+        pictures[i] = image::mip_levels(
+            image::shrink(image::decode_at_least(bytes, side).value_or(Pixels{}), side));
+      }
     }));
   return made;
 }
@@ -272,8 +267,10 @@ Result<std::unique_ptr<Exhibition>> make_exhibition(ReadMuseum read, const Selec
   exhibition->videos = video_players(*exhibition);
   for (std::future<void>& made : pictures_made) made.get();
   exhibition->museum.fonts.clear();  // the setter has them
-  if (pictures)
-    for (EncodedImage& image : exhibition->museum.images) image.bytes = {};
+  for (EncodedImage& image : exhibition->museum.images) {
+    image.small = {};
+    if (pictures) image.bytes = {};
+  }
   give_back_freed_memory();  // What the making took, as long as another museum is shown beside it.
   return exhibition;
 }

@@ -43,6 +43,13 @@ int decode(const std::string& file) {
   return 0;
 }
 
+std::vector<input::KeyMeaning> meanings_of(const config::LocatedTexts& keys) {
+  std::vector<input::KeyMeaning> meanings;
+  for (const auto& [sent, meant] : keys)
+    meanings.push_back({input::key_from_string(sent), input::key_from_string(meant.value)});
+  return meanings;
+}
+
 StaffWord word_for(const hid::HidDevice& device) {
   if (!hid::is_for_visitors(device)) return StaffWord::Ignored;
   return device.kind.touch ? StaffWord::TouchScreen : StaffWord::Keypad;
@@ -71,7 +78,8 @@ std::vector<input::NamedKeypad> named_keypads(const config::KioskConfig& config)
   std::vector<input::NamedKeypad> keypads;
   for (const config::KeypadSection& section : config.keypads)
     if (const auto id = input::device_id_from(section.device.value))
-      keypads.push_back({*id, input::descriptor_hash_from(section.descriptor.value)});
+      keypads.push_back({*id, input::descriptor_hash_from(section.descriptor.value),
+                         meanings_of(section.keys.value)});
   return keypads;
 }
 

@@ -29,6 +29,9 @@ struct EncodedImage {
   std::string name;
   std::uint32_t width = 0, height = 0;  ///< Pixels.
   std::vector<std::byte> bytes;
+  /// The same as it hangs in the model (scenery_images.h), likewise; empty where it never does, or
+  /// where it is as small as that.
+  std::vector<std::byte> small{};
 };
 
 /// A language the kiosk speaks.

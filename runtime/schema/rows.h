@@ -236,6 +236,7 @@ void columns(auto& row, MaybeConst<EncodedImage> auto& image) {
   row("width", image.width);
   row("height", image.height);
   row("bytes", image.bytes);
+  row("small", image.small);
 }
 
 void columns(auto& row, MaybeConst<ExhibitObject> auto& object) {

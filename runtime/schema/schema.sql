@@ -173,7 +173,7 @@ CREATE TABLE scenery (
   lightmap_min_y REAL NOT NULL,
   lightmap_max_x REAL NOT NULL,
   lightmap_max_y REAL NOT NULL,
-  lightmap BLOB NOT NULL,       -- two bytes a texel: sky, sun
+  lightmap BLOB NOT NULL,       -- three bytes a texel: sky, sun, height of the shade
   sun_x REAL NOT NULL,
   sun_y REAL NOT NULL,
   sun_z REAL NOT NULL
@@ -270,7 +270,8 @@ CREATE TABLE image (
   name TEXT NOT NULL,
   width INTEGER NOT NULL,
   height INTEGER NOT NULL,
-  bytes BLOB NOT NULL           -- a PNG or JPEG file; a WebM video where the name ends in .webm
+  bytes BLOB NOT NULL,          -- a PNG or JPEG file; a WebM video where the name ends in .webm
+  small BLOB NOT NULL           -- likewise, as it hangs in the model; empty: it never does, or bytes is small
 );
 
 CREATE TABLE object (           -- an exhibit's own shape

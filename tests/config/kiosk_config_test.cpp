@@ -163,6 +163,32 @@ TEST(KioskConfig, KnowsTheKeypadsThatStaffNamed) {
   EXPECT_EQ(loaded.value->keypads[1].descriptor.value, "0123456789abcdef");
 }
 
+TEST(KioskConfig, KnowsWhatTheKeysOfAKeypadMean) {
+  const auto loaded =
+      loaded_from("[[keypad]]\ndevice = \"2047:09d0\"\nkeys.F23 = \"LEFT\"\nkeys.F24 = \"7\"\n");
+
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  ASSERT_TRUE(loaded.value.has_value());
+  const auto& keys = loaded.value->keypads.at(0).keys.value;
+  EXPECT_EQ(keys.at("F23").value, "LEFT");
+  EXPECT_EQ(keys.at("F24").value, "7");
+}
+
+TEST(KioskConfig, SaysWhichKeyThereIsNot) {
+  const auto told = [](const std::string& line) {
+    const auto loaded = loaded_from("[[keypad]]\ndevice = \"2047:09d0\"\n" + line + "\n");
+    return loaded.diagnostics.size() == 1 && loaded.diagnostics[0].line == 3
+               ? loaded.diagnostics[0].message + " | " + loaded.diagnostics[0].hint
+               : std::string("not told in its line, once");
+  };
+
+  EXPECT_THAT(told("keys.F25 = \"LEFT\""),
+              testing::HasSubstr("'F25' is no key's name | docent hid"));
+  EXPECT_THAT(told("keys.F23 = \"links\""), testing::HasSubstr("'links' is no key that a kiosk"));
+  EXPECT_THAT(told("keys.F23 = \"F13\""), testing::HasSubstr("write UP, DOWN"));
+  EXPECT_THAT(told("keys = \"LEFT\""), testing::HasSubstr("keys.KEY = "));
+}
+
 TEST(KioskConfig, SaysWhereAKeypadIsNotAsTheListTellsIt) {
   const auto message = [](const std::string& text) {
     const auto loaded = loaded_from(text);

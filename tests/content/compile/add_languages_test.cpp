@@ -105,6 +105,49 @@ TEST(AddLanguages, TakesAClockOfTwentyFourHoursForOneOfTwiceTwelve) {
   EXPECT_TRUE(added(museum).told.empty());
 }
 
+/// Whether the words of a language that is not shipped are complained about, and how.
+std::string told_of(const std::string& tag, std::string_view key, const std::string& line = "") {
+  const MuseumFolder museum;
+  museum.replace("museum.toml", "\"ar\"]", "\"ar\", \"" + tag + "\"]");
+  museum.write("words/" + tag + ".toml",
+               "name = \"x\"\ndirection = \"left-to-right\"\n[words]\n" + line + "\n");
+  std::string all;
+  for (const Diagnostic& d : added(museum).told)
+    if (d.message.find("'" + std::string(key) + "'") != std::string::npos) all += d.message + '\n';
+  return all;
+}
+
+TEST(AddLanguages, WantsThePluralFormsOfTheLanguageAndNoOthers) {
+  for (const auto* form : {"metres_one", "metres_few", "metres_many", "time_21"})
+    EXPECT_THAT(told_of("uk", form), HasSubstr("is not translated")) << form;
+  EXPECT_EQ(told_of("uk", "metres_two") + told_of("uk", "metres_other"), "");
+  EXPECT_EQ(told_of("pl", "time_21") + told_of("fi", "metres_few"), "");
+  EXPECT_THAT(told_of("fi", "metres_other"), HasSubstr("is not translated"));
+}
+
+TEST(AddLanguages, TakesTheFormOfZeroWhereALanguageHasIt) {
+  EXPECT_EQ(told_of("lv", "metres_zero", "metres_zero = \"{n} metru\""), "");
+  EXPECT_THAT(told_of("fi", "metres_zero", "metres_zero = \"{n}\""), HasSubstr("no screen says"));
+}
+
+TEST(AddLanguages, LetsANumberBeWrittenOutWhereItsFormIsThatNumbersAlone) {
+  EXPECT_EQ(told_of("pl", "metres_one", "metres_one = \"jeden metr\""), "");
+  EXPECT_EQ(told_of("sl", "time_two", "time_two = \"dve minuti\""), "");
+  EXPECT_THAT(told_of("uk", "metres_one", "metres_one = \"один метр\""), HasSubstr("lacks {n}"));
+}
+
+TEST(AddLanguages, TakesEachShippedLanguageAsAMuseumsOwn) {
+  for (const std::string tag : {"ar", "de", "es", "fr", "he", "hi", "ja", "ko", "ru", "th", "zh"}) {
+    const MuseumFolder museum;
+    museum.write("words/" + tag + ".toml",
+                 test::text_of(test::source_dir() / "config/words" / (tag + ".toml")));
+    if (tag != "ar") museum.replace("museum.toml", "\"ar\"]", "\"ar\", \"" + tag + "\"]");
+
+    for (const Diagnostic& d : added(museum).told)
+      EXPECT_NE(d.code, "wrong-placeholder") << tag << ' ' << d.message;
+  }
+}
+
 TEST(AddLanguages, ReadsWordsWhoseHeadingWasForgotten) {
   const MuseumFolder museum;
   museum.write("words/en.toml",

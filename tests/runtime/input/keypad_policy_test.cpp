@@ -56,6 +56,15 @@ TEST(KeypadPolicy, LetsANamedDeviceInOnlyWithTheDescriptorThatWasNamed) {
   EXPECT_NE(input::refusal(keypad, {}, std::vector<input::NamedKeypad>{{ours, 8}}), "");
 }
 
+TEST(KeypadPolicy, GivesKeysTheMeaningsOfTheKeypadThatIsNamed) {
+  const std::vector<input::KeyMeaning> left{{{input::Key::Function, 23}, {input::Key::Left}}};
+  const std::vector<input::NamedKeypad> named{{theirs, {}, {}}, {ours, 7, left}};
+
+  EXPECT_EQ(input::meanings_of(keypad, named), left);
+  EXPECT_TRUE(input::meanings_of(keyboard, named).empty());
+  EXPECT_TRUE(input::meanings_of(keypad, {}).empty());
+}
+
 TEST(KeypadPolicy, ReadsTheNumbersThatTheListTells) {
   EXPECT_EQ(input::device_id_from("04e7:0022"), ours);
   EXPECT_FALSE(input::device_id_from("4e7:22"));
