@@ -27,6 +27,13 @@ constexpr std::array kinds{
                 "the kiosk\non which so many guides find no place. Set `visitors` in "
                 "/etc/docent/kiosk.toml to the number\nin the line, or look at `screen_inches` "
                 "there."},
+    MessageKind{
+        Message::HangsHigh, Priority::Warning, "e66f6f22d5354d8ca217ef8e8ccd0bd7",
+        "The glass hangs too high for all controls to come within reach of a wheelchair",
+        "Visitors who ask for it lower find controls above 1,220 mm. Hang the screen as low "
+        "as the line\nsays, or take a smaller one, or one that stands upright; or look at "
+        "`mount_height` and\n`screen_inches` in /etc/docent/kiosk.toml. A keypad reaches "
+        "everything."},
     MessageKind{Message::CannotStart, Priority::Error, "0319b8e8da7b407cbbf1b0fb585e8ffb",
                 "The kiosk cannot start",
                 "The line says which file or device, and what to do. It is tried again every few "

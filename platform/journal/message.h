@@ -14,6 +14,7 @@ enum class Message : std::uint8_t {
   TakenUp,
   Refused,
   FewerVisitors,
+  HangsHigh,
   CannotStart,
   ScreenLost,
   FrameUnfinished,

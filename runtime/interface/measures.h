@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "runtime/scene/draw_list.h"
 
@@ -53,15 +54,22 @@ struct ReachableBand {
   float top = 0, bottom = 1;
 };
 
+inline float glass_height_mm(const ScreenShape& shape) noexcept {
+  constexpr float mm_per_inch = 25.4F;
+  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
+  return shape.diagonal_inches * mm_per_inch * height / std::hypot(width, height);
+}
+
+inline constexpr float lowest_reach_mm = 380, highest_reach_mm = 1220, least_band = 0.4F;
 /// Where the glass can be touched from a wheelchair, and by a child: 380 to 1,220 mm above the
 /// floor (EN 301 549, chapter 8). Two fifths of the height at least, where it hangs too high.
 inline ReachableBand low_reach_of(const ScreenShape& shape) noexcept {
   if (shape.mount_mm <= 0) return {};
-  constexpr float lowest = 380, highest = 1220, mm_per_inch = 25.4F, least = 0.4F;
-  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
-  const float glass = shape.diagonal_inches * mm_per_inch * height / std::hypot(width, height);
-  ReachableBand reach{std::clamp(1 - (highest - shape.mount_mm) / glass, 0.0F, 1 - least), 1};
-  reach.bottom = std::clamp(1 - (lowest - shape.mount_mm) / glass, reach.top + least, 1.0F);
+  const float glass = glass_height_mm(shape);
+  ReachableBand reach{
+      std::clamp(1 - (highest_reach_mm - shape.mount_mm) / glass, 0.0F, 1 - least_band), 1};
+  reach.bottom =
+      std::clamp(1 - (lowest_reach_mm - shape.mount_mm) / glass, reach.top + least_band, 1.0F);
   return reach;
 }
 
@@ -69,6 +77,13 @@ inline ReachableBand low_reach_of(const ScreenShape& shape) noexcept {
 inline bool can_be_lowered(const ScreenShape& shape) noexcept {
   const ReachableBand reach = low_reach_of(shape);
   return reach.top > 0 || reach.bottom < 1;
+}
+
+/// Where it hangs so high that less than those two fifths are within reach: at how many millimetres
+/// above the floor it would have to hang at most. None where it hangs low enough.
+inline std::optional<float> mount_within_reach(const ScreenShape& shape) noexcept {
+  const float most = highest_reach_mm - least_band * glass_height_mm(shape);
+  return shape.mount_mm > most ? std::optional(std::max(most, 0.0F)) : std::nullopt;
 }
 
 /// The interface's lengths on one screen, in pixels.

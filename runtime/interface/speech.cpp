@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "runtime/interface/finder.h"
 #include "runtime/interface/goal.h"
@@ -33,6 +34,22 @@ std::string_view role_word(Role role) noexcept {
   return "role_button";
 }
 
+/// Can anything be said in a language? Recordings of the museum's sounds sort before what is said.
+bool is_spoken(const Museum& museum, std::uint32_t language) noexcept {
+  const auto after = std::ranges::upper_bound(museum.speech, language, {}, &SpeechSound::language);
+  return after != museum.speech.begin() && std::prev(after)->language == language &&
+         !is_recording(*std::prev(after));
+}
+
+/// The language in which those hear what a kiosk says who read this one: itself, but where nothing
+/// can be said in it the first of the museum's in which something can. Nobody is left in silence.
+std::uint32_t heard_language(const Museum& museum, std::uint32_t language) noexcept {
+  if (is_spoken(museum, language)) return language;
+  for (std::uint32_t other = 0; other < museum.languages.size(); ++other)
+    if (is_spoken(museum, other)) return other;
+  return language;
+}
+
 bool is_of_sound(const Action& action) noexcept {
   return action.kind == Action::Kind::PlaySound || action.kind == Action::Kind::StopSound;
 }
@@ -47,7 +64,7 @@ class Composer {
         state_(request.state),
         closed_(closed),
         way_(way),
-        language_(request.state.language) {}
+        language_(heard_language(museum, request.state.language)) {}
 
   Utterance control(const Control& control) const;
   Utterance opening() const;

@@ -58,7 +58,8 @@ struct SpeechPart {
 /// Null where nothing is said, or the view has no such part.
 const Utterance* said_in(const Speech& speech, const SpeechPart& part) noexcept;
 
-/// Pure. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.
+/// Pure. It is in the visitor's language; where that has no sounds, and another has, in the first
+/// of the museum's that has. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.
 Speech speech_of(const Museum& museum, const ViewRequest& request,
                  const std::vector<Control>& controls, const Closures& closed, const ShownWay* way);
 

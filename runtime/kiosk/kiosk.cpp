@@ -219,7 +219,7 @@ Result<void> Kiosk::open(const std::optional<Visit>& visit,
   if (!rehearsal) return std::unexpected(rehearsal.error());
   rehearsal_ = std::move(*rehearsal);
   notice_.starts("draws the first frame");
-  teller_.shows(*exhibition_, wanted_visitors());
+  teller_.shows(*exhibition_, wanted_visitors(), shape(presenter_.target()));
   upload(*exhibition_);
   if (config_.night) tzset();  // takes memory, which a frame may not
   prepare_allocator_for(Phase::Frames);
@@ -416,7 +416,7 @@ void Kiosk::change_to(std::unique_ptr<Exhibition> next) {
   teller_.leaves(guide().counters());
   change_.retire(std::exchange(exhibition_, std::move(next)));
   staff_.lost_textures();
-  teller_.shows(*exhibition_, wanted_visitors());
+  teller_.shows(*exhibition_, wanted_visitors(), shape(presenter_.target()));
   presenter_.forget();
   guide().headphones(has_headphones_);
   closures_ = exhibition_->today->changes();

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "platform/clock/monotonic_clock.h"
 #include "platform/terminal/command_line.h"
+#include "runtime/interface/measures.h"
 #include "runtime/kiosk/options.h"
 
 namespace docent::kiosk {
@@ -16,7 +19,8 @@ Teller::Teller(Settings settings, ServiceNotice& notice)
       notice_(notice),
       board_(settings_.started, settings_.display) {}
 
-void Teller::shows(const Exhibition& exhibition, int wanted_visitors) {
+void Teller::shows(const Exhibition& exhibition, int wanted_visitors,
+                   const interface::ScreenShape& glass) {
   const std::string museum = summary(exhibition.museum);
   const std::string database = exhibition.content.path.string();
   board_.shows(exhibition.content);
@@ -33,6 +37,7 @@ void Teller::shows(const Exhibition& exhibition, int wanted_visitors) {
     begins();
   }
   tell_seats(*exhibition.guide, wanted_visitors);
+  tell_reach(glass);
   if (reporter_) reporter_->shows(*exhibition.guide);
 }
 
@@ -66,6 +71,15 @@ void Teller::tell_seats(const guide::Guide& guide, int wanted_visitors) const {
                 fmt::format("{} of {} visitors can use the glass at the same time: it has room for "
                             "no more cards, or the floor about the kiosk for no more guides",
                             seats, wanted_visitors));
+}
+
+void Teller::tell_reach(const interface::ScreenShape& glass) {
+  const std::optional<float> most = interface::mount_within_reach(glass);
+  if (!most) return;
+  journal::tell(journal::Message::HangsHigh,
+                fmt::format("the glass hangs {} mm above the floor: from a wheelchair not all "
+                            "controls can be reached unless it hangs {} mm high or less",
+                            std::lround(glass.mount_mm), std::lround(*most)));
 }
 
 void Teller::refused(const Error& why) {

@@ -32,7 +32,9 @@ class Teller {
 
   /// A museum is on the screen from now on: the first one, or one that was taken up.
   /// `wanted_visitors`: as many as the settings ask room for. Between frames.
-  void shows(const Exhibition& exhibition, int wanted_visitors);
+  /// `glass`: as it hangs.
+  void shows(const Exhibition& exhibition, int wanted_visitors,
+             const interface::ScreenShape& glass);
   /// A database was not taken up. Between frames.
   void refused(const Error& why);
   /// That museum is shown no more; what its guide counted is remembered.
@@ -52,6 +54,7 @@ class Teller {
   void begins();
   void answer_who_asks();
   void tell_seats(const guide::Guide& guide, int wanted_visitors) const;
+  static void tell_reach(const interface::ScreenShape& glass);
 
   Settings settings_;
   ServiceNotice& notice_;

@@ -227,9 +227,11 @@ const std::array table{
            "Reach",
            State::Met,
            "With low reach everything that is touched lies 380 to 1,220 mm above the floor, where "
-           "`mount_height` is said.",
+           "`mount_height` is said, unless it hangs so high that two fifths of the glass are above "
+           "that: then the journal says so, and how low it has to hang.",
            {"OnGlass.EveryControlIsSpokenAndWithLowReachWithinReachOfAWheelchair",
-            "Senses.BringAllThatIsTouchedWithinReachOfAWheelchairSpotsIncluded"}},
+            "Senses.BringAllThatIsTouchedWithinReachOfAWheelchairSpotsIncluded",
+            "LowReach.SaysHowLowAGlassHasToHangThatHangsTooHigh"}},
     Clause{"8.3", "Floor, knees, toes and sight of the screen", State::TheMuseums, "", {}},
     Clause{"8.3",
            "Instructions for hanging it",

@@ -64,9 +64,24 @@ ViewRequest any_request(const Museum& museum) {
 
 /// Millimetres above the floor of a height on the glass.
 float above_floor(const ScreenShape& shape, float y) {
-  const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
-  return shape.mount_mm +
-         (1 - y) * shape.diagonal_inches * 25.4F * height / std::hypot(width, height);
+  return shape.mount_mm + (1 - y) * glass_height_mm(shape);
+}
+
+TEST(LowReach, SaysHowLowAGlassHasToHangThatHangsTooHigh) {
+  ScreenShape shape;
+  shape.width = 1920;
+  shape.height = 1080;
+  shape.diagonal_inches = 24;  // 299 mm high
+  shape.mount_mm = 1000;
+  EXPECT_FALSE(mount_within_reach(shape).has_value());
+
+  shape.mount_mm = 1150;
+  ASSERT_TRUE(mount_within_reach(shape).has_value());
+  EXPECT_NEAR(*mount_within_reach(shape), 1220 - 0.4 * 299, 1);
+  shape.mount_mm = *mount_within_reach(shape);
+  EXPECT_NEAR(above_floor(shape, low_reach_of(shape).top), 1220, 1);
+  shape.mount_mm = 0;  // nobody has said
+  EXPECT_FALSE(mount_within_reach(shape).has_value());
 }
 
 TEST(OnGlass, EveryControlIsSpokenAndWithLowReachWithinReachOfAWheelchair) {

@@ -57,6 +57,41 @@ void expect_prepared(const Utterance& said) {
   }
 }
 
+/// A museum that says one word in some of its languages.
+Museum that_speaks(std::vector<std::uint32_t> languages) {
+  Museum speaking = museum();
+  for (const std::uint32_t language : languages)
+    speaking.speech.push_back({.language = language,
+                               .text = "x",
+                               .made_of = {},
+                               .skip = 0,
+                               .samples = 480,
+                               .packets = {}});
+  return speaking;
+}
+
+std::string language_of_help(const Museum& of, std::uint32_t language) {
+  ViewRequest request;
+  request.state.language = language;
+  return speech_of(of, request, controls_of(of, request.state, 6), {}, nullptr).help.language;
+}
+
+TEST(Speech, IsHeardInALanguageThatHasSoundsByThoseWhoseOwnHasNone) {
+  const std::string read = museum().languages[3].tag;
+
+  EXPECT_EQ(language_of_help(that_speaks({0, 3}), 3), read);
+  EXPECT_EQ(language_of_help(that_speaks({0}), 3), museum().languages[0].tag);
+  EXPECT_EQ(language_of_help(that_speaks({1, 2}), 3), museum().languages[1].tag);
+  EXPECT_EQ(language_of_help(that_speaks({}), 3), read) << "there is nothing to fall back to";
+}
+
+TEST(Speech, IsNotHeardInALanguageInWhichASoundOfTheMuseumIsAll) {
+  Museum speaking = that_speaks({0, 3});
+  speaking.speech.back().text = RecordingKey(0).text();
+
+  EXPECT_EQ(language_of_help(speaking, 3), museum().languages[0].tag);
+}
+
 TEST(Speech, IsMadeOfPreparedPiecesAloneInEveryLanguage) {
   EXPECT_TRUE(rc::check("screens, ways and languages", [] {
     const ViewRequest request = any_request(museum());
