@@ -4,6 +4,7 @@
 
 #include "content/object/agree.h"
 #include "content/object/crease.h"
+#include "content/object/decimate.h"
 #include "content/object/occlusion.h"
 #include "content/object/pack.h"
 #include "content/object/simplify.h"
@@ -27,13 +28,15 @@ LitShape lit(Shape shape, float angle) {
 /// The shape with no more triangles than its budget, and no more vertices, which creases and seams
 /// of pictures double.
 LitShape near_shape(const Shape& shape) {
-  for (const std::size_t triangles : {ObjectDetail::most_triangles, std::size_t{13'000}})
+  Shape simple = shape;
+  for (const std::size_t triangles : {ObjectDetail::most_triangles, std::size_t{13'000}}) {
+    decimate(simple, triangles);
+    simplify(simple, triangles);
     for (const float angle : {crease_angle, none_at_all}) {
-      Shape simple = shape;
-      simplify(simple, triangles);
-      LitShape made = lit(std::move(simple), angle);
+      LitShape made = lit(simple, angle);
       if (made.shape.vertices.size() <= most_vertices) return made;
     }
+  }
   return {};  // 39,000 corners have no more vertices
 }
 
@@ -64,7 +67,8 @@ MadeObject make_object(const import::object::ObjectFile& source, const std::stri
   agree(shape);
   LitShape near = near_shape(shape);
   LitShape distant = distant_shape(near.shape, distant_triangles);
-  const Box box = box_of(near.shape);
+  // Of the shape as it was: an end that is missing on one side must not move the whole.
+  const Box box = box_of(shape);
   near.occlusion = occlusion_of(near.shape, near.normals);
   distant.occlusion = occlusion_of(distant.shape, distant.normals);
   made.object.size = box.size();

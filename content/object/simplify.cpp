@@ -43,30 +43,6 @@ std::size_t number_places(const Shape& shape, std::vector<std::uint32_t>& number
                                      place.data(), place.size(), sizeof(Vec3));
 }
 
-/// Leaves out triangles that lie on others, facing the same way.
-void drop_repeated(Shape& shape) {
-  std::vector<std::uint32_t> number;
-  number_places(shape, number);
-  std::vector<std::array<std::uint32_t, 4>> triangles;  // three places, and which it is
-  for (std::uint32_t k = 0; k + 2 < shape.indices.size(); k += 3) {
-    std::array<std::uint32_t, 3> at{number[shape.indices[k]], number[shape.indices[k + 1]],
-                                    number[shape.indices[k + 2]]};
-    std::ranges::rotate(at, std::ranges::min_element(at));
-    triangles.push_back({at[0], at[1], at[2], k});
-  }
-  std::ranges::sort(triangles);
-  const auto corners = [](const auto& triangle) {
-    return std::array{triangle[0], triangle[1], triangle[2]};
-  };
-  triangles.erase(std::ranges::unique(triangles, {}, corners).begin(), triangles.end());
-  std::ranges::sort(triangles, {}, [](const auto& triangle) { return triangle[3]; });
-  std::vector<std::uint32_t> left;
-  left.reserve(3 * triangles.size());
-  for (const auto& triangle : triangles)
-    for (std::uint32_t c = 0; c < 3; ++c) left.push_back(shape.indices[triangle[3] + c]);
-  shape.indices = std::move(left);
-}
-
 /// Of how many triangles is the place a corner that is one of most?
 std::size_t most_about_a_place(const Shape& shape) {
   std::vector<std::uint32_t> number;
@@ -102,6 +78,29 @@ void simplify(Shape& shape, std::size_t triangles) {
   shape.indices = std::move(left);
   keep_one_material(shape);
   drop_unused(shape);
+}
+
+void drop_repeated(Shape& shape) {
+  std::vector<std::uint32_t> number;
+  number_places(shape, number);
+  std::vector<std::array<std::uint32_t, 4>> triangles;  // three places, and which it is
+  for (std::uint32_t k = 0; k + 2 < shape.indices.size(); k += 3) {
+    std::array<std::uint32_t, 3> at{number[shape.indices[k]], number[shape.indices[k + 1]],
+                                    number[shape.indices[k + 2]]};
+    std::ranges::rotate(at, std::ranges::min_element(at));
+    triangles.push_back({at[0], at[1], at[2], k});
+  }
+  std::ranges::sort(triangles);
+  const auto corners = [](const auto& triangle) {
+    return std::array{triangle[0], triangle[1], triangle[2]};
+  };
+  triangles.erase(std::ranges::unique(triangles, {}, corners).begin(), triangles.end());
+  std::ranges::sort(triangles, {}, [](const auto& triangle) { return triangle[3]; });
+  std::vector<std::uint32_t> left;
+  left.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles)
+    for (std::uint32_t c = 0; c < 3; ++c) left.push_back(shape.indices[triangle[3] + c]);
+  shape.indices = std::move(left);
 }
 
 Shape without_seams(const Shape& shape) {

@@ -12,6 +12,9 @@ namespace docent::object {
 /// stay where they are; those that are left over go. Deterministic.
 void simplify(Shape& shape, std::size_t triangles);
 
+/// Leaves out triangles that lie on others, facing the same way.
+void drop_repeated(Shape& shape);
+
 /// The shape with one vertex at each place: without the seams of pictures.
 Shape without_seams(const Shape& shape);
 
