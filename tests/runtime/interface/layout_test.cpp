@@ -440,6 +440,29 @@ std::vector<std::string> texts_of(const ViewRequest& request, const Closures& cl
   return texts;
 }
 
+TEST(ANumberOnTheModel, CannotBeTakenForAnotherByWhoStandsAtAnotherSide) {
+  ViewRequest request;
+  request.shape = {.width = 3840, .height = 2160, .diagonal_inches = 55};
+  request.state.screen = Screen::Choosing;
+  request.state.glass = Glass::Busy;
+  request.state.seats = 8;
+  ASSERT_GE(museum().exhibits.size(), 19U);
+  for (const scene::Side side : {scene::Side::Bottom, scene::Side::Top}) {
+    request.shape.sides.add(side);
+    const bool is_turned = request.shape.sides.count() > 1;
+
+    const std::vector<std::string> texts = texts_of(request, {});
+
+    for (const char* marked : {"6\u0332", "9\u0332", "1\u03326\u0332", "1\u03329\u0332"})
+      EXPECT_EQ(std::ranges::count(texts, marked), is_turned ? 1 : 0) << marked;
+    for (const char* plain : {"1", "2", "8", "10", "11", "12"})
+      EXPECT_EQ(std::ranges::count(texts, plain), 1) << plain;
+    const auto view = laid_out(request);
+    for (const Words& words : view->words)
+      EXPECT_EQ(words.text.find("\u0332"), std::string::npos) << words.text;
+  }
+}
+
 /// The first exhibit, until five in the afternoon.
 Closures first_closed() {
   const std::chrono::local_days day = std::chrono::local_days(std::chrono::year(2026) / 11 / 26);
