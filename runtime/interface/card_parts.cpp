@@ -62,19 +62,23 @@ std::size_t columns_in(const ScreenShape& shape, float width) noexcept {
   return static_cast<std::size_t>(std::clamp(std::floor(width / least), 1.0F, 3.0F));
 }
 
-Block grid_block(Sheet& sheet, std::vector<Block> all, float row_gap) {
+Block grid_block(Sheet& sheet, std::vector<Block> all, float row_gap, std::size_t columns) {
   struct Grid {
     Sheet& sheet;
     std::vector<Block> items;
     float row_gap;
+    std::size_t wanted;
 
+    std::size_t columns_of(float width) const {
+      return wanted > 0 ? wanted : columns_in(sheet.request().shape, width);
+    }
     float width_of(std::size_t columns, float width) const {
       const auto n = static_cast<float>(columns);
       return std::floor((width - (n - 1) * sheet.measures().gap) / n);
     }
     /// Calls for each row with its first item, its height and its top.
     float rows(float width, const std::function<void(std::size_t, float, float)>& row) const {
-      const std::size_t columns = columns_in(sheet.request().shape, width);
+      const std::size_t columns = columns_of(width);
       float y = 0;
       for (std::size_t first = 0; first < items.size(); first += columns) {
         float height = 0;
@@ -86,16 +90,15 @@ Block grid_block(Sheet& sheet, std::vector<Block> all, float row_gap) {
       return std::max(0.0F, y - row_gap);
     }
   };
-  const auto grid = std::make_shared<const Grid>(sheet, std::move(all), row_gap);
+  const auto grid = std::make_shared<const Grid>(sheet, std::move(all), row_gap, columns);
   return {.height = [grid](float width) { return grid->rows(width, [](auto, auto, auto) {}); },
           .draw =
               [grid](const PixelBox& box) {
-                const std::size_t columns = columns_in(grid->sheet.request().shape, box.width);
-                const float wide = grid->width_of(columns, box.width);
+                const std::size_t beside = grid->columns_of(box.width);
+                const float wide = grid->width_of(beside, box.width);
                 const float step = wide + grid->sheet.measures().gap;
                 grid->rows(box.width, [&](std::size_t first, float height, float y) {
-                  for (std::size_t i = first; i < std::min(first + columns, grid->items.size());
-                       ++i)
+                  for (std::size_t i = first; i < std::min(first + beside, grid->items.size()); ++i)
                     grid->items[i].draw(
                         {box.x + static_cast<float>(i - first) * step, box.y + y, wide, height});
                 });
@@ -137,6 +140,22 @@ class Corner {
   }
   float height() const noexcept { return static_cast<float>(rows_.size()) * side(); }
 
+  float height_beside(float width) const noexcept {
+    const std::size_t columns = columns_of(width), count = this->count();
+    return static_cast<float>((count + columns - 1) / columns) * side();
+  }
+  void draw_beside(const PixelBox& box) const {
+    const float touch = sheet_.measures().touch;
+    const std::size_t columns = columns_of(box.width);
+    std::size_t i = 0;
+    for (const auto& row : rows_)
+      for (const Help& help : row) {
+        const auto x = static_cast<float>(i % columns), y = static_cast<float>(i / columns);
+        draw_help(help, {box.x + x * side(), box.y + y * side(), touch, touch});
+        ++i;
+      }
+  }
+
   void draw(const PixelBox& box) const {
     const float touch = sheet_.measures().touch;
     float y = box.y;
@@ -156,6 +175,18 @@ class Corner {
     Pictogram pictogram = Pictogram::Count;
   };
   float side() const noexcept { return sheet_.measures().touch + gap_; }
+  std::size_t count() const noexcept {
+    std::size_t count = 0;
+    for (const auto& row : rows_) count += row.size();
+    return count;
+  }
+  /// In rows of the same length: four and two would be three and three.
+  std::size_t columns_of(float width) const noexcept {
+    const std::size_t most =
+        static_cast<std::size_t>(std::max(1.0F, std::floor((width + gap_) / side())));
+    const std::size_t rows = std::max<std::size_t>(1, (count() + most - 1) / most);
+    return std::max<std::size_t>(1, (count() + rows - 1) / rows);
+  }
   void draw_help(const Help& help, const PixelBox& box) const {
     const bool is_on = sheet_.at(help.control).selected;
     sheet_.place(help.control, box);
@@ -198,6 +229,17 @@ Block beside_corner(Sheet& sheet, std::vector<Block> blocks, float gap) {
                 }
               },
           .gap = gap};
+}
+
+Block helps_block(Sheet& sheet, float gap) {
+  const auto corner = std::make_shared<const Corner>(sheet);
+  // Below the last row is no gap.
+  const float below = std::round(sheet.measures().unit);
+  return {
+      .height = [corner, below](
+                    float width) { return std::max(0.0F, corner->height_beside(width) - below); },
+      .draw = [corner](const PixelBox& box) { corner->draw_beside(box); },
+      .gap = gap};
 }
 
 Block card_buttons(Sheet& sheet, std::span<const std::string_view> names, float gap) {

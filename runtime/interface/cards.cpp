@@ -20,14 +20,7 @@
 namespace docent::interface {
 namespace {
 
-constexpr float card_margin = 2;  // units
-constexpr float heading_units = 5;
 constexpr float taken_opacity = 0.18F;  // of a guide whom somebody else has
-
-/// Of the question above the list; beside it are the helps.
-float height_of_heading(const Measures& m) noexcept {
-  return std::round(std::max(m.touch + m.unit, heading_units * m.unit));
-}
 
 /// What the visitor is led to, and the way there on the small plan.
 Block view_of_goal(Sheet& sheet, float gap) {
@@ -229,25 +222,6 @@ void lay_out_picking_card(Sheet& sheet, const PixelBox& content) {
   lay_out_column(sheet, content, {question, guides}, std::move(foot));
 }
 
-void lay_out_choosing_card(Sheet& sheet, const PixelBox& content) {
-  const float gap = std::round(sheet.measures().unit / 2);
-  const Listed lists = sheet.request().state.lists;
-  const Block title = text_block(sheet, sheet.style(Letters::Lead),
-                                 std::string(sheet.word(title_of(lists))), sheet.theme().ink, gap);
-  std::vector<Block> body{beside_corner(sheet, {title}, gap)}, rows;
-  for (const std::int32_t control : list_items(sheet))
-    rows.push_back(row_block(sheet, control, gap));
-  constexpr std::array<std::string_view, 2> pages{"page:previous", "page:next"};
-  constexpr std::array<std::string_view, 2> buttons{"back", "home"};
-  constexpr std::array<std::string_view, 2> start{"start-tour", "choose"};
-  std::vector<Block> foot{
-      lists == Listed::OwnTour ? card_buttons(sheet, start, gap) : languages_block(sheet, gap),
-      card_buttons(sheet, pages, gap), card_buttons(sheet, buttons, 0)};
-  if (lay_out_wide(sheet, content, {body, foot, {grid_block(sheet, rows, gap)}, {}})) return;
-  std::ranges::move(rows, std::back_inserter(body));
-  lay_out_column(sheet, content, std::move(body), std::move(foot));
-}
-
 void lay_out_walking_card(Sheet& sheet, const PixelBox& content) {
   const Measures& m = sheet.measures();
   constexpr std::array<std::string_view, 3> names{"stop", "skip", "choose"};
@@ -285,25 +259,6 @@ void lay_out_arrived_card(Sheet& sheet, const PixelBox& content) {
   if (!is_longer) std::ranges::copy(seen, std::back_inserter(body));
   std::ranges::copy(text, std::back_inserter(body));
   lay_out_column(sheet, content, std::move(body), std::move(foot));
-}
-
-std::uint32_t rows_of_card(const ScreenShape& shape, std::uint32_t seats,
-                           std::uint32_t seat) noexcept {
-  constexpr float fewest = 6, most = 12;
-  const Measures m = measures_of(shape);
-  const ScreenShape seen = seen_from(side_of(shape, seats, seat), shape);
-  const scene::Rect card = card_of(shape, seats, seat);
-  const PixelBox content = PixelBox{0, 0, card.width * static_cast<float>(seen.width),
-                                    card.height * static_cast<float>(seen.height)}
-                               .inset(std::round(card_margin * m.unit));
-  constexpr float with_long_names = 1.15F;  // some take more lines than their picture is high
-  const float gap = std::round(m.unit / 2), row = with_long_names * height_of_row(m) + gap;
-  float room = content.height + gap, columns = 1;
-  if (is_wide(content))
-    columns = static_cast<float>(columns_in(shape, widest_end(m, content.width)));
-  else
-    room -= height_of_heading(m) + 3 * m.touch + m.gap + 2 * gap;
-  return static_cast<std::uint32_t>(std::clamp(columns * std::floor(room / row), fewest, most));
 }
 
 void lay_out_seat(Sheet& sheet, const PixelBox& card) {

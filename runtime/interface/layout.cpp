@@ -97,6 +97,41 @@ FloorLabel sign_on_model(Sheet& sheet, std::int32_t control) {
           .rect = {}};
 }
 
+/// Is it another number for who stands at the other side, as 6 and 9 or 16 and 91 are?
+bool is_another_upside_down(std::string_view number) {
+  constexpr std::string_view upright = "01689", turned = "01986";
+  std::string other;
+  for (const char digit : number) {
+    const std::size_t at = upright.find(digit);
+    if (at == upright.npos) return false;
+    other.insert(other.begin(), turned[at]);
+  }
+  return other != number && !other.starts_with('0');
+}
+
+/// With a line below it, which says where that is.
+std::string underlined(std::string_view digits) {
+  constexpr std::string_view low_line = "\u0332";  // it joins the digit before it
+  std::string text;
+  for (const char digit : digits) {
+    text += digit;
+    text += low_line;
+  }
+  return text;
+}
+
+/// An exhibit's number as it is set: where it is turned to people at several sides, it cannot be
+/// taken for another.
+TextPiece number_piece(Sheet& sheet, const std::string& number, float widest) {
+  TextStyle style = sheet.style(Letters::Small);
+  style.weight = 600;
+  const bool is_turned = sheet.request().shape.sides.count() > 1;
+  const bool is_marked = is_turned && is_another_upside_down(number);
+  TextPiece piece = sheet.set(style, is_marked ? underlined(number) : number, widest);
+  if (is_marked) piece.words = number;
+  return piece;
+}
+
 /// Where each exhibit stands and each gallery is called, for the choosing screen.
 void add_floor_labels(Sheet& sheet) {
   const Museum& museum = sheet.museum();
@@ -134,10 +169,9 @@ void add_floor_labels(Sheet& sheet) {
       continue;
     }
     const Exhibit& exhibit = museum.exhibits[control.action.argument];
-    TextStyle style = sheet.style(Letters::Small);
-    style.weight = 600;
-    const TextPiece number = sheet.set(
-        style, number_in(museum, language, static_cast<long>(control.action.argument) + 1), widest);
+    const std::string said =
+        number_in(museum, language, static_cast<long>(control.action.argument) + 1);
+    const TextPiece number = number_piece(sheet, said, widest);
     view.labels.push_back(
         {.position = exhibit.placement.position,
          .height = 2.3F,

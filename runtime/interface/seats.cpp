@@ -21,21 +21,14 @@ constexpr float most_of_hanging = 0.42F, most_taken = 0.445F;  // of the glass, 
 /// In which order seats go round the glass.
 constexpr std::array round{Side::Bottom, Side::Right, Side::Top, Side::Left};
 
-Sides sides_of(const ScreenShape& shape) noexcept {
-  Sides sides = shape.sides;
-  if (sides.count() == 0) sides.add(Side::Bottom);
-  return sides;
-}
-
 /// The strips' depth in pixels: of all the same, so that they take so much of the glass at most.
-float depth_of(const ScreenShape& shape) noexcept {
-  const Sides sides = sides_of(shape);
+float depth_at(const ScreenShape& shape, Sides sides) noexcept {
   const auto width = static_cast<float>(shape.width), height = static_cast<float>(shape.height);
   const auto at = [&](Side side) { return sides.has(side) ? 1.0F : 0.0F; };
   const float ends = at(Side::Left) + at(Side::Right),
               long_sides = at(Side::Bottom) + at(Side::Top);
   // (width - ends * d) * (height - long_sides * d) is what is left, and corners are taken once.
-  const float taken = (sides.is_table() ? most_taken : most_of_hanging) * width * height;
+  const float taken = (shape.sides.is_table() ? most_taken : most_of_hanging) * width * height;
   const float b = ends * height + long_sides * width, a = ends * long_sides;
   const float depth = a > 0 ? (b - std::sqrt(b * b - 4 * a * taken)) / (2 * a) : taken / b;
   return std::floor(std::min(depth, most_strip_mm * measures_of(shape).mm));
@@ -43,39 +36,90 @@ float depth_of(const ScreenShape& shape) noexcept {
 
 /// Where a side's strip begins and ends, in pixels from the left as it is seen from there. Those of
 /// the lower and the upper edge have the corners.
-std::pair<float, float> ends_of_strip(const ScreenShape& shape, Side side) noexcept {
-  const Sides sides = sides_of(shape);
+std::pair<float, float> ends_of_strip(const ScreenShape& shape, Sides sides, Side side) noexcept {
   if (!scene::is_at_end(side)) return {0, static_cast<float>(shape.width)};
-  const float depth = depth_of(shape);
+  const float depth = depth_at(shape, sides);
   const float top = sides.has(Side::Top) ? depth : 0, bottom = sides.has(Side::Bottom) ? depth : 0;
   const auto height = static_cast<float>(shape.height);
   return side == Side::Left ? std::pair{top, height - bottom} : std::pair{bottom, height - top};
 }
 
-float length_of_strip(const ScreenShape& shape, Side side) noexcept {
-  const auto [begin, end] = ends_of_strip(shape, side);
+float length_of_strip(const ScreenShape& shape, Sides sides, Side side) noexcept {
+  const auto [begin, end] = ends_of_strip(shape, sides, side);
   return end - begin;
 }
 
-/// How many seats a side has room for.
-std::uint32_t room_at(const ScreenShape& shape, Side side) noexcept {
-  if (!sides_of(shape).has(side)) return 0;
+constexpr float none_is_enough = 1e9F;
+
+/// How wide a card of that depth has to be so that six rows of the list are seen on it, with all
+/// that it has besides: below each other, or the list in columns beside the rest. In pixels.
+float least_for_list(const ScreenShape& shape, float depth) noexcept {
+  constexpr float rows = 6, helps = 6, row_units = 8, column_mm = 104, words_mm = 88;
+  constexpr float longer = 0.8F;  // of a row: some names take more lines than their picture is high
   const Measures m = measures_of(shape);
-  const bool is_shallow = shape.sides.is_table() && depth_of(shape) < shallow_mm * m.mm;
-  const float least =
-      std::max((is_shallow ? least_shallow_mm : least_mm) * m.mm, least_units * m.unit) *
-      shape.text_scale;
-  return static_cast<std::uint32_t>(std::max(0.0F, length_of_strip(shape, side) / least));
+  const float scale = shape.text_scale, one = m.touch + m.unit, margins = 5 * m.unit;
+  const float row = std::max(m.touch, scale * row_units * m.unit) + m.unit / 2;
+  const float column = scale * column_mm * m.mm, words = scale * words_mm * m.mm;
+  const float room_below = depth - 7 * m.unit, room_beside = depth - 5 * m.unit;
+  float least = none_is_enough;
+  for (const float in_row : {3.0F, helps}) {
+    const float helped = std::ceil(helps / in_row) * one, wide = in_row * one;
+    // Below: languages, pages, and what leads away.
+    if (helped + (rows + longer) * row + 3 * one + m.gap <= room_below)
+      least = std::min(least, margins + std::max(wide, scale * least_mm * m.mm));
+    if (helped + 2 * one > room_beside) continue;
+    const float pages = helped + 3 * one > room_beside ? one : 0;  // beside the list
+    const float start = std::max(wide, words) + m.gap + margins + pages;
+    for (const float columns : {1.0F, 2.0F, 3.0F})
+      if ((std::ceil(rows / columns) + longer) * row <= room_beside)
+        least = std::min(least, start + columns * (m.gap + column));
+  }
+  return least;
+}
+
+/// How wide a seat is at least.
+float least_of_seat(const ScreenShape& shape, float depth) noexcept {
+  const Measures m = measures_of(shape);
+  const bool is_shallow = shape.sides.is_table() && depth < shallow_mm * m.mm;
+  const float usual =
+      std::max((is_shallow ? least_shallow_mm : least_mm) * m.mm, least_units * m.unit);
+  return std::max(usual * shape.text_scale, least_for_list(shape, depth));
+}
+
+/// How many seats a side has room for.
+std::uint32_t room_at(const ScreenShape& shape, Sides sides, Side side) noexcept {
+  if (!sides.has(side)) return 0;
+  const float least = least_of_seat(shape, depth_at(shape, sides));
+  return static_cast<std::uint32_t>(std::max(0.0F, length_of_strip(shape, sides, side) / least));
+}
+
+/// Where seats are: a side that is too short for one leaves its strip to the model and the others.
+Sides sides_of(const ScreenShape& shape) noexcept {
+  Sides asked = shape.sides;
+  if (asked.count() == 0) asked.add(Side::Bottom);
+  for (Sides sides = asked;;) {
+    Sides with_room;
+    for (const Side side : round)
+      if (room_at(shape, sides, side) > 0) with_room.add(side);
+    if (with_room == sides) return sides;
+    if (with_room.count() == 0) return asked;
+    sides = with_room;
+  }
+}
+
+float depth_of(const ScreenShape& shape) noexcept {
+  return depth_at(shape, sides_of(shape));
 }
 
 /// Of so many seats, those of each side: who comes next sits where most is free.
 std::array<std::uint32_t, 4> seats_by_side(const ScreenShape& shape, std::uint32_t seats) noexcept {
   std::array<std::uint32_t, 4> count{};
+  const Sides sides = sides_of(shape);
   for (std::uint32_t i = 0; i < seats; ++i) {
     const auto free_at = [&](Side side) {
       const std::uint32_t taken = count[static_cast<std::size_t>(side)];
-      const float width = length_of_strip(shape, side) / static_cast<float>(taken + 1);
-      return std::tuple{sides_of(shape).has(side), taken < room_at(shape, side), width};
+      const float width = length_of_strip(shape, sides, side) / static_cast<float>(taken + 1);
+      return std::tuple{sides.has(side), taken < room_at(shape, sides, side), width};
     };
     ++count[static_cast<std::size_t>(*std::ranges::max_element(round, {}, free_at))];
   }
@@ -102,7 +146,8 @@ SeatPlace place_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t 
 
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept {
   std::uint32_t room = 0;
-  for (const Side side : round) room += room_at(shape, side);
+  const Sides sides = sides_of(shape);
+  for (const Side side : round) room += room_at(shape, sides, side);
   return std::clamp(wanted, 1U, std::clamp(room, 1U, most_seats));
 }
 
@@ -129,7 +174,7 @@ scene::Rect column_of(const ScreenShape& shape, std::uint32_t seats, std::uint32
   const SeatPlace place = place_of(shape, seats, seat);
   const ScreenShape seen = seen_from(place.side, shape);
   const auto width = static_cast<float>(seen.width), height = static_cast<float>(seen.height);
-  const auto [begin, end] = ends_of_strip(shape, place.side);
+  const auto [begin, end] = ends_of_strip(shape, sides_of(shape), place.side);
   const float one = (end - begin) / static_cast<float>(place.count), depth = depth_of(shape);
   return {(begin + static_cast<float>(place.index) * one) / width, 1 - depth / height, one / width,
           depth / height};
@@ -141,7 +186,8 @@ scene::Rect card_of(const ScreenShape& shape, std::uint32_t seats, std::uint32_t
   const Measures m = measures_of(shape);
   const scene::Rect column = column_of(shape, seats, seat);
   const float gap = std::round(m.unit);
-  const float wide = std::floor(std::min(column.width * width - gap, most_card_mm * m.mm));
+  const float most = std::max(most_card_mm * m.mm, least_of_seat(shape, depth_of(shape)) - gap);
+  const float wide = std::floor(std::min(column.width * width - gap, most));
   const float left = std::round(column.x * width + (column.width * width - wide) / 2);
   return {left / width, column.y + gap / height, wide / width,
           column.height - (gap + m.gap) / height};

@@ -8,8 +8,9 @@ namespace docent::interface {
 /// How many visitors at most use a glass at the same time.
 inline constexpr std::uint32_t most_seats = 8;
 
-/// How many seats a glass has room for, at most `wanted`: each is at least 100 mm wide, and wider
-/// where letters are larger or a card is shallow. 1: the glass is not shared.
+/// How many seats a glass has room for, at most `wanted`: each is at least 100 mm wide, and so wide
+/// that six rows of the list are seen on its card, whatever the size of letters. A side that is too
+/// short for that has none. 1: the glass is not shared.
 std::uint32_t seats_on(const ScreenShape& shape, std::uint32_t wanted) noexcept;
 
 /// What the strips of seats along the edges leave to the model, which is at least 55 %. Screen

@@ -120,10 +120,13 @@ void Composer::add_where(Utterance& out, std::uint32_t floor, std::uint32_t room
     append_spoken(out, local(museum_.floors[floor].title));
 }
 
-/// What tells one of a list from another: where it is, how long it takes, that it is closed.
+/// What tells one of a list from another: which exhibit it collects, where it is, how long it
+/// takes, that it is closed.
 void Composer::add_detail(Utterance& out, const Control& control) const {
-  if (control.role != Role::ListItem && control.role != Role::Spot) return;
   const Action& action = control.action;
+  if (is_collect(control) && action.argument < museum_.exhibits.size())
+    return append_spoken(out, local(museum_.exhibits[action.argument].title));
+  if (control.role != Role::ListItem && control.role != Role::Spot) return;
   switch (action.kind) {
     case Action::Kind::FollowTour:
       if (control.name != "next" && action.stop.tour < museum_.tours.size())
@@ -217,14 +220,11 @@ Utterance Composer::control(const Control& control) const {
     add_sound(out, control.action);
   else
     append_spoken(out, label);
-  if (names_language) {
-    if (control.selected) append_spoken(out, word(museum_, language, "state_selected"));
-    return out;
-  }
-  add_detail(out, control);
-  append_spoken(out, say(role_word(control.role)));
-  if (control.selected) append_spoken(out, say("state_selected"));
-  if (!control.enabled) append_spoken(out, say("state_disabled"));
+  if (!names_language) add_detail(out, control);
+  const auto says = [&](std::string_view key) { append_spoken(out, word(museum_, language, key)); };
+  says(role_word(control.role));
+  if (control.selected) says("state_selected");
+  if (!control.enabled) says("state_disabled");
   return out;
 }
 

@@ -289,6 +289,75 @@ TEST(Card, LiesWherePeopleStandEvenWhereThereIsNoRoomForAll) {
   }));
 }
 
+/// Letters as boxes; those of Arabic are three quarters as wide as others.
+TextBitmap narrow_arabic(const TextStyle& style, std::string_view text, std::uint32_t width) {
+  const float narrower = style.right_to_left ? 0.75F : 1;
+  TextBitmap set =
+      boxes(style, text, static_cast<std::uint32_t>(static_cast<float>(width) / narrower));
+  set.width = static_cast<std::uint32_t>(std::ceil(static_cast<float>(set.width) * narrower));
+  set.coverage.assign(std::size_t{set.width} * set.height, 255);
+  return set;
+}
+
+std::unique_ptr<View> laid_out_as_set(const ViewRequest& request) {
+  PieceCache cache({narrow_arabic, plain}, 1, 1 << 20);
+  return make_view(museum(), request, cache);
+}
+
+/// Whatever staff may write into kiosk.toml of a glass that is shared.
+ViewRequest any_shared_list() {
+  ViewRequest request;
+  constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 3> sizes{
+      {{3840, 2160}, {1920, 1200}, {1280, 720}}};
+  const auto [longer, shorter] = *rc::gen::elementOf(sizes);
+  const bool is_upright = *rc::gen::arbitrary<bool>();
+  request.shape.width = is_upright ? shorter : longer;
+  request.shape.height = is_upright ? longer : shorter;
+  request.shape.diagonal_inches = static_cast<float>(*rc::gen::inRange(32, 66));
+  request.shape.text_scale = *rc::gen::element(1.0F, 1.0F, 1.5F, 2.0F);
+  request.shape.sides.bits = static_cast<std::uint8_t>(*rc::gen::inRange(1, 16));
+  const std::uint32_t seats = seats_on(request.shape, *rc::gen::inRange(1U, 9U));
+  RC_PRE(seats > 1);
+  request.state.screen = Screen::Choosing;
+  request.state.glass = Glass::Busy;
+  request.state.seats = static_cast<std::uint8_t>(seats);
+  request.state.seat = 1 + *rc::gen::inRange(0U, seats);
+  request.state.look = 1;
+  request.state.language = *rc::gen::inRange(0U, 3U);
+  request.state.lists = *rc::gen::element(Listed::Exhibits, Listed::Places, Listed::OwnTour);
+  for (std::uint32_t i = 0; i < 9; ++i) add_to(request.state.own_tour, i);
+  if (*rc::gen::arbitrary<bool>()) request.state.exhibit = 2;
+  return request;
+}
+
+TEST(Card, ShowsSixRowsOfTheListOnAnyGlassThatIsShared) {
+  EXPECT_TRUE(rc::check("32 to 65 inches, any sides, any number of visitors", [] {
+    const ViewRequest request = any_shared_list();
+    const auto view = laid_out_as_set(request);
+    const auto items = static_cast<std::size_t>(
+        std::ranges::count(view->controls, Role::ListItem, &Control::role));
+    const std::size_t seen = test::whole_items(*view);
+    RC_LOG() << seen << " of " << items << " items, " << request.shape.width << " x "
+             << request.shape.height << ", " << request.shape.diagonal_inches << " inches, letters "
+             << request.shape.text_scale << ", sides " << int{request.shape.sides.bits} << ", seat "
+             << *request.state.seat << " of " << int{request.state.seats} << ", language "
+             << request.state.language << ", list " << static_cast<int>(request.state.lists)
+             << '\n';
+    RC_ASSERT(seen >= std::min<std::size_t>(6, items));
+    const scene::Rect card = card_of(request.shape, request.state.seats, *request.state.seat);
+    RC_ASSERT(card.x >= 0 && card.y >= 0 && card.x + card.width <= 1.0001F &&
+              card.y + card.height <= 1.0001F);
+    for (std::size_t i = 0; i < view->controls.size(); ++i) {
+      const scene::Rect r = test::reached(*view, i);
+      RC_ASSERT(r.width > 0 && r.height > 0);
+      RC_ASSERT(r.x >= card.x - 1e-4F && r.x + r.width <= card.x + card.width + 1e-4F);
+      RC_ASSERT(r.y >= card.y - 1e-4F && r.y + r.height <= card.y + card.height + 1e-4F);
+      for (std::size_t j = 0; j < i; ++j)
+        RC_ASSERT(!overlap(view->controls[i].rect, view->controls[j].rect));
+    }
+  }));
+}
+
 TEST(Card, HasSixRowsOfTheListAndLettersOfFiveMillimetres) {
   EXPECT_TRUE(rc::check("six items a page", [] {
     ViewRequest request = any_card();
@@ -369,6 +438,29 @@ std::vector<std::string> texts_of(const ViewRequest& request, const Closures& cl
   PieceCache cache({note, plain}, 1, 1 << 20);
   make_view(museum(), request, cache, closed);
   return texts;
+}
+
+TEST(ANumberOnTheModel, CannotBeTakenForAnotherByWhoStandsAtAnotherSide) {
+  ViewRequest request;
+  request.shape = {.width = 3840, .height = 2160, .diagonal_inches = 55};
+  request.state.screen = Screen::Choosing;
+  request.state.glass = Glass::Busy;
+  request.state.seats = 8;
+  ASSERT_GE(museum().exhibits.size(), 19U);
+  for (const scene::Side side : {scene::Side::Bottom, scene::Side::Top}) {
+    request.shape.sides.add(side);
+    const bool is_turned = request.shape.sides.count() > 1;
+
+    const std::vector<std::string> texts = texts_of(request, {});
+
+    for (const char* marked : {"6\u0332", "9\u0332", "1\u03326\u0332", "1\u03329\u0332"})
+      EXPECT_EQ(std::ranges::count(texts, marked), is_turned ? 1 : 0) << marked;
+    for (const char* plain : {"1", "2", "8", "10", "11", "12"})
+      EXPECT_EQ(std::ranges::count(texts, plain), 1) << plain;
+    const auto view = laid_out(request);
+    for (const Words& words : view->words)
+      EXPECT_EQ(words.text.find("\u0332"), std::string::npos) << words.text;
+  }
 }
 
 /// The first exhibit, until five in the afternoon.

@@ -33,4 +33,20 @@ inline scene::Rect reached(const interface::View& view, std::size_t control) {
   return interface::seen_of(area, scrolled->rect, offset);
 }
 
+/// How many items of a list are wholly seen before anything is moved.
+inline std::size_t whole_items(const interface::View& view) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < view.controls.size(); ++i) {
+    if (view.controls[i].role != interface::Role::ListItem) continue;
+    const interface::ScrollArea& area = view.scroll;
+    const auto scrolled = std::ranges::find(area.controls, static_cast<std::int32_t>(i),
+                                            &interface::ScrollArea::Scrolled::control);
+    const bool scrolls = scrolled != area.controls.end();
+    const scene::Rect rect = scrolls ? scrolled->rect : view.controls[i].rect;
+    const scene::Rect seen = scrolls ? interface::seen_of(area, rect, 0) : rect;
+    count += rect.height > 0 && seen.height >= 0.999F * rect.height ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace docent::test

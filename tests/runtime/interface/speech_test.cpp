@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "runtime/interface/layout.h"
@@ -24,6 +25,7 @@ using testing::Not;
 const Museum& museum() {
   static const Museum it = [] {
     Museum all = test::in_all_shipped_languages(test::sample_museum_without_walls());
+    all.floors.front().title = {{"en", "Ground floor"}};
     Floor above = all.floors.front();
     above.plan.name = "upper";
     above.title = {{"en", "Upper floor"}};
@@ -110,25 +112,85 @@ TEST(Speech, IsMadeOfPreparedPiecesAloneInEveryLanguage) {
   }));
 }
 
+/// Every screen, on a glass of one's own and on a card.
+std::vector<ViewRequest> every_screen() {
+  std::vector<ViewRequest> all;
+  for (const Screen screen : {Screen::Welcome, Screen::Picking, Screen::Choosing, Screen::Walking,
+                              Screen::Arrived, Screen::Searching})
+    for (const bool is_on_card : {false, true}) {
+      ViewRequest request;
+      request.state.screen = screen;
+      if (screen == Screen::Walking || screen == Screen::Arrived) request.state.exhibit = 0;
+      request.state.arrived = screen == Screen::Arrived;
+      if (is_on_card) {
+        request.state.glass = Glass::Busy;
+        request.state.seats = 2;
+        request.state.seat = 1;
+        request.state.look = 1;
+      }
+      for (const Listed lists : {Listed::Exhibits, Listed::Places, Listed::Languages}) {
+        if (lists != Listed::Exhibits && screen != Screen::Choosing) continue;
+        request.state.lists = lists;
+        all.push_back(request);
+      }
+    }
+  return all;
+}
+
+std::string_view role_of(Role role) {
+  switch (role) {
+    case Role::Button:
+      return "role_button";
+    case Role::ListItem:
+      return "role_item";
+    case Role::Spot:
+      return "role_spot";
+    case Role::Choice:
+      return "role_choice";
+  }
+  return {};
+}
+
 TEST(Speech, SaysNameRoleAndStateOfEveryControl) {
-  ViewRequest request;
-  request.state.screen = Screen::Choosing;
-  for (request.state.language = 0; request.state.language < museum().languages.size();
-       ++request.state.language) {
+  for (ViewRequest request : every_screen())
+    for (std::uint32_t language = 0; language < museum().languages.size(); ++language) {
+      request.state.language = language;
+      const auto controls = controls_of(museum(), request.state, 6);
+      const Speech speech = speech_of(museum(), request, controls, {}, nullptr);
+      ASSERT_EQ(speech.controls.size(), controls.size());
+      for (std::size_t i = 0; i < controls.size(); ++i) {
+        const Control& control = controls[i];
+        const Utterance& said = speech.controls[i];
+        ASSERT_GE(said.pieces.size(), 2U) << control.name << " has a name and a role";
+        EXPECT_TRUE(said.pieces.back().pause);
+        const std::uint32_t heard_in =
+            control.action.kind == Action::Kind::Speak ? control.action.argument : language;
+        const auto says = [&](std::string_view key) {
+          return std::ranges::find(said.pieces.begin() + 1, said.pieces.end(),
+                                   word(museum(), heard_in, key),
+                                   &SpokenPiece::text) != said.pieces.end();
+        };
+        EXPECT_EQ(says("state_selected"), control.selected) << control.name;
+        EXPECT_EQ(says("state_disabled"), !control.enabled) << control.name;
+        for (const Role role : {Role::Button, Role::ListItem, Role::Spot, Role::Choice}) {
+          const bool is_called_so = word(museum(), heard_in, role_of(role)) ==
+                                    word(museum(), heard_in, role_of(control.role));
+          EXPECT_EQ(says(role_of(role)), is_called_so) << control.name << " in " << said.language;
+        }
+      }
+    }
+}
+
+TEST(Speech, TellsButtonsThatDoNotDoTheSameApart) {
+  for (ViewRequest request : every_screen()) {
     const auto controls = controls_of(museum(), request.state, 6);
     const Speech speech = speech_of(museum(), request, controls, {}, nullptr);
-    ASSERT_EQ(speech.controls.size(), controls.size());
+    std::map<std::string, std::string> heard;
     for (std::size_t i = 0; i < controls.size(); ++i) {
-      const Utterance& said = speech.controls[i];
-      ASSERT_FALSE(said.empty()) << controls[i].name;
-      EXPECT_TRUE(said.pieces.back().pause);
-      const auto says = [&](std::string_view key) {
-        return std::ranges::find(said.pieces, word(museum(), request.state.language, key),
-                                 &SpokenPiece::text) != said.pieces.end();
-      };
-      EXPECT_EQ(says("state_selected"), controls[i].selected) << controls[i].name;
-      EXPECT_EQ(says("state_disabled"), !controls[i].enabled) << controls[i].name;
-      EXPECT_EQ(says("role_item"), controls[i].role == Role::ListItem) << controls[i].name;
+      if (!is_collect(controls[i])) continue;
+      const std::string said = text_of(speech.controls[i]);
+      EXPECT_TRUE(heard.emplace(said, controls[i].name).second)
+          << said << " is " << heard[said] << " and " << controls[i].name;
     }
   }
 }
