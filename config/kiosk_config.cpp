@@ -159,7 +159,7 @@ constexpr std::array keypad_fields{
         "keys",
         &KeypadSection::keys,
         Presence::Optional,
-        "What its keys mean, where they send others: keys.F23 = \"LEFT\" for each. "
+        "What its keys mean, where they send others: keys.F23 = \"LEFT\" for each; "
         "UP, DOWN, LEFT, RIGHT, ENTER, BACK, HELP, VOLUME_UP, VOLUME_DOWN, 0 to 9 "
         "and A to Z are heeded; F1 to F24 may be sent, too, and docent hid decode "
         "tells what is",

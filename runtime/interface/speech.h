@@ -59,7 +59,8 @@ struct SpeechPart {
 const Utterance* said_in(const Speech& speech, const SpeechPart& part) noexcept;
 
 /// Pure. It is in the visitor's language; where that has no sounds, and another has, in the first
-/// of the museum's that has. All pieces of it are among spoken_pieces(). `closed` and `way` as for make_view.
+/// of the museum's that has. All pieces of it are among spoken_pieces(). `closed` and `way` as for
+/// make_view.
 Speech speech_of(const Museum& museum, const ViewRequest& request,
                  const std::vector<Control>& controls, const Closures& closed, const ShownWay* way);
 

@@ -93,7 +93,9 @@ double lower_quartile(std::vector<double> values) {
 /// at the quieter times.
 class MemoryWatch {
  public:
+  /// What was freed is no growth, whether or not the system has it back already.
   void look(double time) {
+    kiosk::give_back_freed_memory();
     own_.push_back(memory().own);
     if (time <= first_hour) after_first_hour_ = own_.size();
   }

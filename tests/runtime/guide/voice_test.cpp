@@ -21,9 +21,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
+/// Without sounds: where some languages had them, the others would be heard in one of those.
 const Museum& museum() {
-  static const Museum it =
-      test::in_all_shipped_languages(sqlite::load_museum(test::sample_database()).value());
+  static const Museum it = [] {
+    Museum all =
+        test::in_all_shipped_languages(sqlite::load_museum(test::sample_database()).value());
+    all.speech.clear();
+    return all;
+  }();
   return it;
 }
 
@@ -71,10 +76,18 @@ class Listener {
     }
     return has_come();
   }
+  /// Likewise, and not of what collects it, which is said with its name, too, behind what it does.
+  bool hears_itself(std::string_view name) {
+    while (hears(name)) {
+      if (!heard[listened_].control.starts_with("collect:")) return true;
+      ++listened_;
+    }
+    return false;
+  }
   /// Presses the key that chooses when a control of that label has been said.
   bool chooses(std::string_view label) {
     constexpr double reaction = 0.8;
-    if (!hears(label)) return false;
+    if (!hears_itself(label)) return false;
     run(heard[listened_++].ends + reaction - time_);
     press(input::Key::Enter);
     return true;

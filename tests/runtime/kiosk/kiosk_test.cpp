@@ -47,12 +47,12 @@ enum class Pictures : std::uint8_t { None, All };
 class PlayedVisit {
  public:
   explicit PlayedVisit(const std::string& visit, const std::string& device = "# a new device\n",
-                       Pictures pictures = Pictures::None) {
+                       Pictures pictures = Pictures::None, const std::string& size = "160x90") {
     std::ofstream(path("v.visit")) << visit;
     std::ofstream(path("kiosk.toml")) << device;
     ended_ = test::run_program(
         "docent",
-        "--display headless --size 160x90 --config '" + path("kiosk.toml") + "' --content '" +
+        "--display headless --size " + size + " --config '" + path("kiosk.toml") + "' --content '" +
             test::sample_database().string() + "' --visit '" + path("v.visit") + "' --stats '" +
             path("stats.json") + "' --states '" + path("states.csv") + "'" +
             (pictures == Pictures::All ? " --record '" + path("record") + "'" : std::string()));
@@ -142,7 +142,8 @@ TEST(Visit, OfSeveralAtOnceEndsForEachBesideTheirExhibit) {
       "1 tap @look:rose seat 1\n1 tap @look:sky seat 5\n1 tap @look:plum seat 8\n"
       "2 tap @exhibit:tripod-ding seat 1\n2 tap @exhibit:painted-jar seat 5\n"
       "2 tap @exhibit:boundary-stone seat 8\n34 quit\n",
-      "screen_inches = 55\n");
+      // Pixels are not so coarse that letters, and with them cards, would be much larger.
+      "screen_inches = 55\n", Pictures::None, "320x180");
 
   ASSERT_EQ(run.ended().exit_code, 0) << run.ended().err;
   std::map<int, std::vector<State>> tracks;
