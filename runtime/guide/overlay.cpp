@@ -523,7 +523,7 @@ void Overlay::draw_inset(const interface::View& view, float opacity, const Guide
   };
   if (guide.floor == inset.floor) {
     disc(guide.at, 2.4F, 0, theme.paper);
-    disc(guide.at, 1.8F, 0, theme.focus);
+    disc(guide.at, 1.8F, 0, inset.guide);
   }
   // A small figure: a body, and a head above it.
   const float share = reduced_motion_ ? 1 : std::min(1.0F, run_ / run_seconds);

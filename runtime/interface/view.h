@@ -120,7 +120,7 @@ struct InsetPlan {
   Vec2 right{}, down{};       ///< Floor frame: what one metre is, in shares of the board.
   std::vector<Vec2> way;      ///< Floor frame.
   std::vector<double> reach;  ///< Metres along the way of each point.
-  scene::Colour figure;
+  scene::Colour guide;        ///< Of the spot that is where it is.
 };
 
 /// What the interface shows in one state: made on the worker, shown by the frame thread, which only

@@ -132,7 +132,7 @@ void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
   inset.down = frame.scale / box.height * frame.down;
   inset.way = sheet.way()->line;
   inset.reach = distances_along(inset.way);
-  inset.figure = way_colour;
+  inset.guide = state.look ? sheet.on_paper(scene::trail_colour(*state.look)) : sheet.theme().focus;
 }
 
 }  // namespace

@@ -90,6 +90,28 @@ TEST(TheInsetPlan, LiesOnTheModelAndOnNothingElse) {
   }));
 }
 
+TEST(TheInsetPlan, HasASpotOfTheGuidesOwnColourWhereVisitorsHaveGuidesOfTheirOwn) {
+  ShownWay way;
+  way.line = {{20, 2.6}, {20, 14}, {6, 14}};
+  ViewRequest request;
+  request.shape.width = 1920;
+  request.shape.height = 1080;
+  request.state.screen = Screen::Walking;
+  request.state.exhibit = 3;
+  request.route_summary = RouteSummary{path::RouteStatus::Ok, 25, 20};
+  const auto spot = [&](std::optional<std::uint32_t> look) {
+    request.state.look = look;
+    PieceCache cache({test::boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum(), request, cache, {}, &way);
+    EXPECT_GT(view->inset.board.width, 0);
+    return scene::hex_of(view->inset.guide);
+  };
+
+  EXPECT_NE(spot(1), spot(2));
+  EXPECT_NE(spot(1), spot({}));
+  EXPECT_EQ(spot({}), scene::hex_of(scene::Theme{}.focus));
+}
+
 TEST(TheSentences, LieOverNoOtherTextAndNoControl) {
   EXPECT_TRUE(rc::check("in any language, in any size of letters", [] {
     const ViewRequest request = any_walk();
