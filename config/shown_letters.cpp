@@ -170,8 +170,10 @@ constexpr std::array<std::uint32_t, 5148> runs{
 
 bool is_shown(char32_t letter) noexcept {
   std::uint32_t end = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (letter < (end += runs[i])) return i % 2 == 1;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    end += runs[i];
+    if (letter < end) return i % 2 == 1;
+  }
   return false;
 }
 

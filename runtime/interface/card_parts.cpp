@@ -142,7 +142,8 @@ class Corner {
 
   float height_beside(float width) const noexcept {
     const std::size_t columns = columns_of(width), count = this->count();
-    return static_cast<float>((count + columns - 1) / columns) * side();
+    const std::size_t rows = (count + columns - 1) / columns;
+    return static_cast<float>(rows) * side();
   }
   void draw_beside(const PixelBox& box) const {
     const float touch = sheet_.measures().touch;
@@ -150,8 +151,9 @@ class Corner {
     std::size_t i = 0;
     for (const auto& row : rows_)
       for (const Help& help : row) {
-        const auto x = static_cast<float>(i % columns), y = static_cast<float>(i / columns);
-        draw_help(help, {box.x + x * side(), box.y + y * side(), touch, touch});
+        const std::size_t column = i % columns, line = i / columns;
+        draw_help(help, {box.x + static_cast<float>(column) * side(),
+                         box.y + static_cast<float>(line) * side(), touch, touch});
         ++i;
       }
   }
