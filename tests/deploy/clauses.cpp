@@ -28,9 +28,9 @@ the same heights. `same_key_delay` is for hands that tremble, `reduced_motion` f
 const std::array table{
     Clause{"5.1.2.2",
            "Without assistive technology of one's own",
-           State::Met,
+           State::InPart,
            "Everything is reached by touch, and by a keypad of six keys with speech; headphones "
-           "are not needed to begin it.",
+           "are not needed to begin it. Open: nothing is spoken on a glass that visitors share.",
            {"Guide.CanBeUsedByKeysAlone", "ClosedEyes.MakeAWholeVisitByTheTranscriptAlone"}},
     Clause{"5.1.3.1",
            "Audio output of visual information",
@@ -135,7 +135,7 @@ const std::array table{
            State::InPart,
            "One touch makes letters half as large again: capitals of 7.5 mm on a screen of 32 "
            "inches, 0.7 degrees from 60 cm away. Open: on smaller "
-           "screens less.",
+           "screens less; on a glass that visitors share letters are as kiosk.toml says.",
            {"Senses.AreAsOneVisitorWantsThemAndNormalForTheNext",
             "OnGlass.SaysHowHighLettersAreOnTheGlass"}},
     Clause{
@@ -168,9 +168,10 @@ const std::array table{
     Clause{"5.1.7", "Without speaking", State::NotConcerned, "Nobody needs to speak to it.", {}},
     Clause{"5.2",
            "Helps are turned on by those who need them",
-           State::Met,
+           State::InPart,
            "Larger letters, contrast, low reach and speech are four buttons of every screen; "
-           "speech also begins with headphones or the key HELP.",
+           "speech also begins with headphones or the key HELP. Open: a glass that visitors share "
+           "has none of them.",
            {"Guide.ComesToTheHelpsLastByKeys", "Voice.IsSilentUntilSomebodyWantsToHear"}},
     Clause{"5.3", "Biometrics", State::NotConcerned, "None.", {}},
     Clause{
