@@ -358,7 +358,8 @@ bool Renderer::is_coarse() const noexcept {
 /// It draws in a corner of the target: what is compiled is the same.
 void Renderer::warm_up(RenderTarget target) {
   constexpr PixelSize corner{150, 90};
-  target.size = corner;
+  target.size = {std::min(corner.width, target.size.width),
+                 std::min(corner.height, target.size.height)};
   const OneOfEach each = one_of_each();
   draw(each.list, each.holdings, target, {}, 0.5F);
   draw(each.list, each.holdings, target);
