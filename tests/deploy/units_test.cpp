@@ -34,6 +34,17 @@ TEST(Units, HoldKeyboardsWhileTheKioskLivesAndNoLonger) {
   EXPECT_THAT(lock, HasSubstr("\nExecStop=/usr/bin/rm -f /run/docent-locked\n"));
 }
 
+TEST(Units, GiveALoginOnlyByWhatIsRefusedWhileTheKioskStarts) {
+  const std::string lock = deployed("systemd/docent-lock.service");
+  const std::string console = deployed("systemd/docent-console.service");
+
+  EXPECT_THAT(lock, testing::ContainsRegex("\nExecStopPost=[^\n]*systemctl start --no-block "
+                                           "--job-mode=fail docent-console.service"));
+  EXPECT_THAT(lock, testing::Not(HasSubstr("getty@tty1")));
+  EXPECT_THAT(console, HasSubstr("\nConflicts=docent.service\n"));
+  EXPECT_THAT(console, HasSubstr("\nRequires=getty@tty1.service\n"));
+}
+
 TEST(Units, WaitForTheGuideLongerThanTheBootLoadersDiskStaysMounted) {
   const std::string unit = deployed("disk/docent-good.service");
 
