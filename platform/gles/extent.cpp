@@ -7,6 +7,15 @@
 
 namespace docent::gles {
 
+std::array<Region, 4> beside(const Region& other, const Region& region) noexcept {
+  if (other.is_empty()) return {region};
+  const Region across = common(region, {region.left, other.low, region.right, other.high});
+  return {common({across.left, across.low, other.left, across.high}, across),
+          common({other.right, across.low, across.right, across.high}, across),
+          common({region.left, region.low, region.right, other.low}, region),
+          common({region.left, other.high, region.right, region.high}, region)};
+}
+
 PixelSize scaled(PixelSize size, float share) noexcept {
   const auto fewer = [&](std::uint32_t all) {
     return std::max(1U, static_cast<std::uint32_t>(std::lround(share * static_cast<float>(all))));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "platform/display.h"
@@ -57,6 +58,9 @@ constexpr Region common(const Region& a, const Region& b) noexcept {
   return {std::max(a.left, b.left), std::max(a.low, b.low), std::min(a.right, b.right),
           std::min(a.high, b.high)};
 }
+
+/// What of a region lies beside another one: to its left and right, below and above.
+std::array<Region, 4> beside(const Region& other, const Region& region) noexcept;
 
 /// A picture of this share of the lines and columns; never without pixels.
 PixelSize scaled(PixelSize size, float share) noexcept;

@@ -28,6 +28,16 @@ scene::Rect text_rect(const scene::Quad& quad, PixelSize screen,
           std::round(quad.rect.y * static_cast<float>(screen.height)), across, down};
 }
 
+/// `rect`: pixels, y runs down; `beyond`: how far about it something is seen.
+bool reaches_into(const Region& part, const scene::Rect& rect, float beyond,
+                  float height) noexcept {
+  const auto left = static_cast<float>(part.left), right = static_cast<float>(part.right);
+  const float top = height - static_cast<float>(part.high);
+  const float bottom = height - static_cast<float>(part.low);
+  return rect.x - beyond < right && rect.x + rect.width + beyond > left &&
+         rect.y - beyond < bottom && rect.y + rect.height + beyond > top;
+}
+
 }  // namespace
 
 Result<void> QuadPass::compile() {
@@ -60,8 +70,8 @@ void QuadPass::flush(GLuint texture) noexcept {
   staging_.clear();
 }
 
-void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
-                    const Textures& textures) noexcept {
+void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen, const Textures& textures,
+                    const Region& part) noexcept {
   if (quads.empty()) return;
   program_.use();
   const auto width = static_cast<float>(screen.width);
@@ -76,10 +86,7 @@ void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
     if (uses_texture(quad.fill)) {
       texture = textures.find(quad.texture);
       if (!texture) continue;
-      if (bound != 0 && bound != texture->texture.get()) flush(bound);
-      bound = texture->texture.get();
     }
-    if (staging_.size() == most_instances) flush(bound);
     const scene::Rect rect = quad.fill == scene::QuadFill::Text
                                  ? text_rect(quad, screen, *texture)
                                  : scene::Rect{quad.rect.x * width, quad.rect.y * height,
@@ -91,6 +98,12 @@ void QuadPass::draw(std::span<const scene::Quad> quads, PixelSize screen,
     const float beyond = quad.fill == scene::QuadFill::Text     ? 0
                          : quad.fill == scene::QuadFill::Shadow ? softness
                                                                 : 1;
+    if (!reaches_into(part, rect, beyond, height)) continue;
+    if (texture) {
+      if (bound != 0 && bound != texture->texture.get()) flush(bound);
+      bound = texture->texture.get();
+    }
+    if (staging_.size() == most_instances) flush(bound);
     staging_.push_back({{rect.x, rect.y, rect.width, rect.height},
                         {quad.uv.x, quad.uv.y, quad.uv.width, quad.uv.height},
                         {quad.colour.r, quad.colour.g, quad.colour.b, quad.colour.a},

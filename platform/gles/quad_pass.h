@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "platform/display.h"
+#include "platform/gles/extent.h"
 #include "platform/gles/program.h"
 #include "platform/gles/textures.h"
 
@@ -14,8 +15,9 @@ namespace docent::gles {
 class QuadPass {
  public:
   Result<void> compile();
-  void draw(std::span<const scene::Quad> quads, PixelSize screen,
-            const Textures& textures) noexcept;
+  /// Those that reach into a part of the screen.
+  void draw(std::span<const scene::Quad> quads, PixelSize screen, const Textures& textures,
+            const Region& part) noexcept;
 
  private:
   /// One instance, in pixels.

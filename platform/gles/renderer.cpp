@@ -13,6 +13,7 @@
 #include "platform/gles/object_pass.h"
 #include "platform/gles/one_of_each.h"
 #include "platform/gles/panel_pass.h"
+#include "platform/gles/pieces.h"
 #include "platform/gles/program.h"
 #include "platform/gles/quad_pass.h"
 #include "platform/gles/scene_buffer.h"
@@ -82,7 +83,17 @@ struct Shot {
   Vec3 sun;
   GLuint framebuffer;  ///< Encodes sRGB.
   PixelSize size;
+  const RenderTarget* panel;  ///< To which the picture is copied; null: that is the target itself.
+  std::uint32_t age;          ///< As Display::age().
 };
+
+/// Where the interface lies in a part of the picture.
+Pieces interface_in(const Region& part, const Shot& shot) noexcept {
+  Pieces pieces;
+  for (const scene::Quad& quad : shot.list.quads)
+    pieces.add(common(region_of(extent_of(scene::reach_of(quad)), shot.size), part));
+  return pieces;
+}
 
 }  // namespace
 
@@ -95,8 +106,7 @@ struct Renderer::Parts {
   Result<void> compile();
   /// Draws what differs; all of the model, where that is asked for, with this share of the
   /// picture's lines and columns.
-  /// Returns where the picture is another one now.
-  Region draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
+  void draw(const Shot& shot, const scene::Change& change, float fineness) noexcept;
   /// `pixels`: of the model as it is drawn.
   void prepare(const Shot& shot, PixelSize pixels) noexcept;
   /// Where the picture has to be drawn anew: of the model, and of the interface, which often lie
@@ -108,7 +118,14 @@ struct Renderer::Parts {
   Region take_coarse_rows() noexcept;
   void forget_coarse_picture() noexcept;
   void draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept;
-  void draw_coarsely(const Shot& shot, const Region& part, PixelSize pixels) noexcept;
+  /// Where all of the model is drawn with fewer `pixels`: what of the picture is `changed`.
+  void draw_coarsely(const Shot& shot, const Region& changed, PixelSize pixels) noexcept;
+  /// The model is enlarged onto the panel itself and not by way of the picture, which is large:
+  /// there only where the interface lies.
+  void show_coarsely(const Shot& shot, const Region& changed, const Pieces& interface) noexcept;
+  /// Enlarges that part of the coarse picture into the picture, with the interface on it.
+  void enlarge_part(const Shot& shot, const Region& part) noexcept;
+  void show(const Shot& shot, const Region& changed) noexcept;
   /// Draws a part of the model, so many pixels large, into a framebuffer of that size.
   void draw_model(const Shot& shot, const Region& part, PixelSize pixels,
                   GLuint framebuffer) noexcept;
@@ -118,7 +135,8 @@ struct Renderer::Parts {
 
   SceneBuffer buffer;
   Picture coarse_picture{GL_LINEAR};
-  Region coarse;  ///< Where that is what is seen.
+  Region coarse;                  ///< Where that is what is seen.
+  bool is_on_panel_only = false;  ///< The picture lacks it.
   SceneryPass scenery;
   ObjectPass objects;
   AvatarPass avatars;
@@ -205,10 +223,7 @@ void Renderer::Parts::draw_model(const Shot& shot, const Region& part, PixelSize
   }
 }
 
-void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& part,
-                                    PixelSize pixels) noexcept {
-  coarse_picture.fit(pixels);
-  draw_model(shot, scaled(part, shot.size, pixels), pixels, coarse_picture.framebuffer());
+void Renderer::Parts::enlarge_part(const Shot& shot, const Region& part) noexcept {
   glBindFramebuffer(GL_FRAMEBUFFER, shot.framebuffer);
   glViewport(0, 0, static_cast<GLsizei>(shot.size.width), static_cast<GLsizei>(shot.size.height));
   glEnable(GL_SCISSOR_TEST);
@@ -223,6 +238,39 @@ void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& part,
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   if (enlarges_encoded) glEnable(framebuffer_encodes);
   glDisable(GL_SCISSOR_TEST);
+  draw_interface(shot, part);
+}
+
+void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& changed,
+                                    PixelSize pixels) noexcept {
+  coarse_picture.fit(pixels);
+  draw_model(shot, scaled(coarse, shot.size, pixels), pixels, coarse_picture.framebuffer());
+  const Pieces pieces = interface_in(coarse, shot);
+  is_on_panel_only = shot.panel != nullptr && enlarges_encoded && panel.copies_encoded() &&
+                     2 * pieces.area() < coarse.area();
+  if (is_on_panel_only) {
+    show_coarsely(shot, changed, pieces);
+    return;
+  }
+  enlarge_part(shot, coarse);
+  for (const Region& part : beside(coarse, changed)) draw_interface(shot, part);
+  show(shot, changed);
+}
+
+void Renderer::Parts::show_coarsely(const Shot& shot, const Region& changed,
+                                    const Pieces& interface) noexcept {
+  const Region lacking = panel.lacking(*shot.panel, changed, shot.age);
+  panel.copy_of(coarse_picture.texture(), coarse);
+  for (const Region& piece : interface.regions()) {
+    enlarge_part(shot, piece);
+    panel.copy(piece);
+  }
+  for (const Region& part : beside(coarse, changed)) draw_interface(shot, part);
+  for (const Region& part : beside(coarse, lacking)) panel.copy(part);
+}
+
+void Renderer::Parts::show(const Shot& shot, const Region& changed) noexcept {
+  if (shot.panel != nullptr) panel.copy(panel.lacking(*shot.panel, changed, shot.age));
 }
 
 void Renderer::Parts::draw_interface(const Shot& shot, const Region& part) noexcept {
@@ -236,7 +284,7 @@ void Renderer::Parts::draw_interface(const Shot& shot, const Region& part) noexc
   glEnable(GL_BLEND);
   // The picture is opaque where the interface is, and covers a model that was not drawn.
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  quads.draw(shot.list.quads, shot.size, shot.held.textures);
+  quads.draw(shot.list.quads, shot.size, shot.held.textures, part);
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -292,8 +340,7 @@ void Renderer::Parts::forget_coarse_picture() noexcept {
       Picture(GL_LINEAR, enlarges_encoded ? Picture::Read::Encoded : Picture::Read::Decoded);
 }
 
-Region Renderer::Parts::draw(const Shot& shot, const scene::Change& change,
-                             float fineness) noexcept {
+void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float fineness) noexcept {
   const bool is_all_drawn = change.everything || change.model;
   const bool is_coarse = is_all_drawn && fineness < 1;
   const PixelSize pixels = is_coarse ? scaled(shot.size, fineness) : shot.size;
@@ -304,14 +351,15 @@ Region Renderer::Parts::draw(const Shot& shot, const scene::Change& change,
   region.include(regions[1]);
   if (is_all_drawn) coarse = is_coarse ? common(region, seen) : Region{};
   if (is_coarse) {
-    draw_coarsely(shot, coarse, pixels);
-    draw_interface(shot, region);
-    return region;
+    draw_coarsely(shot, region, pixels);
+    return;
   }
+  if (std::exchange(is_on_panel_only, false) && !coarse.is_empty()) enlarge_part(shot, coarse);
   const Region finer = take_coarse_rows();
   if (finer.is_empty()) {
     for (const Region& part : regions) draw_part(shot, part, seen);
-    return region;
+    show(shot, region);
+    return;
   }
   // Nothing is drawn twice: the interface is blended with what is there.
   const GLint left = 0, right = static_cast<GLint>(shot.size.width);
@@ -322,7 +370,7 @@ Region Renderer::Parts::draw(const Shot& shot, const scene::Change& change,
   draw_part(shot, among, seen);
   draw_part(shot, common(region, {left, finer.high, right, height}), seen);
   region.include(finer);
-  return region;
+  show(shot, region);
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) noexcept : parts_(std::move(parts)) {}
@@ -345,9 +393,10 @@ void Renderer::draw(const scene::DrawList& list, const Holdings& holdings,
                   .building = building,
                   .sun = building ? Vec3(building->scenery.sun) : Vec3(0, 1, 0),
                   .framebuffer = framebuffer,
-                  .size = target.size};
-  const Region drawn = parts_->draw(shot, is_there ? change : scene::Change{}, fineness);
-  if (!direct) parts_->panel.copy(target, drawn, age);
+                  .size = target.size,
+                  .panel = direct ? nullptr : &target,
+                  .age = age};
+  parts_->draw(shot, is_there ? change : scene::Change{}, fineness);
 }
 
 bool Renderer::is_coarse() const noexcept {

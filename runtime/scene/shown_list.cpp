@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/scene/uncovered.h"
+
 namespace docent::scene {
 namespace {
 
@@ -38,22 +40,16 @@ std::size_t end_of(const DrawList& list, std::size_t avatar) noexcept {
                                           : list.palette.size();
 }
 
-/// How far a shadow reaches beyond its rectangle. `softness` is a share of the shorter side, which
-/// is at most a whole of either.
-float reach_beyond(const Quad& quad) noexcept {
-  return quad.fill == QuadFill::Shadow ? quad.softness : 0;
-}
-
 void include(Rect& all, const Quad& quad) noexcept {
-  constexpr float least = 1e-4F;  // even what has no size differs
-  const float beyond = std::max(reach_beyond(quad), least);
-  const float left = quad.rect.x - beyond, right = quad.rect.x + quad.rect.width + beyond;
-  const float top = quad.rect.y - beyond, bottom = quad.rect.y + quad.rect.height + beyond;
-  const bool is_first = all.width <= 0;
-  const float end_x = is_first ? right : std::max(all.x + all.width, right);
-  const float end_y = is_first ? bottom : std::max(all.y + all.height, bottom);
-  all.x = is_first ? left : std::min(all.x, left);
-  all.y = is_first ? top : std::min(all.y, top);
+  const Rect one = reach_of(quad);
+  if (all.width <= 0) {
+    all = one;
+    return;
+  }
+  const float end_x = std::max(all.x + all.width, one.x + one.width);
+  const float end_y = std::max(all.y + all.height, one.y + one.height);
+  all.x = std::min(all.x, one.x);
+  all.y = std::min(all.y, one.y);
   all.width = end_x - all.x;
   all.height = end_y - all.y;
 }

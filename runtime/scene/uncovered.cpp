@@ -28,6 +28,14 @@ bool is_opaque(const Quad& quad) noexcept {
   return quad.fill == QuadFill::Solid && quad.colour.a >= 1 && quad.clip == Clip{};
 }
 
+/// `softness` is a share of the shorter side, which is at most a whole of either.
+Rect reach_of(const Quad& quad) noexcept {
+  constexpr float least = 1e-4F;  // even what has no size can be told from nothing
+  const float beyond = std::max(quad.fill == QuadFill::Shadow ? quad.softness : 0, least);
+  return {quad.rect.x - beyond, quad.rect.y - beyond, quad.rect.width + 2 * beyond,
+          quad.rect.height + 2 * beyond};
+}
+
 Rect uncovered(std::span<const Quad> quads) noexcept {
   Edges seen, before;
   do {  // what is cut off may make an edge shorter, so that another is covered whole

@@ -208,6 +208,33 @@ class DrawnTwice {
     }
   }
 
+  /// Of twelve frames four are drawn coarsely, seven while nothing moves, one as finely as ever.
+  /// What a screen shows is what the picture would be in memory.
+  void watch_coarsely(int frames, Rotation rotation, int shift_x, int shift_y, const char* what) {
+    RenderTarget target = target_;
+    target.rotation = rotation;
+    target.shift_x = shift_x;
+    target.shift_y = shift_y;
+    Panel panel(target);
+    for (int frame = 0; frame < frames; ++frame) {
+      const int of_twelve = frame % 12;
+      if (of_twelve < 4 || of_twelve > 10) run(0.05);
+      const scene::DrawList& list = exhibition_->guide->draw_list();
+      scene::Change change = shown_.change(list, std::numeric_limits<float>::infinity());
+      if (frame == 0) change = {};
+      const float fineness = of_twelve == 11 ? 1 : 0.4F;
+      whole_->draw(list, exhibition_->holdings, display_->target(), change, fineness);
+      glBindFramebuffer(GL_FRAMEBUFFER, display_->target().framebuffer);
+      const auto expected = pixels();
+      in_parts_->draw(list, exhibition_->holdings, panel.target(), change, fineness, panel.age());
+      shown_.keep(list, change);
+      EXPECT_EQ(in_parts_->is_coarse(), whole_->is_coarse());
+      EXPECT_EQ(differing(panel.pixels(), panel.target(), expected), 0)
+          << what << ", frame " << frame;
+      panel.flip();
+    }
+  }
+
   int parts() const { return parts_; }
 
  private:
@@ -221,6 +248,28 @@ class DrawnTwice {
   static int differing(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     int count = 0;
     for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
+    return count;
+  }
+
+  /// How many pixels of a panel are not those of the picture; what a shift draws out of its edge
+  /// does not count.
+  static int differing(const std::vector<std::uint8_t>& panel, const RenderTarget& target,
+                       const std::vector<std::uint8_t>& picture) {
+    const PixelSize size = gles::panel_size(target);
+    int count = 0;
+    for (std::uint32_t y = 0; y < size.height; ++y)
+      for (std::uint32_t x = 0; x < size.width; ++x) {
+        Vec2 p{(x + 0.5) / size.width - 0.5, (y + 0.5) / size.height - 0.5};
+        for (int turn = 0; turn < static_cast<int>(target.rotation); ++turn) p = {p.y, -p.x};
+        const int left = static_cast<int>((p.x + 0.5) * target.size.width) - target.shift_x;
+        const int low = static_cast<int>((p.y + 0.5) * target.size.height) + target.shift_y;
+        const int width = static_cast<int>(target.size.width);
+        if (left < 0 || left >= width || low < 0 || low >= static_cast<int>(target.size.height))
+          continue;
+        const auto* from = &picture[std::size_t{4} * static_cast<std::size_t>(low * width + left)];
+        const auto* to = &panel[std::size_t{4} * (std::size_t{y} * size.width + x)];
+        count += std::equal(from, from + 3, to) ? 0 : 1;
+      }
     return count;
   }
 
@@ -264,6 +313,27 @@ TEST(AScreenWhoseBuffersTakeTurns, IsGivenWhatItsBufferLacks) {
   visit.watch_on_panel(12, Rotation::ThreeQuarters, 0, 3, "the whole way, turned back");
   visit.touch("walk");
   visit.watch_on_panel(8, Rotation::None, 3, 3, "walking, shifted");
+}
+
+/// Where the model is enlarged straight onto the screen, and the picture behind it lacks it.
+TEST(AScreenWhoseBuffersTakeTurns, ShowsACoarsePictureAsMemoryDoes) {
+  NEEDS_SPEED();
+  DrawnTwice visit;
+
+  visit.run(1);
+  visit.touch("begin");
+  visit.run(3);
+  visit.touch("exhibit:painted-jar");
+  visit.run(1.5);
+  visit.touch("walk");
+  visit.run(1);
+  visit.watch_coarsely(28, Rotation::None, 0, 0, "walking");
+  visit.watch_coarsely(14, Rotation::Quarter, 2, -1, "walking, turned");
+  visit.watch_coarsely(14, Rotation::Half, -2, 2, "walking, upside down");
+  visit.watch_coarsely(14, Rotation::ThreeQuarters, 0, 3, "walking, turned back");
+  for (int second = 0; second < 120 && !visit.has_arrived(); ++second) visit.run(1);
+  ASSERT_TRUE(visit.has_arrived());
+  visit.watch_coarsely(28, Rotation::None, 0, 0, "arrived");
 }
 
 TEST(APicture, IsOpaqueWhereTheInterfaceCoversTheModel) {
