@@ -299,6 +299,7 @@ class MuseumLoader {
     check_unique("case", "id", config_.cases, &CaseSection::id);
     check_unique("connection", "id", config_.connections, &ConnectionSection::id);
     check_unique("place", "id", config_.places, &PlaceSection::id);
+    check_unique("way", "kind", config_.ways, &WaySection::kind);
     check_floors();
     check_kiosks();
     for (PlaceSection& place : config_.places) check_floor(place.floor, place.position);
@@ -601,6 +602,8 @@ class MuseumLoader {
         check_texts(fmt::format("the {} of exhibit '{}'", name, exhibit.id.value), *texts,
                     room_for_title, true);
     }
+    for (const WaySection& way : config_.ways)
+      check_texts(fmt::format("the title of way '{}'", way.kind.value), way.title);
     for (const TourSection& tour : config_.tours)
       check_texts(fmt::format("the title of tour '{}'", tour.id.value), tour.title);
   }

@@ -105,6 +105,12 @@ struct PlaceSection {
   Located<Vec2> position;
   Located<LocatedTexts> title;
 };
+/// What visitors may choose of a way.
+struct WaySection {
+  Place place;
+  Located<std::string> kind;
+  Located<LocatedTexts> title;
+};
 /// A case, a plinth or a table: what takes a part of the floor, and exhibits stand in or on.
 struct CaseSection {
   Place place;
@@ -202,6 +208,7 @@ struct MuseumConfig {
   std::vector<DoorSection> doors;
   std::vector<ConnectionSection> connections;
   std::vector<PlaceSection> places;
+  std::vector<WaySection> ways;
   std::vector<SourceSection> sources;
   std::vector<CaseSection> cases;
   std::vector<ExhibitSection> exhibits;  ///< In the order of the files' names.

@@ -8,6 +8,7 @@
 #include "config/museum_config.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/place_kind.h"
+#include "runtime/model/way_offer.h"
 
 /// The fields of a museum's files: their one definition. Internal to config.
 namespace docent::config {
@@ -506,6 +507,20 @@ inline constexpr std::array exhibit_fields{
         "small shared glass, it only points"},
 };
 
+inline constexpr std::array way_fields{
+    Field<WaySection>{"kind",
+                      &WaySection::kind,
+                      Presence::Required,
+                      "What of it: that it is the shortest, leads through the middle of the rooms "
+                      "(skeleton) or along the walls (offset), is step-free, or has no escalators",
+                      {},
+                      Form::OneOf,
+                      way_choice_names},
+    Field<WaySection>{"title", &WaySection::title, Presence::Optional,
+                      "What the museum calls it, by language; the kiosk's own word where it is "
+                      "not said"},
+};
+
 inline constexpr std::array tour_fields{
     Field<TourSection>{"id",
                        &TourSection::id,
@@ -640,6 +655,11 @@ void museum_sections(auto& visit, auto& config) {
              connection_fields, config.connections);
   visit.many("place", "Toilets, an exit, a seat: what visitors ask for besides exhibits",
              place_fields, config.places);
+  visit.many("way",
+             "A way that visitors may choose, in the order of the buttons; guides walk the first "
+             "that is a shortest, skeleton or offset one until another is chosen; where there is "
+             "none of these sections visitors may choose them all",
+             way_fields, config.ways);
   visit.many("door", "A doorway that staff can close", door_fields, config.doors);
   visit.many("case", "A case, plinth or table that the plan does not show", case_fields,
              config.cases);

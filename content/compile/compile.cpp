@@ -24,6 +24,7 @@
 #include "content/compile/compile_sounds.h"
 #include "content/compile/compile_speech.h"
 #include "content/compile/compile_touch.h"
+#include "content/compile/compile_ways.h"
 #include "content/compile/shipped_files.h"
 #include "content/compile/zone_rules.h"
 #include "content/content_error.h"
@@ -259,6 +260,7 @@ void compile_folder(const CompileOptions& options, Museum& museum, Report& repor
                    report);
     compile_captions(config, museum, report);
     compile_livery(config, museum, report);
+    compile_ways(config, museum, report);
   }
   {
     const auto stage = progress.start("objects");

@@ -113,6 +113,7 @@ void Guide::take_seats() {
                                settings_.reduced_motion};
   sessions_.reserve(shared ? 1 + seats : 1);
   interface::InterfaceState state;
+  state.kind = state.usual_kind = usual_kind(museum_.ways);
   state.can_lower = !shared && interface::can_be_lowered(settings_.shape);
   state.can_sound = !shared && settings_.can_sound;
   state.glass = shared ? interface::Glass::Quiet : interface::Glass::Whole;

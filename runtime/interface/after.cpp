@@ -267,7 +267,7 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
       state.can_resume = state.screen != Screen::Welcome;
       forget_goal(state);
       state.floor.reset();
-      state.kind = RouteKind::Shortest;
+      state.kind = state.usual_kind;
       state.ways = {};
       state.own_tour = {};
       state.typed = {};

@@ -471,14 +471,21 @@ const std::array<ScreenFaces, 6> screens{{
 std::vector<Control> route_controls(const Museum& museum, RouteKind selected,
                                     std::span<const RouteKindInfo> kinds) {
   std::vector<Control> out;
-  for (const RouteKindInfo& info : kinds) {
+  const auto add = [&](const RouteKindInfo& info, const LocalText* title) {
     const std::string name(info.name);
     Control control = button(museum, "route:" + name, "route_" + name,
                              {Action::Kind::TakeRoute, static_cast<std::uint32_t>(info.kind)});
+    if (title != nullptr)
+      for (const auto& [tag, text] : *title) control.label.insert_or_assign(tag, text);
     control.role = Role::Choice;
     control.selected = selected == info.kind;
     out.push_back(std::move(control));
-  }
+  };
+  for (const WayOffer& offer : museum.ways)
+    if (const auto& kind = info_of(offer.choice).kind) add(info_of(*kind), &offer.title);
+  if (museum.ways.empty())
+    for (const RouteKindInfo& info : kinds) add(info, nullptr);
+  if (out.size() < 2) out.clear();  // no choice
   return out;
 }
 

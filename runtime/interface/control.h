@@ -70,6 +70,7 @@ struct InterfaceState {
   std::optional<std::uint8_t> sound{};
   bool can_sound = false;  ///< There is something to hear it with.
   RouteKind kind = RouteKind::Shortest;
+  RouteKind usual_kind = RouteKind::Shortest;  ///< Until a visitor chooses another.
   path::Permissions ways{};  ///< Without steps, without escalators; until the visitor leaves.
   bool arrived = false;      ///< The guide stands there.
   Glass glass = Glass::Whole;

@@ -32,16 +32,22 @@ void add_avoidances(const ControlRequest& request, std::vector<Control>& out) {
   const bool chooses_way =
       state.screen == Screen::Walking || (state.screen == Screen::Choosing && !state.seat);
   if (!chooses_way) return;
-  const auto add = [&](std::string name, std::string_view key, Action::Kind kind, bool is_on) {
-    Control control = button(museum, std::move(name), key, {kind, is_on ? 0U : 1U});
+  const auto add = [&](std::string name, WayChoice choice, Action::Kind kind, bool is_on) {
+    const auto offer = std::ranges::find(museum.ways, choice, &WayOffer::choice);
+    if (offer == museum.ways.end() && !museum.ways.empty()) return;
+    Control control =
+        button(museum, std::move(name), info_of(choice).word, {kind, is_on ? 0U : 1U});
+    if (offer != museum.ways.end())
+      for (const auto& [tag, text] : offer->title) control.label.insert_or_assign(tag, text);
     control.selected = is_on;
     out.push_back(std::move(control));
   };
   if (!std::ranges::all_of(museum.connections, &Connection::step_free))
-    add("step-free", "step_free", Action::Kind::AvoidSteps, state.ways.step_free);
+    add("step-free", WayChoice::StepFree, Action::Kind::AvoidSteps, state.ways.step_free);
   if (std::ranges::find(museum.connections, ConnectionKind::Escalator, &Connection::kind) !=
       museum.connections.end())
-    add("no-escalators", "no_escalators", Action::Kind::AvoidEscalators, state.ways.no_escalators);
+    add("no-escalators", WayChoice::NoEscalators, Action::Kind::AvoidEscalators,
+        state.ways.no_escalators);
 }
 
 /// How one sees and hears the glass; until one leaves. On a glass of one's own: on a shared one

@@ -230,6 +230,8 @@ Block buttons_block(Sheet& sheet, std::vector<RowButton> all, float gap, float l
 Block routes_block(Sheet& sheet, Along along, float gap) {
   const auto controls = std::make_shared<const std::vector<std::int32_t>>(
       controls_that(sheet, Action::Kind::TakeRoute, Role::Choice));
+  if (controls->empty())
+    return {.height = [](float) { return 0.0F; }, .draw = [](const PixelBox&) {}};
   return {.height =
               [&sheet, controls, along](float width) {
                 return routes_in(sheet, *controls, width, along).grid.height();

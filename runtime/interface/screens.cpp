@@ -549,10 +549,13 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   all.left = invitation_blocks(sheet, Letters::Title);
   append(all.left, sentence_blocks(sheet));
   all.left.push_back(picture_block(sheet, 0, 12 * m.unit, 0));
-  all.right_foot = {
-      text_block(sheet, sheet.style(Letters::Body), std::string(sheet.word("route_title")),
-                 sheet.theme().quiet_ink, m.unit),
-      routes_block(sheet, Along::Column, m.gap)};
+  if (std::ranges::any_of(sheet.controls(), [](const Control& control) {
+        return control.action.kind == Action::Kind::TakeRoute;
+      }))
+    all.right_foot = {
+        text_block(sheet, sheet.style(Letters::Body), std::string(sheet.word("route_title")),
+                   sheet.theme().quiet_ink, m.unit),
+        routes_block(sheet, Along::Column, m.gap)};
   all.foot = {buttons_block(sheet,
                             {{sheet.control("stop"), Sheet::Emphasis::Strong},
                              middle,

@@ -139,6 +139,7 @@ void Gatherer::add_names() {
   }
   for (const Room& room : museum_.rooms) add(room.title);
   for (const Place& place : museum_.places) add(place.title);
+  for (const WayOffer& way : museum_.ways) add(way.title);
   for (const Tour& tour : museum_.tours) add(tour.title);
   for (const Exhibit& exhibit : museum_.exhibits) {
     add(exhibit.title);

@@ -21,6 +21,7 @@
 #include "runtime/model/scenery.h"
 #include "runtime/model/speech.h"
 #include "runtime/model/tour.h"
+#include "runtime/model/way_offer.h"
 
 namespace docent {
 
@@ -74,6 +75,7 @@ struct Museum {
   std::vector<Floor> floors;
   std::vector<Connection> connections;
   std::vector<Place> places;
+  std::vector<WayOffer> ways;    ///< In the order of their buttons, each once; none: all there are.
   std::vector<Scenery> scenery;  ///< One per floor: what is drawn of it.
   std::vector<Room> rooms;
   std::vector<Exhibit> exhibits;

@@ -313,6 +313,14 @@ bool keeps(const Place& place, const Museum& museum) {
          finite(place.position) && finite(place.standing);
 }
 
+bool keep(std::span<const WayOffer> offers) {
+  for (std::size_t i = 0; i < offers.size(); ++i)
+    if (static_cast<std::size_t>(offers[i].choice) >= way_choices.size() ||
+        std::ranges::count(offers, offers[i].choice, &WayOffer::choice) != 1)
+      return false;
+  return true;
+}
+
 bool are_distinct(std::span<const ConnectionStop> stops) {
   std::vector<std::uint32_t> floors;
   for (const ConnectionStop& stop : stops) floors.push_back(stop.floor);
@@ -558,6 +566,7 @@ std::string broken_invariant(const Museum& museum) {
     if (!keeps(connection, museum)) return "connection '" + connection.id + "'";
   for (const Place& place : museum.places)
     if (!keeps(place, museum)) return "place '" + place.id + "'";
+  if (!keep(museum.ways)) return "the ways that it offers";
   if (!keeps(museum.livery, museum)) return "its own look";
   if (!keeps_hours(museum)) return "its hours";
   if (museum.kiosk_floor >= museum.floors.size() || !finite(museum.kiosk)) return "the kiosk";

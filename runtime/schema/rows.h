@@ -222,6 +222,10 @@ void columns(auto& row, MaybeConst<Place> auto& place) {
   row("standing_y", place.standing.y);
 }
 
+void columns(auto& row, MaybeConst<WayOffer> auto& offer) {
+  row("choice", offer.choice);
+}
+
 void columns(auto& row, MaybeConst<Tour> auto& tour) {
   row("name", tour.id);
   row("exhibit", tour.exhibits);
@@ -361,6 +365,9 @@ void tables(auto& store, MaybeConst<Museum> auto& museum) {
   store.rows("place", museum.places);
   for (std::size_t i = 0; i < museum.places.size(); ++i)
     store.texts("place.title", i, museum.places[i].title);
+  store.rows("way", museum.ways);
+  for (std::size_t i = 0; i < museum.ways.size(); ++i)
+    store.texts("way.title", i, museum.ways[i].title);
   store.rows("tour", museum.tours);
   for (std::size_t i = 0; i < museum.tours.size(); ++i)
     store.texts("tour.title", i, museum.tours[i].title);

@@ -11,7 +11,7 @@ inline constexpr std::uint32_t application_id = 0x646F6374;
 
 /// SQLite's user_version. Raise it with every change of schema.sql or of the elements of a blob:
 /// a kiosk refuses a database of another version and asks for a new compilation.
-inline constexpr std::uint32_t version = 21;
+inline constexpr std::uint32_t version = 22;
 
 /// Bytes. A kiosk has a gigabyte of memory (docent.service), so it does not begin to read a larger
 /// database.

@@ -63,7 +63,7 @@ CREATE TABLE language (      -- the first is the default
 );
 
 CREATE TABLE text (          -- everything that is read: titles and texts by language, words by key
-  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.more exhibit.artist exhibit.subject exhibit.period picture.caption picture.description sound.title sound.description place.title tour.title language.word museum.reading
+  subject TEXT NOT NULL,     -- museum.title museum.welcome floor.title room.title exhibit.title exhibit.text exhibit.description exhibit.more exhibit.artist exhibit.subject exhibit.period picture.caption picture.description sound.title sound.description place.title way.title tour.title language.word museum.reading
   owner INTEGER NOT NULL,    -- id in the subject's table
   key TEXT NOT NULL,         -- language tag; for language.word the word's key, for museum.reading what is read so
   text TEXT NOT NULL,
@@ -253,6 +253,11 @@ CREATE TABLE place (            -- what visitors ask for besides exhibits
   y REAL NOT NULL,
   standing_x REAL NOT NULL,     -- where the way to it ends
   standing_y REAL NOT NULL
+);
+
+CREATE TABLE way (              -- what visitors may choose, in this order; none: everything
+  id INTEGER PRIMARY KEY,
+  choice INTEGER NOT NULL       -- WayChoice
 );
 
 CREATE TABLE tour (

@@ -231,9 +231,11 @@ TEST(Places, AreFoundByTheirNamesInVisits) {
 }
 
 /// Names of what is asked of ways in a state, in a building with these connections.
-std::vector<std::string> avoidances(std::vector<Connection> connections, InterfaceState state) {
+std::vector<std::string> avoidances(std::vector<Connection> connections, InterfaceState state,
+                                    std::vector<WayOffer> offers = {}) {
   Museum museum = test::sample_museum_without_walls();
   museum.connections = std::move(connections);
+  museum.ways = std::move(offers);
   std::vector<std::string> out;
   for (const std::string& name : names(controls_of(museum, state, 8)))
     if (name == "step-free" || name == "no-escalators") out.push_back(name);
@@ -250,6 +252,9 @@ TEST(WaysWithoutSteps, AreOfferedWhereAWayIsChosenAndThereAreSteps) {
     EXPECT_THAT(avoidances({lift}, state), ElementsAre());
     EXPECT_THAT(avoidances({lift, stairs}, state), ElementsAre("step-free"));
     EXPECT_THAT(avoidances({lift, escalator}, state), ElementsAre("step-free", "no-escalators"));
+    EXPECT_THAT(avoidances({lift, escalator}, state, {{WayChoice::StepFree, {}}}),
+                ElementsAre("step-free"))
+        << "what the museum offers";
   }
   for (const Screen screen : {Screen::Welcome, Screen::Arrived}) {
     state.screen = screen;
@@ -338,6 +343,40 @@ TEST(RouteControls, OfferAFurtherKindThatIsInTheTable) {
               ElementsAre("route:shortest", "route:skeleton", "route:offset", "route:wandering"));
   EXPECT_TRUE(controls.back().selected);
   EXPECT_EQ(after({}, controls.back().action).kind, RouteKind{3});
+}
+
+TEST(RouteControls, AreThoseThatTheMuseumOffersByTheNamesItGivesThem) {
+  Museum museum = test::sample_museum_without_walls();
+  const LocalText quiet{{museum.languages[0].tag, "Quiet way"}};
+  museum.ways = {
+      {WayChoice::Skeleton, quiet}, {WayChoice::StepFree, {}}, {WayChoice::Shortest, {}}};
+
+  const std::vector<Control> controls = route_controls(museum, RouteKind::Skeleton);
+
+  EXPECT_THAT(names(controls), ElementsAre("route:skeleton", "route:shortest"));
+  EXPECT_EQ(in_language(museum, 0, controls[0].label), "Quiet way");
+  EXPECT_EQ(in_language(museum, 1, controls[0].label), word(museum, 1, "route_skeleton"));
+  EXPECT_EQ(in_language(museum, 0, controls[1].label), word(museum, 0, "route_shortest"));
+  EXPECT_EQ(usual_kind(museum.ways), RouteKind::Skeleton);
+}
+
+TEST(RouteControls, AreNoneWhereThereIsNothingToChoose) {
+  Museum museum = test::sample_museum_without_walls();
+  museum.ways = {{WayChoice::Offset, {}}, {WayChoice::StepFree, {}}};
+  EXPECT_THAT(route_controls(museum, RouteKind::Offset), testing::IsEmpty());
+  EXPECT_EQ(usual_kind(museum.ways), RouteKind::Offset);
+
+  museum.ways = {{WayChoice::StepFree, {}}};
+  EXPECT_EQ(usual_kind(museum.ways), RouteKind::Shortest);
+}
+
+TEST(AWayThatWasChosen, IsTheUsualOneAgainForTheNextVisitor) {
+  InterfaceState state;
+  state.kind = state.usual_kind = RouteKind::Skeleton;
+
+  state = after(state, {Action::Kind::TakeRoute, static_cast<std::uint32_t>(RouteKind::Offset)});
+  EXPECT_EQ(state.kind, RouteKind::Offset);
+  EXPECT_EQ(after(state, {Action::Kind::Home}).kind, RouteKind::Skeleton);
 }
 
 TEST(Screens, AreInTheOrderOfTheirNumbersAndHaveControlsOnAGlassAndOnACard) {
