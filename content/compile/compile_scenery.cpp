@@ -1,10 +1,12 @@
 #include "content/compile/compile_scenery.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <ranges>
 #include <vector>
 
 #include "content/scenery/scenery.h"
+#include "content/scenery/tints.h"
 
 namespace docent::compile {
 
@@ -23,13 +25,19 @@ std::vector<float> image_aspects(const Museum& museum) {
 
 std::vector<scenery::PavedArea> paving_of(const config::MuseumConfig* config, const Museum& museum,
                                           std::size_t floor) {
+  using scenery::Paving;
   std::vector<scenery::PavedArea> areas;
   if (config == nullptr) return areas;
   for (std::size_t i = 0; i < config->rooms.size(); ++i) {
     const Room& room = museum.rooms[i];
-    if (room.floor == floor && !room.outline.empty() && config->rooms[i].paving.value == "stone")
-      areas.push_back({.outline = room.outline, .paving = scenery::Paving::Stone});
+    if (room.floor == floor && !room.outline.empty())
+      areas.push_back(
+          {.outline = room.outline,
+           .paving = config->rooms[i].paving.value == "stone" ? Paving::Stone : Paving::Oak});
   }
+  scenery::tint_apart(areas);
+  // Where areas overlap in a doorway the first has it: stone.
+  std::ranges::stable_partition(areas, [](const auto& a) { return a.paving == Paving::Stone; });
   return areas;
 }
 

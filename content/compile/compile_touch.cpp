@@ -135,6 +135,10 @@ void compile_touch(const config::MuseumConfig& config, Museum& museum, Report& r
     }
     exhibit.place = hangs(exhibit.place) ? ExhibitPlace::OnWallToTouch : ExhibitPlace::ToTouch;
   }
+  // Nobody looks for a glass case and finds a pedestal.
+  for (std::size_t i = 0; i < museum.exhibits.size(); ++i)
+    if (museum.exhibits[i].place == ExhibitPlace::InCase && !under_glass[i])
+      museum.exhibits[i].place = ExhibitPlace::OnFloor;
 }
 
 }  // namespace docent::compile

@@ -21,7 +21,7 @@ std::vector<Touch> find_touches(const Museum& museum, const motion::Stance& stan
 
 /// Marks the exhibits that staff let visitors touch, but what is under glass, and finds how a guide
 /// does so, once all that is drawn and the skeleton are in the museum. What a guide cannot lay a
-/// hand on is told, with why, and is pointed at instead.
+/// hand on is told, with why, and is pointed at instead. What stands in no glass is InCase no more.
 void compile_touch(const config::MuseumConfig& config, Museum& museum, Report& report);
 
 }  // namespace docent::compile

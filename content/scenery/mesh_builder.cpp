@@ -36,11 +36,11 @@ Outline with_short_sides(const Outline& outline, double longest) {
 
 void MeshBuilder::use(Surface surface, std::int32_t exhibit) {
   indices_ = &parts_[{surface, exhibit}];
-  opacity_ = 255;
+  sky_ = 255;
 }
 
 std::uint32_t MeshBuilder::vertex(Vec3 position, Vec3 normal, std::array<float, 2> uv) {
-  vertices_.push_back({position, normal, uv, opacity_, 255});
+  vertices_.push_back({position, normal, uv, sky_, 255});
   return static_cast<std::uint32_t>(vertices_.size() - 1);
 }
 

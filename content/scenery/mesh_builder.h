@@ -34,7 +34,9 @@ class MeshBuilder {
   void lid(const Outline& convex, double height);
 
   /// Opacity, of 255, of the glass made from now on (SceneryVertex::sky).
-  void glass_opacity(std::uint8_t opacity) { opacity_ = opacity; }
+  void glass_opacity(std::uint8_t opacity) { sky_ = opacity; }
+  /// Likewise the tint of floor (floor_tint.h).
+  void floor_tint(std::uint8_t tint) { sky_ = tint; }
 
   /// Everything gathered, in the order of surface and exhibit.
   Scenery finish() &&;
@@ -45,7 +47,7 @@ class MeshBuilder {
   std::vector<SceneryVertex> vertices_;
   std::map<std::pair<Surface, std::int32_t>, std::vector<std::uint32_t>> parts_;
   std::vector<std::uint32_t>* indices_ = nullptr;
-  std::uint8_t opacity_ = 255;
+  std::uint8_t sky_ = 255;
 };
 
 /// The outline with every side moved inwards by `distance` metres; outwards where it is negative.

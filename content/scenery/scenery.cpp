@@ -62,6 +62,7 @@ void build_plates(const Plates& plates, std::span<const PavedArea> paving,
     if (is_open(plate)) continue;
     const double height = plate.region == PlateKind::Wall ? cut_height : 0;
     mesh.use(surface_of(plate, paving));
+    if (plate.area > 0) mesh.floor_tint(paving[plate.area - 1].tint);
     mesh.triangle({to_world(plate.corner[0], height), to_world(plate.corner[1], height),
                    to_world(plate.corner[2], height)},
                   up);

@@ -7,6 +7,7 @@
 
 #include "content/scenery/passage.h"
 #include "runtime/model/exhibit/exhibit.h"
+#include "runtime/model/floor_tint.h"
 #include "runtime/model/geometry/floor_plan.h"
 #include "runtime/model/scenery.h"
 
@@ -19,6 +20,7 @@ enum class Paving : std::uint8_t { Oak, Stone };
 struct PavedArea {
   std::vector<Vec2> outline;
   Paving paving = Paving::Stone;
+  std::uint8_t tint = no_floor_tint;  ///< By which a gallery is told from those beside it.
 };
 
 struct SceneryOptions {

@@ -1,9 +1,12 @@
 #include "platform/gles/scenery_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "platform/gles/shaders.h"
+#include "runtime/model/floor_tint.h"
 #include "runtime/scene/leaf_mesh.h"
 
 namespace docent::gles {
@@ -14,6 +17,21 @@ struct Paving {
 };
 constexpr Paving oak_planks{2.4F, 0.19F, 0.13F, 0.003F};
 constexpr Paving stone_slabs{1.2F, 0.8F, 0.07F, 0.004F};
+
+/// What a gallery's floor is told by: shares of red, green and blue light, as bright together as
+/// the plain floor, so that ways stand out on all of them alike. Seventh and eighth: none.
+constexpr std::array<std::array<float, 3>, 8> tints{{{1.14F, 0.90F, 0.98F},  // cherry
+                                                     {0.83F, 1.08F, 1.60F},  // ash
+                                                     {1.02F, 1.05F, 0.62F},  // honey
+                                                     {0.76F, 1.14F, 1.14F},  // sage
+                                                     {0.97F, 0.97F, 1.70F},  // mauve
+                                                     {0.92F, 1.06F, 0.92F},  // olive
+                                                     {1, 1, 1},
+                                                     {1, 1, 1}}};
+static_assert(tints.size() > floor_tints);
+/// Of that, what floors take on: no more than tells them apart, for the exhibits, the guide and the
+/// way alone are saturated. Stone has less colour of its own.
+constexpr float on_oak = 0.5F, on_stone = 0.22F;
 
 /// Oak floors of museums are soaped: paler than the timber, so that what stands on them is seen.
 constexpr float soap = 0.08F;
@@ -29,14 +47,14 @@ Result<void> SceneryPass::compile() {
   using namespace shaders;
   const struct {
     Program& program;
-    std::string_view name, fragment;
-  } all[] = {{solid_, "solid", solid_frag},
-             {picture_, "picture", picture_frag},
-             {floor_, "floor", floor_frag},
-             {ground_, "ground", ground_frag},
-             {glass_, "glass", glass_frag}};
+    std::string_view name, vertex, fragment;
+  } all[] = {{solid_, "solid", scenery_vert, solid_frag},
+             {picture_, "picture", scenery_vert, picture_frag},
+             {floor_, "floor", floor_vert, floor_frag},
+             {ground_, "ground", scenery_vert, ground_frag},
+             {glass_, "glass", scenery_vert, glass_frag}};
   for (const auto& one : all) {
-    auto program = link_program(one.name, {frame_glsl, stands_glsl, scenery_vert},
+    auto program = link_program(one.name, {frame_glsl, stands_glsl, one.vertex},
                                 {frame_glsl, light_glsl, one.fragment});
     if (!program) return std::unexpected(program.error());
     one.program = std::move(*program);
@@ -58,7 +76,8 @@ Result<void> SceneryPass::compile() {
   }
   make_levels();
   make_leaf_array();
-  at_ = {solid_["albedo"], solid_["glow"], picture_["glow"], floor_["albedo"], floor_["grain"]};
+  at_ = {solid_["albedo"], solid_["glow"],  picture_["glow"],
+         floor_["albedo"], floor_["grain"], floor_["tints"]};
   return {};
 }
 
@@ -207,13 +226,18 @@ void SceneryPass::draw_solids(const Building& building, std::optional<std::uint3
 void SceneryPass::draw_floors(const Building& building) const noexcept {
   glBindVertexArray(building.array.get());
   floor_.use();
-  const auto pave = [&](Surface surface, const scene::Colour& colour, const Paving& paving) {
+  const auto pave = [&](Surface surface, const scene::Colour& colour, const Paving& paving,
+                        float share) {
+    std::array<float, 4 * tints.size()> shown{};
+    for (std::size_t i = 0; i < tints.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) shown[4 * i + c] = 1 + share * (tints[i][c] - 1);
+    glUniform4fv(at_.floor_tints, static_cast<GLsizei>(tints.size()), shown.data());
     set(at_.floor_albedo, colour);
     glUniform4f(at_.floor_grain, paving.length, paving.width, paving.difference, paving.joint);
     draw_surface(building, surface);
   };
-  pave(Surface::Floor, mixed(theme_.oak, theme_.plaster, soap), oak_planks);
-  pave(Surface::Stone, theme_.stone, stone_slabs);
+  pave(Surface::Floor, mixed(theme_.oak, theme_.plaster, soap), oak_planks, on_oak);
+  pave(Surface::Stone, theme_.stone, stone_slabs, on_stone);
   ground_.use();
   draw_surface(building, Surface::Ground);
 }

@@ -48,7 +48,7 @@ class SceneryPass {
   Program solid_, picture_, floor_, ground_, glass_;
   Sinking wall_, hung_picture_;
   struct {
-    GLint solid_albedo, solid_glow, picture_glow, floor_albedo, floor_grain;
+    GLint solid_albedo, solid_glow, picture_glow, floor_albedo, floor_grain, floor_tints;
   } at_{};
   GlTexture levels_;
   scene::WallLevels walls_;  ///< Those in the texture.

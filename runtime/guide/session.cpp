@@ -477,6 +477,7 @@ void Session::step(float seconds, float absent_after, float liveliness) noexcept
   take_way();
   go_on_after_meeting();
   step_aside();
+  notice_floor();
   notice_arrival();
   notice_absence(seconds, absent_after);
   keep_to_resume(seconds);
@@ -533,6 +534,16 @@ void Session::notice_arrival() noexcept {
   if (const auto goal = interface::goal_of(context_.museum, state_))
     now.floor = goal->floor;  // that is where they are looking
   if (now.screen == interface::Screen::Walking) now.screen = interface::Screen::Arrived;
+  show(now);
+}
+
+/// The small plan is of the floor that the guide is on.
+void Session::notice_floor() noexcept {
+  if (!guide_ || state_.screen != interface::Screen::Walking || !leads_to_goal()) return;
+  const std::uint32_t floor = agent().avatar.shown_floor;
+  if (state_.guide_floor.value_or(context_.museum.kiosk_floor) == floor) return;
+  interface::InterfaceState now = state_;
+  now.guide_floor = floor;
   show(now);
 }
 

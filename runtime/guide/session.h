@@ -155,6 +155,7 @@ class Session {
   std::optional<Side> side_to_touch_from() const noexcept;
   void turn_object(float seconds, float liveliness) noexcept;
   bool has_turned(const input::Finger& finger) const noexcept;
+  void notice_floor() noexcept;
   void notice_arrival() noexcept;
   void notice_absence(float seconds, float absent_after) noexcept;
   void ask_to_stay(float absent_after) noexcept;

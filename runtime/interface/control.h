@@ -53,10 +53,11 @@ enum class Chapter : std::uint8_t { Room, Floor, Goal };
 /// (where the avatar is, how far a blend has come) only moves things.
 struct InterfaceState {
   Screen screen = Screen::Welcome;
-  std::uint32_t language = 0;            ///< Index into Museum::languages.
-  std::uint32_t page = 0;                ///< Of the list, on the choosing screen.
-  Listed lists = Listed::Exhibits;       ///< What that list holds.
-  std::optional<std::uint32_t> floor{};  ///< That is seen from above; none: the kiosk's.
+  std::uint32_t language = 0;                  ///< Index into Museum::languages.
+  std::uint32_t page = 0;                      ///< Of the list, on the choosing screen.
+  Listed lists = Listed::Exhibits;             ///< What that list holds.
+  std::optional<std::uint32_t> floor{};        ///< That is seen from above; none: the kiosk's.
+  std::optional<std::uint32_t> guide_floor{};  ///< Where the guide leads; none: likewise.
   /// Where the visitor is going or has arrived: an exhibit or a place.
   std::optional<std::uint32_t> exhibit{};
   std::optional<PlaceKind> seeks{};  ///< They want the nearest place of that kind, ...

@@ -7,6 +7,11 @@
 
 namespace docent::interface {
 
+bool is_pictured(const Museum& museum, std::uint32_t exhibit) noexcept {
+  return has_picture(museum, museum.exhibits[exhibit]) ||
+         !further_pictures(museum, exhibit).empty();
+}
+
 std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept {
   return 1 + further_pictures(museum, exhibit).size();
 }

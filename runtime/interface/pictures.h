@@ -22,6 +22,9 @@ struct ShownPicture {
 ShownPicture shown_picture(const Museum& museum, const InterfaceState& state,
                            std::uint32_t exhibit) noexcept;
 
+/// Have staff given it any picture? Nothing takes the place of none.
+bool is_pictured(const Museum& museum, std::uint32_t exhibit) noexcept;
+
 /// How many there are to leaf through; at least 1.
 std::size_t picture_count(const Museum& museum, std::uint32_t exhibit) noexcept;
 

@@ -134,6 +134,21 @@ void lay_over(Pixels& pixels, const Mask& mask, std::uint32_t colour, float opac
   }
 }
 
+/// Where one stands, and what one sees: ahead is up.
+void draw_whereabouts(Pixels& pixels, Vec2 at, const PlanColours& colours, double unit) {
+  const auto fresh = [&] { return Mask(pixels.width, pixels.height); };
+  Mask view = fresh(), rim = fresh(), mark = fresh();
+  view.triangle({at, at + Vec2{-2.6, -4.2} * unit, at + Vec2{2.6, -4.2} * unit});
+  lay_over(pixels, view, colours.ink, 0.28F);
+  const std::array<Vec2, 3> arrow{at + Vec2{0, -2.3} * unit, at + Vec2{-1.35, 0.2} * unit,
+                                  at + Vec2{1.35, 0.2} * unit};
+  rim.stroke(at, at, 1.55 * unit);
+  lay_over(pixels, rim, colours.paper);
+  mark.triangle(arrow);
+  mark.stroke(at, at, 1.2 * unit);
+  lay_over(pixels, mark, colours.ink);
+}
+
 }  // namespace
 
 double aspect_of(const FloorPlan& plan, double heading) noexcept {
@@ -186,26 +201,16 @@ Pixels draw_plan(const PlanDrawing& drawing) {
     lay_over(pixels, eye, colours.paper);
   }
 
-  // Where one stands, and what one sees: ahead is up.
-  const Vec2 at = frame.pixel(here);
-  Mask view = fresh(), rim = fresh(), mark = fresh();
-  view.triangle({at, at + Vec2{-2.6, -4.2} * unit, at + Vec2{2.6, -4.2} * unit});
-  lay_over(pixels, view, colours.ink, 0.28F);
-  const std::array<Vec2, 3> arrow{at + Vec2{0, -2.3} * unit, at + Vec2{-1.35, 0.2} * unit,
-                                  at + Vec2{1.35, 0.2} * unit};
-  rim.stroke(at, at, 1.55 * unit);
-  lay_over(pixels, rim, colours.paper);
-  mark.triangle(arrow);
-  mark.stroke(at, at, 1.2 * unit);
-  lay_over(pixels, mark, colours.ink);
+  if (here) draw_whereabouts(pixels, frame.pixel(*here), colours, unit);
 
   const Vec2 north{frame.right.y, frame.down.y};  // where y grows on the drawing
   const Vec2 aside{-north.y, north.x};
   Mask arrowhead = fresh(), circle = fresh();
-  circle.ring(compass, 1.9 * unit, 0.06 * unit);
+  constexpr double rim = 2.3, tip = 3.5;  // units: a letter of 5 mm is within
+  circle.ring(compass, rim * unit, 0.06 * unit);
   lay_over(pixels, circle, colours.wall);
-  arrowhead.triangle({compass + 3.1 * unit * north, compass + (1.9 * north + 0.8 * aside) * unit,
-                      compass + (1.9 * north - 0.8 * aside) * unit});
+  arrowhead.triangle({compass + tip * unit * north, compass + (rim * north + 0.8 * aside) * unit,
+                      compass + (rim * north - 0.8 * aside) * unit});
   lay_over(pixels, arrowhead, colours.ink);
   return pixels;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "runtime/model/geometry/floor_plan.h"
@@ -47,9 +48,9 @@ struct PlanDrawing {
   std::uint32_t way_colour = 0;  ///< 0xRRGGBB.
   bool is_cased = false;         ///< With a dark edge, where its colour is pale.
   PlanColours colours{};
-  Vec2 here{};      ///< Floor frame: where the visitor stands, looking up.
-  Vec2 compass{};   ///< Pixels: the middle of the north arrow's ring.
-  double unit = 8;  ///< Pixels: lines and marks are sized by it.
+  std::optional<Vec2> here{};  ///< Floor frame: where the visitor stands, looking up.
+  Vec2 compass{};              ///< Pixels: the middle of the north arrow's ring.
+  double unit = 8;             ///< Pixels: lines and marks are sized by it.
 };
 
 /// Draws the floor, its walls, the way with a ring at its end, where the visitor stands and looks,

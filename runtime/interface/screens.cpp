@@ -231,10 +231,11 @@ float height_of_image(const Museum& museum, std::uint32_t index, float width) no
   return std::floor(width * static_cast<float>(image.height) / static_cast<float>(image.width));
 }
 
-/// How high it is where there is room: as the highest of an exhibit's pictures.
+/// How high it is where there is room: as the highest of an exhibit's pictures, if it has any.
 float height_of_goal(Sheet& sheet, float width) {
   if (const Exhibit* exhibit = chosen_exhibit(sheet); exhibit != nullptr) {
     const Museum& museum = sheet.museum();
+    if (!is_pictured(museum, *sheet.request().state.exhibit)) return 0;
     float height = height_of_image(museum, exhibit->image, width);
     for (const FurtherPicture& picture : further_pictures(museum, *sheet.request().state.exhibit))
       height = std::max(height, height_of_image(museum, picture.image, width));
@@ -248,6 +249,7 @@ float height_of_goal(Sheet& sheet, float width) {
 float draw_goal(Sheet& sheet, const PixelBox& box, Align align) {
   if (chosen_exhibit(sheet) != nullptr) {
     const InterfaceState& state = sheet.request().state;
+    if (!is_pictured(sheet.museum(), *state.exhibit)) return 0;
     const ShownPicture shown = shown_picture(sheet.museum(), state, *state.exhibit);
     const Sheet::DrawnImage drawn =
         sheet.whole_image(box, shown.image, sheet.measures().corner, align);
@@ -266,7 +268,7 @@ float draw_goal(Sheet& sheet, const PixelBox& box, Align align) {
 }
 
 Block picture_block(Sheet& sheet, float least, float worthwhile, float gap) {
-  return {.height = [least](float) { return least; },
+  return {.height = [&sheet, least](float w) { return std::min(least, height_of_goal(sheet, w)); },
           .draw =
               [&sheet, worthwhile](const PixelBox& box) {
                 if (box.height >= worthwhile) draw_goal(sheet, box);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "runtime/directions/directions.h"
@@ -11,8 +12,9 @@ namespace docent::interface {
 /// draw it; wherever the guide is.
 struct ShownWay {
   directions::Directions directions;
-  std::vector<Vec2>
-      line;  ///< On the kiosk's floor: to the goal, or to where one leaves that floor.
+  std::uint32_t floor =
+      0;                   ///< Where the guide is, if it comes there on that way; else the kiosk's.
+  std::vector<Vec2> line;  ///< On that floor: to the goal, or to where one leaves the floor.
 };
 
 }  // namespace docent::interface

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "runtime/interface/button_grid.h"
@@ -80,7 +81,7 @@ double heading_of(const Sheet& sheet, scene::Side side) noexcept {
 void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
   const Museum& museum = sheet.museum();
   const Measures& m = sheet.measures();
-  const Floor& floor = museum.floors[museum.kiosk_floor];
+  const Floor& floor = museum.floors[sheet.way()->floor];
   const scene::Side side = sheet.view().side;
   const double heading = heading_of(sheet, side);
   const auto& [box, head] = board;
@@ -91,12 +92,13 @@ void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
                            .plan_most = {box.width - pad, box.height - pad}};
   const PlanFrame frame = frame_of(floor.plan, heading, shape);
   const bool turned = runs_right_to_left(museum, sheet.request().state.language);
-  const float compass = box.width - pad - 2.2F * m.unit, middle = head / 2 + 0.6F * m.unit;
+  const float compass = box.width - pad - 2.6F * m.unit, middle = head / 2 + 0.6F * m.unit;
   const InterfaceState& state = sheet.request().state;
   const RouteKind kind = state.kind;
   const scene::Colour way_colour =
       state.look ? scene::srgb(scene::looks[*state.look % scene::looks.size()].coat)
                  : sheet.on_paper(scene::route_colour(kind));
+  const bool is_here = sheet.way()->floor == museum.kiosk_floor;
   const bool is_night = sheet.request().shape.is_night;
   const PlanDrawing drawing{.plan = floor.plan,
                             .frame = frame,
@@ -105,28 +107,32 @@ void draw_board(Sheet& sheet, const Board& board, const TextPiece& name) {
                             .way_colour = scene::hex_of(way_colour),
                             .is_cased = state.look || (kind == RouteKind::Offset && !is_night),
                             .colours = is_night ? plan_at_night : PlanColours{},
-                            .here = museum.kiosk.position,
+                            .here = is_here ? std::optional(museum.kiosk.position) : std::nullopt,
                             .compass = {turned ? box.width - compass : compass, middle},
                             .unit = m.unit};
   sheet.drawing(
       box,
-      fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}|{}", is_night, museum.kiosk_floor, shape.width,
+      fmt::format("plan|{}|{}|{}|{}|{}|{}|{}|{}|{}", is_night, sheet.way()->floor, shape.width,
                   shape.height, turned, scene::hex_of(way_colour), museum.kiosk.position.x,
                   static_cast<int>(side), print_of(sheet.way()->line)),
       [&] { return draw_plan(drawing); });
-  const float room = compass - 4 * m.unit - pad;
+  const float room = compass - 4.2F * m.unit - pad;
   sheet.piece(name, box.x + pad, box.y + middle - name.height / 2, room, Align::Start,
               sheet.theme().quiet_ink);
   TextStyle style = style_of_name(sheet);
   style.weight = 600;
-  style.size = std::min(style.size, std::round(2.4F * m.unit));  // within its ring
-  const TextPiece north = sheet.set(style, sheet.word("north"), 1e4F);
+  style.size = std::min(style.size, std::round(3.3F * m.unit));  // within its ring
+  TextPiece north = sheet.set(style, sheet.word("north"), 1e4F);
+  if (const float widest = 3.9F * m.unit; north.width > widest) {
+    style.size = std::floor(style.size * widest / north.width);
+    north = sheet.set(style, sheet.word("north"), 1e4F);
+  }
   sheet.piece(north, box.x + compass - 2 * m.unit, box.y + middle - north.height / 2, 4 * m.unit,
               Align::Centre, sheet.theme().ink);
 
   InsetPlan& inset = sheet.view().inset;
   inset.board = sheet.share_of(box);
-  inset.floor = museum.kiosk_floor;
+  inset.floor = sheet.way()->floor;
   inset.origin = frame.origin;
   inset.right = frame.scale / box.width * frame.right;
   inset.down = frame.scale / box.height * frame.down;
@@ -141,7 +147,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
   if (sheet.way() == nullptr) return;
   const Museum& museum = sheet.museum();
   const Measures& m = sheet.measures();
-  const Floor& floor = museum.floors[museum.kiosk_floor];
+  const Floor& floor = museum.floors[sheet.way()->floor];
   const TextPiece name =
       sheet.set(style_of_name(sheet), sheet.local(floor.title),
                 std::max(16 * m.unit, std::min(38 * m.unit, 0.42F * free.width) - 8 * m.unit));
@@ -155,10 +161,10 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
 void draw_plan_on_card(Sheet& sheet, const PixelBox& box) {
   if (sheet.way() == nullptr) return;
   const Measures& m = sheet.measures();
-  const Floor& floor = sheet.museum().floors[sheet.museum().kiosk_floor];
+  const Floor& floor = sheet.museum().floors[sheet.way()->floor];
   const TextPiece name =
       sheet.set(style_of_name(sheet), sheet.local(floor.title), box.width - 8 * m.unit);
-  const float head = std::max(6 * m.unit, name.height + 1.5F * m.unit);
+  const float head = std::max(6.8F * m.unit, name.height + 1.5F * m.unit);
   const PixelBox whole{std::round(box.x), std::round(box.y), std::floor(box.width),
                        std::floor(box.height)};
   if (whole.height < head + 6 * m.unit || whole.width < 14 * m.unit) return;

@@ -35,7 +35,9 @@ struct SceneryVertex {
   /// Picture: place in the exhibit's image, from its upper left. Everything else: place in the
   /// lightmap.
   std::array<float, 2> uv{};
-  std::uint8_t sky = 255;  ///< Share of the sky that is seen, of 255. Glass: its opacity.
+  /// Share of the sky that is seen, of 255. Glass: its opacity. Floor and Stone: their gallery's
+  /// tint (floor_tint.h).
+  std::uint8_t sky = 255;
   std::uint8_t sun = 255;  ///< Share of the sun's disc that is seen, of 255.
 };
 

@@ -1,5 +1,8 @@
 #include "runtime/plan/find_shown_way.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "runtime/interface/goal.h"
 #include "runtime/plan/leg.h"
 
@@ -25,7 +28,13 @@ std::optional<interface::ShownWay> find_shown_way(const Museum& museum,
   std::optional<directions::Directions> facts =
       directions::direct(museum, doorways, museum.kiosk, way, wanted);
   if (!facts) return {};
-  return interface::ShownWay{std::move(*facts), way.legs.front().points};
+  const std::uint32_t seen = state.guide_floor.value_or(museum.kiosk_floor);
+  const auto leg = std::ranges::find_if(way.legs, [&](const path::Leg& each) {
+    return each.is_along_floor() && each.floor == seen && each.points.size() > 1;
+  });
+  if (leg == way.legs.end())
+    return interface::ShownWay{std::move(*facts), museum.kiosk_floor, way.legs.front().points};
+  return interface::ShownWay{std::move(*facts), seen, leg->points};
 }
 
 }  // namespace docent::plan

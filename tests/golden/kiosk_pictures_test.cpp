@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/scene/theme.h"
@@ -98,6 +101,35 @@ TEST(TheWayAlongTheWalls, IsToldFromStoneInLightAndInShade) {
 
   ASSERT_GT(dots, 60);
   EXPECT_GT(told, dots * 9 / 10) << "of " << dots;
+}
+
+TEST(AGallery, IsToldFromThoseBesideItByItsFloor) {
+  const VisitRun run("0.5 shot welcome.png\n0.6 quit\n");
+  play_in_folder(run, "960x540");
+  const Pixels seen = picture(run.file("welcome.png"));
+  ASSERT_EQ(seen.width, 960U);
+  // A patch of bare floor in each: The First Letters, The Long Roads, Gold and Jade, Bronze,
+  // Journeys After Life, First Farmers, Down to the Sea.
+  const std::array<std::array<std::uint32_t, 2>, 7> patch{
+      {{452, 142}, {632, 120}, {858, 138}, {505, 252}, {868, 250}, {445, 360}, {865, 368}}};
+  std::array<std::array<double, 3>, patch.size()> floor{};
+  for (std::size_t i = 0; i < patch.size(); ++i)
+    for (std::uint32_t k = 0; k < 64; ++k) {
+      const auto [x, y] = patch[i];
+      const std::size_t at = 4 * (std::size_t{y + k / 8} * seen.width + x + k % 8);
+      for (std::size_t c = 0; c < 3; ++c)
+        floor[i][c] += std::to_integer<int>(seen.rgba[at + c]) / 64.0;
+    }
+
+  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 3}, {2, 4}, {3, 5}, {4, 6}}) {
+    const auto hue = [&](int room) {  // however light it is there
+      const auto& [red, green, blue] = floor[static_cast<std::size_t>(room)];
+      return std::array{red / green, blue / green};
+    };
+    const double differs =
+        std::max(std::abs(hue(a)[0] - hue(b)[0]), std::abs(hue(a)[1] - hue(b)[1]));
+    EXPECT_GT(differs, 0.05) << a << " and " << b;
+  }
 }
 
 TEST(TheMuseumAtNight, LooksAsItWasSeenAndApproved) {

@@ -1,6 +1,7 @@
 // Oak planks or stone slabs, under the baked light.
 in vec3 world;
 in vec2 uv;
+flat in vec3 gallery;  // its tint
 out vec4 colour;
 uniform sampler2D light_map;
 uniform vec4 albedo;
@@ -31,7 +32,7 @@ void main() {
   float figure = (hash(floor(vec2(plan.x * 1.5, row * 9.0) + piece * 17.0)) - 0.5) * 0.25 * grain.z *
                  (1.0 - smoothstep(0.02, 0.10, footprint.y));
   float seam = max(joint(row, grain.w / grain.y, footprint.y), joint(along, grain.w / grain.x, footprint.x));
-  vec3 base = albedo.rgb * (1.0 + tint + figure) * (1.0 - 0.26 * fade * seam);
+  vec3 base = albedo.rgb * gallery * (1.0 + tint + figure) * (1.0 - 0.26 * fade * seam);
   vec2 share = texture(light_map, uv).rg;
   colour = vec4(written(shown(lit(base, vec3(0.0, 1.0, 0.0), share.r, share.g), world)), 1.0);
 }

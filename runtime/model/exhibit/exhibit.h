@@ -14,9 +14,9 @@ namespace docent {
 
 /// What an exhibit stands on, found by the compiler from its position.
 enum class ExhibitPlace : std::uint8_t {
-  OnFloor,
+  OnFloor,  ///< Or on a plinth or a pedestal, without glass.
   OnWall,
-  InCase,
+  InCase,         ///< Under glass.
   ToTouch,        ///< On the floor, a plinth or a pedestal, and may be touched.
   OnWallToTouch,  ///< The same, on a wall.
 };

@@ -39,7 +39,7 @@ TEST(Compile, TurnsAFolderIntoAMuseum) {
   EXPECT_FALSE(museum.languages.at(0).words.empty());
   EXPECT_EQ(museum.ambient.count, 3U);
   EXPECT_THAT(museum.ambient.entrances, testing::IsEmpty());
-  EXPECT_EQ(museum.exhibits[0].place, ExhibitPlace::InCase);
+  EXPECT_EQ(museum.exhibits[0].place, ExhibitPlace::OnFloor) << "a pedestal of a metre, no glass";
   EXPECT_EQ(museum.exhibits[1].place, ExhibitPlace::OnWall);
   EXPECT_EQ(museum.exhibits[0].image, museum.exhibits[1].image) << "one file is one image";
   EXPECT_EQ(museum.rooms.at(museum.exhibits[1].room).id, "hall");

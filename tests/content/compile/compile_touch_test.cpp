@@ -72,6 +72,17 @@ TEST(CompileTouch, TellsOfWhatIsUnderGlassInACheckToo) {
   }
 }
 
+TEST(WhatStandsOnAPedestal, IsNotSaidToBeInAGlassCase) {
+  Folder folder("position = [2.6, 5.8]\n");
+  folder.it.replace("ground.geojson", "[[6, 4],", round_hole({2.6, 5.8}, 0.6) + ",\n  [[6, 4],");
+  for (const bool only_check : {false, true}) {
+    const Compiled stands = folder.compiled(false, only_check);
+
+    ASSERT_TRUE(stands.museum) << ::testing::PrintToString(stands.told);
+    EXPECT_EQ(thing(*stands.museum).place, ExhibitPlace::OnFloor);
+  }
+}
+
 TEST(CompileTouch, FindsTheSameInACheckAsWhenAllIsMade) {
   NEEDS_SPEED();
   const Folder folder("position = [3.0, 5.0]\ntouch = true\n");

@@ -93,6 +93,27 @@ TEST(Scenery, LaysStoneWhereAnAreaAsksForIt) {
   EXPECT_NEAR(area_from_above(triangles_of(scenery, Surface::Floor)), (5 - grown) * 6, 1e-3);
 }
 
+TEST(Scenery, TintsTheFloorOfAGalleryAndNoOther) {
+  const HallMaker hall = HallMaker().room({0, 0}, {10, 6});
+  const PavedArea half{{{0, 0}, {5, 0}, {5, 6}, {0, 6}}, Paving::Oak, 3};
+
+  const Scenery scenery = scenery_of(hall.plan, {}, {&half, 1});
+
+  int tinted = 0;
+  for (const SceneryPart& part : scenery.parts)
+    for (std::uint32_t i = 0; part.surface == Surface::Floor && i < part.index_count; ++i) {
+      const SceneryVertex& vertex = scenery.vertices[scenery.indices[part.first_index + i]];
+      if (to_floor(vertex.position).x < 5) {
+        EXPECT_EQ(vertex.sky, 3);
+        ++tinted;
+      }
+      if (to_floor(vertex.position).x > 5.5) {
+        EXPECT_EQ(vertex.sky, no_floor_tint);
+      }
+    }
+  EXPECT_GT(tinted, 0);
+}
+
 TEST(Scenery, PutsWallsOutsideOfTheWalkableFloorOnly) {
   EXPECT_TRUE(rc::check("no wall stands where one can walk", [] {
     const double width = *rc::gen::inRange(2, 30);

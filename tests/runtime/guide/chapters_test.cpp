@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "runtime/guide/guide.h"
 #include "runtime/model/exhibit/room_of.h"
@@ -129,6 +130,26 @@ TEST(Chapters, EndWhereOneHasComeToAnotherFloor) {
 
   EXPECT_TRUE(came_to_stairs);
   EXPECT_TRUE(walk.guide.state().arrived);
+}
+
+TEST(TheSmallPlan, IsOfTheFloorThatTheGuideIsOn) {
+  const Museum& museum = test::sample_museum();
+  const auto above = std::ranges::find_if(
+      museum.exhibits, [&](const Exhibit& it) { return it.floor != museum.kiosk_floor; });
+  ASSERT_NE(above, museum.exhibits.end());
+  Walk walk(above->id);
+  const auto plan = [&]() -> const interface::InsetPlan& { return walk.guide.view()->inset; };
+  EXPECT_EQ(plan().floor, museum.kiosk_floor);
+  for (int i = 0; i < 20 && !walk.guide.state().arrived; ++i) {
+    walk.tap("onward");
+    walk.seconds_of_haste();
+    walk.run(0.6);
+    EXPECT_EQ(plan().floor, walk.guide.crowd()[0].avatar.shown_floor);
+    EXPECT_GT(plan().way.size(), 1U);
+  }
+
+  EXPECT_EQ(plan().floor, above->floor);
+  EXPECT_LT(glm::distance(plan().way.back(), above->viewing_point.position), 0.05);
 }
 
 TEST(Chapters, AreNotOfferedToWhoSeesTheWholeWay) {

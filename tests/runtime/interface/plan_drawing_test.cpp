@@ -55,7 +55,7 @@ TEST(PlanDrawing, ShowsTheFloorTheWayAndWhereOneStands) {
                                    .shape = shape,
                                    .way = way,
                                    .way_colour = 0xD2452D,
-                                   .here = {10, 2},
+                                   .here = Vec2{10, 2},
                                    .compass = {220, 20},
                                    .unit = 4});
 
@@ -64,7 +64,17 @@ TEST(PlanDrawing, ShowsTheFloorTheWayAndWhereOneStands) {
   EXPECT_EQ(pixel(pixels, frame.pixel({3, 3})), (Rgba{0xE0, 0xD8, 0xC9, 255}));
   EXPECT_EQ(pixel(pixels, frame.pixel({14, 8})), (Rgba{0xD2, 0x45, 0x2D, 255}));
   EXPECT_EQ(pixel(pixels, frame.pixel({10, 2})), (Rgba{0x1E, 0x1C, 0x1A, 255}));
-  EXPECT_EQ(pixel(pixels, {220, 20 - 2.3 * 4}), (Rgba{0x1E, 0x1C, 0x1A, 255})) << "north is up";
+  EXPECT_EQ(pixel(pixels, {220, 20 - 2.7 * 4}), (Rgba{0x1E, 0x1C, 0x1A, 255})) << "north is up";
+}
+
+TEST(PlanDrawing, OfAnotherFloorHasNobodyStandingThere) {
+  const FloorPlan plan = hall();
+  const PlanFrame frame = frame_of(plan, glm::half_pi<double>(), shape);
+  const Pixels pixels = draw_plan({.plan = plan, .frame = frame, .shape = shape, .unit = 4});
+
+  using Rgba = std::array<int, 4>;
+  EXPECT_EQ(pixel(pixels, frame.pixel({3, 3})), (Rgba{0xE0, 0xD8, 0xC9, 255}));
+  EXPECT_EQ(pixel(pixels, frame.pixel({10, 2})), (Rgba{0xE0, 0xD8, 0xC9, 255}));
 }
 
 TEST(PlanDrawing, IsDefinedForAFloorThatIsNone) {

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "runtime/interface/layout.h"
+#include "runtime/interface/on_glass.h"
 #include "tests/runtime/interface/boxes.h"
 #include "tests/runtime/interface/seen.h"
 #include "tests/support/sample_museum.h"
@@ -110,6 +112,24 @@ TEST(TheInsetPlan, HasASpotOfTheGuidesOwnColourWhereVisitorsHaveGuidesOfTheirOwn
   EXPECT_NE(spot(1), spot(2));
   EXPECT_NE(spot(1), spot({}));
   EXPECT_EQ(spot({}), scene::hex_of(scene::Theme{}.focus));
+}
+
+TEST(TheInsetPlan, HasNoLetterSmallerThanOthersOnAnyGlass) {
+  ShownWay way;
+  way.line = {{20, 2.6}, {20, 14}, {6, 14}};
+  for (const float inches : {24.0F, 32.0F, 55.0F}) {
+    ViewRequest request;
+    request.shape.diagonal_inches = inches;
+    request.state.screen = Screen::Walking;
+    request.state.exhibit = 3;
+    request.route_summary = RouteSummary{path::RouteStatus::Ok, 25, 20};
+    PieceCache cache({test::boxes, {}}, 1, 1 << 20);
+    const auto view = make_view(museum(), request, cache, {}, &way);
+    const auto all = on_glass(museum(), *view, request.shape, 1e6F, 0);
+    const auto north = std::ranges::find(all, "N", &OnGlass::label);
+    ASSERT_NE(north, all.end());
+    EXPECT_GT(north->text_mm, 4.9F) << inches;
+  }
 }
 
 TEST(TheSentences, LieOverNoOtherTextAndNoControl) {
