@@ -21,9 +21,12 @@ float from_line(Vec3 away, Vec3 along, float share, float all) noexcept {
 
 /// Of a place from a box.
 inline float from_box(Vec3 low, Vec3 high, Vec3 place) noexcept {
-  const float x = std::max({low.x - place.x, place.x - high.x, 0.0F});
-  const float y = std::max({low.y - place.y, place.y - high.y, 0.0F});
-  const float z = std::max({low.z - place.z, place.z - high.z, 0.0F});
+  const auto outside = [](float below, float above) {
+    return std::max(std::max(below, above), 0.0F);  // of three at once, gcc makes jumps
+  };
+  const float x = outside(low.x - place.x, place.x - high.x);
+  const float y = outside(low.y - place.y, place.y - high.y);
+  const float z = outside(low.z - place.z, place.z - high.z);
   return x * x + y * y + z * z;
 }
 
@@ -104,25 +107,31 @@ float Surface::squared_distance_from(Vec3 place, float enough, float most) noexc
     std::uint32_t node;
     float distance;
   };
-  std::array<Ahead, 64> ahead{};  // halves of halves: 32 deep at most, two of each
-  std::size_t count = 1;
-  while (count > 0 && most > enough) {
-    const auto [at, distance] = ahead[--count];
-    if (distance >= most) continue;
+  std::array<Ahead, 64> ahead;  // halves of halves: 32 deep at most, one of each
+  std::size_t count = 0;
+  std::uint32_t at = 0;
+  while (most > enough) {
     const Node& node = nodes_[at];
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
       if (const float own = squared_distance(place, triangles_[i]); own < most) {
         most = own;
         last_ = i;
       }
-    if (node.count > 0) continue;
-    const auto ahead_at = [&](std::uint32_t n) {
-      return Ahead{n, from_box(nodes_[n].low, nodes_[n].high, place)};
-    };
-    Ahead near = ahead_at(node.first), far = ahead_at(node.first + 1);
-    if (far.distance < near.distance) std::swap(near, far);
-    ahead[count++] = far;
-    ahead[count++] = near;
+    if (node.count == 0) {
+      const auto ahead_at = [&](std::uint32_t n) {
+        return Ahead{n, from_box(nodes_[n].low, nodes_[n].high, place)};
+      };
+      Ahead near = ahead_at(node.first), far = ahead_at(node.first + 1);
+      if (far.distance < near.distance) std::swap(near, far);
+      if (far.distance < most) ahead[count++] = far;
+      if (near.distance < most) {
+        at = near.node;
+        continue;
+      }
+    }
+    while (count > 0 && ahead[count - 1].distance >= most) --count;
+    if (count == 0) break;
+    at = ahead[--count].node;
   }
   return most;
 }
