@@ -97,12 +97,15 @@ void WayPass::draw_marker(const scene::MarkerDraw& marker,
   scene::Colour tone = is_exhibit ? theme_.quiet_ink : light.mark;
   if (marker.look) tone = scene::trail_colour(*marker.look);
   if (!is_exhibit) tone = scene::lifted(tone, light.least_way);
+  if (marker.kind == Kind::Doorway) tone = scene::light_in_doorways;
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
-  const float reach =
-      marker.kind == Kind::YouAreHere ? 2.7F : 1.3F;  // radii that marker.frag draws
+  const float half = marker.kind == Kind::YouAreHere
+                         ? 2.7F * marker.radius  // as marker.frag has it
+                     : marker.kind == Kind::Doorway ? std::max(marker.radius, 1.2F)
+                                                    : 1.3F * marker.radius;
   glUniform4f(at_.place, marker.position.x, marker.position.y + marker_lift, marker.position.z,
-              marker.radius * reach);
+              half);
   glUniform4f(at_.mark, marker.radius, std::cos(marker.heading), std::sin(marker.heading),
               static_cast<float>(marker.kind));
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
@@ -122,17 +125,24 @@ Extent WayPass::extent_of_ribbons(const scene::DrawList& list, double floor) noe
   return extent;
 }
 
+void WayPass::draw_markers(const scene::DrawList& list, bool are_doors) const noexcept {
+  marker_.use();
+  glBindVertexArray(no_attributes_.get());
+  for (const scene::MarkerDraw& marker : list.markers)
+    if (marker.opacity > 0 && (marker.kind == scene::MarkerDraw::Kind::Doorway) == are_doors)
+      draw_marker(marker, list.light);
+}
+
+/// The light in doorways lies under the way, and every mark on it.
 void WayPass::draw(const scene::DrawList& list) const noexcept {
+  draw_markers(list, true);
   ribbon_.use();
   glUniform1f(at_.lift, ribbon_lift);
   glBindVertexArray(array_.get());
   for (std::size_t i = 0; i < strip_count_; ++i)
     if (strips_[i].count > 0 && list.ribbons[i].opacity > 0)
       draw_ribbon(list.ribbons[i], strips_[i], list.light.least_way);
-  marker_.use();
-  glBindVertexArray(no_attributes_.get());
-  for (const scene::MarkerDraw& marker : list.markers)
-    if (marker.opacity > 0) draw_marker(marker, list.light);
+  draw_markers(list, false);
 }
 
 }  // namespace docent::gles

@@ -32,6 +32,7 @@ class WayPass {
   };
   bool is_current(const scene::DrawList& list) const noexcept;
   void draw_ribbon(const scene::RibbonDraw& ribbon, const Strip& strip, float least) const noexcept;
+  void draw_markers(const scene::DrawList& list, bool are_doors) const noexcept;
   void draw_marker(const scene::MarkerDraw& marker, const scene::Light& light) const noexcept;
 
   GlBuffer vertices_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "runtime/model/exhibit/room_of.h"
 #include "runtime/model/geometry/polygon.h"
@@ -71,6 +72,28 @@ void add_doorways(const Museum& museum, const path::FloorMap& map, std::uint32_t
   }
 }
 
+/// The share of the piece of a way at which it goes through a doorway; none: beside it.
+std::optional<double> crossing(Vec2 from, Vec2 to, const Doorway& door) noexcept {
+  const Vec2 walked = to - from;
+  const double through = dot(walked, door.outward);
+  if (std::abs(through) < 1e-9) return {};  // along it
+  const double share = dot(door.middle - from, door.outward) / through;
+  if (share < 0 || share >= 1) return {};
+  const Vec2 beside = from + share * walked - door.middle;
+  if (std::abs(cross(door.outward, beside)) > door.width / 2) return {};
+  return share;
+}
+
+/// Of doors as close as the two sides of a wall the first stays.
+void join_sides_of_walls(std::vector<PassedDoor>& doors) {
+  constexpr double thickest_wall = 1.2;
+  std::ranges::sort(doors, {}, &PassedDoor::along);
+  const auto same = std::ranges::unique(doors, [](const PassedDoor& a, const PassedDoor& b) {
+    return glm::distance(a.middle, b.middle) < thickest_wall;
+  });
+  doors.erase(same.begin(), same.end());
+}
+
 }  // namespace
 
 Doorways find_doorways(const Museum& museum,
@@ -82,6 +105,28 @@ Doorways find_doorways(const Museum& museum,
     doorways.first.push_back(static_cast<std::uint32_t>(doorways.doorway.size()));
   }
   return doorways;
+}
+
+std::vector<PassedDoor> doors_along(const Museum& museum, const Doorways& doorways,
+                                    std::uint32_t floor, std::span<const Vec2> way) {
+  std::vector<PassedDoor> doors;
+  double before = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double length = glm::distance(way[i - 1], way[i]);
+    for (std::uint32_t room = 0; room < museum.rooms.size(); ++room) {
+      if (museum.rooms[room].floor != floor) continue;
+      for (const Doorway& door : doorways.of(room))
+        if (const auto share = crossing(way[i - 1], way[i], door); share && door.is_door())
+          doors.push_back(
+              {.middle = door.middle,
+               .through = dot(way[i] - way[i - 1], door.outward) > 0 ? door.outward : -door.outward,
+               .width = door.width,
+               .along = before + *share * length});
+    }
+    before += length;
+  }
+  join_sides_of_walls(doors);
+  return doors;
 }
 
 }  // namespace docent::directions

@@ -38,4 +38,16 @@ struct Doorways {
 Doorways find_doorways(const Museum& museum,
                        std::span<const std::shared_ptr<const path::FloorMap>> maps);
 
+/// A door that a way leads through.
+struct PassedDoor {
+  Vec2 middle{};
+  Vec2 through{1, 0};  ///< Unit, as one walks.
+  double width = 0;    ///< Metres.
+  double along = 0;    ///< Metres from the way's beginning.
+};
+
+/// Those of a way along a floor, in its order; the two sides of one wall are one door.
+std::vector<PassedDoor> doors_along(const Museum& museum, const Doorways& doorways,
+                                    std::uint32_t floor, std::span<const Vec2> way);
+
 }  // namespace docent::directions

@@ -101,6 +101,14 @@ InView in_view(const Museum& museum, const interface::InterfaceState& state,
   return view;
 }
 
+/// A door that a way leads through.
+scene::MarkerDraw light_in(const auto& door, double height) noexcept {
+  return {.kind = scene::MarkerDraw::Kind::Doorway,
+          .position = to_world(door.middle, height),
+          .radius = static_cast<float>(door.width / 2),
+          .heading = static_cast<float>(std::atan2(door.through.y, door.through.x))};
+}
+
 }  // namespace
 
 bool leaves_a_trail(const Agent& one) noexcept {
@@ -320,6 +328,11 @@ void Stage::show_way(const plan::Plan& plan, scene::DrawList& list) noexcept {
   way_length_ = plan.reach.empty() ? 0 : static_cast<float>(plan.reach.back());
   if (way_count_ > 0) way_end_ = plan.points[way_count_ - 1];
   rests_ = false;
+  door_count_ = std::min(plan.doors.size(), most_doors);
+  std::ranges::transform(
+      std::span(plan.doors).first(door_count_), doors_.begin(), [&](const auto& door) {
+        return LitDoor{light_in(door, height_of(museum_, way_floor_)), door.along};
+      });
   list.ribbon_point.assign(plan.points.begin(),
                            plan.points.begin() + static_cast<std::ptrdiff_t>(way_count_));
   look_at_whole_way(list.ribbon_point);
@@ -418,15 +431,25 @@ void Stage::draw_own_way(const interface::InterfaceState& state, const Avatar& l
                               .radius = 0.35F,
                               .heading = static_cast<float>(end->heading)});
   }
-  if (way_count_ >= 2 && way_floor_ == floor_)
-    list.ribbons.push_back({.kind = way_kind_,
-                            .first = 0,
-                            .count = way_count_,
-                            .revision = revision_,
-                            .length = way_length_,
-                            .walked = walked_,
-                            .flow = static_cast<float>(flow_),
-                            .opacity = way_opacity_});
+  if (way_count_ < 2 || way_floor_ != floor_) return;
+  draw_doors(list);
+  list.ribbons.push_back({.kind = way_kind_,
+                          .first = 0,
+                          .count = way_count_,
+                          .revision = revision_,
+                          .length = way_length_,
+                          .walked = walked_,
+                          .flow = static_cast<float>(flow_),
+                          .opacity = way_opacity_});
+}
+
+/// Those that the guide has not gone through yet glow.
+void Stage::draw_doors(scene::DrawList& list) const noexcept {
+  for (const LitDoor& door : std::span(doors_).first(door_count_)) {
+    if (door.along < walked_ || list.markers.size() == list.markers.capacity()) continue;
+    list.markers.push_back(door.light);
+    list.markers.back().opacity = way_opacity_;
+  }
 }
 
 void Stage::draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,

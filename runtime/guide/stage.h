@@ -70,6 +70,7 @@ class Stage {
                     scene::DrawList& list) const noexcept;
   float walked(const Avatar& leader) const noexcept;
   void measure_walked(const interface::InterfaceState& state, const Avatar& leader) noexcept;
+  void draw_doors(scene::DrawList& list) const noexcept;
   void draw_ways(const Crowd& crowd, std::span<const LedVisitor> led_visitors,
                  scene::DrawList& list) const noexcept;
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,
@@ -115,8 +116,15 @@ class Stage {
   std::uint32_t way_count_ = 0, way_floor_ = 0;
   float way_length_ = 0;
   Vec2 way_end_{};
-  float walked_ = 0;    ///< Metres of the way shown.
-  bool rests_ = false;  ///< It has been walked, and all is measured.
+  static constexpr std::size_t most_doors = 32;
+  struct LitDoor {
+    scene::MarkerDraw light{};
+    double along = 0;  ///< Metres from the way's beginning.
+  };
+  std::array<LitDoor, most_doors> doors_{};  ///< That the way leads through, ...
+  std::size_t door_count_ = 0;               ///< ... so many of them.
+  float walked_ = 0;                         ///< Metres of the way shown.
+  bool rests_ = false;                       ///< It has been walked, and all is measured.
 };
 
 }  // namespace docent::guide

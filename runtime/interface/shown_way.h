@@ -12,8 +12,8 @@ namespace docent::interface {
 /// draw it; wherever the guide is.
 struct ShownWay {
   directions::Directions directions;
-  std::uint32_t floor =
-      0;                   ///< Where the guide is, if it comes there on that way; else the kiosk's.
+  /// Where the guide is, if it comes there on that way; else the kiosk's.
+  std::uint32_t floor = 0;
   std::vector<Vec2> line;  ///< On that floor: to the goal, or to where one leaves the floor.
 };
 

@@ -95,6 +95,7 @@ struct Plan {
   double length = 0;                 ///< Metres to the goal, over floors and stairs.
   std::vector<Vec2> points;          ///< The way, simplified to 2 mm, floor frame.
   std::vector<double> reach;         ///< Metres along the way of each point.
+  std::vector<directions::PassedDoor> doors;  ///< That the way leads through.
   motion::Walk walk;                 ///< At least one frame unless status says there is no way.
   bool is_whole = true;              ///< Does the walk lead to the end of the way?
   std::uint32_t handover_frame = 0;  ///< Where the next stretch takes over, unless is_whole.

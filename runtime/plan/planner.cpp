@@ -145,16 +145,26 @@ void Planner::answer(const WalkOrder& order) {
   if (order.enters)  // it is on no other floor from now on
     for (const std::unique_ptr<Traffic>& other : traffic_)
       if (other && other.get() != &here) other->leave(order.avatar, 0);
-  if (!order.ride) return send(plans_, here.plan(order), stop_);
+  if (!order.ride) return send_way(here.plan(order));
   const Connection& connection = museum_.connections[order.ride->connection];
   Traffic& there = traffic_on(connection.stops[order.ride->to].floor);
-  send(plans_, rides_.plan(order, here, there), stop_);
+  send_way(rides_.plan(order, here, there));
+}
+
+void Planner::send_way(std::unique_ptr<Plan> plan) {
+  if (plan && plan->is_new_way)
+    plan->doors = directions::doors_along(museum_, doorways(), plan->order.floor, plan->points);
+  send(plans_, std::move(plan), stop_);
+}
+
+const directions::Doorways& Planner::doorways() {
+  if (!doorways_) doorways_ = directions::find_doorways(museum_, maps_);
+  return *doorways_;
 }
 
 std::optional<interface::ShownWay> Planner::shown_way(const interface::InterfaceState& state) {
   if (!interface::shows_way(state)) return {};
-  if (!doorways_) doorways_ = directions::find_doorways(museum_, maps_);
-  return find_shown_way(museum_, building_, *doorways_, state);
+  return find_shown_way(museum_, building_, doorways(), state);
 }
 
 void Planner::answer(const interface::ViewRequest& asked) {

@@ -68,6 +68,8 @@ class Planner {
   void answer(const WalkOrder& order);
   void answer(const interface::ViewRequest& request);
   void announce(std::size_t buffer) noexcept;
+  void send_way(std::unique_ptr<Plan> plan);
+  const directions::Doorways& doorways();
   std::optional<interface::ShownWay> shown_way(const interface::InterfaceState& state);
   Traffic& traffic_on(std::uint32_t floor);
   const motion::WalkGraph* walking() const noexcept { return walking_ ? &*walking_ : nullptr; }

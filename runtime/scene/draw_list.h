@@ -112,12 +112,12 @@ struct RibbonDraw {
 
 /// A mark on the floor, such as "you are here" or the goal. World frame; a disc of `radius` metres.
 struct MarkerDraw {
-  enum class Kind : std::uint8_t { YouAreHere, Goal, Exhibit, SelectedExhibit };
+  enum class Kind : std::uint8_t { YouAreHere, Goal, Exhibit, SelectedExhibit, Doorway };
   Kind kind = Kind::Goal;
   std::optional<std::uint32_t> look{};  ///< Whose it is: the colour of that look; none: vermilion.
   Vec3 position{};
-  float radius = 0.3F;
-  float heading = 0;  ///< Radians, floor frame; YouAreHere shows it.
+  float radius = 0.3F;  ///< Metres; of a doorway half its width.
+  float heading = 0;    ///< Radians, floor frame; YouAreHere shows it, a doorway is walked by it.
   float opacity = 1;
   bool operator==(const MarkerDraw&) const = default;
 };

@@ -17,6 +17,9 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+/// What lies in the doorways of a way, by day and at night.
+inline const Colour light_in_doorways = srgb(0xFFC15A);
+
 /// `share` of the way from one to the other.
 inline Light mixed(const Light& from, const Light& to, float share) noexcept {
   return {mixed(from.sun, to.sun, share),

@@ -38,6 +38,12 @@ void main() {
   } else if (mark.w < 2.5) {  // an exhibit
     c = over(c, inner_tone.rgb, filled(d - r));
     c = over(c, tone.rgb, filled(d - r * 0.62));
+  } else if (mark.w > 3.5) {  // a doorway: light lies in it, and fades out of it
+    vec2 through = mark.yz;
+    float along = dot(local, through);
+    float across = abs(dot(local, vec2(-through.y, through.x)));
+    float fade = exp(-along * along / 0.22);
+    c = vec4(tone.rgb, 0.72 * fade * (1.0 - smoothstep(r - 0.18, r + 0.02, across)));
   } else {  // the chosen exhibit
     c = over(c, inner_tone.rgb, filled(d - r));
     c = over(c, tone.rgb, filled(d - r * 0.86));

@@ -312,6 +312,30 @@ TEST_F(Rendering, TellsTheThreeKindsOfWaysApart) {
   EXPECT_GT(covered[2], 30) << "dots";
 }
 
+TEST_F(Rendering, LaysLightIntoADoorwayUnderTheWayThroughIt) {
+  scene::DrawList list = view_of_hall(small);
+  add_way(list, RouteKind::Shortest, {{2, 2}, {10, 2}}, 8);
+  const auto at = [&](const Pixels& picture, Vec2 place) {
+    const auto [x, y] = pixel_of(list.camera, to_world(place), small);
+    return pixel(picture, x, y);
+  };
+  const Pixels dark = drawn(list);
+  list.markers.push_back({.kind = scene::MarkerDraw::Kind::Doorway,
+                          .position = to_world({6, 2}),
+                          .radius = 0.9F});  // walked through to the east
+
+  const Pixels lit = drawn(list);
+
+  const auto yellower = [&](Vec2 place) {
+    const Rgb before = at(dark, place), now = at(lit, place);
+    return before.b - now.b - std::max(before.r - now.r, before.g - now.g);
+  };
+  EXPECT_GT(yellower({6, 2.5}), 20) << "beside the way";
+  EXPECT_LT(std::abs(yellower({6, 3.1})), 3) << "beyond the jamb";
+  EXPECT_LT(std::abs(yellower({7.1, 2.5})), 3) << "before the door";
+  EXPECT_LT(std::abs(yellower({6, 2})), 3) << "the way lies on the light";
+}
+
 TEST_F(Rendering, ThrowsTheGuidesShadowAwayFromTheSun) {
   scene::DrawList list = view_of_hall(small);
   const Pixels without = drawn(list);

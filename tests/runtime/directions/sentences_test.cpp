@@ -203,7 +203,7 @@ TEST_P(Sentences, AndTheLineAboveThemSayOneTimeOfAWay) {
     const test::SomeWay some = test::some_way(random);
     const auto facts = directions::direct(museum, house.doorways, some.start, some.way, some.goal);
     ASSERT_TRUE(facts);
-    const ShownWay way{*facts, some.way.legs.front().points};
+    const ShownWay way{*facts, museum.kiosk_floor, some.way.legs.front().points};
     ViewRequest request;
     request.state.language = language;
     request.state.screen = Screen::Walking;
