@@ -97,7 +97,7 @@ void WayPass::draw_marker(const scene::MarkerDraw& marker,
   scene::Colour tone = is_exhibit ? theme_.quiet_ink : light.mark;
   if (marker.look) tone = scene::trail_colour(*marker.look);
   if (!is_exhibit) tone = scene::lifted(tone, light.least_way);
-  if (marker.kind == Kind::Doorway) tone = scene::light_in_doorways;
+  if (marker.kind == Kind::Doorway) tone = light.doorway;
   set(at_.marker_tone, scene::with_opacity(tone, marker.opacity));
   set(at_.inner_tone, theme_.paper);
   const float half = marker.kind == Kind::YouAreHere

@@ -14,6 +14,7 @@ constexpr double overview_pitch = 0.94;  ///< 54 degrees: steep enough to see ov
 constexpr double walking_pitch = 0.84;   ///< ... and 48, where the model looks most like one.
 constexpr double arrival_pitch = 0.79;
 constexpr double nearest_distance = 9, farthest_distance = 24;  ///< Mostly 12 is enough.
+constexpr double farthest_to_fit = 36;  ///< Where the goal is far behind who looks away from it.
 constexpr double arrival_distance = 8.5;
 
 /// The floor direction of an angle, in the world frame.
@@ -223,9 +224,9 @@ CameraRig behind(const Walker& walker, double yaw, const Rect& free, float aspec
     if (seen.right - seen.left > inner.width || seen.bottom - seen.top > inner.height) continue;
     rig.centre_x += into(seen.left, seen.right, inner.x, inner.x + inner.width);
     rig.centre_y += into(seen.top, seen.bottom, inner.y, inner.y + inner.height);
-    break;
+    return rig;
   }
-  return rig;
+  return with_all_in_view(rig, walker, free, aspect);  // up to the edges
 }
 
 CameraRig with_all_in_view(CameraRig rig, const Walker& walker, const Rect& free,
@@ -237,7 +238,7 @@ CameraRig with_all_in_view(CameraRig rig, const Walker& walker, const Rect& free
   for (int round = 0; round < 24; ++round) {
     const float fill =
         std::max((seen.right - seen.left) / inner.width, (seen.bottom - seen.top) / inner.height);
-    if (fill <= 1 || rig.distance >= farthest_distance) break;
+    if (fill <= 1 || rig.distance >= farthest_to_fit) break;
     rig.distance *= std::min(1.0005 * static_cast<double>(fill), 1.25);
     seen = bounds_of(walker, view_of(rig, aspect));
   }

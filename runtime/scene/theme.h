@@ -115,6 +115,7 @@ inline Light light_of(const Livery& livery, bool is_night) noexcept {
     light = {.sun = {0.058F, 0.060F, 0.071F, 0},
              .sky = {0.050F, 0.054F, 0.069F, 0},
              .bounce = {0.105F, 0.086F, 0.064F, 0},
+             .doorway = with_opacity(srgb(0xE0A850), 0.36F),
              .lamp = {0.62F, 0.57F, 0.50F, 0},
              .least_way = least_way_at_night};
   light.paper = is_night ? night_theme(livery).paper : srgb(livery.paper);

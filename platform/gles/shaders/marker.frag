@@ -43,7 +43,7 @@ void main() {
     float along = dot(local, through);
     float across = abs(dot(local, vec2(-through.y, through.x)));
     float fade = exp(-along * along / 0.22);
-    c = vec4(tone.rgb, 0.72 * fade * (1.0 - smoothstep(r - 0.18, r + 0.02, across)));
+    c = vec4(tone.rgb, fade * (1.0 - smoothstep(r - 0.18, r + 0.02, across)));
   } else {  // the chosen exhibit
     c = over(c, inner_tone.rgb, filled(d - r));
     c = over(c, tone.rgb, filled(d - r * 0.86));

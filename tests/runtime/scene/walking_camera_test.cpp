@@ -49,6 +49,21 @@ TEST(AWalkingCamera, ShowsGuideWayAndNearGoalAtOnceWhicheverWayItLooks) {
   }));
 }
 
+TEST(AWalkingCamera, ShowsAGoalThatIsFarBehindItOnAGlassThatStandsUpright) {
+  const Rect free{0, 0, 1, 0.56F};
+  constexpr float aspect = 9.0F / 16;
+  std::vector<Vec2> ahead;
+  for (double metre = 1; metre < 7; ++metre) ahead.push_back(metre * Vec2{0.69, 0.72});
+  const std::array<Vec3, 2> goal{to_world({8.8, 9.2}), to_world({8.8, 9.2}, 1.2)};
+  const Walker walker{{{0, 0}, 0.8}, 0, ahead, goal};
+
+  const CameraView view = view_of(behind(walker, -3.07, free, aspect), aspect);
+
+  for (const Vec3 p : {goal[0], goal[1], to_world({0, 0}), to_world({0, 0}, 1.7)})
+    EXPECT_TRUE(is_in(free, project(view, p)));
+  for (const Vec2 p : ahead) EXPECT_TRUE(is_in(free, project(view, to_world(p))));
+}
+
 TEST(AWalkingCamera, KeepsGuideWayAndNearGoalInThePictureAllAlongAWalk) {
   EXPECT_TRUE(rc::check("at every step", [] {
     Scene scene;
