@@ -87,12 +87,38 @@ struct Shot {
   std::uint32_t age;          ///< As Display::age().
 };
 
-/// Where the interface lies in a part of the picture.
-Pieces interface_in(const Region& part, const Shot& shot) noexcept {
-  Pieces pieces;
+/// The interface in a part of the picture: where the model changes nothing of it, because nothing
+/// is seen through it, and wherever else it lies.
+struct Interface {
+  std::array<Region, 8> opaque{};  ///< The largest.
+  Pieces rest;
+  std::int64_t area() const noexcept {
+    std::int64_t sum = rest.area();
+    for (const Region& region : opaque) sum += region.area();
+    return sum;
+  }
+};
+
+/// The region of all but what lies in that one of the others which has most of it.
+std::array<Region, 4> without(std::span<const Region> others, const Region& region) noexcept {
+  const auto& most = *std::ranges::max_element(
+      others, {}, [&](const Region& other) { return common(other, region).area(); });
+  return beside(common(most, region), region);
+}
+
+Interface interface_in(const Region& part, const Shot& shot) noexcept {
+  Interface interface;
+  for (const scene::Quad& quad : shot.list.quads) {
+    Region& smallest = *std::ranges::min_element(interface.opaque, {}, &Region::area);
+    const Region region = common(region_behind(quad, shot.size), part);
+    if (region.area() > smallest.area()) smallest = region;
+  }
   for (const scene::Quad& quad : shot.list.quads)
-    pieces.add(common(region_of(extent_of(scene::reach_of(quad)), shot.size), part));
-  return pieces;
+    for (const Region& piece :
+         without(interface.opaque,
+                 common(region_of(extent_of(scene::reach_of(quad)), shot.size), part)))
+      interface.rest.add(piece);
+  return interface;
 }
 
 }  // namespace
@@ -119,10 +145,13 @@ struct Renderer::Parts {
   void forget_coarse_picture() noexcept;
   void draw_part(const Shot& shot, const Region& part, const Region& seen) noexcept;
   /// Where all of the model is drawn with fewer `pixels`: what of the picture is `changed`.
-  void draw_coarsely(const Shot& shot, const Region& changed, PixelSize pixels) noexcept;
+  void draw_coarsely(const Shot& shot, const Region& changed, const scene::Change& change,
+                     PixelSize pixels) noexcept;
   /// The model is enlarged onto the panel itself and not by way of the picture, which is large:
   /// there only where the interface lies.
-  void show_coarsely(const Shot& shot, const Region& changed, const Pieces& interface) noexcept;
+  /// `interface_changed`: where its opaque parts in the picture are not those of now.
+  void show_coarsely(const Shot& shot, const Region& changed, const Interface& interface,
+                     const Region& interface_changed) noexcept;
   /// Enlarges that part of the coarse picture into the picture, with the interface on it.
   void enlarge_part(const Shot& shot, const Region& part) noexcept;
   void show(const Shot& shot, const Region& changed) noexcept;
@@ -242,14 +271,14 @@ void Renderer::Parts::enlarge_part(const Shot& shot, const Region& part) noexcep
 }
 
 void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& changed,
-                                    PixelSize pixels) noexcept {
+                                    const scene::Change& change, PixelSize pixels) noexcept {
   coarse_picture.fit(pixels);
   draw_model(shot, scaled(coarse, shot.size, pixels), pixels, coarse_picture.framebuffer());
-  const Pieces pieces = interface_in(coarse, shot);
+  const Interface interface = interface_in(coarse, shot);
   is_on_panel_only = shot.panel != nullptr && enlarges_encoded && panel.copies_encoded() &&
-                     2 * pieces.area() < coarse.area();
+                     !change.everything && 2 * interface.area() < coarse.area();
   if (is_on_panel_only) {
-    show_coarsely(shot, changed, pieces);
+    show_coarsely(shot, changed, interface, region_of(extent_of(change.interface), shot.size));
     return;
   }
   enlarge_part(shot, coarse);
@@ -258,14 +287,16 @@ void Renderer::Parts::draw_coarsely(const Shot& shot, const Region& changed,
 }
 
 void Renderer::Parts::show_coarsely(const Shot& shot, const Region& changed,
-                                    const Pieces& interface) noexcept {
+                                    const Interface& interface,
+                                    const Region& interface_changed) noexcept {
+  for (const Region& piece : interface.rest.regions()) enlarge_part(shot, piece);
+  for (const Region& part : interface.opaque) draw_interface(shot, common(part, interface_changed));
+  for (const Region& part : beside(coarse, changed)) draw_interface(shot, part);
+  // All that goes into one framebuffer comes together.
   const Region lacking = panel.lacking(*shot.panel, changed, shot.age);
   panel.copy_of(coarse_picture.texture(), coarse);
-  for (const Region& piece : interface.regions()) {
-    enlarge_part(shot, piece);
-    panel.copy(piece);
-  }
-  for (const Region& part : beside(coarse, changed)) draw_interface(shot, part);
+  for (const Region& piece : interface.rest.regions()) panel.copy(piece);
+  for (const Region& part : interface.opaque) panel.copy(part);
   for (const Region& part : beside(coarse, lacking)) panel.copy(part);
 }
 
@@ -351,7 +382,7 @@ void Renderer::Parts::draw(const Shot& shot, const scene::Change& change, float 
   region.include(regions[1]);
   if (is_all_drawn) coarse = is_coarse ? common(region, seen) : Region{};
   if (is_coarse) {
-    draw_coarsely(shot, region, pixels);
+    draw_coarsely(shot, region, change, pixels);
     return;
   }
   if (std::exchange(is_on_panel_only, false) && !coarse.is_empty()) enlarge_part(shot, coarse);
