@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "runtime/directions/doorways.h"
 #include "runtime/interface/layout.h"
 #include "runtime/model/museum.h"
 #include "runtime/model/none.h"
@@ -92,9 +93,9 @@ struct Plan {
   /// Of an order that seeks: the place that was found, which is the goal of `order` now; where
   /// there is no way, the one to which there would be one at best; `none` where there is no place.
   std::uint32_t place = none;
-  double length = 0;                 ///< Metres to the goal, over floors and stairs.
-  std::vector<Vec2> points;          ///< The way, simplified to 2 mm, floor frame.
-  std::vector<double> reach;         ///< Metres along the way of each point.
+  double length = 0;                          ///< Metres to the goal, over floors and stairs.
+  std::vector<Vec2> points;                   ///< The way, simplified to 2 mm, floor frame.
+  std::vector<double> reach;                  ///< Metres along the way of each point.
   std::vector<directions::PassedDoor> doors;  ///< That the way leads through.
   motion::Walk walk;                 ///< At least one frame unless status says there is no way.
   bool is_whole = true;              ///< Does the walk lead to the end of the way?

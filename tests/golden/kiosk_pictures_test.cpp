@@ -75,11 +75,12 @@ double contrast(double a, double b) {
   return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
 }
 
-/// Neither plaster, nor stone, nor oak is as yellow.
+/// Neither plaster, nor stone, nor oak is as yellow, nor the light in a doorway as deep.
 bool is_ochre(const Pixels& picture, std::uint32_t x, std::uint32_t y) {
   const std::size_t at = 4 * (std::size_t{y} * picture.width + x);
   const auto level = [&](std::size_t c) { return std::to_integer<int>(picture.rgba[at + c]); };
-  return level(0) - level(2) > 100 && level(0) - level(1) > 20 && level(0) - level(1) < 80;
+  return level(2) < 60 && level(0) - level(2) > 100 && level(0) - level(1) > 20 &&
+         level(0) - level(1) < 80;
 }
 
 TEST(TheWayAlongTheWalls, IsToldFromStoneInLightAndInShade) {
