@@ -253,6 +253,7 @@ void Renderer::Parts::draw_model(const Shot& shot, const Region& part, PixelSize
 }
 
 void Renderer::Parts::enlarge_part(const Shot& shot, const Region& part) noexcept {
+  if (part.is_empty()) return;
   glBindFramebuffer(GL_FRAMEBUFFER, shot.framebuffer);
   glViewport(0, 0, static_cast<GLsizei>(shot.size.width), static_cast<GLsizei>(shot.size.height));
   glEnable(GL_SCISSOR_TEST);
@@ -442,6 +443,8 @@ void Renderer::warm_up(RenderTarget target) {
                  std::min(corner.height, target.size.height)};
   const OneOfEach each = one_of_each();
   draw(each.list, each.holdings, target, {}, 0.5F);
+  if (target.encoding == Encoding::Plain)  // straight onto it
+    draw(each.list, each.holdings, target, {.everything = false, .model = true}, 0.5F);
   draw(each.list, each.holdings, target);
   glFinish();
   parts_->drawn = {};
