@@ -147,9 +147,9 @@ struct Renderer::Parts {
   /// Where all of the model is drawn with fewer `pixels`: what of the picture is `changed`.
   void draw_coarsely(const Shot& shot, const Region& changed, const scene::Change& change,
                      PixelSize pixels) noexcept;
-  /// The model is enlarged onto the panel itself and not by way of the picture, which is large:
-  /// there only where the interface lies.
-  /// `interface_changed`: where its opaque parts in the picture are not those of now.
+  /// The model is enlarged onto the panel itself, and by way of the picture, which is large, only
+  /// where the interface lets it be seen. `interface_changed`: where the interface in the picture
+  /// is not that of now.
   void show_coarsely(const Shot& shot, const Region& changed, const Interface& interface,
                      const Region& interface_changed) noexcept;
   /// Enlarges that part of the coarse picture into the picture, with the interface on it.
