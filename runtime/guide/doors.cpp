@@ -18,7 +18,7 @@ constexpr double closing_speed = 0.55, closing_gain = 0.6;  ///< Radians a secon
 constexpr double opening_speed = 1.3;  ///< Radians or metres a second, by itself.
 constexpr double opens_early = 1.0;    ///< Seconds.
 constexpr double nearly_open = 0.03;   ///< Radians short of open, where a hand lets go.
-constexpr double eased = 0.2;          ///< Seconds over which the turning is spread, ahead.
+constexpr double spread_over = 0.2;    ///< Seconds over which the turning is spread, ahead.
 constexpr double worth_a_hand = 0.01;  ///< Radians.
 
 /// What of a body must be clear of a leaf: the trunk, and the feet that stride ahead of it.
@@ -102,7 +102,8 @@ std::array<double, looks> foresee_angles(const HungLeaf& leaf, double now, const
     double sum = 0;
     constexpr int parts = 6;
     for (int k = 0; k < parts; ++k)
-      sum += at(static_cast<double>(i) + (early + eased * k / (parts - 1)) / Foresight::apart);
+      sum +=
+          at(static_cast<double>(i) + (early + spread_over * k / (parts - 1)) / Foresight::apart);
     angle[i] = std::max(i > 0 ? angle[i - 1] : now, sum / parts);
   }
   return angle;
@@ -248,7 +249,7 @@ void Doors::step(double seconds, Crowd& crowd) noexcept {
 
 /// Somebody comes, and will need it further open than it is.
 void Doors::begin_push(double seconds, Leaf& leaf, const Crowd& crowd) noexcept {
-  constexpr double leads = motion::longest_change + eased + 0.1;  // until the hand is there
+  constexpr double leads = motion::longest_change + spread_over + 0.1;  // until the hand is there
   for (std::uint32_t who = 0; who < crowd.size(); ++who) {
     const Agent& one = crowd[who];
     if (!is_near(leaf, one, near_a_leaf) || stands(one.avatar)) continue;

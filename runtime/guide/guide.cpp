@@ -391,6 +391,10 @@ void Guide::step(Seconds dt) noexcept {
   refusal_seconds_ = std::max(0.0F, refusal_seconds_ - seconds);
   tell_each_other();
   attract(seconds);
+  if (!is_shared()) {
+    sessions_[0].look_closer(stage_.whole(), interface::aspect_ratio(settings_.shape), seconds);
+    stage_.look_closer(sessions_[0].closer_look());
+  }
   stage_.advance(seen(), leader(), seconds);
 }
 
@@ -518,7 +522,7 @@ void Guide::draw_interface() noexcept {
   sessions_[0].overlay().turn_labels(readers());
   const bool names = is_shared() || interface::shows_spots(state().screen);
   for (Session& session : sessions_) {
-    session.overlay().follow(list_.camera, height_of_floor());
+    session.overlay().follow(list_.camera, height_of_floor(), session.closer_look().is_moving());
     if (opacity == 0) continue;
     const Avatar& guide = crowd_[session.guide().value_or(0)].avatar;
     session.overlay().draw(static_cast<float>(session.remaining()),

@@ -212,7 +212,7 @@ void Overlay::reveal_focus() noexcept {
   interface::place_scrolled(*view_, scrolled());
 }
 
-void Overlay::follow(const scene::CameraView& camera, float floor_height) noexcept {
+void Overlay::follow(const scene::CameraView& camera, float floor_height, bool is_held) noexcept {
   const bool moves = camera_ && camera != *camera_;  // the first picture has its labels
   if (!moves && is_placed_) return;
   camera_ = camera;
@@ -223,8 +223,10 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height) noexce
     if (moves) {
       view->open = -1;
       view->cluster = {};
+    }
+    if (moves && !is_held)
       project_labels(*view, camera, floor_height);
-    } else
+    else
       place_labels(*view, camera, floor_height);
   }
 }
@@ -263,6 +265,14 @@ std::int32_t Overlay::control_at(float x, float y) const noexcept {
     }
   }
   return nearest;
+}
+
+bool Overlay::is_on_model(float x, float y) const noexcept {
+  if (!view_ || !scene::contains(view_->free, x, y) || scene::contains(view_->cluster, x, y))
+    return false;
+  const std::int32_t control = control_at(x, y);
+  return control < 0 ||
+         view_->controls[static_cast<std::size_t>(control)].role == interface::Role::Spot;
 }
 
 void Overlay::ring(float x, float y) noexcept {

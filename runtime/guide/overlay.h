@@ -27,8 +27,9 @@ class Overlay {
   /// Another view: the panel stays, what both have in common stays, the rest fades.
   void enter(std::unique_ptr<interface::View> view) noexcept;
   void advance(float seconds) noexcept;
-  /// Spots and names follow the camera; when it stands still, they make way for each other.
-  void follow(const scene::CameraView& camera, float floor_height) noexcept;
+  /// Spots and names follow the camera; when it stands still, or `is_held` by a visitor, they make
+  /// way for each other.
+  void follow(const scene::CameraView& camera, float floor_height, bool is_held = false) noexcept;
 
   /// From which edges of a table what is written on the model is read; none: from below.
   void turn_labels(interface::Sides readers) noexcept {
@@ -39,6 +40,8 @@ class Overlay {
   /// The control at a point of the screen: one of the panel's, or else the nearest spot of the
   /// model within reach; -1 where there is none.
   std::int32_t control_at(float x, float y) const noexcept;
+  /// Is that a point of the model, beside everything that lies on it?
+  bool is_on_model(float x, float y) const noexcept;
   /// A ring, and nothing else.
   void ring(float x, float y) noexcept;
   /// A finger came down: answers with a ring and holds the control under it.

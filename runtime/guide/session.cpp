@@ -81,8 +81,8 @@ bool Session::touch(const input::InputEvent& event, Overlay& surface) noexcept {
 }
 
 bool Session::press(const input::Gesture& gesture, Overlay& surface) noexcept {
-  const bool has_dragged =
-      surface.is_dragged_by(gesture.finger.at.id) || has_turned(gesture.finger);
+  const bool has_dragged = surface.is_dragged_by(gesture.finger.at.id) ||
+                           has_turned(gesture.finger) || closer_.has_moved(gesture.finger.at.id);
   const std::int32_t control = surface.touch_up(gesture.finger);
   const interface::View* shown = surface.view();
   if (shown == nullptr) return true;
@@ -157,28 +157,6 @@ void Session::type(char letter) noexcept {
   if (!is_capital && !is_digit) return;
   act({interface::Action::Kind::Type,
        static_cast<std::uint32_t>(is_capital ? letter - 'A' + 'a' : letter)});
-}
-
-// What the visitor turns.
-
-void Session::turn_object(float seconds, float liveliness) noexcept {
-  const bool is_before_it = state_.screen == interface::Screen::Arrived &&
-                            state_.glass == interface::Glass::Whole &&
-                            has_object(context_.museum, state_.exhibit);
-  // What a hand may lie on keeps still for it.
-  const bool swings = is_before_it && !context_.reduced_motion &&
-                      context_.museum.exhibits[*state_.exhibit].touches.empty();
-  table_.put(is_before_it ? state_.exhibit : std::nullopt);
-  if (is_before_it && view() != nullptr)
-    table_.step(gestures_.fingers(), view()->free, swings ? liveliness * seconds : 0, seconds);
-}
-
-/// Did a finger turn the object, and so press nothing?
-bool Session::has_turned(const input::Finger& finger) const noexcept {
-  constexpr float far = 0.02F;
-  return table_.exhibit() && view() != nullptr &&
-         scene::contains(view()->free, finger.start.x, finger.start.y) &&
-         std::abs(finger.at.x - finger.start.x) > far;
 }
 
 // What the visitor hears.

@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "runtime/guide/closer_look.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/guide/exhibit_shape.h"
 #include "runtime/guide/overlay.h"
@@ -88,6 +90,10 @@ class Session {
   /// Called after the crowd's step. `absent_after`: seconds without a touch or a key after which
   /// the visitor counts as gone. `liveliness`: so much of that time passes on the model.
   void step(float seconds, float absent_after, float liveliness) noexcept;
+
+  /// Their fingers on the model draw it nearer, while all of it is seen from above.
+  void look_closer(const WholeModel& model, float aspect, float seconds) noexcept;
+  const CloserLook& closer_look() const noexcept { return closer_; }
 
   /// Headphones were plugged in, or pulled out: whoever has them is read to.
   void headphones(bool are_in) noexcept;
@@ -186,6 +192,10 @@ class Session {
   Overlay overlay_;
   Voice voice_;
   TurnTable table_;
+  CloserLook closer_;
+  /// The screen where they drew it nearer, and the height of the floor.
+  std::optional<std::pair<interface::Screen, float>> looked_at_{};
+  float let_be_seconds_ = 0;              ///< Since a finger was on the model.
   std::optional<std::uint32_t> video_{};  ///< The image, while it is before the visitor.
   float video_seconds_ = 0;
   bool has_asked_for_video_ = false;

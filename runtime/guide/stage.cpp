@@ -178,8 +178,8 @@ std::uint32_t Stage::wanted_floor(const interface::InterfaceState& state,
 void Stage::show_floor(std::uint32_t floor) noexcept {
   floor_ = floor;
   if (floor_ < museum_.floors.size()) walls_.show(museum_.floors[floor_].plan);
-  overview_ = scene::overview_of(outlines_[floor_], height_of(museum_, floor_),
-                                 museum_.kiosk.heading, free_, aspect_);
+  whole_ = whole_model(outlines_[floor_], height_of(museum_, floor_), museum_.kiosk.heading, free_,
+                       aspect_);
 }
 
 /// The floor that is shown makes way for the one that is wanted. With a guide on a ride it does so
@@ -211,10 +211,10 @@ scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                            arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
     }
   if (state.screen == interface::Screen::Walking && above_)
-    return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : overview_;
+    return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : whole_.rig;
   if (state.screen == interface::Screen::Walking)
     return walking_.rig({leader.body, height, {}}, free_);
-  scene::CameraRig above = overview_;
+  scene::CameraRig above = closer_.applied_to(whole_.rig);
   above.yaw += turn_;
   above.distance *= further_;
   return above;

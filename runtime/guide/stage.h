@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/guide/avatar.h"
+#include "runtime/guide/closer_look.h"
 #include "runtime/guide/crowd.h"
 #include "runtime/interface/control.h"
 #include "runtime/interface/goal.h"
@@ -50,6 +51,10 @@ class Stage {
     turn_ = turn;
     further_ = further;
   }
+  /// Or as near as a visitor has drawn it.
+  void look_closer(const CloserLook& look) noexcept { closer_ = look; }
+  /// The whole floor that is shown, in the free part.
+  const WholeModel& whole() const noexcept { return whole_; }
   /// Fills in camera, light, ways and marks. The crowd's first agent is the leader. On the glass of
   /// one visitor the way has the colour of its kind, which the panel explains; on a shared glass
   /// each way has the colour of its guide, and the pattern alone tells the kind.
@@ -106,8 +111,9 @@ class Stage {
   float aspect_ = 16.0F / 9;
   scene::WalkingCamera walking_;
   scene::SunkWalls walls_;
-  bool is_new_way_ = false;     ///< Shown, and the camera has not turned to it yet.
-  scene::CameraRig overview_;   ///< The whole floor in the free part.
+  bool is_new_way_ = false;  ///< Shown, and the camera has not turned to it yet.
+  WholeModel whole_;
+  CloserLook closer_;
   scene::CameraRig whole_way_;  ///< The way that is shown, from above.
   double flow_ = 0;  ///< Metres that patterns of ways have moved; wrapped where it cannot be seen.
   float way_opacity_ = 0;  ///< The ribbon comes and goes softly.
