@@ -42,6 +42,8 @@ std::string kind_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return "number or [across, deep]";
   else if constexpr (std::is_same_v<Value, LocatedList>)
     return "list of texts";
+  else if constexpr (std::is_same_v<Value, LocatedNumbers>)
+    return "[" + kind_of_number("number", field.limits) + ", ...]";
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
     return "[{floor, position, facing}, ...]";
   else if constexpr (std::is_same_v<Value, std::vector<PictureSection>>)

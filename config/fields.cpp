@@ -181,6 +181,15 @@ bool SectionReader::read_value(const TomlNode& node, const Rules& rules, Located
   return true;
 }
 
+bool SectionReader::read_value(const TomlNode& node, const Rules& rules, LocatedNumbers& value) {
+  if (node.kind != TomlNode::Kind::Array || !std::ranges::all_of(node.items, is_number))
+    return wrong_type(node, rules.key, "a list of numbers: [15, 30]");
+  return std::ranges::all_of(node.items, [&](const TomlNode& item) {
+    value.push_back({item.number, place(item.range), true});
+    return in_range(item, rules);
+  });
+}
+
 namespace {
 
 bool is_list_of_tables(const TomlNode& node) {

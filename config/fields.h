@@ -52,8 +52,8 @@ struct Field {
   std::variant<Located<std::string> T::*, Located<double> T::*, Located<std::int64_t> T::*,
                Located<bool> T::*, Located<Vec2> T::*, Located<std::vector<Vec2>> T::*,
                Located<LocatedPoints> T::*, Located<Range> T::*, Located<Size> T::*,
-               Located<LocatedList> T::*, Located<std::vector<StopSection>> T::*,
-               Located<std::vector<PictureSection>> T::*,
+               Located<LocatedList> T::*, Located<LocatedNumbers> T::*,
+               Located<std::vector<StopSection>> T::*, Located<std::vector<PictureSection>> T::*,
                Located<std::vector<ExhibitSoundSection>> T::*, Located<LocatedTexts> T::*>
       member;
   Presence presence = Presence::Optional;
@@ -103,6 +103,7 @@ class SectionReader {
   bool read_value(const TomlNode& node, const Rules& rules, Range& value);
   bool read_value(const TomlNode& node, const Rules& rules, Size& value);
   bool read_value(const TomlNode& node, const Rules& rules, LocatedList& value);
+  bool read_value(const TomlNode& node, const Rules& rules, LocatedNumbers& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<StopSection>& value);
   bool read_value(const TomlNode& node, const Rules& rules, std::vector<PictureSection>& value);
   bool read_value(const TomlNode& node, const Rules& rules,
@@ -178,6 +179,8 @@ std::string example_of(const Field<T>& field) {
       return "= [1.2, 0.6]";
     else if constexpr (std::is_same_v<Value, LocatedList>)
       return "= [\"...\", \"...\"]";
+    else if constexpr (std::is_same_v<Value, LocatedNumbers>)
+      return "= [15, 30]";
     else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
       return "= [{floor = \"...\", position = [12.5, 4.0]}, {floor = \"...\", position = [12.5, "
              "4.0]}]";

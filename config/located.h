@@ -39,6 +39,9 @@ using LocatedTexts = std::map<std::string, Located<std::string>, std::less<>>;
 /// Texts in a list, each with its place.
 using LocatedList = std::vector<Located<std::string>>;
 
+/// Numbers in a list, each with its place.
+using LocatedNumbers = std::vector<Located<double>>;
+
 /// One point or several.
 using LocatedPoints = std::vector<Located<Vec2>>;
 

@@ -17,12 +17,15 @@ namespace docent::config {
 // The fields' manual is their table in museum_fields.h, which checks the files and makes
 // museum.schema.json.
 
+/// How much time visitors may say that they have, where staff say nothing else.
+inline constexpr std::array usual_minutes{15.0, 30.0, 60.0};
 struct MuseumSection {
   Located<LocatedTexts> title, welcome;
   Located<LocatedList> languages;
   Located<Vec2> origin;  ///< Degrees: latitude and longitude of [0, 0].
   Located<std::string> time_zone;
   Located<LocatedList> holidays;
+  Located<LocatedNumbers> minutes;  ///< That a visitor may have; usual_minutes where not given.
 };
 struct FloorSection {
   Place place;

@@ -34,6 +34,13 @@ inline constexpr std::array museum_fields{
     Field<MuseumSection>{"holidays", &MuseumSection::holidays, Presence::Optional,
                          "The public holidays, PH in hours: \"Dec 25\" of every year, "
                          "\"2027 Mar 26\" of one"},
+    Field<MuseumSection>{"minutes",
+                         &MuseumSection::minutes,
+                         Presence::Optional,
+                         "How much time visitors may say that they have; for each the best round "
+                         "is made, by the exhibits' weights; [15, 30, 60] where it is not said, "
+                         "[] for none",
+                         {5, 480}},
 };
 
 inline constexpr std::array floor_fields{

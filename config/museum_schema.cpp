@@ -66,6 +66,8 @@ Json schema_of(const Field<T>& field, Located<Value> T::* /*member*/) {
     return {{"anyOf", {number("number", field.limits), pair(number("number", field.limits))}}};
   else if constexpr (std::is_same_v<Value, LocatedList>)
     return {{"type", "array"}, {"items", {{"type", "string"}}}};
+  else if constexpr (std::is_same_v<Value, LocatedNumbers>)
+    return {{"type", "array"}, {"items", number("number", field.limits)}};
   else if constexpr (std::is_same_v<Value, std::vector<StopSection>>)
     return {{"type", "array"}, {"items", section_schema("", stop_fields)}, {"minItems", 2}};
   else if constexpr (std::is_same_v<Value, std::vector<PictureSection>>)

@@ -24,8 +24,8 @@ namespace {
 using config::LocatedTexts;
 using config::WordsFile;
 
-/// What begins the words of a distance; a plural form ends them.
-constexpr std::string_view metres = "metres_";
+/// What begins the words of a distance, and of a time; a plural form ends them.
+constexpr std::string_view metres = "metres_", whole_minutes = "minutes_";
 
 /// Languages that are written from right to left, whatever their script is said to be.
 bool is_written_from_right_to_left(std::string_view tag) {
@@ -47,6 +47,10 @@ std::optional<std::size_t> numbers_of(std::string_view key, std::string_view tag
   if (key.starts_with(metres))
     return count(interface::farthest_spoken, [&](long n) {
       return std::string(metres).append(interface::plural_form(tag, n));
+    });
+  if (key.starts_with(whole_minutes))
+    return count(interface::longest_spoken, [&](long n) {
+      return std::string(whole_minutes).append(interface::plural_form(tag, n));
     });
   constexpr std::array<std::string_view, 5> minutes{"time_one", "time_two", "time_few", "time_many",
                                                     "time_21"};

@@ -14,6 +14,8 @@ namespace docent::compile {
 namespace {
 
 constexpr double seconds_a_minute = 60;
+/// A tour of fewer is none that is offered for a time.
+constexpr std::size_t fewest_stops = 2;
 
 class TourCompiler {
  public:
@@ -47,6 +49,28 @@ class TourCompiler {
     path::set_walk(tour, walked);
     if (section.minutes.given && walked.seconds() > section.minutes.value * seconds_a_minute)
       warn_of_length(section, walked);
+  }
+
+  /// Tours for who has so much time, each of more than what less time is enough for.
+  void add_for_time() {
+    const config::LocatedNumbers& asked = config_.museum.minutes.value;
+    std::vector<double> all(config::usual_minutes.begin(), config::usual_minutes.end());
+    if (config_.museum.minutes.given) {
+      all.clear();
+      for (const config::Located<double>& one : asked) all.push_back(std::round(one.value));
+      std::ranges::sort(all);
+    }
+    double most = 0;
+    for (const double minutes : all) {
+      const path::MuseumTour walked =
+          path::best_tour(museum_, building_, minutes * seconds_a_minute, wish_);
+      if (walked.exhibits.size() < fewest_stops || walked.weight <= most) continue;
+      most = walked.weight;
+      Tour& tour = museum_.tours.emplace_back();
+      tour.id = fmt::format("minutes-{:g}", minutes);
+      tour.minutes = minutes;
+      path::set_walk(tour, walked);
+    }
   }
 
  private:
@@ -118,10 +142,10 @@ class TourCompiler {
 void compile_tours(const config::MuseumConfig& config,
                    std::span<const std::shared_ptr<const path::FloorMap>> maps, Museum& museum,
                    Report& report) {
-  if (config.tours.empty() || report.has_errors() || std::ranges::find(maps, nullptr) != maps.end())
-    return;
+  if (report.has_errors() || std::ranges::find(maps, nullptr) != maps.end()) return;
   TourCompiler compiler(config, maps, museum, report);
   for (const config::TourSection& section : config.tours) compiler.add(section);
+  compiler.add_for_time();
 }
 
 }  // namespace docent::compile

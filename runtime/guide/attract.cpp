@@ -61,12 +61,6 @@ bool may_be_shown(const Museum& museum, std::uint32_t exhibit) noexcept {
   return is_near(museum.exhibits[exhibit]) || std::ranges::none_of(museum.exhibits, is_near);
 }
 
-/// What the panel says before anything can be pressed, and the museum's sign above it.
-bool is_heading(const interface::View& view, const interface::Element& element) noexcept {
-  return (element.words >= 0 || element.is_logo) && element.control < 0 && !element.scrolls &&
-         scene::contains(view.panel, element.quad.rect.x, element.quad.rect.y);
-}
-
 }  // namespace
 
 bool Attract::wake() noexcept {
@@ -184,7 +178,7 @@ void Attract::draw_welcome(const interface::View& view, scene::DrawList& list) c
                                           scene::smooth_step((stays - here) / comes_in));
   float left = 1, top = 1, right = 0, bottom = 0;
   for (const interface::Element& element : view.elements) {
-    if (!is_heading(view, element)) continue;
+    if (!element.greets) continue;
     const scene::Rect& at = element.quad.rect;
     left = std::min(left, at.x);
     top = std::min(top, at.y);
@@ -206,7 +200,7 @@ void Attract::draw_welcome(const interface::View& view, scene::DrawList& list) c
   board.corner = 1.5F / 135;
   list.quads.push_back(board);
   for (const interface::Element& element : view.elements) {
-    if (!is_heading(view, element) || list.quads.size() == list.quads.capacity()) continue;
+    if (!element.greets || list.quads.size() == list.quads.capacity()) continue;
     scene::Quad quad = element.quad;
     quad.rect.x += board.rect.x + wide - left;
     quad.rect.y += board.rect.y + high - top;

@@ -146,6 +146,9 @@ InterfaceState after(InterfaceState state, Action action) noexcept {
     case Action::Kind::ShowLanguages:
       show_list(state, Listed::Languages);
       break;
+    case Action::Kind::ShowTimes:
+      show_list(state, Listed::Times);
+      break;
     case Action::Kind::Search:
       search(state);
       break;

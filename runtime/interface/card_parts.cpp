@@ -263,7 +263,8 @@ std::string row_text(const Sheet& sheet, const Control& control) {
   if (kind == Action::Kind::Seek || kind == Action::Kind::GoToPlace) return title;
   if (kind == Action::Kind::Browse) return title + "  ·  " + line_of(sheet, control);
   if (kind == Action::Kind::ShowOwnTour) return title + "  " + own_tour_line(sheet);
-  const Tour* tour = begun_tour(sheet, control);
+  if (kind == Action::Kind::ShowTimes) return title + "  " + times_line(sheet);
+  const Tour* tour = begun_tour(sheet.museum(), control);
   const std::string before = tour != nullptr
                                  ? tour_line(sheet, *tour)
                                  : number_in(sheet.museum(), sheet.request().state.language,

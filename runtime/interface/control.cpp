@@ -19,26 +19,11 @@
 namespace docent::interface {
 namespace {
 
-Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
-                        const InterfaceState& state) {
-  const Exhibit& it = museum.exhibits[exhibit];
-  return {.name = "exhibit:" + it.id,
-          .role = role,
-          .label = it.title,
-          .action = {Action::Kind::Choose, exhibit},
-          .selected = state.exhibit == exhibit,
-          .rect = {}};
-}
-
-/// A tour in the list: it begins with its first exhibit.
-Control tour_control(const Museum& museum, std::uint32_t index, const InterfaceState& state) {
-  const Tour& tour = museum.tours[index];
-  return {.name = "tour:" + tour.id,
-          .role = Role::ListItem,
-          .label = tour.title,
-          .action = {Action::Kind::FollowTour, tour.exhibits.front(), {index, 0}},
-          .selected = state.tour && state.tour->tour == index,
-          .rect = {}};
+/// Leads to the list of tours by the time that one has.
+Control times_control(const Museum& museum) {
+  Control control = button(museum, "times", "times", {Action::Kind::ShowTimes});
+  control.role = Role::ListItem;
+  return control;
 }
 
 /// The visitor's own tour in the list.
@@ -164,13 +149,21 @@ std::uint32_t own_tours(const InterfaceState& state) noexcept {
   return state.own_tour.count > 0 ? 1 : 0;
 }
 
+/// What heads the list of exhibits: the visitor's own tour, the way to tours by time, staff's
+/// tours.
+std::uint32_t rows_before_exhibits(const Museum& museum, const InterfaceState& state) noexcept {
+  return own_tours(state) + (tours_for_time(museum) > 0 ? 1 : 0) + tours_of_staff(museum);
+}
+
 /// How long the list is: tours and exhibits, kinds of places, or the stops of the visitor's tour.
 std::uint32_t list_length(const Museum& museum, const InterfaceState& state) noexcept {
   const auto is_there = [&](const PlaceKindInfo& info) { return has_place(museum, info.kind); };
   switch (state.lists) {
     case Listed::Exhibits:
-      return own_tours(state) +
-             static_cast<std::uint32_t>(museum.tours.size() + museum.exhibits.size());
+      return rows_before_exhibits(museum, state) +
+             static_cast<std::uint32_t>(museum.exhibits.size());
+    case Listed::Times:
+      return tours_for_time(museum);
     case Listed::Places:
       return static_cast<std::uint32_t>(std::ranges::count_if(place_kinds, is_there));
     case Listed::Languages:
@@ -212,11 +205,14 @@ Control list_item(const Museum& museum, std::uint32_t index, const InterfaceStat
   if (state.lists == Listed::Languages)
     return language_control(museum, index, Role::ListItem, state);
   if (state.lists == Listed::OwnTour) return exhibit(state.own_tour.exhibit[index]);
+  const auto tour = [&](std::uint32_t i) { return tour_control(museum, i, Role::ListItem, state); };
+  if (state.lists == Listed::Times) return tour(tours_of_staff(museum) + index);
   if (state.lists == Listed::Found) return found_item(museum, state.found.entry[index], state);
   if (index < own_tours(state)) return own_tour_control(museum);
-  index -= own_tours(state);
-  const auto tours = static_cast<std::uint32_t>(museum.tours.size());
-  return index < tours ? tour_control(museum, index, state) : exhibit(index - tours);
+  const std::uint32_t before = rows_before_exhibits(museum, state);
+  if (index >= before) return exhibit(index - before);
+  const std::uint32_t first_tour = before - tours_of_staff(museum);
+  return index < first_tour ? times_control(museum) : tour(index - first_tour);
 }
 
 void add_list(const ControlRequest& request, std::vector<Control>& out) {
@@ -270,6 +266,7 @@ void add_begin(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(button(request.museum, "begin", "begin", {Action::Kind::Begin}));
   if (request.state.can_resume)
     out.push_back(button(request.museum, "resume", "take_back", {Action::Kind::Resume}));
+  if (request.state.glass == Glass::Whole) add_offers(request, out);
 }
 void add_join(const ControlRequest& request, std::vector<Control>& out) {
   out.push_back(button(request.museum, "begin", "join", {Action::Kind::Begin}));
@@ -438,6 +435,38 @@ void add_arrived(const ControlRequest& request, std::vector<Control>& out) {
 }
 
 }  // namespace
+
+Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
+                        const InterfaceState& state) {
+  const Exhibit& it = museum.exhibits[exhibit];
+  return {.name = "exhibit:" + it.id,
+          .role = role,
+          .label = it.title,
+          .action = {Action::Kind::Choose, exhibit},
+          .selected = state.exhibit == exhibit,
+          .rect = {}};
+}
+
+Control tour_control(const Museum& museum, std::uint32_t index, Role role,
+                     const InterfaceState& state) {
+  const Tour& tour = museum.tours[index];
+  Control control{.name = "tour:" + tour.id,
+                  .role = role,
+                  .label = {},
+                  .action = {Action::Kind::FollowTour, tour.exhibits.front(), {index, 0}},
+                  .selected = state.tour && state.tour->tour == index,
+                  .rect = {}};
+  for (std::uint32_t i = 0; i < museum.languages.size(); ++i)
+    control.label[museum.languages[i].tag] = title_in(museum, i, tour);
+  return control;
+}
+
+const Tour* begun_tour(const Museum& museum, const Control& control) noexcept {
+  const bool begins = control.action.kind == Action::Kind::FollowTour && control.name != "next" &&
+                      control.action.stop.stop == 0;
+  const std::uint32_t tour = control.action.stop.tour;
+  return begins && tour < museum.tours.size() ? &museum.tours[tour] : nullptr;
+}
 
 bool is_collect(const Control& control) noexcept {
   return control.action.kind == Action::Kind::Collect ||

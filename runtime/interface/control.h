@@ -44,6 +44,7 @@ enum class Listed : std::uint8_t {
   OwnTour,    ///< What the visitor has collected, in the order of the walk.
   Languages,  ///< Where there are too many to stand beside each other.
   Found,      ///< What the typed letters find.
+  Times,      ///< Tours by the time that one has.
 };
 
 /// What comes next on a walk.
@@ -129,6 +130,7 @@ struct Action {
     ShowExhibits,     ///< The list again; the walk goes on.
     ShowPlaces,       ///< The list of places; the walk goes on.
     ShowLanguages,    ///< The list of languages; the walk goes on.
+    ShowTimes,        ///< The list of tours by time; the walk goes on.
     Collect,          ///< Exhibit `argument` into the visitor's own tour.
     Discard,          ///< Out of it again.
     ShowOwnTour,      ///< The list of what is in it; the walk goes on.
@@ -179,6 +181,9 @@ struct Control {
   scene::Rect
       rect;  ///< Screen frame. A spot's follows the camera; empty while it is out of the picture.
 };
+
+/// The tour that a control begins; null where it begins none that the museum has.
+const Tour* begun_tour(const Museum& museum, const Control& control) noexcept;
 
 /// So many languages have room for their names beside each other, on every screen. More are on the
 /// welcome screen, in rows, and behind one button.

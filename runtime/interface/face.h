@@ -20,6 +20,15 @@ struct ControlRequest {
 LocalText word_in_all(const Museum& museum, std::string_view key);
 /// A control whose label is a word of the interface.
 Control button(const Museum& museum, std::string name, std::string_view key, Action action);
+/// An exhibit, on the model or in a list.
+Control exhibit_control(const Museum& museum, std::uint32_t exhibit, Role role,
+                        const InterfaceState& state);
+/// A tour: it begins with its first exhibit.
+Control tour_control(const Museum& museum, std::uint32_t index, Role role,
+                     const InterfaceState& state);
+/// What the welcome offers besides beginning: some of what is most worth seeing, and tours for who
+/// has so much time. Nothing where a list has room for few rows.
+void add_offers(const ControlRequest& request, std::vector<Control>& out);
 /// What helps on every screen: the nearest toilets, and the list of places; and, where a way is
 /// chosen, ways without steps or escalators, if the building has any.
 void add_helps(const ControlRequest& request, std::vector<Control>& out);

@@ -324,14 +324,6 @@ float draw_floors(Sheet& sheet, const PixelBox& free) {
   return free.right() - board.x;
 }
 
-const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept {
-  const bool begins = control.role == Role::ListItem &&
-                      control.action.kind == Action::Kind::FollowTour && control.name != "next";
-  const auto& tours = sheet.museum().tours;
-  const std::uint32_t tour = control.action.stop.tour;
-  return begins && tour < tours.size() ? &tours[tour] : nullptr;
-}
-
 std::string where_line(const Sheet& sheet, std::uint32_t floor, std::uint32_t room) {
   const Museum& museum = sheet.museum();
   std::string line;
@@ -377,6 +369,8 @@ std::string_view title_of(Listed lists) noexcept {
       return "languages_title";
     case Listed::Found:
       return "search";
+    case Listed::Times:
+      return "times";
   }
   return "choose_title";
 }
@@ -392,8 +386,22 @@ std::string own_tour_line(const Sheet& sheet) {
 }
 
 std::string tour_line(const Sheet& sheet, const Tour& tour) {
-  return filled_in(sheet.word("tour_card"), "time",
-                   time_in(sheet.museum(), sheet.request().state.language, tour.seconds));
+  const std::uint32_t language = sheet.request().state.language;
+  const std::string time = time_in(sheet.museum(), language, tour.seconds);
+  if (!is_for_time(tour)) return filled_in(sheet.word("tour_card"), "time", time);
+  const std::string stops =
+      number_in(sheet.museum(), language, static_cast<long>(tour.exhibits.size()));
+  return filled_in(sheet.word("own_tour_stops"), "n", stops).append(dot_between).append(time);
+}
+
+std::string times_line(const Sheet& sheet) {
+  const Museum& museum = sheet.museum();
+  const std::uint32_t language = sheet.request().state.language;
+  std::string line;
+  for (std::size_t i = tours_of_staff(museum); i + 1 < museum.tours.size(); ++i)
+    line.append(number_in(museum, language, std::lround(museum.tours[i].minutes)))
+        .append(dot_between);
+  return museum.tours.empty() ? line : line + title_in(museum, language, museum.tours.back());
 }
 
 /// Where the only one of its kind is, or how many there are.
@@ -421,10 +429,10 @@ std::string tour_progress(const Sheet& sheet) {
   line = filled_in(line, "total", number(tour->exhibits.size()));
   const bool is_over = state.arrived && !next_stop(museum, state.own_tour, state.tour);
   const double left = seconds_left(museum, state.own_tour, state.tour, state.arrived);
-  const std::string_view title = state.tour->tour == TourWalk::own
-                                     ? sheet.word("own_tour")
-                                     : sheet.local(museum.tours[state.tour->tour].title);
-  line = std::string(title).append(dot_between) + line;
+  const std::string title = state.tour->tour == TourWalk::own
+                                ? std::string(sheet.word("own_tour"))
+                                : title_in(museum, state.language, museum.tours[state.tour->tour]);
+  line = title + std::string(dot_between) + line;
   if (is_over)
     line.append(dot_between).append(sheet.word("tour_done"));
   else if (left > 0)
@@ -440,6 +448,9 @@ void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box) {
     return draw_sign(sheet, static_cast<PlaceKind>(action.argument), box, control);
   if (action.kind == Action::Kind::GoToPlace)
     return draw_sign(sheet, sheet.museum().places[action.argument].kind, box, control);
+  const Tour* tour = begun_tour(sheet.museum(), sheet.at(control));
+  if (action.kind == Action::Kind::ShowTimes || (tour != nullptr && is_for_time(*tour)))
+    return draw_tile(sheet, Pictogram::Time, box, control);
   const std::uint32_t exhibit = action.kind == Action::Kind::ShowOwnTour
                                     ? sheet.request().state.own_tour.exhibit[0]
                                 : action.kind == Action::Kind::Browse
@@ -470,11 +481,14 @@ void draw_collect(Sheet& sheet, std::int32_t control, const PixelBox& box) {
   if (!is_in) sheet.fill({x - thick / 2, y - length / 2, thick, length}, ink, 0, control);
 }
 
-void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control) {
+void draw_tile(Sheet& sheet, Pictogram what, const PixelBox& box, std::int32_t control) {
   constexpr float margin = 0.14F;  // of the tile
   sheet.fill(box, sheet.theme().quiet_ink, sheet.measures().corner, control);
-  sheet.pictogram(pictogram_of(kind), box.inset(std::round(margin * box.width)),
-                  sheet.theme().paper, control);
+  sheet.pictogram(what, box.inset(std::round(margin * box.width)), sheet.theme().paper, control);
+}
+
+void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control) {
+  draw_tile(sheet, pictogram_of(kind), box, control);
 }
 
 std::string line_of(const Sheet& sheet, const Control& control) {
@@ -492,7 +506,8 @@ std::string line_of(const Sheet& sheet, const Control& control) {
                           static_cast<long>(group.exhibits.size())));
   }
   if (control.action.kind == Action::Kind::ShowOwnTour) return own_tour_line(sheet);
-  const Tour* tour = begun_tour(sheet, control);
+  if (control.action.kind == Action::Kind::ShowTimes) return times_line(sheet);
+  const Tour* tour = begun_tour(sheet.museum(), control);
   return tour != nullptr ? tour_line(sheet, *tour) : exhibit_line(sheet, control.action.argument);
 }
 
@@ -500,9 +515,9 @@ namespace {
 
 /// To an exhibit that cannot be seen just now. A tour that begins with one can be begun.
 bool leads_to_closed(const Sheet& sheet, const Control& control) noexcept {
-  const bool is_exhibit =
-      control.action.kind == Action::Kind::Choose ||
-      (control.action.kind == Action::Kind::FollowTour && begun_tour(sheet, control) == nullptr);
+  const bool is_exhibit = control.action.kind == Action::Kind::Choose ||
+                          (control.action.kind == Action::Kind::FollowTour &&
+                           begun_tour(sheet.museum(), control) == nullptr);
   return is_exhibit && closed_exhibit(sheet.closed(), control.action.argument) != nullptr;
 }
 

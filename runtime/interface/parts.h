@@ -82,10 +82,11 @@ Block heading_block(Sheet& sheet, Letters letters, std::string text, scene::Colo
 std::string_view title_of(Listed lists) noexcept;
 /// How many stops the visitor's own tour has, and how long it takes, once that is known.
 std::string own_tour_line(const Sheet& sheet);
-/// What stands below the name of a tour in a list: "Tour, about 12 minutes".
+/// What stands below the name of a tour in a list: "Tour, about 12 minutes"; of one for who has so
+/// much time, how many stops it has and how long it takes.
 std::string tour_line(const Sheet& sheet, const Tour& tour);
-/// The tour that a control of the list begins; null where it is no tour.
-const Tour* begun_tour(const Sheet& sheet, const Control& control) noexcept;
+/// How much time one may have: "15 · 30 · 60 minutes".
+std::string times_line(const Sheet& sheet);
 /// What the visitor goes to or is at; null where there is nothing.
 const Exhibit* chosen_exhibit(const Sheet& sheet) noexcept;
 /// The same, where it is a place, and what it is called, whatever it is.
@@ -122,7 +123,8 @@ void draw_card(Sheet& sheet, std::int32_t control, const PixelBox& box, float pi
 /// The picture, or pictogram, of what a list item leads to, and the line below its title.
 void draw_what(Sheet& sheet, std::int32_t control, const PixelBox& box);
 std::string line_of(const Sheet& sheet, const Control& control);
-/// A kind's pictogram on a dark tile.
+/// A pictogram on a dark tile; that of a kind of place.
+void draw_tile(Sheet& sheet, Pictogram what, const PixelBox& box, std::int32_t control);
 void draw_sign(Sheet& sheet, PlaceKind kind, const PixelBox& box, std::int32_t control = -1);
 /// The route kinds, side by side where there is room for their words, or one above the other.
 enum class Along : std::uint8_t { Row, Column };

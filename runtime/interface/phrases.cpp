@@ -129,6 +129,19 @@ std::string time_in(const Museum& museum, std::uint32_t language, double seconds
       digits == Digits::Plain ? fmt::format("{}", minutes) : number_in(museum, language, minutes));
 }
 
+std::string minutes_in(const Museum& museum, std::uint32_t language, long minutes, Digits digits) {
+  const std::string_view form = plural_form(language_tag(museum, language), minutes);
+  return filled_in(
+      word(museum, language, fmt::format("minutes_{}", form)), "n",
+      digits == Digits::Plain ? fmt::format("{}", minutes) : number_in(museum, language, minutes));
+}
+
+std::string title_in(const Museum& museum, std::uint32_t language, const Tour& tour,
+                     Digits digits) {
+  if (is_for_time(tour)) return minutes_in(museum, language, std::lround(tour.minutes), digits);
+  return std::string(in_language(museum, language, tour.title));
+}
+
 std::string_view time_word(std::string_view tag, long minutes) noexcept {
   if (minutes <= 2) return minutes <= 1 ? "time_one" : "time_two";
   const std::string_view form = plural_form(tag, minutes);

@@ -56,6 +56,13 @@ std::string_view time_word(std::string_view tag, long minutes) noexcept;
 std::string time_in(const Museum& museum, std::uint32_t language, double seconds,
                     Digits digits = Digits::Own);
 
+/// "30 minutes": so many exactly, as a visitor has them.
+std::string minutes_in(const Museum& museum, std::uint32_t language, long minutes,
+                       Digits digits = Digits::Own);
+/// What a tour is called.
+std::string title_in(const Museum& museum, std::uint32_t language, const Tour& tour,
+                     Digits digits = Digits::Own);
+
 /// "5 p.m.", "tomorrow, 10 a.m.", "Friday, 10 a.m.": a moment to come, as short as it can be said
 /// today; by its date, "3 December", where that is a week off, or nobody knows what day it is.
 std::string moment_in(const Museum& museum, std::uint32_t language, LocalMinute moment,

@@ -318,6 +318,9 @@ Shapes shapes_of(Pictogram what) {
     case Pictogram::Lower:  // down to a line
       return {line(12, 3, 12, 12, 2.6F), triangle({5.6F, 10.6F}, {18.4F, 10.6F}, {12, 18}),
               line(4, 20.8F, 20, 20.8F, 2.4F)};
+    case Pictogram::Time:  // a clock at four
+      return {disc(12, 12, 10), cut(disc(12, 12, 8)), line(12, 6, 12, 12.4F, 1.9F),
+              line(12, 12.4F, 16, 14.8F, 1.9F)};
     case Pictogram::Search:  // a magnifying glass
       return {ring(10, 10, 6.2F, 2.2F), line(14.8F, 14.8F, 20.4F, 20.4F, 2.8F)};
     case Pictogram::FurtherUp:

@@ -24,6 +24,7 @@ enum class Pictogram : std::uint8_t {
   FurtherDown,
   LeafLeft,
   LeafRight,
+  Time,
   Count,
 };
 inline constexpr auto pictogram_count = static_cast<std::size_t>(Pictogram::Count);

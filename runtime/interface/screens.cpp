@@ -9,7 +9,6 @@
 #include "runtime/interface/button_grid.h"
 #include "runtime/interface/cues.h"
 #include "runtime/interface/goal.h"
-#include "runtime/interface/logo.h"
 #include "runtime/interface/parts.h"
 #include "runtime/interface/phrases.h"
 #include "runtime/interface/pictures.h"
@@ -321,36 +320,6 @@ std::vector<Block> goal_blocks(Sheet& sheet, Letters title) {
   blocks.push_back(
       text_block(sheet, sheet.style(Letters::Body), goal_text(sheet), sheet.theme().ink, 0));
   return blocks;
-}
-
-void lay_out_welcome(Sheet& sheet, const PixelBox& content) {
-  const Measures& m = sheet.measures();
-  const scene::Theme& theme = sheet.theme();
-  const Museum& museum = sheet.museum();
-  std::vector<Block> body;
-  if (is_landscape(sheet.request().shape)) {  // a fifth of the height is left free where it can be
-    const float most = 0.2F * content.height;
-    body.push_back({.height = [](float) { return 0.0F; },
-                    .draw = [](const PixelBox&) {},
-                    .most = [most](float) { return most; }});
-  }
-  body.push_back(text_block(sheet, sheet.style(Letters::Label),
-                            std::string(sheet.local(museum.title)), theme.quiet_ink, m.gap));
-  body.push_back(
-      heading_block(sheet, Letters::Welcome, std::string(sheet.word("welcome")), theme.ink, m.gap));
-  body.push_back(text_block(sheet, sheet.style(Letters::Lead),
-                            std::string(sheet.local(museum.welcome)), theme.quiet_ink, m.gap));
-  std::vector<Block> foot{buttons_block(sheet,
-                                        {{sheet.control("begin"), Sheet::Emphasis::Strong},
-                                         {sheet.control("resume"), Sheet::Emphasis::Soft}},
-                                        2 * m.gap, std::round(m.touch * 1.35F)),
-                          languages_block(sheet, 0)};
-  if (auto logo = logo_block(sheet)) {  // rather than that one has to scroll for what is said
-    const float all = height_of(body, content.width) + height_of(foot, content.width) +
-                      logo->height(content.width) + logo->gap;
-    if (all <= content.height) body.insert(body.end() - 3, std::move(*logo));
-  }
-  lay_out_column(sheet, content, std::move(body), std::move(foot));
 }
 
 namespace {

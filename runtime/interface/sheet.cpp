@@ -344,11 +344,12 @@ void Sheet::button(std::int32_t control, const PixelBox& box, Emphasis emphasis)
   if (control < 0) return;
   place(control, box);
   const Control& it = at(control);
-  const bool strong = emphasis == Emphasis::Strong;
-  const bool plain = emphasis == Emphasis::Plain;
-  if (!plain && it.enabled)
-    fill(box, strong ? view_.theme.ink : view_.theme.quiet_ink, measures_.corner, control);
-  scene::Colour colour = plain ? view_.theme.ink : view_.theme.paper;
+  const bool is_dark = emphasis == Emphasis::Soft || emphasis == Emphasis::Strong;
+  if (is_dark && it.enabled)
+    fill(box, emphasis == Emphasis::Strong ? view_.theme.ink : view_.theme.quiet_ink,
+         measures_.corner, control);
+  if (emphasis == Emphasis::Light) mark_selected(box, control);
+  scene::Colour colour = is_dark ? view_.theme.paper : view_.theme.ink;
   if (!it.enabled) colour = scene::with_opacity(view_.theme.quiet_ink, 0.35F);
   const float pad = button_pad();
   control_word(control, {box.x + pad, box.y, box.width - 2 * pad, box.height}, Align::Centre,

@@ -119,8 +119,8 @@ class Sheet {
 
   /// Gives a control its rectangle.
   void place(std::int32_t control, const PixelBox& box);
-  /// Fills of buttons.
-  enum class Emphasis : std::uint8_t { Plain, Soft, Strong };
+  /// Fills of buttons: none, as light as paper with an edge, dark, darkest.
+  enum class Emphasis : std::uint8_t { Plain, Light, Soft, Strong };
   void button(std::int32_t control, const PixelBox& box, Emphasis emphasis);
   /// The word of a control in the middle of a box, in lines that are aligned there.
   void control_word(std::int32_t control, const PixelBox& box, Align align, scene::Colour colour);

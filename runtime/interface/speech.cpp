@@ -129,11 +129,9 @@ void Composer::add_detail(Utterance& out, const Control& control) const {
   if (control.role != Role::ListItem && control.role != Role::Spot) return;
   switch (action.kind) {
     case Action::Kind::FollowTour:
-      if (control.name != "next" && action.stop.tour < museum_.tours.size())
-        return append_spoken(
-            out, filled_in(say("tour_card"), "time",
-                           apart(spoken_time(museum_, language_,
-                                             museum_.tours[action.stop.tour].seconds))));
+      if (const Tour* tour = begun_tour(museum_, control); tour != nullptr)
+        return append_spoken(out, filled_in(say("tour_card"), "time",
+                                            apart(spoken_time(museum_, language_, tour->seconds))));
       [[fallthrough]];
     case Action::Kind::Choose: {
       if (action.argument >= museum_.exhibits.size()) return;
@@ -214,7 +212,10 @@ Utterance Composer::control(const Control& control) const {
                                  : control.name == "stay"      ? say("say_stay")
                                  : control.name == "languages" ? say("languages_title")
                                                                : local(control.label);
-  if (control.action.kind == Action::Kind::Type)
+  const Tour* tour = begun_tour(museum_, control);
+  if (tour != nullptr)
+    append_spoken(out, title_in(museum_, language_, *tour, Digits::Plain));
+  else if (control.action.kind == Action::Kind::Type)
     append_spoken(out, said_key(control.action.argument));
   else if (is_of_sound(control.action))
     add_sound(out, control.action);
@@ -229,11 +230,7 @@ Utterance Composer::control(const Control& control) const {
 }
 
 void Composer::add_list(Utterance& out) const {
-  const std::string_view title = state_.lists == Listed::Places      ? "places_title"
-                                 : state_.lists == Listed::OwnTour   ? "own_tour"
-                                 : state_.lists == Listed::Languages ? "languages_title"
-                                                                     : "choose_title";
-  append_spoken(out, say(title));
+  append_spoken(out, say(title_of(state_.lists)));
   const std::uint32_t per_page = exhibits_per_page(request_.shape, state_);
   const std::uint32_t pages = page_count(museum_, state_, per_page);
   if (pages > 1) append_spoken(out, count("page_of", std::min(state_.page, pages - 1) + 1, pages));
@@ -265,9 +262,10 @@ std::string Composer::refusal() const {
 void Composer::add_tour(Utterance& out) const {
   const std::optional<TourStops> tour = stops_of(museum_, state_.own_tour, state_.tour);
   if (!tour) return;
-  append_spoken(out, state_.tour->tour == TourWalk::own
-                         ? say("own_tour")
-                         : local(museum_.tours[state_.tour->tour].title));
+  append_spoken(
+      out, state_.tour->tour == TourWalk::own
+               ? std::string(say("own_tour"))
+               : title_in(museum_, language_, museum_.tours[state_.tour->tour], Digits::Plain));
   append_spoken(out, count("page_of", state_.tour->stop + 1, tour->exhibits.size()));
   if (state_.arrived && !next_stop(museum_, state_.own_tour, state_.tour))
     append_spoken(out, say("tour_done"));

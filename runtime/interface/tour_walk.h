@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,14 @@ struct TourWalk {
 
   bool operator==(const TourWalk&) const = default;
 };
+
+/// How many tours there are for who has so much time, and how many others, which come before them.
+inline std::uint32_t tours_for_time(const Museum& museum) noexcept {
+  return static_cast<std::uint32_t>(std::ranges::count_if(museum.tours, is_for_time));
+}
+inline std::uint32_t tours_of_staff(const Museum& museum) noexcept {
+  return static_cast<std::uint32_t>(museum.tours.size()) - tours_for_time(museum);
+}
 
 /// A tour as it is walked, whoever put it together. Borrowed.
 struct TourStops {

@@ -63,7 +63,8 @@ std::string said_distance(const Museum& museum, std::uint32_t language, long met
 
 /// Words that are shown and never said: staff's, of a shared glass, of a calendar and a clock.
 bool is_silent_word(std::string_view key) noexcept {
-  constexpr std::array<std::string_view, 4> families{"staff_", "month_", "weekday_", "look_"};
+  constexpr std::array<std::string_view, 5> families{"staff_", "month_", "weekday_", "look_",
+                                                     "minutes_"};
   constexpr std::array<std::string_view, 15> single{
       "digits",     "north", "clock",        "clock_hour",   "before_noon",
       "after_noon", "noon",  "date",         "date_of_year", "day_and_clock",
@@ -140,7 +141,7 @@ void Gatherer::add_names() {
   for (const Room& room : museum_.rooms) add(room.title);
   for (const Place& place : museum_.places) add(place.title);
   for (const WayOffer& way : museum_.ways) add(way.title);
-  for (const Tour& tour : museum_.tours) add(tour.title);
+  for (const Tour& tour : museum_.tours) add(title_in(museum_, language_, tour, Digits::Plain));
   for (const Exhibit& exhibit : museum_.exhibits) {
     add(exhibit.title);
     add(exhibit.description);

@@ -42,7 +42,7 @@ struct Element {
   std::int32_t control = -1;  ///< The control that it belongs to and is pressed with; -1: none.
   std::int32_t words = -1;    ///< Index into View::words; -1: it is no text.
   bool is_panel = false;      ///< Part of the panel itself, which moves instead of fading.
-  bool is_logo = false;       ///< The museum's sign, or the ground on which it lies.
+  bool greets = false;        ///< The museum's sign, its name and its welcome.
   bool scrolls = false;       ///< It lies in the view's part that scrolls.
   bool stays = false;         ///< Set by the frame thread: also in the view before or after.
 };

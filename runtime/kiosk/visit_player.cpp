@@ -197,7 +197,8 @@ std::vector<Diagnostic> unknown_names(const Museum& museum, const Visit& visit,
            .hint = fmt::format(
                "names are @exhibit:ID, @place:KIND, @spot:ID, @tour:ID, @route:{}, @language:TAG, "
                "@search, @key:LETTER, @key:space, @key:erase, @key:clear, @key:numbers, "
-               "@collect:ID, @own-tour, @start-tour, @toilets, @places, @exhibits, @step-free, "
+               "@collect:ID, @own-tour, @start-tour, @times, @toilets, @places, @exhibits, "
+               "@step-free, "
                "@no-escalators, @speak, @larger, @contrast, @lower, @home, @stop, @begin, "
                "@choose, @back, @text-up, @text-down and @look:NAME",
                fmt::join(route_kinds | std::views::transform(&RouteKindInfo::name), "|"))});

@@ -15,12 +15,14 @@ void order_tours(Museum& museum) {
   const path::BuildingMap building(museum, std::move(maps));
   path::TourWish wish = path::tour_from_kiosk(museum);
   wish.permissions.closed_too = true;
-  for (Tour& tour : museum.tours) {
-    const path::MuseumTour walked =
-        tour.fixed ? path::tour_in_order(museum, building, tour.exhibits, wish)
-                   : path::shortest_tour(museum, building, tour.exhibits, {}, wish);
-    if (!walked.why_not) path::set_walk(tour, walked);
-  }
+  const auto walk = [&](const Tour& tour) {
+    if (is_for_time(tour)) return path::best_tour(museum, building, 60 * tour.minutes, wish);
+    return tour.fixed ? path::tour_in_order(museum, building, tour.exhibits, wish)
+                      : path::shortest_tour(museum, building, tour.exhibits, {}, wish);
+  };
+  for (Tour& tour : museum.tours)
+    if (const path::MuseumTour walked = walk(tour); !walked.why_not && !walked.exhibits.empty())
+      path::set_walk(tour, walked);
 }
 
 }  // namespace docent::plan

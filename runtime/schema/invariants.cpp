@@ -289,7 +289,7 @@ bool keeps(const Tour& tour, std::size_t exhibits) {
   return !all.empty() && all.back() < exhibits && tour.arrives.size() == all.size() &&
          std::ranges::all_of(tour.arrives, sound_time) &&
          std::ranges::adjacent_find(all) == all.end() && sound_time(tour.seconds) &&
-         sound_time(tour.minutes);
+         sound_time(tour.minutes) && (tour.minutes > 0 || !is_for_time(tour));
 }
 
 bool are_hours(const std::string& text) {
@@ -562,6 +562,7 @@ std::string broken_invariant(const Museum& museum) {
   if (const std::string part = broken_media(museum); !part.empty()) return part;
   for (const Tour& tour : museum.tours)
     if (!keeps(tour, museum.exhibits.size())) return "tour '" + tour.id + "'";
+  if (!std::ranges::is_sorted(museum.tours, {}, is_for_time)) return "the order of its tours";
   for (const Connection& connection : museum.connections)
     if (!keeps(connection, museum)) return "connection '" + connection.id + "'";
   for (const Place& place : museum.places)

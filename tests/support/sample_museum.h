@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "config/museum_config.h"
 #include "runtime/model/museum.h"
 #include "tests/support/reference_data.h"
@@ -78,6 +81,14 @@ inline Museum sample_museum_without_walls() {
       tour.arrives.push_back(100.0 * i + 40);
     }
     tour.seconds = 700;
+  }
+  for (const double minutes : config::usual_minutes) {
+    Tour& tour = museum.tours.emplace_back();
+    tour.id = "minutes-" + std::to_string(std::lround(minutes));
+    tour.minutes = minutes;
+    tour.exhibits = {1, 4, 7};
+    tour.arrives = {60, 200, 400};
+    tour.seconds = 60 * minutes - 30;
   }
   museum.kiosk = {{20, 2.6}, glm::radians(90.0)};
   return museum;

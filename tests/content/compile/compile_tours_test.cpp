@@ -13,6 +13,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::Pair;
 
 /// The house with a third exhibit, and with a tour of such lines.
 class HouseWithTour : public test::HouseFolder {
@@ -43,7 +44,7 @@ std::vector<std::string> ids(const Museum& museum, const Tour& tour) {
 TEST(Tours, GoTheShortestWayFromTheKiosk) {
   const Museum museum = compiled(HouseWithTour("exhibits = [\"sword\", \"vase\", \"coin\"]\n"));
 
-  ASSERT_EQ(museum.tours.size(), 1U);
+  ASSERT_FALSE(museum.tours.empty());
   const Tour& tour = museum.tours.front();
   EXPECT_EQ(tour.title.at("en"), "All of it");
   EXPECT_THAT(ids(museum, tour), ElementsAre("coin", "vase", "sword"))
@@ -105,6 +106,55 @@ TEST(Tours, CannotGoBackUpAnEscalatorThatRunsDown) {
                     HasSubstr("leave fixed = true away")));
   house.replace("museum.toml", "fixed = true", "");
   EXPECT_THAT(complaint(house), Not(HasSubstr("tour-without-way"))) << "first the vase";
+}
+
+/// How many exhibits there are, and the minutes, of the tours for who has so much time.
+std::vector<std::pair<double, std::size_t>> for_time(const Museum& museum) {
+  std::vector<std::pair<double, std::size_t>> all;
+  for (const Tour& tour : museum.tours)
+    if (is_for_time(tour)) {
+      EXPECT_LE(tour.seconds, 60 * tour.minutes);
+      all.emplace_back(tour.minutes, tour.exhibits.size());
+    }
+  return all;
+}
+
+TEST(ToursByTime, AreMadeWithoutBeingAskedForAsFarAsMoreTimeShowsMore) {
+  const Museum museum = compiled(HouseWithTour("exhibits = [\"vase\"]\n"));
+
+  EXPECT_THAT(for_time(museum), ElementsAre(Pair(15, 3))) << "the house has no more to show";
+  EXPECT_EQ(museum.tours.back().id, "minutes-15") << "behind those of staff";
+}
+
+TEST(ToursByTime, AreThoseThatStaffAskFor) {
+  HouseWithTour house("exhibits = [\"vase\"]\n");
+  const auto with = [&](const std::string& minutes) {
+    house.replace("museum.toml", "[museum]\n", "[museum]\nminutes = " + minutes + "\n");
+    const Museum museum = compiled(house);
+    house.replace("museum.toml", "minutes = " + minutes + "\n", "");
+    return for_time(museum);
+  };
+  for (const char* id : {"vase", "sword"})
+    house.replace("exhibits/hall.toml", std::string("id = \"") + id + "\"",
+                  std::string("id = \"") + id + "\"\nlooking_seconds = 400");
+
+  EXPECT_THAT(with("[20, 10, 8]"), ElementsAre(Pair(8, 2), Pair(20, 3)))
+      << "in 10 minutes one sees no more than in 8";
+  EXPECT_THAT(with("[]"), testing::IsEmpty());
+}
+
+TEST(ToursByTime, AreToldOfMinutesThatAreNoTime) {
+  const auto told = [](const std::string& minutes) {
+    HouseWithTour house("exhibits = [\"vase\"]\n");
+    house.replace("museum.toml", "[museum]\n", "[museum]\nminutes = " + minutes + "\n");
+    return complaint(house);
+  };
+
+  EXPECT_THAT(told("30"), HasSubstr("'minutes' should be a list of numbers: [15, 30]"));
+  EXPECT_THAT(told("[\"30\"]"), HasSubstr("'minutes' should be a list of numbers: [15, 30]"));
+  EXPECT_THAT(told("[30, 1]"), HasSubstr("'minutes'"));
+  EXPECT_THAT(told("[nan]"), HasSubstr("'minutes'"));
+  EXPECT_THAT(told("[1e9]"), HasSubstr("'minutes'"));
 }
 
 TEST(Tours, NeedTitlesInEveryLanguage) {

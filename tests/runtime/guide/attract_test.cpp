@@ -101,7 +101,9 @@ TEST(TheMuseum, HasItsSignOnTheBoardOfItsWelcome) {
                         planner_size(museum, {}).avatars, planner_size(museum, {}).parts);
   Guide guide(museum, planner, {.shape = {.width = 1920, .height = 1080}});
   test::run(planner, guide, 1);
-  const auto logo = std::ranges::find(guide.view()->elements, true, &interface::Element::is_logo);
+  const auto logo = std::ranges::find_if(guide.view()->elements, [](const auto& element) {
+    return element.greets && element.quad.fill == scene::QuadFill::Image;
+  });
   ASSERT_NE(logo, guide.view()->elements.end());
   test::run(planner, guide, 66);
   ASSERT_TRUE(guide.is_attracting());
@@ -120,7 +122,10 @@ TEST(TheMuseum, HasItsSignOnTheBoardOfItsWelcome) {
                               sign->rect.y + sign->rect.height));
   EXPECT_EQ(sign->colour.a, 1);
   for (auto words = sign + 1; words != quads.end(); ++words)
-    EXPECT_GT(words->rect.y, sign->rect.y + sign->rect.height) << "the welcome is below it";
+    EXPECT_TRUE(words->rect.x > sign->rect.x + sign->rect.width ||
+                words->rect.y > sign->rect.y + sign->rect.height)
+        << "words are beside it or below it";
+  EXPECT_EQ(quads.end() - sign, 4) << "its name and its welcome, and nothing that is to be touched";
 }
 
 TEST(TheMuseum, IsNotTouchedByAFingerThatHasRestedOnTheGlassAllTheWhile) {

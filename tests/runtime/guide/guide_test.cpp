@@ -516,8 +516,9 @@ TEST(Guide, CanBeUsedByKeysAlone) {
   session.key(input::Key::Enter);
   session.run(0.5);
   EXPECT_EQ(session.guide().state().screen, interface::Screen::Choosing);
-  for (std::size_t tour = 0; tour < test::sample_museum().tours.size(); ++tour)
-    session.key(input::Key::Down);  // they come before the exhibits
+  session.key(input::Key::Down);  // how much time they have, and ...
+  for (std::uint32_t tour = 0; tour < interface::tours_of_staff(test::sample_museum()); ++tour)
+    session.key(input::Key::Down);  // ... tours come before the exhibits
   session.key(input::Key::Down);
   session.key(input::Key::Down);
   session.key(input::Key::Enter);

@@ -46,7 +46,7 @@ std::unique_ptr<View> view_of(const Museum& museum, const ViewRequest& request) 
 std::vector<scene::Quad> pictures(const View& view) {
   std::vector<scene::Quad> found;
   for (const Element& element : view.elements)
-    if (element.quad.fill == scene::QuadFill::Image && element.control < 0)
+    if (element.quad.fill == scene::QuadFill::Image && element.greets)
       found.push_back(element.quad);
   return found;
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "runtime/interface/control.h"
+#include "runtime/interface/phrases.h"
 #include "tests/support/sample_museum.h"
 
 namespace docent::interface::tour_walk_test {
@@ -100,11 +101,81 @@ TEST_F(ATourOnTheGlass, SaysHowLongItStillTakes) {
 
 TEST_F(ATourOnTheGlass, IsThreeTouchesAwayAtMost) {
   for (const InterfaceState& from : {InterfaceState{}, state_, arrived_at(state_)})
-    EXPECT_LE(touches_to(museum_, from, 8, "tour:quarter-hour").size(), 2U);
-  EXPECT_TRUE(is_control_name(museum_, "tour:quarter-hour"));
+    EXPECT_LE(touches_to(museum_, from, 8, "tour:three-rivers").size(), 2U);
+  EXPECT_TRUE(is_control_name(museum_, "tour:three-rivers"));
   EXPECT_TRUE(is_control_name(museum_, "next"));
   EXPECT_TRUE(is_control_name(museum_, "skip"));
   EXPECT_FALSE(is_control_name(museum_, "tour:half-price"));
+}
+
+class ATourByTime : public testing::Test {
+ protected:
+  Museum museum_ = test::sample_museum_without_walls();
+};
+
+TEST_F(ATourByTime, IsOneTouchAwayFromTheWelcomeAndAtMostThreeFromElsewhere) {
+  InterfaceState walking = after({}, {Action::Kind::Choose, 5});
+  EXPECT_EQ(touches_to(museum_, {}, 8, "tour:minutes-30").size(), 1U);
+  for (const InterfaceState& from : {walking, arrived_at(walking)})
+    EXPECT_EQ(touches_to(museum_, from, 8, "tour:minutes-30").size(), 3U);
+  InterfaceState card = after({}, {Action::Kind::ShowExhibits});
+  card.glass = Glass::Busy;
+  card.seat = 1;
+  card.look = 0;
+  EXPECT_EQ(touches_to(museum_, card, 8, "tour:minutes-30").size(), 2U);
+}
+
+TEST_F(ATourByTime, IsCalledByItsMinutesInEveryLanguage) {
+  const Control control = control_named(museum_, {}, "tour:minutes-30");
+
+  EXPECT_EQ(control.label.at("en"), "30 minutes");
+  EXPECT_EQ(control.label.at("zh"), "30分钟");
+  EXPECT_EQ(control.label.at("ar"), "٣٠ دقيقة");
+  EXPECT_EQ(minutes_in(museum_, 2, 5), "٥ دقائق");
+  EXPECT_EQ(minutes_in(museum_, 2, 5, Digits::Plain), "5 دقائق");
+}
+
+TEST_F(ATourByTime, IsOnTheWelcomeOnlyWhereThereIsRoom) {
+  const auto offers = [&](std::uint32_t rows) {
+    return std::ranges::count_if(controls_of(museum_, {}, rows), [](const Control& control) {
+      return control.role != Role::Spot && (control.action.kind == Action::Kind::Choose ||
+                                            control.action.kind == Action::Kind::FollowTour);
+    });
+  };
+
+  EXPECT_EQ(offers(4), 0);
+  EXPECT_EQ(offers(5), 6) << "three exhibits, and three tours";
+}
+
+TEST_F(ATourByTime, IsListedApartFromThoseOfStaff) {
+  InterfaceState state = after({}, {Action::Kind::Begin});
+  EXPECT_EQ(control_named(museum_, state, "tour:minutes-15").name, "");
+  state = after_pressing(museum_, state, "times");
+  EXPECT_EQ(control_named(museum_, state, "tour:three-rivers").name, "");
+  state = after_pressing(museum_, state, "tour:minutes-15");
+  EXPECT_EQ(state.screen, Screen::Walking);
+  EXPECT_EQ(title_in(museum_, 0, museum_.tours[state.tour->tour]), "15 minutes");
+}
+
+TEST_F(ATourByTime, IsNowhereInAMuseumThatHasNone) {
+  std::erase_if(museum_.tours, is_for_time);
+  const InterfaceState state = after({}, {Action::Kind::Begin});
+
+  EXPECT_EQ(control_named(museum_, state, "times").name, "");
+  EXPECT_FALSE(is_control_name(museum_, "times"));
+}
+
+TEST_F(ATourByTime, HighlightsAreWhatWeighsMostOfWhatHasAPicture) {
+  for (Exhibit& exhibit : museum_.exhibits) exhibit.weight = 1;
+  museum_.exhibits[7].weight = 3;
+  museum_.exhibits[4].weight = 2;
+  museum_.exhibits[9].weight = 9;
+  museum_.exhibits[9].image = 1000;  // of it there is none
+  std::vector<std::uint32_t> shown;
+  for (const Control& control : controls_of(museum_, {}, 8))
+    if (control.role == Role::ListItem) shown.push_back(control.action.argument);
+
+  EXPECT_EQ(shown, (std::vector<std::uint32_t>{7, 4, 0}));
 }
 
 }  // namespace

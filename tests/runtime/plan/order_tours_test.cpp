@@ -20,6 +20,7 @@ Museum hall_with_a_tour() {
     museum.exhibits.push_back(exhibit);
   }
   Tour tour;
+  tour.title = {{"en", "All of it"}};
   tour.exhibits = {0, 1, 2};
   tour.arrives = {1, 2, 3};
   museum.tours.push_back(tour);
@@ -55,6 +56,20 @@ TEST(TheTours, ToWhichThereIsNoWayStayAsTheyAre) {
   order_tours(museum);
 
   EXPECT_EQ(museum.tours.front().exhibits, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
+TEST(TheTours, ForWhoHasSoMuchTimeAreChosenAnew) {
+  Museum museum = hall_with_a_tour();
+  Tour& tour = museum.tours.front();
+  tour.title = {};
+  tour.exhibits = {0};
+  tour.arrives = {9};
+  tour.minutes = 0.5;
+
+  order_tours(museum);
+
+  EXPECT_EQ(tour.exhibits, (std::vector<std::uint32_t>{2, 1})) << "the one in the west is too far";
+  EXPECT_NEAR(tour.seconds, 6 + 20, 1e-9);
 }
 
 }  // namespace
