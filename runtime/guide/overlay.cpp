@@ -216,7 +216,7 @@ void Overlay::follow(const scene::CameraView& camera, float floor_height, bool i
   const bool moves = camera_ && camera != *camera_;  // the first picture has its labels
   if (!moves && is_placed_) return;
   camera_ = camera;
-  is_placed_ = !moves;
+  is_placed_ = !moves || is_held;
   for (interface::View* view : {view_.get(), leaving_.get()}) {
     if (view == nullptr) continue;
     view->readers = readers_;

@@ -134,7 +134,7 @@ class Overlay {
   Scroller scroller_, leaving_scroller_;
   std::unique_ptr<interface::View> view_, leaving_;
   std::optional<scene::CameraView> camera_;  ///< That the labels follow, ...
-  bool is_placed_ = false;  ///< ... and which stands still: they have made way for each other.
+  bool is_placed_ = false;  ///< ... and for which they have made way for each other.
   interface::Sides readers_{};
   float age_ = 1;  ///< Seconds since view_ was entered.
   float seconds_left_ = 0;

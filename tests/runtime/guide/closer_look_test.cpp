@@ -157,7 +157,7 @@ class OnTheGlass : public testing::Test {
     const scene::CameraView& camera = guide_.draw_list().camera;
     return glm::distance(camera.eye, to_world(test::sample_museum().kiosk.position));
   }
-  /// No disc that can be touched covers another, nor leaves the model.
+  /// No disc that can be touched covers another, nor leaves the model; and all of them are seen.
   void expect_nothing_covered() {
     std::vector<scene::Rect> spots;
     for (const interface::Control& control : guide_.view()->controls)
@@ -165,8 +165,11 @@ class OnTheGlass : public testing::Test {
         spots.push_back(control.rect);
     for (std::size_t i = 0; i < spots.size(); ++i) {
       const scene::Rect& one = spots[i];
-      EXPECT_TRUE(
-          scene::contains(guide_.view()->free, one.x + one.width / 2, one.y + one.height / 2));
+      const float x = one.x + one.width / 2, y = one.y + one.height / 2;
+      EXPECT_TRUE(std::ranges::any_of(guide_.draw_list().quads, [&](const scene::Quad& quad) {
+        return quad.rect.width < 0.05F && quad.colour.a > 0.9F && scene::contains(quad.rect, x, y);
+      }));
+      EXPECT_TRUE(scene::contains(guide_.view()->free, x, y));
       for (std::size_t j = i + 1; j < spots.size(); ++j) {
         const scene::Rect& other = spots[j];
         const bool apart =
