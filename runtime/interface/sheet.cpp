@@ -137,7 +137,9 @@ TextStyle Sheet::word_style(std::int32_t control, float width) {
   const Action& action = at(control).action;
   if (action.kind == Action::Kind::Speak && action.argument < museum_.languages.size())
     look = in_own_letters(look, action.argument);
-  const float usual = std::ceil(look.size / request_.shape.text_scale);
+  const float scale = request_.shape.text_scale, usual = std::ceil(look.size / scale);
+  if (scale > most_word_scale_)
+    look.size = std::max(usual, std::round(look.size * most_word_scale_ / scale));
   return narrowed(look, label_of(control), width, usual);
 }
 

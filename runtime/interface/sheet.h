@@ -73,6 +73,8 @@ class Sheet {
   /// In which the word of a control is set; a language's name in its own letters. Letters that are
   /// larger than usual are so only as far as `width` has room for the longest word.
   TextStyle word_style(std::int32_t control, float width);
+  /// From here on words of controls are at most so many times as large as usual.
+  void limit_words(float scale) noexcept { most_word_scale_ = scale; }
   /// The same for a heading, which may also be smaller, but never than what is read.
   TextStyle heading_style(Letters letters, std::string_view text, float width);
   /// A text in lines that are at most `width` wide; and how large that is. It is never set smaller.
@@ -186,6 +188,7 @@ class Sheet {
   View& view_;
   const ShownWay* way_;
   Measures measures_;
+  float most_word_scale_ = 2;
   float width_, height_, shorter_;
   bool right_to_left_;
   scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.
