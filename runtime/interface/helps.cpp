@@ -77,11 +77,6 @@ std::vector<std::pair<std::int32_t, Pictogram>> shown_of(const Sheet& sheet,
   return shown;
 }
 
-void draw_board(Sheet& sheet, const PixelBox& board) {
-  sheet.shadow(board, 2 * sheet.measures().unit, 0.12F);
-  sheet.fill(board, sheet.theme().paper, sheet.measures().corner);
-}
-
 using Signs = std::vector<std::pair<std::int32_t, Pictogram>>;
 
 float width_of_signs(const Sheet& sheet, const Signs& shown) {
@@ -95,7 +90,7 @@ PixelBox draw_signs_at(Sheet& sheet, const Signs& shown, float right, float bott
   const float gap = std::round(m.unit), width = width_of_signs(sheet, shown);
   const float height = m.touch + 2 * gap;
   const PixelBox board{right - width, bottom - height, width, height};
-  draw_board(sheet, board);
+  sheet.board(board);
   PixelBox cell{board.x + gap, board.y + gap, m.touch, m.touch};
   for (const auto& [control, pictogram] : shown) {
     sheet.place(control, cell);
@@ -191,7 +186,7 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   const float across = static_cast<float>(grid.columns) * (grid.width + gap) - gap;
   const float width = across + 2 * gap, height = grid.height() + 2 * gap;
   const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
-  draw_board(sheet, board);
+  sheet.board(board);
   for (std::size_t i = 0; i < shown.size(); ++i)
     sheet.signed_button(shown[i].first, shown[i].second, grid.cell(board.inset(gap), i));
   sheet.limit_words(scale);

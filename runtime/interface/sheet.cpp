@@ -391,6 +391,12 @@ void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& 
                quiet_colour(control));
 }
 
+void Sheet::board(const PixelBox& box) {
+  view_.boards.push_back(share_of(box));
+  shadow(box, 2 * measures_.unit, 0.12F);
+  fill(box, view_.theme.paper, measures_.corner);
+}
+
 void Sheet::draw_panel(const PixelBox& box) {
   view_.panel = share_of(box);
   const std::size_t first = view_.elements.size();
@@ -463,6 +469,7 @@ void Sheet::turn_over() noexcept {
   mirror(view_.panel, turned_);
   if (view_.countdown.width > 0) mirror(view_.countdown, turned_);
   if (view_.inset.board.width > 0) mirror(view_.inset.board, turned_);
+  for (scene::Rect& board : view_.boards) mirror(board, turned_);
   for (Control& control : view_.controls)
     if (control.rect.width > 0) mirror(control.rect, turned_);
   for (Element& element : view_.elements) mirror(element.quad.rect, turned_);

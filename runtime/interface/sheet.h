@@ -142,6 +142,8 @@ class Sheet {
   TextPiece sign(Pictogram what, float side) {
     return pieces_.pictogram(what, static_cast<std::uint32_t>(std::max(1.0F, std::round(side))));
   }
+  /// The ground of what lies on the model.
+  void board(const PixelBox& box);
   /// A pictogram in the middle of a box, as large as the smaller side.
   void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                  std::int32_t control = -1);
