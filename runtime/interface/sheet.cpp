@@ -144,7 +144,10 @@ TextStyle Sheet::word_style(std::int32_t control, float width) {
 }
 
 TextStyle Sheet::heading_style(Letters letters, std::string_view text, float width) {
-  return narrowed(style(letters), text, width, style(Letters::Body).size);
+  TextStyle look = style(letters);
+  const float least = style(Letters::Body).size;
+  look.size = std::max(std::min(least, look.size), std::round(heading_share_ * look.size));
+  return narrowed(look, text, width, least);
 }
 
 TextStyle Sheet::narrowed(TextStyle style, std::string_view text, float width, float least) {

@@ -77,6 +77,8 @@ class Sheet {
   void limit_words(float scale) noexcept { most_word_scale_ = scale; }
   /// The same for a heading, which may also be smaller, but never than what is read.
   TextStyle heading_style(Letters letters, std::string_view text, float width);
+  /// Headings are that share of their size from here on, and never smaller than what is read.
+  void shrink_headings(float share) noexcept { heading_share_ = share; }
   /// A text in lines that are at most `width` wide; and how large that is. It is never set smaller.
   TextPiece set(const TextStyle& style, std::string_view text, float width);
   TextPiece extent(const TextStyle& style, std::string_view text, float width);
@@ -190,7 +192,7 @@ class Sheet {
   View& view_;
   const ShownWay* way_;
   Measures measures_;
-  float most_word_scale_ = 2;
+  float most_word_scale_ = 2, heading_share_ = 1;
   float width_, height_, shorter_;
   bool right_to_left_;
   scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.
