@@ -16,6 +16,7 @@
 #include "runtime/interface/layout.h"
 #include "runtime/scene/clear_of_boards.h"
 #include "tests/support/sample_database.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shipped_languages.h"
 
 namespace docent::guide::arrival_test {
@@ -61,6 +62,7 @@ scene::Thing body_at(Vec2 place, double height) {
 }
 
 TEST(Arrival, HasTheExhibitUnderNoBoardOnAnyGlassInAnyLanguage) {
+  NEEDS_SPEED();
   const Museum museum =
       test::in_all_shipped_languages(sqlite::load_museum(test::sample_database()).value());
   const std::vector<ExhibitShape> shapes = exhibit_shapes(museum);
