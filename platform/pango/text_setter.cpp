@@ -59,6 +59,36 @@ const char* families(const interface::TextStyle& style) {
   return serif ? "Noto Serif" : "Inter, Noto Sans";
 }
 
+/// In these a line may end after any character.
+bool breaks_anywhere(std::string_view language) {
+  return language.starts_with("ja") || language.starts_with("zh") || language.starts_with("ko");
+}
+
+/// The bytes from which on a paragraph stays together, so that its last character never stands
+/// alone on a line: its last two, and the signs after them.
+std::size_t last_two(std::string_view paragraph) {
+  const char* begin = paragraph.data();
+  const char* end = begin + paragraph.size();
+  const char* at = end;
+  for (int letters = 0; letters < 2;) {
+    at = g_utf8_find_prev_char(begin, at);
+    if (at == nullptr) return 0;
+    letters += g_unichar_isalnum(g_utf8_get_char_validated(at, end - at)) != FALSE ? 1 : 0;
+  }
+  return static_cast<std::size_t>(at - begin);
+}
+
+void keep_ends_together(std::string_view text, PangoAttrList* attributes) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    PangoAttribute* together = pango_attr_allow_breaks_new(FALSE);
+    together->start_index = static_cast<guint>(at + last_two(text.substr(at, end - at)));
+    together->end_index = static_cast<guint>(end);
+    pango_attr_list_insert(attributes, together);
+    at = end + 1;
+  }
+}
+
 /// Which letters a museum brings along, by language.
 struct OwnFamilies {
   std::map<std::string, std::string, std::less<>> titles, text;
@@ -197,6 +227,7 @@ class TextSetter {
                            pango_attr_line_height_new_absolute(static_cast<int>(
                                std::round(style.size * style.line_height) * PANGO_SCALE)));
     if (style.tabular) pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
+    if (breaks_anywhere(style.language)) keep_ends_together(text, attributes);
     pango_layout_set_attributes(layout.get(), attributes);
     pango_attr_list_unref(attributes);
     return layout;

@@ -36,7 +36,7 @@ ExhibitShape shape_of(const Museum& museum, std::uint32_t exhibit) {
   const double height = it.floor < museum.floors.size() ? museum.floors[it.floor].plan.height : 0;
   if (low.x > high.x) low = high = to_world(it.placement.position, height + breast_height);
   const Vec2 a = to_floor(low), b = to_floor(high);
-  return {(low + high) / 2.0F, glm::min(a, b), glm::max(a, b)};
+  return {(low + high) / 2.0F, glm::min(a, b), glm::max(a, b), (high.y - low.y) / 2};
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ Guide::Guide(const Museum& museum, plan::Planner& planner, const GuideSettings& 
       attract_(museum),
       chapters_(museum),
       captions_(settings.reduced_motion),
-      stage_(museum, settings.reduced_motion) {
+      stage_(museum, exhibit_shapes_, settings.reduced_motion) {
   enter_guides();
   if (settings.reduced_motion)
     crowd_.hold_still();
@@ -241,7 +241,8 @@ bool Guide::wake() noexcept {
   crowd_.appear(0, museum_.kiosk_floor, homes_[0]);
   stage_.sway(0, 1);
   if (view() == nullptr) return true;
-  stage_.enter(state(), view()->free, interface::aspect_ratio(settings_.shape), leader());
+  stage_.enter(state(), {view()->free, view()->boards}, interface::aspect_ratio(settings_.shape),
+               leader());
   stage_.cut(state(), leader());
   // What is written on the model is where it was.
   const scene::CameraView camera =
@@ -356,7 +357,7 @@ void Guide::take_answers() noexcept {
     if (part >= sessions_.size() || !sessions_[part].take_view(std::move(view))) continue;
     ++counters_.views;
     if (part == 0 && !attract_.is_on())
-      stage_.enter(sessions_[0].state(), sessions_[0].view()->free,
+      stage_.enter(sessions_[0].state(), {sessions_[0].view()->free, sessions_[0].view()->boards},
                    interface::aspect_ratio(settings_.shape), leader());
   }
 }
@@ -403,9 +404,10 @@ void Guide::attract(float seconds) noexcept {
   if (settings_.reduced_motion || view() == nullptr) return;
   const bool was_on = attract_.is_on();
   if (attract_.step(seconds, is_vacant() && !voice().is_busy(), crowd_))
-    stage_.enter(attract_.state(),
-                 interface::is_landscape(settings_.shape) ? scene::Rect{0, 0, 1, 1} : above_welcome,
-                 interface::aspect_ratio(settings_.shape), leader());
+    stage_.enter(
+        attract_.state(),
+        {interface::is_landscape(settings_.shape) ? scene::Rect{0, 0, 1, 1} : above_welcome, {}},
+        interface::aspect_ratio(settings_.shape), leader());
   if (attract_.is_on() && !was_on) let_go();
   if (attract_.has_begun()) strollers_.come(crowd_);
   stage_.sway(attract_.turn(), attract_.further());

@@ -7,6 +7,7 @@
 
 #include "runtime/guide/step_aside.h"
 #include "runtime/guide/turn_table.h"
+#include "runtime/scene/clear_of_boards.h"
 #include "runtime/scene/look.h"
 
 namespace docent::guide {
@@ -101,6 +102,27 @@ InView in_view(const Museum& museum, const interface::InterfaceState& state,
   return view;
 }
 
+/// What a visitor has come to see.
+scene::Thing thing_of(std::span<const ExhibitShape> shapes, const interface::InterfaceState& state,
+                      const interface::Goal& goal, double height) noexcept {
+  if (!state.exhibit || *state.exhibit >= shapes.size()) {
+    constexpr float breast_height = 1.2F;
+    const Vec3 foot = to_world(goal.position, height);
+    return {foot, foot + Vec3{0, breast_height, 0}};
+  }
+  const ExhibitShape& shape = shapes[*state.exhibit];
+  const Vec3 a = to_world(shape.low, shape.middle.y), b = to_world(shape.high, shape.middle.y);
+  const Vec3 up{0, shape.half_height, 0};
+  return {glm::min(a, b) - up, glm::max(a, b) + up};
+}
+
+/// Where one stands to look at it.
+scene::Thing spot_of(Vec2 place, double height) noexcept {
+  constexpr float radius = 0.35F;
+  const Vec3 middle = to_world(place, height), half{radius, 0, radius};
+  return {middle - half, middle + half};
+}
+
 /// A door that a way leads through.
 scene::MarkerDraw light_in(const auto& door, double height) noexcept {
   return {.kind = scene::MarkerDraw::Kind::Doorway,
@@ -132,21 +154,35 @@ void draw_trail(const Avatar& avatar, float flow, scene::DrawList& list) noexcep
   list.ribbon_point.insert(list.ribbon_point.end(), plan.points.begin(), plan.points.end());
 }
 
-Stage::Stage(const Museum& museum, bool reduced_motion)
-    : museum_(museum), reduced_motion_(reduced_motion), walls_(most_walls(museum)) {
+Stage::Stage(const Museum& museum, std::span<const ExhibitShape> shapes, bool reduced_motion)
+    : museum_(museum),
+      shapes_(shapes),
+      reduced_motion_(reduced_motion),
+      walls_(most_walls(museum)) {
   for (const Floor& floor : museum.floors) {
     std::vector<Vec2>& outline = outlines_.emplace_back();
     for (const Vec2 p : floor.plan.vertex) outline.push_back(p);
   }
 }
 
-void Stage::enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
+/// Are there other ones than before?
+bool Stage::take_boards(std::span<const scene::Rect> boards) noexcept {
+  boards = boards.first(std::min(boards.size(), boards_.size()));
+  const bool are_new = !std::ranges::equal(boards, std::span(boards_).first(board_count_));
+  std::ranges::copy(boards, boards_.begin());
+  board_count_ = boards.size();
+  return are_new;
+}
+
+void Stage::enter(const interface::InterfaceState& state, const Window& window, float aspect,
                   const Avatar& leader) noexcept {
+  const scene::Rect& free = window.free;
+  const bool covers_goal = take_boards(window.boards) && state.screen == interface::Screen::Arrived;
   const bool same_free = free_.x == free.x && free_.y == free.y && free_.width == free.width;
   const bool above = from_above(state);
   const bool both_above = seen_from_above(screen_) && seen_from_above(state.screen);
   const bool flies = (screen_ != state.screen && !both_above) || above != above_ || !same_free ||
-                     aspect_ != aspect;
+                     aspect_ != aspect || covers_goal;
   const bool long_way = above != above_;
   const bool sets_out = state.screen == interface::Screen::Walking && !above &&
                         (above_ || screen_ != interface::Screen::Walking);
@@ -197,19 +233,38 @@ void Stage::change_floor(const interface::InterfaceState& state, const Avatar& l
   if (changing_ == 1 || rides || reduced_motion_) show_floor(wanted);
 }
 
+/// Neither what is looked at lies under a board nor who shows it.
+scene::CameraRig Stage::arrival_rig(const interface::InterfaceState& state,
+                                    const interface::Goal& goal,
+                                    const Avatar& leader) const noexcept {
+  constexpr float body_height = 1.8F;
+  const double yaw = arrival_yaw(goal, leader.body.position);
+  const auto clear = [&](const scene::CameraRig& rig, std::span<const scene::Thing> things) {
+    const auto boards = std::span(boards_).first(board_count_);
+    return scene::clear_of_boards(rig, things, boards, free_, aspect_);
+  };
+  std::array<scene::Thing, 3> things;
+  things[0] = thing_of(shapes_, state, goal, leader.height);
+  if (state.glass == interface::Glass::Whole && has_object(museum_, state.exhibit)) {
+    const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
+    return clear(
+        scene::close_up(foot_of(museum_, exhibit), size_of(museum_, exhibit), yaw, free_, aspect_),
+        std::span(things).first(1));
+  }
+  things[1] = spot_of(goal.standing.position, leader.height);
+  things[2] = spot_of(about_aside(goal, leader.body.position), leader.height);
+  things[2].high.y += body_height;
+  return clear(
+      scene::beside(goal.standing.position, goal.position, yaw, leader.height, free_, aspect_),
+      things);
+}
+
 scene::CameraRig Stage::wanted_rig(const interface::InterfaceState& state,
                                    const Avatar& leader) const noexcept {
   const double height = leader.height;
   if (state.screen == interface::Screen::Arrived)
-    if (const auto goal = interface::goal_of(museum_, state)) {
-      if (state.glass == interface::Glass::Whole && has_object(museum_, state.exhibit)) {
-        const Exhibit& exhibit = museum_.exhibits[*state.exhibit];
-        return scene::close_up(foot_of(museum_, exhibit), size_of(museum_, exhibit),
-                               arrival_yaw(*goal, leader.body.position), free_, aspect_);
-      }
-      return scene::beside(goal->standing.position, goal->position,
-                           arrival_yaw(*goal, leader.body.position), height, free_, aspect_);
-    }
+    if (const auto goal = interface::goal_of(museum_, state))
+      return arrival_rig(state, *goal, leader);
   if (state.screen == interface::Screen::Walking && above_)
     return way_count_ >= 2 && way_floor_ == floor_ ? whole_way_ : whole_.rig;
   if (state.screen == interface::Screen::Walking)

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "runtime/guide/avatar.h"
 #include "runtime/guide/closer_look.h"
 #include "runtime/guide/crowd.h"
+#include "runtime/guide/exhibit_shape.h"
 #include "runtime/interface/control.h"
 #include "runtime/interface/goal.h"
 #include "runtime/model/museum.h"
@@ -32,15 +34,22 @@ struct LedVisitor {
   bool strays = false;  ///< The guide is on another way just now, and comes back to this.
 };
 
+/// Where the model is seen: screen frame.
+struct Window {
+  scene::Rect free{0, 0, 1, 1};           ///< What a view leaves to it.
+  std::span<const scene::Rect> boards{};  ///< What lies on that all the same.
+};
+
 /// The model as a view shows it: the camera, the ways on the floor, the marks. Everything that is
 /// drawn below the interface except the bodies.
 class Stage {
  public:
-  /// `reduced_motion`: the camera cuts instead of flying, and follows a walk in steps.
-  Stage(const Museum& museum, bool reduced_motion);
+  /// `shapes`: of each exhibit. `reduced_motion`: the camera cuts instead of flying, and follows a
+  /// walk in steps.
+  Stage(const Museum& museum, std::span<const ExhibitShape> shapes, bool reduced_motion);
 
-  /// A view is entered that leaves `free` of the screen to the model. The camera flies if need be.
-  void enter(const interface::InterfaceState& state, const scene::Rect& free, float aspect,
+  /// A view is entered that shows the model in `window`. The camera flies if need be.
+  void enter(const interface::InterfaceState& state, const Window& window, float aspect,
              const Avatar& leader) noexcept;
   void advance(const interface::InterfaceState& state, const Avatar& leader,
                float seconds) noexcept;
@@ -80,6 +89,9 @@ class Stage {
                  scene::DrawList& list) const noexcept;
   scene::CameraRig wanted_rig(const interface::InterfaceState& state,
                               const Avatar& leader) const noexcept;
+  scene::CameraRig arrival_rig(const interface::InterfaceState& state, const interface::Goal& goal,
+                               const Avatar& leader) const noexcept;
+  bool take_boards(std::span<const scene::Rect> boards) noexcept;
 
   std::uint32_t wanted_floor(const interface::InterfaceState& state,
                              const Avatar& leader) const noexcept;
@@ -96,6 +108,7 @@ class Stage {
                   float seconds) noexcept;
 
   const Museum& museum_;
+  std::span<const ExhibitShape> shapes_;
   bool reduced_motion_;
   std::vector<std::vector<Vec2>> outlines_;  ///< Per floor: what an overview has to show.
   std::uint32_t floor_ = 0;                  ///< That is shown.
@@ -108,6 +121,8 @@ class Stage {
   bool entered_ = false;
   bool above_ = true;  ///< Is the model seen from above?
   scene::Rect free_{0, 0, 1, 1};
+  std::array<scene::Rect, 4> boards_{};  ///< That lie on it.
+  std::size_t board_count_ = 0;
   float aspect_ = 16.0F / 9;
   scene::WalkingCamera walking_;
   scene::SunkWalls walls_;

@@ -30,6 +30,15 @@ double direction_of_exhibit(const interface::Goal& goal) noexcept {
   return glm::length(line) > 0.05 ? direction_of(line) : goal.standing.heading;
 }
 
+Vec2 way_to_exhibit(const interface::Goal& goal) noexcept {
+  const double towards = direction_of_exhibit(goal);
+  return {std::cos(towards), std::sin(towards)};
+}
+
+bool is_on_the_right(const interface::Goal& goal, Vec2 guide) noexcept {
+  return cross(way_to_exhibit(goal), guide - goal.standing.position) < -0.2;
+}
+
 /// Half way between what is shown and the visitor, by way of where one stands to look.
 double half_turned(double shows, double visitor, double inwards) noexcept {
   constexpr double either_way = 1.2;
@@ -41,10 +50,14 @@ double half_turned(double shows, double visitor, double inwards) noexcept {
 }  // namespace
 
 double arrival_yaw(const interface::Goal& goal, Vec2 guide) noexcept {
-  const double towards = direction_of_exhibit(goal);
-  const Vec2 on{std::cos(towards), std::sin(towards)};
-  const bool on_the_right = cross(on, guide - goal.standing.position) < -0.2;
-  return towards + (on_the_right ? -scene::arrival_turn : scene::arrival_turn);
+  const double turn = is_on_the_right(goal, guide) ? -scene::arrival_turn : scene::arrival_turn;
+  return direction_of_exhibit(goal) + turn;
+}
+
+Vec2 about_aside(const interface::Goal& goal, Vec2 guide) noexcept {
+  const Vec2 on = way_to_exhibit(goal);
+  const double across = is_on_the_right(goal, guide) ? -sidewards[1] : sidewards[1];
+  return goal.standing.position + onwards[1] * on + across * left_of(on);
 }
 
 std::optional<Placement> place_aside(const path::FloorMap& map, const interface::Goal& goal,
@@ -52,8 +65,7 @@ std::optional<Placement> place_aside(const path::FloorMap& map, const interface:
                                      std::optional<double> yaw, double radius,
                                      std::optional<Side> side) noexcept {
   const Vec2 stands = goal.standing.position;
-  const double towards = direction_of_exhibit(goal);
-  const Vec2 on{std::cos(towards), std::sin(towards)};
+  const Vec2 on = way_to_exhibit(goal);
   std::optional<Placement> best;
   double least = 1e9;
   for (const Side beside : both_sides)

@@ -25,5 +25,7 @@ std::optional<Placement> place_aside(const path::FloorMap& map, const interface:
 /// Which way the camera looks at an exhibit that a guide shows who stands there: over the other
 /// shoulder of the place from which one looks at it.
 double arrival_yaw(const interface::Goal& goal, Vec2 guide) noexcept;
+/// About where a guide stands aside, on the side where it is seen so.
+Vec2 about_aside(const interface::Goal& goal, Vec2 guide) noexcept;
 
 }  // namespace docent::guide

@@ -24,6 +24,13 @@ void draw_blocks(const std::vector<Block>& blocks, const PixelBox& box, float sp
   }
 }
 
+constexpr float least_heading = 0.45F;  ///< Of its size: as what is read, about.
+
+std::vector<Block> first_of(const std::vector<Block>& blocks, std::size_t count) {
+  return {blocks.begin(),
+          blocks.begin() + static_cast<std::ptrdiff_t>(std::min(count, blocks.size()))};
+}
+
 /// The controls that turn a part that scrolls, at the ends of its rail.
 void draw_turner(Sheet& sheet, std::int32_t control, Pictogram what, const PixelBox& box) {
   sheet.place(control, box);
@@ -75,7 +82,7 @@ float height_of(const std::vector<Block>& blocks, float width) {
 }
 
 void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
-                    std::vector<Block> foot, std::size_t lead) {
+                    std::vector<Block> foot, std::size_t lead, std::size_t headed) {
   const Measures& m = sheet.measures();
   const float between = body.empty() || foot.empty() ? 0 : m.gap;
   const float foot_height = height_of(foot, box.width);
@@ -86,16 +93,19 @@ void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
     return draw_blocks(foot, {box.x, box.bottom() - foot_height, box.width, foot_height}, 0);
   }
   // The last blocks of the foot stay, as many as leave enough to read.
-  const std::vector<Block> first_seen(
-      body.begin(), body.begin() + static_cast<std::ptrdiff_t>(std::min(lead, body.size())));
-  const float leading = height_of(first_seen, box.width - m.touch - std::round(m.unit));
+  const float width = box.width - m.touch - std::round(m.unit);
+  const std::vector<Block> first_seen = first_of(body, lead), heading = first_of(body, headed);
+  const float leading = height_of(first_seen, width);
+  sheet.shrink_headings(least_heading);
+  const float least_headed = height_of(heading, width);
+  sheet.shrink_headings(1);
   const float enough = std::max(2 * m.touch + m.unit, std::min(4 * m.touch, 0.4F * box.height));
   std::size_t staying = 0;
   float height = 0;
   for (std::size_t i = foot.size(); i-- > 0; ++staying) {
     const std::vector<Block> last(foot.begin() + static_cast<std::ptrdiff_t>(i), foot.end());
     const float higher = height_of(last, box.width);
-    const float least = staying == 0 ? enough : std::max(enough, leading);
+    const float least = std::max(staying == 0 ? enough : std::max(enough, leading), least_headed);
     if (box.height - higher - m.gap < least) break;
     height = higher;
   }
@@ -104,7 +114,11 @@ void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
   std::move(foot.begin(), first, std::back_inserter(body));
   foot.erase(foot.begin(), first);
   draw_blocks(foot, {box.x, box.bottom() - height, box.width, height}, 0);
-  scroll(sheet, body, {box.x, box.y, box.width, box.height - height - (height > 0 ? m.gap : 0)});
+  const float seen = box.height - height - (height > 0 ? m.gap : 0);
+  for (const float share : {0.9F, 0.8F, 0.7F, 0.6F, 0.5F, least_heading})
+    if (height_of(heading, width) > seen) sheet.shrink_headings(share);
+  scroll(sheet, body, {box.x, box.y, box.width, seen});
+  sheet.shrink_headings(1);
 }
 
 }  // namespace docent::interface

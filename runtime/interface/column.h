@@ -25,9 +25,10 @@ Block text_block(Sheet& sheet, const TextStyle& style, std::string text, scene::
 /// Lays blocks below each other: `body` from the top of the box, `foot` on its lower edge. Where
 /// they are higher than the box, the body scrolls, with two controls beside it that turn it; where
 /// that would leave it less than a few lines, or than its first `lead` blocks take, the upper
-/// blocks of the foot scroll with it. At most once for a view.
+/// blocks of the foot scroll with it. The first `headed` blocks are seen whole before anything
+/// scrolls: headings are as small as that takes, down to what is read. At most once for a view.
 void lay_out_column(Sheet& sheet, const PixelBox& box, std::vector<Block> body,
-                    std::vector<Block> foot, std::size_t lead = 0);
+                    std::vector<Block> foot, std::size_t lead = 0, std::size_t headed = 0);
 
 /// How high they are below each other.
 float height_of(const std::vector<Block>& blocks, float width);

@@ -77,11 +77,6 @@ std::vector<std::pair<std::int32_t, Pictogram>> shown_of(const Sheet& sheet,
   return shown;
 }
 
-void draw_board(Sheet& sheet, const PixelBox& board) {
-  sheet.shadow(board, 2 * sheet.measures().unit, 0.12F);
-  sheet.fill(board, sheet.theme().paper, sheet.measures().corner);
-}
-
 using Signs = std::vector<std::pair<std::int32_t, Pictogram>>;
 
 float width_of_signs(const Sheet& sheet, const Signs& shown) {
@@ -95,7 +90,7 @@ PixelBox draw_signs_at(Sheet& sheet, const Signs& shown, float right, float bott
   const float gap = std::round(m.unit), width = width_of_signs(sheet, shown);
   const float height = m.touch + 2 * gap;
   const PixelBox board{right - width, bottom - height, width, height};
-  draw_board(sheet, board);
+  sheet.board(board);
   PixelBox cell{board.x + gap, board.y + gap, m.touch, m.touch};
   for (const auto& [control, pictogram] : shown) {
     sheet.place(control, cell);
@@ -107,9 +102,25 @@ PixelBox draw_signs_at(Sheet& sheet, const Signs& shown, float right, float bott
   return board;
 }
 
-PixelBox draw_signs(Sheet& sheet, const PixelBox& free, const Signs& shown) {
+/// Helps in words: as wide in every language, so that they stay where they are.
+ButtonGrid grid_of_helps(Sheet& sheet, const std::vector<std::int32_t>& controls, float width) {
+  constexpr float ordinary = 26, wide = 32;  // units
   const Measures& m = sheet.measures();
-  return draw_signs_at(sheet, shown, free.right() - m.gap, free.bottom() - m.gap);
+  const float gap = std::round(m.unit), count = static_cast<float>(controls.size());
+  const float room = width - 2 * m.gap - 2 * gap;
+  const float unit = m.unit * sheet.request().shape.text_scale;
+  const float wanted = std::round(ordinary * unit), in_rows = std::round(wide * unit);
+  const float whole = std::min(room, count * (wanted + gap) - gap);
+  const auto grid_in = [&](float across) {
+    return grid_of(sheet, controls, {.width = across, .margin = sheet.signed_margin(), .gap = gap});
+  };
+  ButtonGrid grid = grid_in(whole);
+  if (grid.columns < controls.size()) {  // what several rows do not need is left to the model
+    const auto columns = static_cast<float>(grid.columns);
+    ButtonGrid narrower = grid_in(std::min(whole, columns * (in_rows + gap) - gap));
+    if (narrower.height() <= grid.height()) return narrower;
+  }
+  return grid;
 }
 
 /// Beside the other strip where there is room, or else above it. Returns how high all of it is.
@@ -160,32 +171,25 @@ float draw_helps(Sheet& sheet, const PixelBox& free) {
   std::vector<std::int32_t> controls;
   for (const auto& one : shown) controls.push_back(one.first);
 
-  // As wide in every language, so that helps stay where they are.
-  constexpr float ordinary = 26, wide = 32;  // units
-  constexpr float most_height = 0.32F;       // of the model's
-  const float gap = std::round(m.unit), count = static_cast<float>(shown.size());
-  const float room = free.width - 2 * m.gap - 2 * gap;
-  const float unit = m.unit * sheet.request().shape.text_scale;
-  const float wanted = std::round(ordinary * unit), in_rows = std::round(wide * unit);
-  const float whole = std::min(room, count * (wanted + gap) - gap);
-  const auto grid_in = [&](float width) {
-    return grid_of(sheet, controls, {.width = width, .margin = sheet.signed_margin(), .gap = gap});
-  };
-  ButtonGrid grid = grid_in(whole);
-  if (grid.columns < shown.size()) {  // what several rows do not need is left to the model
-    const auto columns = static_cast<float>(grid.columns);
-    ButtonGrid narrower = grid_in(std::min(whole, columns * (in_rows + gap) - gap));
-    if (narrower.height() <= grid.height()) grid = std::move(narrower);
+  constexpr float most_height = 0.32F;  // of the model's
+  const float scale = sheet.request().shape.text_scale;
+  ButtonGrid grid;
+  // Where letters are large and the glass is small, they are less large there, so that the model is
+  // still seen; a word is never left out.
+  for (const float most : {scale, 1.5F, 1.25F, 1.0F}) {
+    if (most > scale) continue;
+    sheet.limit_words(most);
+    grid = grid_of_helps(sheet, controls, free.width);
+    if (grid.height() <= most_height * free.height) break;
   }
-  // Where letters are large and the glass is small, signs alone leave the model to be seen.
-  if (grid.height() > most_height * free.height)
-    return draw_senses(sheet, free, draw_signs(sheet, free, shown));
+  const float gap = std::round(m.unit);
   const float across = static_cast<float>(grid.columns) * (grid.width + gap) - gap;
   const float width = across + 2 * gap, height = grid.height() + 2 * gap;
   const PixelBox board{free.right() - m.gap - width, free.bottom() - m.gap - height, width, height};
-  draw_board(sheet, board);
+  sheet.board(board);
   for (std::size_t i = 0; i < shown.size(); ++i)
     sheet.signed_button(shown[i].first, shown[i].second, grid.cell(board.inset(gap), i));
+  sheet.limit_words(scale);
   return draw_senses(sheet, free, board);
 }
 

@@ -73,6 +73,7 @@ void lower(View& view, const ScreenShape& shape) noexcept {
   for (scene::Rect* rect : {&view.panel, &view.countdown, &view.free, &view.inset.board,
                             &view.scroll.rect, &view.scroll.rail})
     move(*rect);
+  for (scene::Rect& board : view.boards) move(board);
   for (float* length :
        {&view.scroll.length, &view.scroll.page, &view.scroll.least, &view.scroll.fade})
     *length *= down;

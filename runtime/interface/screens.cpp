@@ -489,6 +489,7 @@ namespace {
 /// last blocks of the foot; else all is in one column, with `left` in its place.
 struct TwoColumns {
   std::vector<Block> left, right, right_foot, foot;
+  std::size_t headed = 0;  ///< How many blocks at the right there are with the heading.
 };
 bool lay_out_in_two(Sheet& sheet, const PixelBox& content, const TwoColumns& columns, float share) {
   const Measures& m = sheet.measures();
@@ -501,8 +502,8 @@ bool lay_out_in_two(Sheet& sheet, const PixelBox& content, const TwoColumns& col
       room < 5 * m.touch || height_of(columns.left, first.width) > room)
     return false;
   lay_out_column(sheet, {first.x, first.y, first.width, room}, columns.left, {});
-  lay_out_column(sheet, {second.x, second.y, second.width, room}, columns.right,
-                 columns.right_foot);
+  lay_out_column(sheet, {second.x, second.y, second.width, room}, columns.right, columns.right_foot,
+                 0, columns.headed);
   lay_out_column(sheet, {content.x, content.bottom() - foot, content.width, foot}, {},
                  columns.foot);
   return true;
@@ -535,7 +536,8 @@ void lay_out_walking(Sheet& sheet, const PixelBox& content) {
   append(all.foot, foot_blocks(sheet, "home"));
   if (lay_out_in_two(sheet, content, all, 0.5F)) return;
   append(all.right_foot, std::move(all.foot));
-  lay_out_column(sheet, content, std::move(all.left), std::move(all.right_foot));
+  constexpr std::size_t headed = 3;  // the tour, "Follow me to", and the name
+  lay_out_column(sheet, content, std::move(all.left), std::move(all.right_foot), 0, headed);
 }
 
 void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
@@ -562,10 +564,13 @@ void lay_out_arrived(Sheet& sheet, const PixelBox& content) {
                      {sheet.control("choose"), Sheet::Emphasis::Soft}},
                     m.gap));
   all.foot = foot_blocks(sheet, "home");
+  all.headed = 2;  // the tour, and the name
   if (lay_out_in_two(sheet, content, all, 0.42F)) return;
   append(all.right_foot, std::move(all.foot));
+  const std::size_t told = all.right.size();
   const std::size_t lead = is_longer ? 0 : add_pictures(sheet, content, all.right_foot, all.right);
-  lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot), lead);
+  if (lead == 0) all.headed += all.right.size() - told;  // pictures above the name
+  lay_out_column(sheet, content, std::move(all.right), std::move(all.right_foot), lead, all.headed);
 }
 
 }  // namespace docent::interface

@@ -137,12 +137,17 @@ TextStyle Sheet::word_style(std::int32_t control, float width) {
   const Action& action = at(control).action;
   if (action.kind == Action::Kind::Speak && action.argument < museum_.languages.size())
     look = in_own_letters(look, action.argument);
-  const float usual = std::ceil(look.size / request_.shape.text_scale);
+  const float scale = request_.shape.text_scale, usual = std::ceil(look.size / scale);
+  if (scale > most_word_scale_)
+    look.size = std::max(usual, std::round(look.size * most_word_scale_ / scale));
   return narrowed(look, label_of(control), width, usual);
 }
 
 TextStyle Sheet::heading_style(Letters letters, std::string_view text, float width) {
-  return narrowed(style(letters), text, width, style(Letters::Body).size);
+  TextStyle look = style(letters);
+  const float least = style(Letters::Body).size;
+  look.size = std::max(std::min(least, look.size), std::round(heading_share_ * look.size));
+  return narrowed(look, text, width, least);
 }
 
 TextStyle Sheet::narrowed(TextStyle style, std::string_view text, float width, float least) {
@@ -390,6 +395,12 @@ void Sheet::signed_button(std::int32_t control, Pictogram what, const PixelBox& 
                quiet_colour(control));
 }
 
+void Sheet::board(const PixelBox& box) {
+  view_.boards.push_back(share_of(box));
+  shadow(box, 2 * measures_.unit, 0.12F);
+  fill(box, view_.theme.paper, measures_.corner);
+}
+
 void Sheet::draw_panel(const PixelBox& box) {
   view_.panel = share_of(box);
   const std::size_t first = view_.elements.size();
@@ -462,6 +473,7 @@ void Sheet::turn_over() noexcept {
   mirror(view_.panel, turned_);
   if (view_.countdown.width > 0) mirror(view_.countdown, turned_);
   if (view_.inset.board.width > 0) mirror(view_.inset.board, turned_);
+  for (scene::Rect& board : view_.boards) mirror(board, turned_);
   for (Control& control : view_.controls)
     if (control.rect.width > 0) mirror(control.rect, turned_);
   for (Element& element : view_.elements) mirror(element.quad.rect, turned_);

@@ -73,8 +73,12 @@ class Sheet {
   /// In which the word of a control is set; a language's name in its own letters. Letters that are
   /// larger than usual are so only as far as `width` has room for the longest word.
   TextStyle word_style(std::int32_t control, float width);
+  /// From here on words of controls are at most so many times as large as usual.
+  void limit_words(float scale) noexcept { most_word_scale_ = scale; }
   /// The same for a heading, which may also be smaller, but never than what is read.
   TextStyle heading_style(Letters letters, std::string_view text, float width);
+  /// Headings are that share of their size from here on, and never smaller than what is read.
+  void shrink_headings(float share) noexcept { heading_share_ = share; }
   /// A text in lines that are at most `width` wide; and how large that is. It is never set smaller.
   TextPiece set(const TextStyle& style, std::string_view text, float width);
   TextPiece extent(const TextStyle& style, std::string_view text, float width);
@@ -140,6 +144,8 @@ class Sheet {
   TextPiece sign(Pictogram what, float side) {
     return pieces_.pictogram(what, static_cast<std::uint32_t>(std::max(1.0F, std::round(side))));
   }
+  /// The ground of what lies on the model.
+  void board(const PixelBox& box);
   /// A pictogram in the middle of a box, as large as the smaller side.
   void pictogram(Pictogram what, const PixelBox& box, scene::Colour colour,
                  std::int32_t control = -1);
@@ -186,6 +192,7 @@ class Sheet {
   View& view_;
   const ShownWay* way_;
   Measures measures_;
+  float most_word_scale_ = 2, heading_share_ = 1;
   float width_, height_, shorter_;
   bool right_to_left_;
   scene::Rect turned_{0, 0, 1, 1};    ///< What finish() mirrors.

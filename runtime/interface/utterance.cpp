@@ -16,9 +16,9 @@ namespace docent::interface {
 namespace {
 
 /// What stands at a piece's ends without being said.
-constexpr std::array<std::string_view, 24> silent{" ",  "\n", "\t", ",",  ".",  ":",  ";",  "\"",
-                                                  "·",  "“",  "”",  "„",  "«",  "»",  "‹",  "›",
-                                                  "「", "」", "『", "』", "、", "。", "，", "،"};
+constexpr std::array<std::string_view, 28> silent{
+    " ", "\u00a0", "\u202f", "\n", "\t", ",", ".",  ":",  ";",  "\"", "·",  "“",  "”",  "„",
+    "‘", "’",      "«",      "»",  "‹",  "›", "「", "」", "『", "』", "、", "。", "，", "،"};
 
 std::string_view without_silent_ends(std::string_view text) noexcept {
   for (bool goes_on = true; goes_on;) {

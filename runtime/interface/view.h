@@ -151,6 +151,7 @@ struct View {
   scene::Rect cluster;           ///< ... and the board on which it is. Screen frame.
   scene::Rect countdown;         ///< Screen frame: of a ring of seconds; empty: none.
   scene::Rect free{0, 0, 1, 1};  ///< What is left to the model; at least 55 % of the screen.
+  std::vector<scene::Rect> boards;          ///< Screen frame: what lies on that all the same.
   float pixel_width = 1, pixel_height = 1;  ///< Of the screen: labels are drawn texel for pixel.
   float spot_px = 54;                       ///< How wide and high a spot is.
   float unit_px = 8;                        ///< 1/135 of the shorter side.

@@ -153,8 +153,7 @@ void draw_inset(Sheet& sheet, const PixelBox& free) {
                 std::max(16 * m.unit, std::min(38 * m.unit, 0.42F * free.width) - 8 * m.unit));
   const Board board = board_on(sheet, free, floor.plan, museum.kiosk.heading, name);
   if (board.box.height < board.head + 6 * m.unit) return;
-  sheet.shadow(board.box, 2 * m.unit, 0.12F);
-  sheet.fill(board.box, sheet.theme().paper, m.corner);
+  sheet.board(board.box);
   draw_board(sheet, board, name);
 }
 

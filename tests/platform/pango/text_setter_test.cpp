@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <numeric>
 #include <stop_token>
 #include <thread>
@@ -83,6 +84,40 @@ TEST(TextSetter, PutsTheShortLineOfAnArabicParagraphAtTheRight) {
                        bitmap.coverage.end());
   EXPECT_EQ(ink(last, 0, bitmap.width / 8), 0U);
   EXPECT_GT(ink(last, bitmap.width * 4 / 5, bitmap.width), 0U);
+}
+
+/// From the first pixel with ink to the last.
+std::uint32_t inked_width(const interface::TextBitmap& bitmap) {
+  std::uint32_t first = bitmap.width, last = 0;
+  for (std::uint32_t x = 0; x < bitmap.width; ++x)
+    if (ink(bitmap, x, x + 1) > 0) {
+      first = std::min(first, x);
+      last = x + 1;
+    }
+  return last - std::min(first, last);
+}
+
+TEST(TextSetter, LeavesNoCharacterAloneOnTheLastLineWhereAnyMayBeginOne) {
+  const auto set_text = make_text_setter();
+  for (const auto& [language, text] :
+       {std::pair{"ja", "青銅の鼎は煮炊きの器から国の宝になりました。"},
+        {"ja", "三本足の鼎コレクション"},
+        {"zh", "从炊具到国之重器的青铜鼎"},
+        {"zh", "想看哪一件？\n我带您走过去。"},
+        {"ko", "솥에서 나라의 보물이 된 청동 세발솥입니다"}})
+    for (std::uint32_t width = 70; width < 800; width += 3) {
+      interface::TextStyle title = style(language);
+      title.max_lines = 0;
+      const std::uint32_t lines = (*set_text)(title, text, width).lines;
+      if (lines < 2) continue;
+      title.first_line = static_cast<std::uint16_t>(lines - 1);
+      title.line_count = 1;
+
+      const interface::TextBitmap last = (*set_text)(title, text, width);
+
+      EXPECT_GT(static_cast<float>(inked_width(last)), 1.3F * title.size)
+          << text << " in " << width << " pixels";
+    }
 }
 
 TEST(TextSetter, GivesTheSamePixelsTwice) {

@@ -9,12 +9,14 @@
 #include "runtime/path/building/building_map.h"
 #include "runtime/path/floor_map.h"
 #include "tests/support/sample_database.h"
+#include "tests/support/shipped_languages.h"
 
 namespace docent::test {
 
-/// The sample museum, and whatever is asked of it at random, the same in every run.
+/// The sample museum in every language that docent ships, and whatever is asked of it at random,
+/// the same in every run.
 struct SampleHouse {
-  Museum museum = sqlite::load_museum(sample_database()).value();
+  Museum museum = in_all_shipped_languages(sqlite::load_museum(sample_database()).value());
   std::vector<std::shared_ptr<const path::FloorMap>> maps = [this] {
     std::vector<std::shared_ptr<const path::FloorMap>> made;
     for (const Floor& floor : museum.floors) made.push_back(path::make_floor_map(floor));

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "runtime/interface/control.h"
 #include "tests/support/sample_museum.h"
+#include "tests/support/shipped_languages.h"
 
 namespace docent::interface::utterance_test {
 namespace {
@@ -39,6 +41,16 @@ TEST(Utterance, SaysDistancesInThePluralsOfEachLanguage) {
 }
 
 /// What is said of a longer text has its sound, however long its paragraphs are.
+TEST(SpokenPieces, HaveNoQuotationMarkOrBlankToSayInAnyLanguage) {
+  const Museum museum = test::in_all_shipped_languages(test::sample_museum_without_walls());
+
+  for (std::uint32_t language = 0; language < museum.languages.size(); ++language)
+    for (const std::string& piece : spoken_pieces(museum, language))
+      for (const std::string_view mark : {"‘", "’", "“", "”", "„", "«", "»", "\u00a0", "\u202f"})
+        EXPECT_FALSE(piece.starts_with(mark) || piece.ends_with(mark))
+            << museum.languages[language].tag << ": '" << piece << "'";
+}
+
 TEST(SpokenPieces, HoldTheShortPartsOfALongParagraph) {
   Museum museum = test::sample_museum_without_walls();
   std::string more;
