@@ -151,6 +151,25 @@ Vec2 uncovered(const HeightField& field, Vec2 point, double height) {
   return point;
 }
 
+/// Of the part of a lid whose light a vertex keeps: the edge of a shadow that is narrower than the
+/// mesh is fine would have teeth.
+float sun_about(const HeightField& field, const Sun& sun, Vec2 point, double height) {
+  constexpr double same = 0.02, above = 0.01;
+  constexpr std::array rings{0.06, 0.12};
+  constexpr int directions = 8;
+  float sum = sun_at(field, sun, point, height + above);
+  int count = 1;
+  for (const double radius : rings)
+    for (int i = 0; i < directions; ++i) {
+      const double angle = 2 * std::numbers::pi * i / directions;
+      const Vec2 beside = point + radius * Vec2{std::cos(angle), std::sin(angle)};
+      if (std::abs(field.at(beside) - height) > same) continue;
+      sum += sun_at(field, sun, beside, height + above);
+      ++count;
+    }
+  return sum / static_cast<float>(count);
+}
+
 void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) {
   // Glass holds its opacity; the others are lit by the lightmap.
   constexpr std::array kept{Surface::Glass, Surface::Floor, Surface::Stone, Surface::Ground};
@@ -164,8 +183,10 @@ void light_vertices(const HeightField& field, const Sun& sun, Scenery& scenery) 
     // A little before the face, so that the field's texels of the solid behind it do not count.
     Vec2 point = to_floor(vertex.position) + 1.5 * field.texel() * to_floor(vertex.normal);
     if (is_kept[v]) continue;
-    if (vertex.normal.y > 0.9F) point = uncovered(field, point, vertex.position.y);
-    const Light light = light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
+    const bool is_lid = vertex.normal.y > 0.9F;
+    if (is_lid) point = uncovered(field, point, vertex.position.y);
+    Light light = light_at(field, sun, point, vertex.position.y + 0.01, vertex.normal);
+    if (is_lid) light.sun = sun_about(field, sun, point, vertex.position.y);
     vertex.sky = static_cast<std::uint8_t>(std::lround(255 * light.sky));
     vertex.sun = static_cast<std::uint8_t>(std::lround(255 * light.sun));
   }
