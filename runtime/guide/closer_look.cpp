@@ -29,9 +29,8 @@ std::optional<Vec2> ground_at(const scene::CameraRig& rig, const scene::CameraRi
   return Vec2{dot(off, right_of(whole.yaw)), dot(off, up_of(whole.yaw))};
 }
 
-bool has_come_far(const input::Finger& finger) noexcept {
-  return std::abs(finger.at.x - finger.start.x) > far ||
-         std::abs(finger.at.y - finger.start.y) > far;
+const input::Finger& finger_of(std::span<const input::Finger> fingers, std::uint32_t id) noexcept {
+  return *std::ranges::find_if(fingers, [&](const input::Finger& one) { return one.at.id == id; });
 }
 
 }  // namespace
@@ -68,6 +67,7 @@ void CloserLook::end(bool at_once) noexcept {
     nearness_ = 1;
     shift_ = {};
     held_count_ = 0;
+    moves_ = false;
   }
   ends_ = true;
 }
@@ -78,13 +78,30 @@ void CloserLook::hold(std::span<const input::Finger> fingers, const WholeModel& 
   const std::array<Held, 2> before = held_;
   const auto known = std::span(before).first(held_count_);
   held_count_ = 0;
+  moves_ = false;
   for (const input::Finger& finger : fingers) {
     const auto ground =
         ground_at(applied_to(model.rig), model.rig, aspect, {finger.at.x, finger.at.y});
     if (!ground) continue;
     const auto was = std::ranges::find(known, finger.at.id, &Held::finger);
-    held_[held_count_++] = {finger.at.id, *ground, was != known.end() && was->has_moved};
+    held_[held_count_++] = {
+        finger.at.id, *ground, {finger.at.x, finger.at.y}, was != known.end() && was->has_moved};
   }
+}
+
+/// Nothing leaps: what is under the fingers now is what they take along.
+void CloserLook::begin_to_move(std::span<const input::Finger> fingers, const WholeModel& model,
+                               float aspect) noexcept {
+  if (held_count_ < 2 && nearness_ == 1) return;  // there is nowhere to go
+  const bool has_come =
+      std::ranges::any_of(std::span(held_).first(held_count_), [&](const Held& one) {
+        const input::Contact& at = finger_of(fingers, one.finger).at;
+        return std::abs(at.x - one.from.x) > far || std::abs(at.y - one.from.y) > far;
+      });
+  if (!has_come) return;
+  hold(fingers, model, aspect);
+  moves_ = held_count_ > 0;
+  for (Held& one : std::span(held_).first(held_count_)) one.has_moved = true;
 }
 
 void CloserLook::follow(std::span<const input::Finger> fingers, const WholeModel& model,
@@ -92,13 +109,10 @@ void CloserLook::follow(std::span<const input::Finger> fingers, const WholeModel
   std::array<Vec2, 2> seen{};
   const auto see = [&] {
     for (std::size_t i = 0; i < held_count_; ++i) {
-      const auto finger = std::ranges::find(fingers, held_[i].finger,
-                                            [](const input::Finger& one) { return one.at.id; });
-      const auto ground =
-          ground_at(applied_to(model.rig), model.rig, aspect, {finger->at.x, finger->at.y});
+      const input::Contact& at = finger_of(fingers, held_[i].finger).at;
+      const auto ground = ground_at(applied_to(model.rig), model.rig, aspect, {at.x, at.y});
       if (!ground) return false;
       seen[i] = *ground;
-      held_[i].has_moved |= held_count_ == 2 || (nearness_ > 1 && has_come_far(*finger));
     }
     return true;
   };
@@ -132,11 +146,13 @@ void CloserLook::step(std::span<const input::Finger> fingers, const WholeModel& 
   if (fingers.empty()) {
     if (held_count_ > 0 && nearness_ < nearly_whole) ends_ = true;
     held_count_ = 0;
+    moves_ = false;
   } else {
     ends_ = false;
     if (fingers.size() != held_count_ || !std::ranges::all_of(fingers, is_held))
       hold(fingers, model, aspect);
-    if (held_count_ > 0) follow(fingers, model, aspect);
+    if (held_count_ > 0 && !moves_) begin_to_move(fingers, model, aspect);
+    if (moves_) follow(fingers, model, aspect);
   }
   if (!ends_) return;
   constexpr double whole = 1.002;

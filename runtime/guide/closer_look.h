@@ -24,7 +24,8 @@ WholeModel whole_model(std::span<const Vec2> outline, double height, double yaw,
 
 /// How near a visitor has drawn the model that is seen from above. Two fingers draw it nearer, or
 /// put it back; one moves it while it is nearer. What lies on the floor stays under the finger that
-/// is on it, as far as the model reaches; it is never seen smaller than whole.
+/// is on it, as far as the model reaches; it is never seen smaller than whole. Until one of them
+/// has come a little way nothing moves, and they press: somebody's sleeve may lie beside a finger.
 class CloserLook {
  public:
   static constexpr double nearest = 4;  ///< Times as near.
@@ -46,10 +47,13 @@ class CloserLook {
  private:
   struct Held {
     std::uint32_t finger = 0;
-    Vec2 ground{};  ///< That is under it: metres from the target, as in WholeModel.
+    Vec2 ground{};              ///< That is under it: metres from the target, as in WholeModel.
+    scene::ScreenPoint from{};  ///< Where it was when the others came or went.
     bool has_moved = false;
   };
   void hold(std::span<const input::Finger> fingers, const WholeModel& model, float aspect) noexcept;
+  void begin_to_move(std::span<const input::Finger> fingers, const WholeModel& model,
+                     float aspect) noexcept;
   void follow(std::span<const input::Finger> fingers, const WholeModel& model,
               float aspect) noexcept;
   void keep_within(const WholeModel& model) noexcept;
@@ -59,6 +63,7 @@ class CloserLook {
   bool ends_ = false;
   std::array<Held, 2> held_{};
   std::size_t held_count_ = 0;
+  bool moves_ = false;  ///< One of them has come a little way.
 };
 
 }  // namespace docent::guide

@@ -265,6 +265,7 @@ std::string row_text(const Sheet& sheet, const Control& control) {
   if (kind == Action::Kind::ShowOwnTour) return title + "  " + own_tour_line(sheet);
   if (kind == Action::Kind::ShowTimes) return title + "  " + times_line(sheet);
   const Tour* tour = begun_tour(sheet.museum(), control);
+  if (tour != nullptr && is_for_time(*tour)) return title + "  ·  " + tour_line(sheet, *tour);
   const std::string before = tour != nullptr
                                  ? tour_line(sheet, *tour)
                                  : number_in(sheet.museum(), sheet.request().state.language,

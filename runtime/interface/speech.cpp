@@ -126,13 +126,12 @@ void Composer::add_detail(Utterance& out, const Control& control) const {
   const Action& action = control.action;
   if (is_collect(control) && action.argument < museum_.exhibits.size())
     return append_spoken(out, local(museum_.exhibits[action.argument].title));
+  if (const Tour* tour = begun_tour(museum_, control); tour != nullptr)
+    return append_spoken(out, filled_in(say("tour_card"), "time",
+                                        apart(spoken_time(museum_, language_, tour->seconds))));
   if (control.role != Role::ListItem && control.role != Role::Spot) return;
   switch (action.kind) {
     case Action::Kind::FollowTour:
-      if (const Tour* tour = begun_tour(museum_, control); tour != nullptr)
-        return append_spoken(out, filled_in(say("tour_card"), "time",
-                                            apart(spoken_time(museum_, language_, tour->seconds))));
-      [[fallthrough]];
     case Action::Kind::Choose: {
       if (action.argument >= museum_.exhibits.size()) return;
       if (closed_exhibit(closed_, action.argument) != nullptr)

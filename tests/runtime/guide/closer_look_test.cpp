@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -39,6 +40,10 @@ Vec2 ground(const WholeModel& model, const CloserLook& look, Vec2 at) {
   return point ? to_floor(*point) : Vec2{1e9, 1e9};
 }
 
+double most(Vec2 of) {
+  return std::max(of.x, of.y);
+}
+
 Vec2 any_place() {
   const auto share = [] { return 0.01 * *rc::gen::inRange(15, 85); };
   return {free.x + share() * free.width, free.y + share() * free.height};
@@ -49,12 +54,21 @@ RC_GTEST_PROP(ACloserLook, KeepsWhatLiesUnderTwoFingersUnderThemAsFarAsTheModelR
   CloserLook look;
   const Vec2 a = any_place(), b = any_place(), c = any_place(), d = any_place();
   RC_PRE(glm::distance(a, b) > 0.05 && glm::distance(c, d) > 0.05);
-  look.step(std::array{finger(1, a, a), finger(2, b, b)}, model, aspect, frame);
-  const Vec2 under_a = ground(model, look, a), under_b = ground(model, look, b);
-  for (int i = 1; i <= 20; ++i) {
-    const double share = 0.05 * i;
-    look.step(std::array{finger(1, a, glm::mix(a, c, share)), finger(2, b, glm::mix(b, d, share))},
-              model, aspect, frame);
+  const auto fingers = [&](double share) {
+    return std::array{finger(1, a, glm::mix(a, c, share)), finger(2, b, glm::mix(b, d, share))};
+  };
+  look.step(fingers(0), model, aspect, frame);
+  RC_ASSERT(!look.has_moved(1) && !look.has_moved(2));
+  int begun = 0;
+  while (begun < 20 && !look.has_moved(1)) look.step(fingers(0.05 * ++begun), model, aspect, frame);
+  RC_ASSERT(look.has_moved(1) == look.has_moved(2));
+  RC_ASSERT(look.has_moved(1) == (most(glm::max(glm::abs(c - a), glm::abs(d - b))) > 0.02));
+  if (!look.has_moved(1)) return;
+  const Vec2 under_a = ground(model, look, glm::mix(a, c, 0.05 * begun)),
+             under_b = ground(model, look, glm::mix(b, d, 0.05 * begun));
+  RC_PRE(glm::distance(under_a, under_b) > 1);
+  for (int i = begun + 1; i <= 20; ++i) {
+    look.step(fingers(0.05 * i), model, aspect, frame);
     RC_ASSERT(look.nearness() >= 1 && look.nearness() <= CloserLook::nearest);
   }
   const double before = glm::distance(under_a, under_b);
@@ -94,10 +108,13 @@ TEST(ACloserLook, MovesUnderOneFingerOnceItIsNearerAndNotBeyondTheModel) {
 
   const Vec2 from{0.6, 0.5};
   look.step(std::array{finger(3, from, from)}, model, aspect, frame);
-  const Vec2 held = ground(model, look, from);
+  const Vec2 held = ground(model, look, {0.63, 0.5});
+  look.step(std::array{finger(3, from, {0.61, 0.5})}, model, aspect, frame);
+  EXPECT_FALSE(look.has_moved(3)) << "it trembles";
+  look.step(std::array{finger(3, from, {0.63, 0.5})}, model, aspect, frame);
+  EXPECT_TRUE(look.has_moved(3));
   look.step(std::array{finger(3, from, {0.65, 0.55})}, model, aspect, frame);
   EXPECT_LT(glm::distance(held, ground(model, look, {0.65, 0.55})), 0.01);
-  EXPECT_TRUE(look.has_moved(3));
   for (int i = 0; i < 300; ++i)
     look.step(std::array{finger(3, from, {0.65 + i, 0.55 + i})}, model, aspect, frame);
   const Vec2 middle = to_floor(look.applied_to(model.rig).target);
@@ -107,10 +124,12 @@ TEST(ACloserLook, MovesUnderOneFingerOnceItIsNearerAndNotBeyondTheModel) {
 TEST(ACloserLook, GoesBackToTheWholeSoftlyOrAtOnce) {
   const WholeModel model = hall(0);
   const std::array apart{finger(1, {0.6, 0.5}, {0.4, 0.5}), finger(2, {0.7, 0.5}, {0.9, 0.5})};
+  const std::array begun{finger(1, {0.6, 0.5}, {0.57, 0.5}), finger(2, {0.7, 0.5}, {0.73, 0.5})};
   const std::array together{finger(1, {0.6, 0.5}, {0.6, 0.5}), finger(2, {0.7, 0.5}, {0.7, 0.5})};
   CloserLook softly, at_once;
   for (CloserLook* look : {&softly, &at_once}) {
     look->step(together, model, aspect, frame);
+    look->step(begun, model, aspect, frame);
     look->step(apart, model, aspect, frame);
     look->step({}, model, aspect, frame);
     ASSERT_GT(look->nearness(), 2);
@@ -241,6 +260,30 @@ TEST_F(OnTheGlass, WhoBeginsSeesTheWholeModelAndSoDoesWhoComesNext) {
   test::tap(planner_, guide_, "home");
   run(2);
   EXPECT_NEAR(distance(), before, 1e-3);
+}
+
+TEST_F(OnTheGlass, AFingerChoosesAnExhibitWhileASleeveLiesOnTheModel) {
+  const auto& controls = guide_.view()->controls;
+  const auto spot = std::ranges::find_if(controls, [](const interface::Control& one) {
+    return one.role == interface::Role::Spot && one.rect.width > 0 &&
+           one.action.kind == interface::Action::Kind::Choose;
+  });
+  ASSERT_NE(spot, controls.end());
+  const std::uint32_t exhibit = spot->action.argument;
+  const Vec2 middle{spot->rect.x + spot->rect.width / 2, spot->rect.y + spot->rect.height / 2};
+  event(Kind::Down, 1, {0.7, 0.8});
+  for (int i = 0; i < 60; ++i) {
+    event(Kind::Move, 1, {0.7 + 0.001 * i, 0.8 + 0.002 * (i % 2)});  // it slides, and trembles
+    run(1.0 / 60);
+  }
+  event(Kind::Down, 2, middle);
+  run(0.05);
+  event(Kind::Move, 1, {0.761, 0.8});
+  run(0.05);
+  event(Kind::Up, 2, middle);
+  run(0.05);
+
+  EXPECT_EQ(guide_.state().exhibit, exhibit);
 }
 
 TEST_F(OnTheGlass, FingersOnThePanelMoveNoModel) {
