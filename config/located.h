@@ -42,6 +42,11 @@ using LocatedList = std::vector<Located<std::string>>;
 /// One point or several.
 using LocatedPoints = std::vector<Located<Vec2>>;
 
+/// Half a section of something round: radius and height, metres, each point with its place.
+struct Outline {
+  LocatedPoints points;
+};
+
 /// The values from `least` to `most`, both included.
 struct Range {
   double least = 0, most = 0;
