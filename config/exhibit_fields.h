@@ -146,7 +146,7 @@ inline constexpr std::array exhibit_fields{
                           Presence::Optional,
                           "The object itself, if it is round like a jar: its outline from the foot "
                           "up, [[radius, height], ...] in metres, which is turned about its axis; "
-                          "over the rim and down the inside where it is hollow. Points are joined "
+                          "over the rim and down the inside where it is hollow; points are joined "
                           "round, but where they make a sharp corner",
                           {0, 30}},
     Field<ExhibitSection>{"colour",
