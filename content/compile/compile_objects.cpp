@@ -113,8 +113,8 @@ void refuse(const object::ProfileFault& fault, WantedObject& wanted) {
   throw content::ContentError("", 0, 0, "bad-outline", fault.what, fault.hint);
 }
 
-/// The largest side of a picture that an object has.
-constexpr std::uint32_t picture_side = 1024;
+/// Of a picture round an object, of which one sees a half, and of one that is cut out.
+constexpr std::uint32_t wrapped_side = 768, cut_side = 1024;
 
 object::Turned turned_of(const std::filesystem::path& folder, WantedObject& wanted) {
   const config::ExhibitSection& section = *wanted.section;
@@ -125,7 +125,7 @@ object::Turned turned_of(const std::filesystem::path& folder, WantedObject& want
   if (const std::filesystem::path file = folder / section.wrapped.value;
       section.wrapped.given && file::is_there(file)) {
     try {
-      turned.wrapped = load_pixels(file, picture_side);
+      turned.wrapped = load_pixels(file, wrapped_side);
     } catch (const content::ContentError& error) {
       wanted.place = section.wrapped.place;
       throw content::ContentError("", 0, 0, error.code,
@@ -139,7 +139,7 @@ object::Turned turned_of(const std::filesystem::path& folder, WantedObject& want
 import::object::ObjectFile source_of(const std::filesystem::path& folder, WantedObject& wanted) {
   if (wanted.told == Told::Turned) return object::turn(turned_of(folder, wanted));
   if (wanted.told == Told::Relief)
-    return object::relief_of(load_pixels(folder / wanted.name, picture_side), wanted.name);
+    return object::relief_of(load_pixels(folder / wanted.name, cut_side), wanted.name);
   return import::object::read_object(folder / wanted.name);
 }
 

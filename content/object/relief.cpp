@@ -184,7 +184,8 @@ import::object::ObjectFile relief_of(const Pixels& picture, const std::string& f
   import::object::ObjectFile made;
   made.is_in_metres = made.says_up = true;
   made.model = import::object::scene_of(std::move(parts));
-  made.model.images.push_back(std::move(cut.picture));
+  constexpr std::uint32_t largest_picture = 768;
+  made.model.images.push_back(image::shrink(std::move(cut.picture), largest_picture));
   made.model.materials.push_back(
       {.name = "", .image = 0, .wrap = {import::gltf::Wrap::Clamp, import::gltf::Wrap::Clamp}});
   if (cut.other_pieces > 0)
