@@ -238,26 +238,51 @@ Pixels with_border(const Pixels& picture) {
   return made;
 }
 
+/// Those of the pixels that have no neighbour that is not among them.
+std::vector<bool> eroded(const std::vector<bool>& pixels, std::size_t width) {
+  std::vector<bool> inner = pixels;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    for_neighbours(i, width, pixels.size(), [&](std::size_t next) {
+      if (!pixels[next]) inner[i] = false;
+    });
+  return inner;
+}
+
+/// The pixels and those that are so many steps from them.
+std::vector<bool> grown(std::vector<bool> pixels, std::size_t width, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<bool> before = pixels;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      for_neighbours(i, width, pixels.size(), [&](std::size_t next) {
+        if (before[next]) pixels[i] = true;
+      });
+  }
+  return pixels;
+}
+
+/// The pixels whose colour is the thing's own: those at the outline are mixed with the ground, or
+/// of the line that it is drawn with. What is thinner than that keeps those in its middle.
+std::vector<bool> pure_pixels(const std::vector<std::uint8_t>& cover, std::size_t width) {
+  constexpr int mixed = 3;
+  std::vector<std::vector<bool>> within(1, std::vector<bool>(cover.size()));
+  for (std::size_t i = 0; i < cover.size(); ++i) within[0][i] = cover[i] >= half;
+  for (int ring = 0; ring < mixed; ++ring) within.push_back(eroded(within.back(), width));
+  std::vector<bool> pure = within.back();
+  for (int ring = mixed - 1; ring >= 0; --ring) {
+    const std::vector<bool> near = grown(pure, width, mixed + 1);
+    const std::vector<bool>& candidates = within[static_cast<std::size_t>(ring)];
+    for (std::size_t i = 0; i < cover.size(); ++i)
+      if (candidates[i] && !near[i]) pure[i] = true;
+  }
+  return pure;
+}
+
 /// The colours at the outline go on beyond it, so that nothing of the ground shows there.
 void spread_colours(const std::vector<std::uint8_t>& cover, Pixels& picture) {
-  constexpr std::uint8_t whole = 250;
-  // The outermost pixels are mixed with the ground: only those within tell a colour.
-  std::vector<bool> is_known(cover.size());
-  for (std::size_t i = 0; i < cover.size(); ++i) is_known[i] = cover[i] >= whole;
-  constexpr int mixed = 3;
-  for (int ring = 0; ring < mixed; ++ring) {
-    std::vector<bool> inner = is_known;
-    for (std::size_t i = 0; i < cover.size(); ++i)
-      for_neighbours(i, picture.width, cover.size(), [&](std::size_t next) {
-        if (!is_known[next]) inner[i] = false;
-      });
-    if (std::ranges::find(inner, true) == inner.end()) break;
-    is_known = std::move(inner);
-  }
+  std::vector<bool> is_known = pure_pixels(cover, picture.width);
   std::queue<std::size_t> open;
   for (std::size_t i = 0; i < cover.size(); ++i)
     if (is_known[i]) open.push(i);
-  if (open.empty()) return;
   while (!open.empty()) {
     const std::size_t i = open.front();
     open.pop();

@@ -251,6 +251,24 @@ INSTANTIATE_TEST_SUITE_P(
             "nothing but its ground"},
         Bad{"a stamp", picture(8, 8, [](double, double) { return red; }), "8 x 8 pixels"}));
 
+TEST(CutOut, KeepsTheColourOfWhatIsThin) {
+  for (const bool is_clear : {true, false}) {
+    const Pixels pixels = picture(200, 200, [&](double x, double y) {
+      const Rgba blue{20, 60, 170, is_clear ? 240 : 255};  // drawn a little clear
+      if (x > 50 && x < 150 && y > 100 && y < 180) return red;
+      return std::abs(x - 100) < 2 && y > 20 && y <= 100 ? blue : is_clear ? clear : wall;
+    });
+    const CutOut cut = cut_out(pixels, "strand.png");
+    const auto at = [&](std::size_t x, std::size_t y) {
+      return std::to_integer<int>(cut.picture.rgba[4 * (y * cut.picture.width + x) + 2]);
+    };
+
+    EXPECT_EQ(at(cut.picture.width / 2, 30), 170) << "half way up the strand it is blue";
+    EXPECT_EQ(at(10, cut.picture.height - 10), 30) << "and the foot is red";
+    EXPECT_EQ(at(10, 10), 170) << "what is beside the strand is as it is";
+  }
+}
+
 TEST(CutOut, KeepsLargeHolesAndFillsSpecks) {
   const Pixels pixels = picture(200, 200, [](double x, double y) {
     const double r = std::hypot(x - 100, y - 100);
